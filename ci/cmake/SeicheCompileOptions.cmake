@@ -1,0 +1,35 @@
+# What every target of the project is compiled with. `seiche_options` is never installed.
+add_library(seiche_options INTERFACE)
+target_compile_features(seiche_options INTERFACE cxx_std_20)
+target_compile_options(seiche_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  # sqrt and comparisons vectorise without these two; both keep IEEE results (unlike -ffast-math, never used here).
+  -fno-math-errno -fno-trapping-math
+  # __FILE__ and source_location relative to the project, so that builds in different folders give the same bytes.
+  -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
+target_include_directories(seiche_options INTERFACE ${PROJECT_SOURCE_DIR})
+
+if(SEICHE_WARNINGS_AS_ERRORS)
+  target_compile_options(seiche_options INTERFACE -Werror)
+endif()
+if(SEICHE_NATIVE)
+  target_compile_options(seiche_options INTERFACE -march=native)
+endif()
+if(SEICHE_SANITIZE)
+  target_compile_options(seiche_options INTERFACE
+    -fsanitize=${SEICHE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(seiche_options INTERFACE -fsanitize=${SEICHE_SANITIZE})
+endif()
+if(SEICHE_COVERAGE)
+  target_compile_options(seiche_options INTERFACE --coverage)
+  target_link_options(seiche_options INTERFACE --coverage)
+endif()
+
+# What records say of the build.
+find_package(Catch2 REQUIRED)
+set(SEICHE_CATCH2_VERSION ${Catch2_VERSION})
+get_target_property(options seiche_options INTERFACE_COMPILE_OPTIONS)
+list(FILTER options EXCLUDE REGEX "prefix-map")
+string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+list(JOIN options " " options)
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} ${options}" SEICHE_FLAGS)

@@ -1,0 +1,63 @@
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_fit.h>
+
+#include "reports/evidence/claim.hpp"
+
+namespace seiche::evidence {
+
+ObservedOrder observed_order(const std::vector<double>& sizes, const std::vector<double>& errors, double floor) {
+  if (sizes.size() != errors.size() || sizes.empty()) {
+    throw std::invalid_argument(fmt::format("observed order: {} sizes and {} errors, must be equally many and not none",
+                                            sizes.size(), errors.size()));
+  }
+  ObservedOrder result;
+  std::vector<double> log_size;
+  std::vector<double> log_error;
+  std::vector<std::string> left_out;
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    if (!(std::isfinite(sizes[k]) && sizes[k] > 0)) {
+      throw std::invalid_argument(fmt::format("observed order: size = {:g}, must be positive and finite", sizes[k]));
+    }
+    if (!std::isfinite(errors[k]) || errors[k] < 0) {
+      result.note = fmt::format("the error at size {:g} is not a finite number", sizes[k]);
+      return result;
+    }
+    if (errors[k] <= floor || errors[k] == 0) {
+      left_out.push_back(fmt::format("{:g}", sizes[k]));
+      continue;
+    }
+    result.sizes.push_back(sizes[k]);
+    result.errors.push_back(errors[k]);
+    log_size.push_back(std::log(sizes[k]));
+    log_error.push_back(std::log(errors[k]));
+  }
+  if (!left_out.empty()) {
+    result.note = fmt::format("at the round-off floor {:.2g}, left out: size {}", floor, fmt::join(left_out, ", "));
+  }
+  constexpr std::size_t fewest = 4;
+  if (result.sizes.size() < fewest) {
+    result.note += fmt::format("{}only {} usable resolutions, four are needed", result.note.empty() ? "" : "; ",
+                               result.sizes.size());
+    return result;
+  }
+
+  double intercept = 0;
+  double slope = 0;
+  double cov_intercept = 0;
+  double cov_mixed = 0;
+  double cov_slope = 0;
+  double residual = 0;
+  const std::size_t n = log_size.size();
+  gsl_fit_linear(log_size.data(), 1, log_error.data(), 1, n, &intercept, &slope, &cov_intercept, &cov_mixed,
+                 &cov_slope, &residual);
+  result.order = slope;
+  result.half_width = gsl_cdf_tdist_Pinv(0.975, static_cast<double>(n - 2)) * std::sqrt(cov_slope);
+  return result;
+}
+
+}  // namespace seiche::evidence

@@ -1,0 +1,82 @@
+#include "reports/evidence/record.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace seiche::evidence {
+namespace {
+
+void require_identifier(const char* what, const std::string& id) {
+  const bool fine = !id.empty() && std::all_of(id.begin(), id.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '_';
+  });
+  if (!fine) throw std::invalid_argument(fmt::format("{} '{}': must be letters, digits, '-' and '_'", what, id));
+}
+
+}  // namespace
+
+Verdict Record::check(const Claim& claim, const Measurement& measurement, const Criterion& criterion) {
+  return keep({claim, criterion, judge(measurement, criterion), Verdict::pass, {}});
+}
+
+Verdict Record::check(const Claim& claim, const ObservedOrder& observed, const Order& criterion) {
+  return keep({claim, criterion, judge(observed, criterion), Verdict::pass, {}});
+}
+
+Verdict Record::known_failure(const Claim& claim, const Measurement& measurement, const Criterion& criterion,
+                              const std::string& reason) {
+  return keep({claim, criterion, judge(measurement, criterion), Verdict::fail, reason});
+}
+
+Verdict Record::known_failure(const Claim& claim, const ObservedOrder& observed, const Order& criterion,
+                              const std::string& reason) {
+  return keep({claim, criterion, judge(observed, criterion), Verdict::fail, reason});
+}
+
+Verdict Record::keep(JudgedClaim judged) {
+  require_identifier("claim id", judged.claim.id);
+  if (judged.declared != Verdict::pass && judged.declared_reason.empty()) {
+    throw std::invalid_argument(fmt::format("claim '{}': a declared failure needs its reason", judged.claim.id));
+  }
+  const auto earlier = std::find_if(claims_.begin(), claims_.end(),
+                                    [&](const JudgedClaim& other) { return other.claim.id == judged.claim.id; });
+  if (earlier == claims_.end()) {
+    claims_.push_back(std::move(judged));
+    return claims_.back().judgement.verdict;
+  }
+  // A claim that failed once in a run has failed.
+  if (judged.judgement.verdict > earlier->judgement.verdict) *earlier = std::move(judged);
+  return earlier->judgement.verdict;
+}
+
+Figure& Record::figure(const std::string& id, const std::string& figure_title, const std::string& caption,
+                       const std::vector<std::string>& tiles) {
+  require_identifier("figure id", id);
+  const bool taken = std::any_of(figures_.begin(), figures_.end(), [&](const Figure& f) { return f.id == id; });
+  if (taken) throw std::invalid_argument(fmt::format("figure id '{}' is used twice in record '{}'", id, name));
+  return figures_.emplace_back(id, figure_title, caption, tiles);
+}
+
+Table& Record::table(Table table) {
+  require_identifier("table id", table.id);
+  for (const auto& row : table.rows) {
+    if (row.size() != table.columns.size()) {
+      throw std::invalid_argument(fmt::format("table '{}': a row has {} entries, must have {}", table.id, row.size(),
+                                              table.columns.size()));
+    }
+  }
+  return tables_.emplace_back(std::move(table));
+}
+
+bool Record::as_declared() const {
+  return error.empty() && std::all_of(claims_.begin(), claims_.end(), [](const JudgedClaim& c) {
+    return c.judgement.verdict == c.declared;
+  });
+}
+
+std::string Record::stem() const { return solver == "seiche" ? name : name + "." + solver; }
+
+}  // namespace seiche::evidence

@@ -1,0 +1,125 @@
+/// The record of one case: what was claimed, what was measured, what follows, and the arrays behind it.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "reports/evidence/claim.hpp"
+#include "reports/evidence/criterion.hpp"
+#include "reports/evidence/figure.hpp"
+#include "reports/evidence/provenance.hpp"
+#include "reports/evidence/verdict.hpp"
+
+namespace seiche::evidence {
+
+/// A parameter as it was used.
+struct ParameterValue {
+  std::variant<double, long, bool, std::string> value;
+  std::variant<double, long, bool, std::string> standard;  ///< the case's default
+  std::string unit;
+  std::string meaning;
+};
+
+struct JudgedClaim {
+  Claim claim;
+  Criterion criterion;
+  Judgement judgement;
+  Verdict declared = Verdict::pass;
+  std::string declared_reason;
+};
+
+struct Table {
+  std::string id;
+  std::string title;
+  std::string caption;
+  std::vector<std::pair<std::string, std::string>> columns;  ///< name, unit
+  std::vector<std::vector<std::variant<double, std::string>>> rows;
+  std::vector<std::string> atlas;
+};
+
+/// An array that no figure shows but a reader may want.
+struct Array {
+  std::string name;
+  std::string unit;
+  std::string meaning;
+  std::vector<double> values;
+};
+
+/// A spatial field at one time, for ParaView: points (x, z) joined by a line, with values at the points.
+struct Snapshot {
+  struct Field {
+    std::string name;
+    std::string unit;
+    std::vector<double> values;
+  };
+  double time = 0;
+  std::vector<double> x;
+  std::vector<double> z;  ///< height at which the points are shown: the surface elevation
+  std::vector<Field> fields;
+};
+
+class Record {
+ public:
+  // Identity, set by whoever owns the record.
+  std::string name;                   ///< case or check: [a-z0-9_]+, also the file's name
+  std::string kind = "validation";    ///< or "verification"
+  std::string group;                  ///< phenomenon or room
+  std::string tier = "quick";
+  std::string solver = "seiche";
+  std::string title;
+  std::string source;
+  std::string article;                ///< Markdown with $formulas$
+  std::vector<std::string> atlas;     ///< tiles filled by the record as a whole
+  std::map<std::string, ParameterValue> parameters;
+  double wall_time = 0;
+  std::string fingerprint;            ///< of executable, case, tier and parameters: equal means it need not run again
+  std::map<std::string, std::string> reference_data;  ///< path of every reference table read -> SHA-256
+  std::string error;                  ///< why the run did not finish; empty if it did
+
+  /// Judges a measurement and keeps the result. A claim judged again under the same id keeps its worst verdict.
+  Verdict check(const Claim& claim, const Measurement& measurement, const Criterion& criterion);
+  Verdict check(const Claim& claim, const ObservedOrder& observed, const Order& criterion);
+  /// The same for a claim that the method is known not to meet: the declared verdict is fail, for the reason given, and
+  /// a pass is as unexpected as a fail elsewhere.
+  Verdict known_failure(const Claim& claim, const Measurement& measurement, const Criterion& criterion,
+                        const std::string& reason);
+  Verdict known_failure(const Claim& claim, const ObservedOrder& observed, const Order& criterion,
+                        const std::string& reason);
+
+  /// Keeps a number that no claim may use.
+  void measure(const std::string& quantity, double value) { measurements_[quantity] = value; }
+  void array(Array array) { arrays_.push_back(std::move(array)); }
+  void snapshot(Snapshot snapshot) { snapshots_.push_back(std::move(snapshot)); }
+  /// Adds a figure or a table; the reference stays valid for the record's life.
+  Figure& figure(const std::string& id, const std::string& figure_title, const std::string& caption,
+                 const std::vector<std::string>& tiles = {});
+  Table& table(Table table);
+
+  [[nodiscard]] const std::vector<JudgedClaim>& claims() const { return claims_; }
+  [[nodiscard]] const std::map<std::string, double>& measurements() const { return measurements_; }
+  [[nodiscard]] const std::deque<Figure>& figures() const { return figures_; }
+  [[nodiscard]] const std::deque<Table>& tables() const { return tables_; }
+  [[nodiscard]] const std::vector<Array>& arrays() const { return arrays_; }
+  [[nodiscard]] const std::vector<Snapshot>& snapshots() const { return snapshots_; }
+
+  /// The run finished and every claim has its declared verdict.
+  [[nodiscard]] bool as_declared() const;
+  /// The name without extension of the record's files: the name, and the solver's where it is not ours.
+  [[nodiscard]] std::string stem() const;
+
+ private:
+  Verdict keep(JudgedClaim judged);
+
+  std::vector<JudgedClaim> claims_;
+  std::map<std::string, double> measurements_;
+  std::deque<Figure> figures_;
+  std::deque<Table> tables_;
+  std::vector<Array> arrays_;
+  std::vector<Snapshot> snapshots_;
+};
+
+}  // namespace seiche::evidence

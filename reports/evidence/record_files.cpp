@@ -1,0 +1,105 @@
+#include "reports/evidence/record_files.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "seiche/io/atomic_file.hpp"
+#include "seiche/io/hdf5_file.hpp"
+#include "seiche/io/xdmf.hpp"
+
+namespace seiche::evidence {
+namespace {
+
+constexpr std::array role_names{"exact", "computed", "peer", "data", "guide", "bed", "water"};
+constexpr std::array style_names{"line", "points", "steps", "fill", "vertical"};
+
+void write_panel(io::Hdf5File& file, const std::string& path, const Panel& panel) {
+  const Axes& axes = panel.axes();
+  file.group(path);
+  file.attribute(path, "title", axes.title);
+  file.attribute(path, "x_label", axes.x);
+  file.attribute(path, "y_label", axes.y);
+  file.attribute(path, "log_x", axes.log_x ? 1 : 0);
+  file.attribute(path, "log_y", axes.log_y ? 1 : 0);
+  file.attribute(path, "aspect", std::string_view(axes.equal_aspect ? "equal" : "auto"));
+  const std::array<std::pair<const char*, const std::optional<double>*>, 4> limits{
+      {{"x_min", &axes.x_min}, {"x_max", &axes.x_max}, {"y_min", &axes.y_min}, {"y_max", &axes.y_max}}};
+  for (const auto& [name_of, limit] : limits) {
+    if (*limit) file.attribute(path, name_of, **limit);
+  }
+  for (std::size_t k = 0; k < panel.series().size(); ++k) {
+    const Series& series = panel.series()[k];
+    const std::string here = fmt::format("{}/series_{:02}", path, k);
+    file.group(here);
+    file.attribute(here, "label", series.label);
+    file.attribute(here, "role", std::string_view(role_names.at(static_cast<std::size_t>(series.role))));
+    file.attribute(here, "style", std::string_view(style_names.at(static_cast<std::size_t>(series.style))));
+    file.array(here + "/x", series.x, axes.x, "see name", series.style == Style::steps ? "cell edges" : "abscissa");
+    file.array(here + "/y", series.y, axes.y, "see name", series.label);
+    if (!series.y_error.empty()) file.array(here + "/y_error", series.y_error, axes.y, "see name", "half-width");
+  }
+}
+
+void write_figures(io::Hdf5File& file, const Record& record) {
+  file.group("/figures");
+  for (const Figure& figure : record.figures()) {
+    const std::string path = "/figures/" + figure.id;
+    file.group(path);
+    file.attribute(path, "title", figure.title);
+    file.attribute(path, "caption", figure.caption);
+    file.attribute(path, "drawing", figure.drawing);
+    std::size_t k = 0;
+    for (const Panel& panel : figure.panels()) write_panel(file, fmt::format("{}/panel_{:02}", path, k++), panel);
+  }
+}
+
+void write_arrays(io::Hdf5File& file, const Record& record) {
+  file.group("/arrays");
+  for (const Array& a : record.arrays()) file.array("/arrays/" + a.name, a.values, a.name, a.unit, a.meaning);
+}
+
+std::vector<io::XdmfFrame> write_snapshots(io::Hdf5File& file, const Record& record) {
+  std::vector<io::XdmfFrame> frames;
+  file.group("/snapshots");
+  for (const Snapshot& snapshot : record.snapshots()) {
+    const std::string path = fmt::format("/snapshots/{:04}", frames.size());
+    file.group(path);
+    file.attribute(path, "time", snapshot.time);
+    const std::size_t n = snapshot.x.size();
+    std::vector<double> points(3 * n);
+    for (std::size_t i = 0; i < n; ++i) {
+      points[3 * i] = snapshot.x[i];
+      points[3 * i + 2] = snapshot.z.at(i);
+    }
+    const std::array<std::size_t, 2> shape{n, 3};
+    file.array(path + "/points", points, shape, "points", "m", "coordinates x, y, z of the surface");
+    io::XdmfFrame frame{.time = snapshot.time, .points = n, .points_path = path + "/points", .fields = {}};
+    for (const Snapshot::Field& field : snapshot.fields) {
+      const std::string here = path + "/" + field.name;
+      file.array(here, field.values, field.name, field.unit, "value at the points");
+      frame.fields.emplace_back(field.name, here);
+    }
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+}  // namespace
+
+void write(const Record& record, const std::filesystem::path& directory) {
+  const bool has_data = !(record.figures().empty() && record.arrays().empty() && record.snapshots().empty());
+  if (has_data) {
+    io::AtomicFile target(directory / (record.stem() + ".h5"));
+    io::Hdf5File file(target.path());
+    write_figures(file, record);
+    write_arrays(file, record);
+    const std::vector<io::XdmfFrame> frames = write_snapshots(file, record);
+    file.close();
+    target.commit();
+    if (!frames.empty()) io::write_file(directory / (record.stem() + ".xdmf"), io::xdmf(record.stem() + ".h5", frames));
+  }
+  io::write_file(directory / (record.stem() + ".json"), to_json(record));
+}
+
+}  // namespace seiche::evidence

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "reports/evidence/record.hpp"
+
+namespace seiche::evidence {
+
+/// The record as JSON text; its form is reports/schema/record.schema.json.
+std::string to_json(const Record& record);
+
+/// Writes `<stem>.h5` (and `<stem>.xdmf` where the record has snapshots), then `<stem>.json`, each atomically: a record
+/// that exists is whole, and so are the arrays it names.
+void write(const Record& record, const std::filesystem::path& directory);
+
+/// What a later run or a summary needs of a written record.
+struct Summary {
+  struct Outcome {
+    std::string id;
+    std::string text;
+    std::string verdict;
+    std::string declared;
+    std::string note;
+    double measured = 0;
+    double limit = 0;
+    double expected = 0;
+  };
+  std::string name;
+  std::string kind;
+  std::string group;
+  std::string tier;
+  std::string solver;
+  std::string error;
+  std::string fingerprint;
+  double wall_time = 0;
+  std::vector<Outcome> claims;
+  std::map<std::string, double> measurements;
+  std::map<std::string, std::string> reference_data;
+
+  [[nodiscard]] bool as_declared() const;
+};
+
+/// Reads a record back. @throws std::runtime_error naming the file when it is not a record.
+Summary read_summary(const std::filesystem::path& json_file);
+/// All records of a directory, sorted by file name. A file that is not a record is an error naming it.
+std::vector<Summary> read_summaries(const std::filesystem::path& directory);
+
+/// JUnit XML of all claims: a test suite per record, a test case per claim; undeclared verdicts are failures.
+void write_junit(const std::vector<Summary>& records, const std::filesystem::path& file);
+
+}  // namespace seiche::evidence

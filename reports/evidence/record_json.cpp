@@ -1,0 +1,128 @@
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "reports/evidence/record_files.hpp"
+
+namespace seiche::evidence {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no NaN and no infinity: null stands for a number that is not there.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+template <class... Types>
+Json any(const std::variant<Types...>& value) {
+  return std::visit(
+      [](const auto& v) -> Json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>) return number(v);
+        else return Json(v);
+      },
+      value);
+}
+
+Json describe(const Roundoff& c) {
+  return {{"kind", "roundoff"}, {"reason", c.reason}, {"operations", c.operations}, {"scale", c.scale}};
+}
+Json describe(const Order& c) {
+  return {{"kind", "order"}, {"reason", c.reason}, {"theory", c.theory}, {"tolerance", c.tolerance}};
+}
+Json describe(const Bound& c) { return {{"kind", "bound"}, {"reason", c.reason}, {"relative", c.relative}}; }
+Json describe(const Uncertainty& c) {
+  return {{"kind", "uncertainty"}, {"reason", c.reason},     {"data", c.data},
+          {"input", c.input},      {"coverage", c.coverage}, {"useful", number(c.useful)}};
+}
+Json describe(const Qualitative& c) {
+  return {{"kind", "qualitative"}, {"reason", c.reason}, {"detector", c.detector}};
+}
+
+Json describe(const JudgedClaim& judged) {
+  const Judgement& j = judged.judgement;
+  Json criterion = std::visit([](const auto& c) { return describe(c); }, judged.criterion);
+  criterion["limit"] = number(j.limit);
+  return {{"id", judged.claim.id},
+          {"text", judged.claim.text},
+          {"quantity", judged.claim.quantity},
+          {"unit", judged.claim.unit},
+          {"source", judged.claim.source},
+          {"resolution", j.resolution},
+          {"measured", number(j.measured)},
+          {"uncertainty", number(j.uncertainty)},
+          {"expected", number(j.expected)},
+          {"criterion", criterion},
+          {"verdict", name(j.verdict)},
+          {"declared", name(judged.declared)},
+          {"declared_reason", judged.declared_reason},
+          {"note", j.note}};
+}
+
+Json describe(const Table& table) {
+  Json columns = Json::array();
+  for (const auto& [title, unit] : table.columns) columns.push_back({{"name", title}, {"unit", unit}});
+  Json rows = Json::array();
+  for (const auto& row : table.rows) {
+    Json cells = Json::array();
+    for (const auto& cell : row) cells.push_back(any(cell));
+    rows.push_back(std::move(cells));
+  }
+  return {{"id", table.id},       {"title", table.title}, {"caption", table.caption},
+          {"columns", columns},   {"rows", rows},         {"atlas", table.atlas}};
+}
+
+Json describe(const Provenance& p, const std::map<std::string, std::string>& reference_data) {
+  return {{"version", p.version},   {"commit", p.commit},       {"dirty", p.dirty},
+          {"compiler", p.compiler}, {"flags", p.flags},         {"build_type", p.build_type},
+          {"libraries", p.libraries}, {"processor", p.processor}, {"cores", p.cores},
+          {"threads", p.threads},   {"system", p.system},       {"date", p.date},
+          {"reference_data", Json(reference_data.empty() ? Json::object() : Json(reference_data))}};
+}
+
+}  // namespace
+
+std::string to_json(const Record& record) {
+  Json parameters = Json::object();
+  for (const auto& [name_of, p] : record.parameters) {
+    parameters[name_of] = {
+        {"value", any(p.value)}, {"unit", p.unit}, {"default", any(p.standard)}, {"meaning", p.meaning}};
+  }
+  Json claims = Json::array();
+  for (const JudgedClaim& judged : record.claims()) claims.push_back(describe(judged));
+  Json measurements = Json::object();
+  for (const auto& [quantity, value] : record.measurements()) measurements[quantity] = number(value);
+  Json figures = Json::array();
+  for (const Figure& f : record.figures()) {
+    figures.push_back({{"id", f.id}, {"title", f.title}, {"caption", f.caption}, {"drawing", f.drawing},
+                       {"atlas", f.atlas}});
+  }
+  Json tables = Json::array();
+  for (const Table& t : record.tables()) tables.push_back(describe(t));
+  const bool has_data = !(record.figures().empty() && record.arrays().empty() && record.snapshots().empty());
+
+  const Json json = {{"schema", 1},
+                     {"case", record.name},
+                     {"kind", record.kind},
+                     {"group", record.group},
+                     {"tier", record.tier},
+                     {"solver", record.solver},
+                     {"title", record.title},
+                     {"source", record.source},
+                     {"article", record.article},
+                     {"status", record.error.empty() ? "finished" : "error"},
+                     {"error", record.error},
+                     {"parameters", parameters},
+                     {"claims", claims},
+                     {"measurements", measurements},
+                     {"figures", figures},
+                     {"tables", tables},
+                     {"atlas", record.atlas},
+                     {"data", has_data ? record.stem() + ".h5" : ""},
+                     {"fields", record.snapshots().empty() ? "" : record.stem() + ".xdmf"},
+                     {"wall_time", number(record.wall_time)},
+                     {"fingerprint", record.fingerprint},
+                     {"provenance", describe(provenance(), record.reference_data)}};
+  // Text from outside (a path, a message) may not be UTF-8; it is shown with replacement characters, not refused.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace seiche::evidence

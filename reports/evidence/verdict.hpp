@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "reports/evidence/claim.hpp"
+#include "reports/evidence/criterion.hpp"
+
+namespace seiche::evidence {
+
+/// Ordered from best to worst, so that the worse of two verdicts is the larger.
+enum class Verdict { pass, inconclusive, fail, error };
+
+std::string_view name(Verdict verdict);
+Verdict verdict_from(std::string_view name);
+
+/// A verdict with the limit it was judged by, in the claim's unit (in orders for Order), and what a reader should know.
+struct Judgement {
+  Verdict verdict = Verdict::error;
+  double measured = 0;
+  double uncertainty = 0;
+  double expected = 0;
+  double limit = 0;
+  std::string resolution;
+  std::string note;
+};
+
+/// Judges a number. A non-finite value fails. Where the measurement has an uncertainty that straddles the limit of a
+/// Bound the verdict is inconclusive. Throws std::invalid_argument for a criterion without a reason, or for Order.
+Judgement judge(const Measurement& measurement, const Criterion& criterion);
+
+/// Judges an observed order: pass with its interval inside the allowed one, fail with the intervals disjoint,
+/// inconclusive otherwise or with fewer than four usable points.
+Judgement judge(const ObservedOrder& observed, const Order& criterion);
+
+}  // namespace seiche::evidence

@@ -1,0 +1,57 @@
+"""Drawings by name, and the drawing of one figure of one record to SVG.
+
+A record names the drawing that each of its figures wants; most want "panels". A special one is a small function here
+or beside, marked `@drawing("name")`, that takes the figure (see arrays.read_figure) and returns a matplotlib Figure.
+"""
+import os
+import pathlib
+
+_DRAWINGS = {}
+
+
+def drawing(name):
+    """Registers a function figure -> matplotlib Figure under the name that records use."""
+    def register(function):
+        _DRAWINGS[name] = function
+        return function
+    return register
+
+
+def prepare():
+    """Imports matplotlib with the report's style; called once before worker processes are forked."""
+    os.environ.setdefault("MPLBACKEND", "svg")
+    import matplotlib
+    matplotlib.use("svg")
+    import matplotlib.style
+    matplotlib.style.use(str(pathlib.Path(__file__).resolve().parent / "seiche.mplstyle"))
+    from render import panels  # noqa: F401  (registers its drawings)
+
+
+def draw(data_file, figure_id, drawing_name, key, target):
+    """Draws one figure into `target`. Returns "" or the sentence that says why it could not be drawn."""
+    import matplotlib
+    import matplotlib.pyplot
+    from render import arrays
+    try:
+        if drawing_name not in _DRAWINGS:
+            return f"no drawing is called “{drawing_name}”; known: {', '.join(sorted(_DRAWINGS))}"
+        content = arrays.read_figure(data_file, figure_id)
+        matplotlib.rcParams["svg.hashsalt"] = key
+        figure = _DRAWINGS[drawing_name](content)
+        target = pathlib.Path(target)
+        beside = target.with_name(f"{target.name}.{os.getpid()}.new")
+        figure.savefig(beside, format="svg", metadata={"Date": None, "Creator": None})
+        beside.write_text(_slim(beside.read_text(encoding="utf-8")), encoding="utf-8")
+        os.replace(beside, target)
+        return ""
+    except Exception as error:      # whatever a drawing stumbles on belongs in the report, beside the other figures
+        return f"{type(error).__name__}: {error}"
+    finally:
+        matplotlib.pyplot.close("all")
+
+
+def _slim(svg):
+    """Drops what a browser does not need: comments, metadata, doctype, line indentation."""
+    import re
+    svg = re.sub(r"<!--.*?-->|<!DOCTYPE.*?>|<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
+    return re.sub(r"\n\s*", "\n", svg)

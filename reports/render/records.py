@@ -1,0 +1,167 @@
+"""Records: read, checked against the schema, and what follows from their verdicts.
+
+A file that cannot be read or breaks the schema becomes a `Broken` entry; the report shows it, it never disappears.
+"""
+import dataclasses
+import functools
+import hashlib
+import json
+import pathlib
+
+SCHEMA = pathlib.Path(__file__).resolve().parent.parent / "schema" / "record.schema.json"
+KINDS = ("roundoff", "order", "bound", "uncertainty", "qualitative")
+VERDICTS = ("pass", "fail", "inconclusive", "error")
+OWN_SOLVER = "seiche"
+
+
+@dataclasses.dataclass(frozen=True)
+class Broken:
+    """A file that should have been a record."""
+    file: str
+    reasons: list
+
+
+@dataclasses.dataclass
+class Claim:
+    """One claim of a record, with what its verdict means."""
+    raw: dict
+
+    def __getattr__(self, name):
+        return self.raw[name]
+
+    @property
+    def kind(self):
+        return self.raw["criterion"]["kind"]
+
+    @property
+    def unexpected(self):
+        return self.raw["verdict"] != self.raw["declared"]
+
+    @property
+    def declared_failure(self):
+        """Verdict other than pass that was declared beforehand, with its reason."""
+        return not self.unexpected and self.raw["verdict"] != "pass"
+
+
+class Record:
+    """One run of one case by one solver."""
+
+    def __init__(self, file, raw):
+        self.file = file
+        self.raw = raw
+        self.stem = pathlib.PurePath(file).stem      # names the files that belong to it; unique in the directory
+        self.claims = [Claim(claim) for claim in raw["claims"]]
+
+    def __getattr__(self, name):
+        if name.startswith("__") or name == "raw":
+            raise AttributeError(name)
+        return self.raw[name]
+
+    @property
+    def own(self):
+        return self.raw["solver"] == OWN_SOLVER
+
+    @property
+    def tiles(self):
+        named = list(self.raw["atlas"])
+        for part in self.raw["figures"] + self.raw["tables"]:
+            named += part["atlas"]
+        return list(dict.fromkeys(named))
+
+    @property
+    def worst(self):
+        """Verdict of the whole record: the worst of its claims; error when it did not finish."""
+        if self.raw["status"] == "error":
+            return "error"
+        order = ("pass", "inconclusive", "fail", "error")
+        return max((claim.verdict for claim in self.claims), key=order.index, default="none")
+
+    @property
+    def unexpected(self):
+        return self.raw["status"] == "error" or any(claim.unexpected for claim in self.claims)
+
+
+@dataclasses.dataclass
+class Case:
+    """All records of one case: the suite's own first, then other solvers by name."""
+    name: str
+    records: list
+
+    @property
+    def first(self):
+        return self.records[0]
+
+    @property
+    def peers(self):
+        return len(self.records) > 1
+
+
+def _refuse_constant(text):
+    raise ValueError(f"{text} is not JSON: a number that is not finite is written as null")
+
+
+@functools.cache
+def _validator():
+    """The schema's validator, or None where python3-jsonschema is missing."""
+    try:
+        import jsonschema
+    except ImportError:
+        return None
+    return jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8")))
+
+
+def violations(raw):
+    """Sentences naming where `raw` breaks the schema; empty when it does not (or when it cannot be checked)."""
+    validator = _validator()
+    if validator is None:
+        return [] if isinstance(raw, dict) and {"case", "claims", "figures"} <= raw.keys() else ["not a record"]
+    found = []
+    for error in validator.iter_errors(raw):
+        place = "/".join(str(step) for step in error.absolute_path) or "record"
+        message = error.message if len(error.message) < 300 else error.message[:300] + " …"
+        found.append(f"{place}: {message}")
+    return sorted(found)
+
+
+def load(directory, memo):
+    """All records of a directory.
+
+    @param memo  memo(kind, key, function) keeps the verdict of the schema between runs
+    @returns     (records sorted by case and solver, broken files)
+    """
+    schema = hashlib.sha256(SCHEMA.read_bytes()).hexdigest()
+    records, broken, taken = [], [], {}
+    for path in sorted(pathlib.Path(directory).glob("*.json")):
+        try:
+            content = path.read_bytes()
+            raw = json.loads(content.decode("utf-8"), parse_constant=_refuse_constant)
+            key = hashlib.sha256(content).hexdigest() + schema + str(_validator_available())
+            reasons = memo("schema", key, lambda: violations(raw))
+        except (OSError, ValueError, RecursionError) as error:
+            broken.append(Broken(path.name, [f"{type(error).__name__}: {error}"]))
+            continue
+        if not reasons:
+            owner = taken.setdefault((raw["case"], raw["solver"]), path.name)
+            if owner != path.name:
+                reasons = [f"{owner} is already the record of case {raw['case']} by solver {raw['solver']}"]
+        if reasons:
+            broken.append(Broken(path.name, reasons))
+        else:
+            records.append(Record(path.name, raw))
+    return records, broken
+
+
+def _validator_available():
+    import importlib.util
+    return importlib.util.find_spec("jsonschema") is not None
+
+
+def cases(records):
+    """Records gathered by case; validation before verification, groups by name, cases by name."""
+    gathered = {}
+    for record in records:
+        gathered.setdefault(record.case, []).append(record)
+    result = []
+    for name, members in gathered.items():
+        result.append(Case(name, sorted(members, key=lambda record: (not record.own, record.solver))))
+    return sorted(result, key=lambda case: (case.first.kind, case.first.group, case.name))

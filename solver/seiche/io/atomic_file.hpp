@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace seiche::io {
+
+/// A file that appears under its name only when it is whole: written beside it, renamed by commit(), removed by the
+/// destructor otherwise. Readers never see half a file, and a failed run leaves none behind.
+class AtomicFile {
+ public:
+  /// @throws std::runtime_error if the folder does not exist and cannot be made
+  explicit AtomicFile(std::filesystem::path target);
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  AtomicFile(AtomicFile&&) = delete;
+  AtomicFile& operator=(AtomicFile&&) = delete;
+  ~AtomicFile();
+
+  /// Where to write.
+  [[nodiscard]] const std::filesystem::path& path() const { return partial_; }
+  /// Makes the file appear, replacing an older one.
+  void commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path partial_;
+  bool committed_ = false;
+};
+
+/// Writes text atomically. @throws std::runtime_error naming the file when it cannot be written whole.
+void write_file(const std::filesystem::path& target, std::string_view text);
+
+/// Reads a whole file. @throws std::runtime_error naming the file when it cannot be read.
+std::string read_file(const std::filesystem::path& path);
+
+/// Removes the partial files of a process that died while writing.
+void remove_partial_files(const std::filesystem::path& directory, long process);
+
+}  // namespace seiche::io

@@ -1,0 +1,102 @@
+#include "seiche/io/hdf5_file.hpp"
+
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include <H5Cpp.h>
+#include <fmt/format.h>
+
+namespace seiche::io {
+
+struct Hdf5File::Handle {
+  std::filesystem::path path;
+  H5::H5File file;
+
+  /// The library's exceptions do not derive from std::exception; callers of ours should not have to know.
+  template <class Action>
+  void guarded(Action action) {
+    try {
+      action();
+    } catch (const H5::Exception& failure) {
+      throw std::runtime_error(fmt::format("cannot write {}: {}", path.string(), failure.getDetailMsg()));
+    }
+  }
+
+  template <class Value>
+  void attribute(const std::string& object, const std::string& name, const H5::DataType& type, const Value* value) {
+    guarded([&] {
+      const H5::DataSpace scalar(H5S_SCALAR);
+      const bool is_group = file.childObjType(object) == H5O_TYPE_GROUP;
+      const H5::Attribute attribute = is_group ? file.openGroup(object).createAttribute(name, type, scalar)
+                                               : file.openDataSet(object).createAttribute(name, type, scalar);
+      attribute.write(type, value);
+    });
+  }
+};
+
+Hdf5File::Hdf5File(const std::filesystem::path& path) : handle_(std::make_unique<Handle>()) {
+  H5::Exception::dontPrint();
+  handle_->path = path;
+  handle_->guarded([&] { handle_->file = H5::H5File(path.string(), H5F_ACC_TRUNC); });
+}
+
+Hdf5File::Hdf5File(Hdf5File&&) noexcept = default;
+Hdf5File& Hdf5File::operator=(Hdf5File&&) noexcept = default;
+Hdf5File::~Hdf5File() = default;
+
+void Hdf5File::group(const std::string& path) {
+  handle_->guarded([&] { handle_->file.createGroup(path); });
+}
+
+void Hdf5File::array(const std::string& path, std::span<const double> values, std::span<const std::size_t> shape,
+                     std::string_view name, std::string_view unit, std::string_view meaning) {
+  const std::size_t count = std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+  if (count != values.size()) {
+    throw std::invalid_argument(fmt::format("array {}: {} values for a shape of {}", path, values.size(), count));
+  }
+  handle_->guarded([&] {
+    const std::vector<hsize_t> extents(shape.begin(), shape.end());
+    const H5::DataSpace space(static_cast<int>(extents.size()), extents.data());
+    H5::DSetCreatPropList properties;
+    H5Pset_obj_track_times(properties.getId(), false);  // the same data shall give the same bytes
+    const H5::DataSet set =
+        handle_->file.createDataSet(path, H5::PredType::IEEE_F64LE, space, properties);
+    if (count > 0) set.write(values.data(), H5::PredType::NATIVE_DOUBLE);
+  });
+  attribute(path, "name", name);
+  attribute(path, "unit", unit);
+  attribute(path, "meaning", meaning);
+}
+
+void Hdf5File::array(const std::string& path, std::span<const double> values, std::string_view name,
+                     std::string_view unit, std::string_view meaning) {
+  const std::size_t length = values.size();
+  array(path, values, std::span(&length, 1), name, unit, meaning);
+}
+
+void Hdf5File::attribute(const std::string& object, const std::string& name, std::string_view text) {
+  // HDF5 has no strings of length zero; a single blank stands for one.
+  const std::string value = text.empty() ? " " : std::string(text);
+  H5::StrType type(H5::PredType::C_S1, value.size());
+  type.setCset(H5T_CSET_UTF8);
+  handle_->attribute(object, name, type, value.data());
+}
+
+void Hdf5File::attribute(const std::string& object, const std::string& name, double value) {
+  handle_->attribute(object, name, H5::PredType::NATIVE_DOUBLE, &value);
+}
+
+void Hdf5File::attribute(const std::string& object, const std::string& name, int value) {
+  handle_->attribute(object, name, H5::PredType::NATIVE_INT, &value);
+}
+
+void Hdf5File::close() {
+  handle_->guarded([&] {
+    handle_->file.flush(H5F_SCOPE_GLOBAL);
+    handle_->file.close();
+  });
+}
+
+}  // namespace seiche::io

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace seiche::io {
+
+/// A self-describing HDF5 file being written: every array carries its name, unit and meaning as attributes.
+///
+/// The same data give the same bytes: no object times are tracked.
+class Hdf5File {
+ public:
+  /// @throws std::runtime_error (here and below) with the path, when the library cannot write.
+  explicit Hdf5File(const std::filesystem::path& path);
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
+  Hdf5File(Hdf5File&&) noexcept;
+  Hdf5File& operator=(Hdf5File&&) noexcept;
+  ~Hdf5File();
+
+  /// Makes a group; its parents must exist.
+  void group(const std::string& path);
+  /// Writes doubles in row-major order.
+  /// @param shape  extents; their product must be values.size()
+  void array(const std::string& path, std::span<const double> values, std::span<const std::size_t> shape,
+             std::string_view name, std::string_view unit, std::string_view meaning);
+  void array(const std::string& path, std::span<const double> values, std::string_view name, std::string_view unit,
+             std::string_view meaning);
+
+  void attribute(const std::string& object, const std::string& name, std::string_view text);
+  void attribute(const std::string& object, const std::string& name, double value);
+  void attribute(const std::string& object, const std::string& name, int value);
+
+  /// Flushes and closes; the destructor closes without reporting errors.
+  void close();
+
+ private:
+  struct Handle;
+  std::unique_ptr<Handle> handle_;
+};
+
+}  // namespace seiche::io

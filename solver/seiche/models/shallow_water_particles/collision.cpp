@@ -1,0 +1,117 @@
+#include "seiche/models/shallow_water_particles/collision.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace seiche::shallow_water_particles {
+
+using shallow_water::jump_mass_flux;
+using shallow_water::star_state;
+using shallow_water::thrust;
+
+Collision::Collision(double gravity, const InteriorJump& right_going, const InteriorJump& left_going, const Array& mass)
+    : gravity_(gravity),
+      left_(right_going.behind),
+      right_(left_going.behind),
+      track_{},
+      origin_(right_going.particle),
+      left_particle_(right_going.particle),
+      right_particle_(left_going.particle) {
+  const double right_edge = edge_mass(right_particle_ + 1, mass);
+  track_ = {right_going.behind_by_volume * mass[left_particle_],
+            right_edge - left_going.behind_by_volume * mass[right_particle_], right_going.mass_flux,
+            -left_going.mass_flux, right_going.ahead};
+}
+
+double Collision::edge_mass(std::size_t edge, const Array& mass) const {
+  double position = 0;
+  for (std::size_t i = origin_; i < edge; ++i) position += mass[i];
+  for (std::size_t i = edge; i < origin_; ++i) position -= mass[i];
+  return position;
+}
+
+double Collision::fastest_mass_flux() const {
+  const double now = std::max(std::abs(track_.left_speed), std::abs(track_.right_speed));
+  if (met_) return now;
+  const Track later = after_meeting(0);
+  return std::max({now, std::abs(later.left_speed), later.right_speed});
+}
+
+Collision::Track Collision::after_meeting(double position) const {
+  const State between = star_state(gravity_, left_, right_);
+  return {position, position, -jump_mass_flux(gravity_, left_.depth, between.depth),
+          jump_mass_flux(gravity_, right_.depth, between.depth), between};
+}
+
+Structure Collision::structure(std::size_t particle, const Array& mass) const {
+  const double start = edge_mass(particle, mass);
+  const double end = start + mass[particle];
+  const double first = std::clamp(track_.left, start, end);
+  const double second = std::clamp(track_.right, start, end);
+  Structure s;
+  s.particle = particle;
+  const auto add = [&](State state, double from, double to) {
+    if (to > from) s.layers[static_cast<std::size_t>(s.count++)] = {state, (to - from) / mass[particle]};
+  };
+  add(left_, start, first);
+  add(track_.between, first, second);
+  add(right_, second, end);
+  return s;
+}
+
+EdgeState Collision::average(std::size_t edge, const Array& mass, double tau, EdgeState base) const {
+  struct Passage {
+    double time;
+    State after;
+  };
+  std::array<Passage, 4> passages{};
+  std::size_t count = 0;
+  const double position = edge_mass(edge, mass);
+  // Passages of one jump that starts at `from` with `speed` at time `begin` and moves until `end`.
+  const auto pass = [&](double from, double speed, double begin, double end, State after) {
+    const double time = begin + (position - from) / speed;
+    if (position != from && time > begin && time <= end) passages[count++] = {time, after};
+  };
+  const double meeting = met_ ? 2 * tau : (track_.right - track_.left) / (track_.left_speed - track_.right_speed);
+  const double first_phase = std::min(meeting, tau);
+  // Before the meeting jumps bring the outer states to an edge; after it they bring the state between them.
+  pass(track_.left, track_.left_speed, 0, first_phase, met_ ? track_.between : left_);
+  pass(track_.right, track_.right_speed, 0, first_phase, met_ ? track_.between : right_);
+  if (meeting < tau) {
+    const Track later = after_meeting(track_.left + meeting * track_.left_speed);
+    pass(later.left, later.left_speed, meeting, tau, later.between);
+    pass(later.right, later.right_speed, meeting, tau, later.between);
+  }
+  std::sort(passages.begin(), passages.begin() + static_cast<long>(count),
+            [](const Passage& a, const Passage& b) { return a.time < b.time; });
+  if (count == 0) return base;
+  EdgeState sum = {base.velocity * passages[0].time, base.thrust * passages[0].time};
+  for (std::size_t k = 0; k < count; ++k) {
+    const double span = (k + 1 < count ? passages[k + 1].time : tau) - passages[k].time;
+    sum.velocity += span * passages[k].after.velocity;
+    sum.thrust += span * thrust(gravity_, passages[k].after.depth);
+  }
+  return {sum.velocity / tau, sum.thrust / tau};
+}
+
+void Collision::advance(double tau, const Array& mass) {
+  const double meeting = met_ ? 2 * tau : (track_.right - track_.left) / (track_.left_speed - track_.right_speed);
+  if (meeting < tau) {
+    track_ = after_meeting(track_.left + meeting * track_.left_speed);
+    met_ = true;
+    track_.left += (tau - meeting) * track_.left_speed;
+    track_.right += (tau - meeting) * track_.right_speed;
+  } else {
+    track_.left += tau * track_.left_speed;
+    track_.right += tau * track_.right_speed;
+  }
+  const auto locate = [&](double position, std::size_t particle) {
+    while (particle > 0 && position < edge_mass(particle, mass)) --particle;
+    while (particle + 1 < mass.size() && position > edge_mass(particle + 1, mass)) ++particle;
+    return particle;
+  };
+  left_particle_ = locate(track_.left, left_particle_);
+  right_particle_ = locate(track_.right, right_particle_);
+}
+
+}  // namespace seiche::shallow_water_particles

@@ -1,0 +1,63 @@
+/// Relations of the shallow-water equations that exact solutions and models share: celerity, hydrostatic
+/// thrust, the curves of simple waves and of jumps, and the star state of the Riemann problem.
+///
+///     h_t + (h u)_x = 0,   (h u)_t + (h u^2 + g h^2/2)_x = 0
+///
+/// Density is 1: multiply thrust and energy by the density of the fluid if it matters.
+/// Sources: Stoker, Water Waves (1957); Toro, Shock-capturing methods for free-surface shallow flows (2001).
+#pragma once
+
+#include <cmath>
+
+namespace seiche::shallow_water {
+
+/// Depth [m] and velocity [m/s] of a uniform flow; depth 0 is a dry bed.
+struct State {
+  double depth = 0;
+  double velocity = 0;
+};
+
+/// Celerity of long waves sqrt(g h) [m/s].
+inline double celerity(double gravity, double depth) { return std::sqrt(gravity * depth); }
+
+/// Hydrostatic thrust g h^2/2 per unit width and density [m^3/s^2].
+inline double thrust(double gravity, double depth) { return 0.5 * gravity * depth * depth; }
+
+/// Velocity change f_K(h) [m/s] across the wave that leads from depth `from` to depth `to`: a simple wave when the
+/// depth falls, a hydraulic jump when it rises.
+inline double velocity_change(double gravity, double to, double from) {
+  if (to <= from) return 2 * (std::sqrt(gravity * to) - std::sqrt(gravity * from));
+  return (to - from) * std::sqrt(0.5 * gravity * (to + from) / (to * from));
+}
+
+/// Derivative of velocity_change with respect to `to` [1/s].
+inline double velocity_change_slope(double gravity, double to, double from) {
+  if (to <= from) return std::sqrt(gravity / to);
+  const double q = std::sqrt(0.5 * gravity * (to + from) / (to * from));
+  return q - gravity * (to - from) / (4 * to * to * q);
+}
+
+/// Mass swept per unit time by a jump between two depths, sqrt(g h0 h1 (h0 + h1)/2) [m^2/s]: its speed in mass
+/// coordinates, the same for every observer.
+inline double jump_mass_flux(double gravity, double depth, double other) {
+  return std::sqrt(0.5 * gravity * depth * other * (depth + other));
+}
+
+/// True when the two states part so fast that the bed between them dries.
+inline bool middle_dries(double gravity, State left, State right) {
+  return 2 * (celerity(gravity, left.depth) + celerity(gravity, right.depth)) <= right.velocity - left.velocity;
+}
+
+/// Depth of the middle state if both waves were simple waves; exact when it is below both depths, and the starting
+/// value of every iteration here. Zero when the middle dries.
+inline double two_rarefaction_depth(double gravity, State left, State right) {
+  const double c = 0.5 * (celerity(gravity, left.depth) + celerity(gravity, right.depth)) +
+                   0.25 * (left.velocity - right.velocity);
+  return c > 0 ? c * c / gravity : 0.0;
+}
+
+/// Middle state of the Riemann problem of two wet states, to round-off. Depth 0 (velocity meaningless) when the
+/// middle dries. Both depths must be positive.
+State star_state(double gravity, State left, State right);
+
+}  // namespace seiche::shallow_water

@@ -1,0 +1,117 @@
+#include "validation/case/job.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "reports/evidence/provenance.hpp"
+#include "reports/evidence/record_files.hpp"
+#include "seiche/divergence.hpp"
+
+namespace seiche::validation {
+namespace {
+
+/// SHA-256 of the running program: a rebuilt program is another one.
+const std::string& executable_digest() {
+  static const std::string digest = evidence::sha256_of_file("/proc/self/exe");
+  return digest;
+}
+
+/// A record that claims nothing, or says nothing about what it measured, is a mistake in the case.
+void require_claims(const evidence::Record& record) {
+  if (record.claims().empty()) throw std::logic_error("the case made no claim");
+}
+
+}  // namespace
+
+int exit_status(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::as_declared: return 0;
+    case Outcome::failed: return 1;
+    case Outcome::wrong_input: return 2;
+    case Outcome::unfinished: return 3;
+  }
+  return 3;
+}
+
+std::string Job::fingerprint() const {
+  return evidence::sha256(fmt::format("{}\n{}\n{}\n{}", executable_digest(), definition->name, name(values.tier()),
+                                      values.canonical()));
+}
+
+evidence::Record Job::blank_record() const {
+  evidence::Record record;
+  record.name = definition->name;
+  record.kind = "validation";
+  record.group = definition->phenomenon;
+  record.tier = name(values.tier());
+  record.title = definition->title;
+  record.source = definition->source;
+  record.article = definition->article;
+  record.atlas = definition->atlas;
+  record.fingerprint = fingerprint();
+  for (const Parameter& p : values.declared()) {
+    record.parameters[p.name] = {.value = values.all().at(p.name),
+                                 .standard = p.standard.at(values.tier()),
+                                 .unit = p.unit,
+                                 .meaning = p.meaning};
+  }
+  return record;
+}
+
+Ending run_job(const Job& job, const std::filesystem::path& directory, const Run::Progress& progress) {
+  Run run(job.values, progress);
+  run.record = job.blank_record();
+  const auto begin = std::chrono::steady_clock::now();
+  try {
+    job.definition->run(run);
+    require_claims(run.record);
+  } catch (const std::invalid_argument& refused) {
+    return {Outcome::wrong_input, fmt::format("{}: {}", job.definition->name, refused.what())};
+  } catch (const std::exception& failure) {
+    run.record.error = failure.what();
+  }
+  run.record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  try {
+    evidence::write(run.record, directory);
+  } catch (const std::exception& failure) {
+    return {Outcome::unfinished, failure.what()};
+  }
+  if (!run.record.error.empty()) return {Outcome::unfinished, run.record.error};
+  if (run.record.as_declared()) return {Outcome::as_declared, {}};
+  std::string undeclared;
+  for (const evidence::JudgedClaim& claim : run.record.claims()) {
+    if (claim.judgement.verdict == claim.declared) continue;
+    undeclared += fmt::format("{}{}: {}, measured {:.6g}, expected {:.6g} within {:.3g}", undeclared.empty() ? "" : "; ",
+                              claim.claim.id, evidence::name(claim.judgement.verdict), claim.judgement.measured,
+                              claim.judgement.expected, claim.judgement.limit);
+  }
+  return {Outcome::failed, undeclared};
+}
+
+void write_error_record(const Job& job, const std::filesystem::path& directory, const std::string& reason,
+                        double wall_time) {
+  evidence::Record record = job.blank_record();
+  record.error = reason;
+  record.wall_time = wall_time;
+  evidence::write(record, directory);
+}
+
+bool is_done(const Job& job, const std::filesystem::path& directory) {
+  const std::filesystem::path file = directory / (job.definition->name + ".json");
+  if (!std::filesystem::exists(file)) return false;
+  try {
+    const evidence::Summary old = evidence::read_summary(file);
+    if (!old.error.empty() || old.fingerprint != job.fingerprint()) return false;
+    for (const auto& [table, digest] : old.reference_data) {
+      if (evidence::sha256_of_file(table) != digest) return false;
+    }
+    return true;
+  } catch (const std::exception&) {
+    return false;  // unreadable is not done
+  }
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "validation/case/case.hpp"
+
+namespace seiche::validation {
+
+/// How a job ended.
+enum class Outcome {
+  as_declared,   ///< finished, every claim has its declared verdict
+  failed,        ///< finished, some claim has not
+  wrong_input,   ///< refused before it computed; nothing written
+  unfinished,    ///< broke down, crashed, ran out of time or disk; the record says why
+};
+
+/// The exit status of the command for an outcome: 0, 1, 2, 3.
+int exit_status(Outcome outcome);
+
+/// One case with the values it shall run with.
+struct Job {
+  const Case* definition = nullptr;
+  Values values;
+
+  [[nodiscard]] std::string fingerprint() const;
+  /// A record with everything that is known before the case runs.
+  [[nodiscard]] evidence::Record blank_record() const;
+};
+
+struct Ending {
+  Outcome outcome = Outcome::unfinished;
+  std::string message;
+};
+
+/// Runs a job in this process and writes its record.
+Ending run_job(const Job& job, const std::filesystem::path& directory, const Run::Progress& progress);
+
+/// Writes the record of a job that could not write its own.
+void write_error_record(const Job& job, const std::filesystem::path& directory, const std::string& reason,
+                        double wall_time);
+
+/// Whether the directory holds a finished record of exactly this job, with the reference tables it read unchanged.
+bool is_done(const Job& job, const std::filesystem::path& directory);
+
+}  // namespace seiche::validation

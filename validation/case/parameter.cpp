@@ -1,0 +1,142 @@
+#include "validation/case/parameter.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace seiche::validation {
+namespace {
+
+std::string to_text(const Value& value) {
+  return std::visit(
+      [](const auto& v) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>) return fmt::format("{:.17g}", v);
+        else return fmt::format("{}", v);
+      },
+      value);
+}
+
+[[noreturn]] void reject(const Parameter& parameter, std::string_view value) {
+  throw std::invalid_argument(
+      fmt::format("parameter {} = {} is not allowed: must be {}", parameter.name, value, parameter.range()));
+}
+
+template <class Number>
+bool parse(const std::string& text, Number& number) {
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return failure == std::errc() && end == text.data() + text.size();
+}
+
+/// Whether a value of the right type lies in the declared range.
+bool allowed(const Parameter& parameter, const Value& value) {
+  const auto inside = [&](double v) { return std::isfinite(v) && v >= parameter.lowest && v <= parameter.highest; };
+  if (const auto* v = std::get_if<double>(&value)) return inside(*v);
+  if (const auto* v = std::get_if<long>(&value)) return inside(static_cast<double>(*v));
+  if (const auto* v = std::get_if<std::string>(&value)) {
+    return std::find(parameter.choices.begin(), parameter.choices.end(), *v) != parameter.choices.end();
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string Parameter::range() const {
+  if (!choices.empty()) return fmt::format("one of {}", fmt::join(choices, ", "));
+  if (std::holds_alternative<bool>(standard.quick)) return "true or false";
+  const char* type = std::holds_alternative<long>(standard.quick) ? "an integer" : "a number";
+  return fmt::format("{} in [{:g}, {:g}]{}{}", type, lowest, highest, unit == "1" ? "" : " ", unit == "1" ? "" : unit);
+}
+
+Parameter real(std::string name, ByTier<double> standard, std::string unit, Range range, std::string meaning) {
+  return {.name = std::move(name), .unit = std::move(unit), .meaning = std::move(meaning),
+          .standard = {standard.quick, standard.full, standard.paper},
+          .lowest = range.lowest, .highest = range.highest, .choices = {}};
+}
+
+Parameter integer(std::string name, ByTier<long> standard, Range range, std::string meaning) {
+  return {.name = std::move(name), .unit = "1", .meaning = std::move(meaning),
+          .standard = {standard.quick, standard.full, standard.paper},
+          .lowest = range.lowest, .highest = range.highest, .choices = {}};
+}
+
+Parameter choice(std::string name, ByTier<std::string> standard, std::vector<std::string> choices,
+                 std::string meaning) {
+  return {.name = std::move(name), .unit = "1", .meaning = std::move(meaning),
+          .standard = {standard.quick, standard.full, standard.paper}, .choices = std::move(choices)};
+}
+
+Parameter toggle(std::string name, ByTier<bool> standard, std::string meaning) {
+  return {.name = std::move(name), .unit = "1", .meaning = std::move(meaning),
+          .standard = {standard.quick, standard.full, standard.paper}, .choices = {}};
+}
+
+Values::Values(std::vector<Parameter> declared, Tier tier) : declared_(std::move(declared)), tier_(tier) {
+  for (const Parameter& parameter : declared_) values_[parameter.name] = parameter.standard.at(tier);
+}
+
+const Parameter& Values::find(std::string_view name) const {
+  const auto found = std::find_if(declared_.begin(), declared_.end(), [&](const Parameter& p) { return p.name == name; });
+  if (found == declared_.end()) {
+    std::vector<std::string> names;
+    for (const Parameter& p : declared_) names.push_back(p.name);
+    throw std::invalid_argument(
+        fmt::format("parameter {} is unknown: must be one of {}", name, fmt::join(names, ", ")));
+  }
+  return *found;
+}
+
+void Values::set(std::string_view name, const std::string& text) {
+  const Parameter& parameter = find(name);
+  Value value = parameter.standard.quick;
+  bool understood = true;
+  if (auto* number = std::get_if<double>(&value)) {
+    understood = parse(text, *number);
+  } else if (auto* whole = std::get_if<long>(&value)) {
+    understood = parse(text, *whole);
+  } else if (auto* flag = std::get_if<bool>(&value)) {
+    understood = text == "true" || text == "false";
+    *flag = text == "true";
+  } else {
+    value = text;
+  }
+  if (!understood || !allowed(parameter, value)) reject(parameter, text.empty() ? "(empty)" : text);
+  values_.find(name)->second = value;
+}
+
+void Values::set(std::string_view name, const Value& value) {
+  const Parameter& parameter = find(name);
+  Value converted = value;
+  const auto* whole = std::get_if<long>(&value);
+  if (whole != nullptr && std::holds_alternative<double>(parameter.standard.quick)) {
+    converted = static_cast<double>(*whole);
+  }
+  if (converted.index() != parameter.standard.quick.index() || !allowed(parameter, converted)) {
+    reject(parameter, to_text(value));
+  }
+  values_.find(name)->second = converted;
+}
+
+template <class T>
+const T& Values::get(std::string_view name) const {
+  const auto found = values_.find(name);
+  const T* value = found == values_.end() ? nullptr : std::get_if<T>(&found->second);
+  if (value == nullptr) throw std::logic_error(fmt::format("case uses parameter {} that it does not declare so", name));
+  return *value;
+}
+
+template const double& Values::get<double>(std::string_view) const;
+template const long& Values::get<long>(std::string_view) const;
+template const bool& Values::get<bool>(std::string_view) const;
+template const std::string& Values::get<std::string>(std::string_view) const;
+
+std::string Values::canonical() const {
+  std::string text;
+  for (const auto& [name, value] : values_) text += name + "=" + to_text(value) + "\n";
+  return text;
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,81 @@
+#include "validation/case/runner.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "reports/evidence/record_files.hpp"
+#include "validation/case/child.hpp"
+#include "validation/case/display.hpp"
+
+namespace seiche::validation {
+namespace {
+
+/// Set by the signal handler, the one thing that such a handler may do.
+volatile std::sig_atomic_t interrupted = 0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+
+void on_interrupt(int /*signal*/) { interrupted = 1; }
+
+int severity(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::as_declared: return 0;
+    case Outcome::failed: return 1;
+    case Outcome::unfinished: return 2;
+    case Outcome::wrong_input: return 3;
+  }
+  return 3;
+}
+
+Outcome worse(Outcome a, Outcome b) { return severity(a) >= severity(b) ? a : b; }
+
+}  // namespace
+
+Outcome run_all(const std::vector<Job>& jobs, const RunOptions& options) {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+
+  Display display(jobs.size());
+  Outcome worst = Outcome::as_declared;
+  std::vector<std::unique_ptr<Child>> children;
+  auto next = jobs.begin();
+  while ((next != jobs.end() || !children.empty()) && interrupted == 0) {
+    while (next != jobs.end() && children.size() < options.jobs) {
+      const Job& job = *next++;
+      if (options.resume && is_done(job, options.directory)) {
+        const auto old = evidence::read_summary(options.directory / (job.definition->name + ".json"));
+        worst = worse(worst, old.as_declared() ? Outcome::as_declared : Outcome::failed);
+        display.skipped(job.definition->name);
+      } else {
+        children.push_back(std::make_unique<Child>(job, options.directory));
+      }
+    }
+    for (auto child = children.begin(); child != children.end();) {
+      const std::optional<Ending> ending = (*child)->poll();
+      if (!ending) {
+        ++child;
+        continue;
+      }
+      display.finished((*child)->job().definition->name, *ending, (*child)->seconds());
+      worst = worse(worst, ending->outcome);
+      child = children.erase(child);
+    }
+    display.running(children);
+    // Short enough that a case of milliseconds is not waited for, long enough to cost nothing.
+    if (!children.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  children.clear();  // kills what an interrupt left running
+  if (interrupted != 0) {
+    fmt::print(stderr, "interrupted: run again with --resume to do the rest\n");
+    return Outcome::unfinished;
+  }
+  if (std::filesystem::is_directory(options.directory)) {
+    evidence::write_junit(evidence::read_summaries(options.directory), options.directory / "junit.xml");
+  }
+  return worst;
+}
+
+}  // namespace seiche::validation

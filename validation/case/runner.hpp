@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "validation/case/job.hpp"
+
+namespace seiche::validation {
+
+struct RunOptions {
+  std::filesystem::path directory = "evidence";
+  unsigned jobs = 1;
+  bool resume = false;  ///< keep what is done already
+};
+
+/// Runs the jobs, at most options.jobs at once, shows the progress, and writes junit.xml over all records of the
+/// directory. Returns the worst outcome: wrong input before unfinished before failed. An interrupt (SIGINT, SIGTERM)
+/// stops all children and leaves no half-written file.
+Outcome run_all(const std::vector<Job>& jobs, const RunOptions& options);
+
+}  // namespace seiche::validation

@@ -1,0 +1,113 @@
+#include <cmath>
+#include <map>
+#include <memory>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "reports/evidence/record_files.hpp"
+#include "validation/command/commands.hpp"
+
+namespace seiche::command {
+namespace {
+
+using evidence::Summary;
+
+struct Options {
+  std::string before;
+  std::string after;
+  double factor = 1.05;
+};
+
+std::map<std::string, Summary> by_name(const std::string& directory) {
+  if (!std::filesystem::is_directory(directory)) {
+    throw std::invalid_argument(fmt::format("compare: folder {} does not exist", directory));
+  }
+  std::map<std::string, Summary> records;
+  for (Summary& s : evidence::read_summaries(directory)) {
+    const std::string key = s.solver == "seiche" ? s.name : s.name + "." + s.solver;
+    records[key] = std::move(s);
+  }
+  return records;
+}
+
+/// Distance of a claim's measured value from what is expected.
+double error_of(const Summary::Outcome& claim) { return std::abs(claim.measured - claim.expected); }
+
+/// Prints what changed in one record; returns whether a verdict got worse than declared.
+bool compare_record(const std::string& key, const Summary& before, const Summary& after, double factor) {
+  bool worse = false;
+  const auto line = [&](const std::string& id, const std::string& what) { fmt::print("  {:<24} {:<28} {}\n", key, id, what); };
+  if (before.error != after.error) {
+    line("run", fmt::format("'{}' -> '{}'", before.error.empty() ? "finished" : before.error,
+                            after.error.empty() ? "finished" : after.error));
+    worse = worse || !after.error.empty();
+  }
+  std::map<std::string, const Summary::Outcome*> old;
+  for (const auto& claim : before.claims) old[claim.id] = &claim;
+  for (const auto& claim : after.claims) {
+    const auto found = old.find(claim.id);
+    if (found == old.end()) {
+      line(claim.id, fmt::format("new: {}", claim.verdict));
+      worse = worse || claim.verdict != claim.declared;
+      continue;
+    }
+    const Summary::Outcome& was = *found->second;
+    if (was.verdict != claim.verdict) {
+      line(claim.id, fmt::format("verdict {} -> {}", was.verdict, claim.verdict));
+      worse = worse || claim.verdict != claim.declared;
+    }
+    const double from = error_of(was);
+    const double to = error_of(claim);
+    if (to > factor * from || from > factor * to) line(claim.id, fmt::format("error {:.3g} -> {:.3g}", from, to));
+    old.erase(found);
+  }
+  for (const auto& [id, claim] : old) {
+    line(id, "no longer claimed");
+    worse = true;
+  }
+  if (after.wall_time > 1.5 * before.wall_time + 0.1 || before.wall_time > 1.5 * after.wall_time + 0.1) {
+    line("wall time", fmt::format("{:.2f} s -> {:.2f} s", before.wall_time, after.wall_time));
+  }
+  return worse;
+}
+
+int compare(const Options& options) {
+  const auto before = by_name(options.before);
+  const auto after = by_name(options.after);
+  bool worse = false;
+  fmt::print("{} -> {}\n", options.before, options.after);
+  for (const auto& [key, record] : before) {
+    if (after.count(key) == 0) {
+      fmt::print("  {:<24} no longer there\n", key);
+      worse = true;
+    }
+  }
+  for (const auto& [key, record] : after) {
+    const auto was = before.find(key);
+    if (was == before.end()) {
+      fmt::print("  {:<24} new, {}\n", key, record.as_declared() ? "as declared" : "NOT as declared");
+      worse = worse || !record.as_declared();
+    } else {
+      worse = compare_record(key, was->second, record, options.factor) || worse;
+    }
+  }
+  fmt::print("{}\n", worse ? "something got worse" : "nothing got worse");
+  return worse ? 1 : 0;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "compare", "What changed between two sets of records: verdicts, errors, times (status 1 if anything got worse)");
+  command->add_option("A", options->before, "folder with the earlier records")->required();
+  command->add_option("B", options->after, "folder with the later records")->required();
+  command->add_option("--factor", options->factor, "smallest change of an error that is shown")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 1e6));
+  command->callback([options, &action] { action = [options] { return compare(*options); }; });
+}
+
+}  // namespace seiche::command

@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "seiche/exact/catalogue.hpp"
+#include "seiche/io/atomic_file.hpp"
+#include "validation/case/registry.hpp"
+#include "validation/command/commands.hpp"
+
+namespace seiche::command {
+namespace {
+
+using validation::Case;
+using validation::Parameter;
+using validation::Tier;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  bool json = false;
+  std::string ctest;
+  std::string evidence;
+};
+
+std::vector<std::string> tiers_of(const Case& one) {
+  std::vector<std::string> names;
+  for (const Tier tier : one.tiers) names.emplace_back(name(tier));
+  return names;
+}
+
+Json to_json(const validation::Value& value) {
+  return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
+Json to_json(const Parameter& p) {
+  Json json = {{"name", p.name},
+               {"unit", p.unit},
+               {"meaning", p.meaning},
+               {"default", {{"quick", to_json(p.standard.quick)},
+                            {"full", to_json(p.standard.full)},
+                            {"paper", to_json(p.standard.paper)}}},
+               {"range", p.range()}};
+  if (!p.choices.empty()) json["choices"] = p.choices;
+  return json;
+}
+
+void print_json() {
+  Json cases = Json::array();
+  for (const Case& one : validation::all_cases()) {
+    Json parameters = Json::array();
+    for (const Parameter& p : one.parameters) parameters.push_back(to_json(p));
+    cases.push_back({{"name", one.name},
+                     {"phenomenon", one.phenomenon},
+                     {"title", one.title},
+                     {"source", one.source},
+                     {"tiers", tiers_of(one)},
+                     {"atlas", one.atlas},
+                     {"scores", static_cast<bool>(one.submission)},
+                     {"parameters", parameters}});
+  }
+  Json solutions = Json::array();
+  for (const exact::ExactSolution& s : exact::catalogue()) {
+    solutions.push_back({{"name", s.name}, {"title", s.title}, {"citation", s.citation}});
+  }
+  fmt::print("{}\n", Json{{"cases", cases}, {"exact", solutions}}.dump(2));
+}
+
+void print_table() {
+  std::string phenomenon;
+  for (const Case& one : validation::all_cases()) {
+    if (one.phenomenon != phenomenon) fmt::print("\n{}\n", phenomenon = one.phenomenon);
+    fmt::print("  {:<28} {:<17} {}\n  {:<28} {:<17} {}\n", one.name, fmt::format("{}", fmt::join(tiers_of(one), " ")),
+               one.title, "", one.submission ? "scores others" : "", one.source);
+  }
+  fmt::print("\nexact solutions (seiche exact NAME)\n");
+  for (const exact::ExactSolution& s : exact::catalogue()) {
+    fmt::print("  {:<28} {}\n  {:<28} {}\n", s.name, s.title, "", s.citation);
+  }
+  fmt::print("\n'seiche run CASE --help-parameters' shows what a case lets you set.\n");
+}
+
+/// CMake code with an add_test entry per case and tier; `seiche_tiers` is set by the file that ctest reads before.
+void write_ctest(const std::string& file, const std::string& evidence) {
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  std::string text = "# Written by 'seiche list --ctest' after every build.\n";
+  for (const Case& one : validation::all_cases()) {
+    for (const Tier tier : one.tiers) {
+      const std::string test = fmt::format("{}.{}.{}", one.phenomenon, one.name, name(tier));
+      text += fmt::format(
+          "if(\"{0}\" IN_LIST seiche_tiers)\n"
+          "  add_test([=[{1}]=] [=[{2}]=] run {3} --tier {0} --jobs 1 --out [=[{4}]=])\n"
+          "  set_tests_properties([=[{1}]=] PROPERTIES LABELS \"{0};validation;{5}\" TIMEOUT {6})\n"
+          "endif()\n",
+          name(tier), test, program, one.name, evidence, one.phenomenon, one.time_limit.at(tier).count() + 30);
+    }
+  }
+  io::write_file(file, text);
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Action& action) {
+  auto options = std::make_shared<Options>();
+  CLI::App* list = app.add_subcommand("list", "Show the cases and the exact solutions");
+  list->add_flag("--json", options->json, "as JSON, with every parameter");
+  list->add_option("--ctest", options->ctest, "write add_test entries for ctest to this file")->group("");
+  list->add_option("--evidence", options->evidence, "folder that those tests write to")->group("");
+  list->callback([options, &action] {
+    action = [options] {
+      if (!options->ctest.empty()) {
+        write_ctest(options->ctest, options->evidence);
+      } else if (options->json) {
+        print_json();
+      } else {
+        print_table();
+      }
+      return 0;
+    };
+  });
+}
+
+}  // namespace seiche::command

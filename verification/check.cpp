@@ -1,0 +1,67 @@
+#include "verification/check.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+
+#include "reports/evidence/record_files.hpp"
+
+namespace seiche::verification {
+namespace {
+
+std::filesystem::path evidence_directory() {
+  const char* chosen = std::getenv("SEICHE_EVIDENCE");  // NOLINT(concurrency-mt-unsafe): tests are single-threaded
+  return chosen != nullptr ? chosen : SEICHE_EVIDENCE_DIRECTORY;
+}
+
+}  // namespace
+
+Check::Check(const std::string& name, const std::string& title, const std::string& article, std::source_location where)
+    : begin_(std::chrono::steady_clock::now()), exceptions_(std::uncaught_exceptions()) {
+  record_.name = name;
+  record_.kind = "verification";
+  record_.group = std::filesystem::path(where.file_name()).parent_path().filename().string();
+  record_.title = title;
+  record_.source = where.file_name();
+  record_.article = article;
+}
+
+Check::~Check() {
+  record_.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  if (std::uncaught_exceptions() > exceptions_) record_.error = "the test ended by an exception";
+  try {
+    evidence::write(record_, evidence_directory());
+  } catch (const std::exception& failure) {
+    std::fprintf(stderr, "record %s could not be written: %s\n", record_.name.c_str(), failure.what());
+    std::abort();  // evidence that is lost must not look like evidence
+  }
+}
+
+void Check::expect(const std::string& id, evidence::Verdict declared) {
+  const auto& claims = record_.claims();
+  const auto found = std::find_if(claims.begin(), claims.end(), [&](const auto& c) { return c.claim.id == id; });
+  const evidence::Judgement& j = found->judgement;
+  CAPTURE(found->claim.text, j.measured, j.uncertainty, j.expected, j.limit, j.note);
+  CHECK(evidence::name(j.verdict) == evidence::name(declared));
+}
+
+void Check::that(const evidence::Claim& claim, const evidence::Measurement& measurement,
+                 const evidence::Criterion& criterion) {
+  record_.check(claim, measurement, criterion);
+  expect(claim.id, evidence::Verdict::pass);
+}
+
+void Check::that(const evidence::Claim& claim, const evidence::ObservedOrder& observed,
+                 const evidence::Order& criterion) {
+  record_.check(claim, observed, criterion);
+  expect(claim.id, evidence::Verdict::pass);
+}
+
+void Check::known_failure(const evidence::Claim& claim, const evidence::Measurement& measurement,
+                          const evidence::Criterion& criterion, const std::string& reason) {
+  record_.known_failure(claim, measurement, criterion, reason);
+  expect(claim.id, evidence::Verdict::fail);
+}
+
+}  // namespace seiche::verification
