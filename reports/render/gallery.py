@@ -16,8 +16,9 @@ class Drawn:
 
 
 def survey(directory, record, store):
-    """Contents of the record's HDF5 file (arrays.survey), with "problem" set where it cannot be read."""
-    empty = {"figures": {}, "arrays": [], "problem": ""}
+    """Contents of the record's HDF5 file (arrays.survey), "problem" where it cannot be read, "files" that there are."""
+    there = [name for name in (record.file, record.data, record.fields) if name and (directory / name).is_file()]
+    empty = {"figures": {}, "arrays": [], "problem": "", "files": there}
     if not record.data:
         return empty
     path = directory / record.data

@@ -1,0 +1,235 @@
+"""The `seiche` command as a user meets it: exit statuses, error messages, records, what survives a kill."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+SEICHE = os.environ["SEICHE"]
+SOURCE = pathlib.Path(os.environ["SEICHE_SOURCE"])
+
+
+def seiche(*words, **options):
+    return subprocess.run([SEICHE, *map(str, words)], capture_output=True, text=True, timeout=120, **options)
+
+
+def children_of(process):
+    found = []
+    for entry in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = entry.read_text().rsplit(")", 1)[1].split()
+        except OSError:
+            continue  # ended meanwhile
+        if int(fields[1]) == process.pid:
+            found.append(int(entry.parent.name))
+    return found
+
+
+class Command(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="seiche-test-")
+        self.addCleanup(scratch.cleanup)
+        self.out = pathlib.Path(scratch.name) / "evidence"
+
+    # A run long enough to be caught in the act.
+    LONG = ["riemann", "--set", "particles=4000", "--set", "time_step=0.0005", "--set", "time=5"]
+
+    def record(self, name):
+        return json.loads((self.out / f"{name}.json").read_text())
+
+    def refused(self, result, *words):
+        """Exit status 2, one line that holds the words, nothing written."""
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        message = (result.stdout + result.stderr).strip()
+        for word in words:
+            self.assertIn(word, message)
+        written = [p.name for p in self.out.glob("*")] if self.out.exists() else []
+        self.assertEqual([name for name in written if name != "junit.xml"], [])
+
+    def test_list_names_every_case_and_parameter(self):
+        cases = json.loads(seiche("list", "--json").stdout)["cases"]
+        names = [case["name"] for case in cases]
+        self.assertIn("riemann", names)
+        self.assertEqual(len(names), len(set(names)))
+        for case in cases:
+            self.assertTrue(case["title"] and case["source"] and case["tiers"], case["name"])
+            for parameter in case["parameters"]:
+                self.assertTrue(parameter["meaning"] and parameter["unit"] and parameter["range"], case["name"])
+            self.assertIn(case["name"], seiche("list").stdout)
+
+    def test_run_writes_a_record_that_fits_the_schema(self):
+        result = seiche("run", "riemann", "--set", "particles=40", "--out", self.out)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        import jsonschema
+
+        schema = json.loads((SOURCE / "reports/schema/record.schema.json").read_text())
+        record = self.record("riemann")
+        jsonschema.validate(record, schema)
+        self.assertEqual(record["parameters"]["particles"]["value"], 40)
+        for name in ["cell_l1_h", "cell_l1_u", "reconstructed_l1_h", "front_position", "star_depth", "star_velocity",
+                     "mass_defect", "momentum_defect", "max_courant"]:
+            self.assertIn(name, record["measurements"])
+        self.assertTrue((self.out / record["data"]).exists())
+        self.assertTrue((self.out / "junit.xml").exists())
+        self.assertEqual([p.name for p in self.out.glob(".*")], [])
+
+    def test_arrays_describe_themselves(self):
+        import h5py
+
+        seiche("run", "riemann", "--set", "particles=40", "--out", self.out)
+        with h5py.File(self.out / "riemann.h5") as file:
+            arrays = []
+            file.visititems(lambda name, node: arrays.append(node) if isinstance(node, h5py.Dataset) else None)
+            self.assertTrue(arrays)
+            for array in arrays:
+                self.assertLessEqual({"name", "unit", "meaning"}, set(array.attrs))
+
+    def test_same_input_gives_same_numbers(self):
+        first, second = self.out / "a", self.out / "b"
+        for out in (first, second):
+            seiche("run", "riemann", "--set", "particles=60", "--out", out)
+        self.assertEqual((first / "riemann.h5").read_bytes(), (second / "riemann.h5").read_bytes())
+
+    def test_wrong_input_is_refused_with_name_value_and_range(self):
+        run = lambda *words: seiche("run", *words, "--out", self.out)
+        self.refused(run("riemann", "--set", "particels=40"), "particels", "particles")
+        self.refused(run("riemann", "--set", "left_depth=-1"), "left_depth", "-1", "[0")
+        self.refused(run("riemann", "--set", "left_depth=nan"), "left_depth", "nan")
+        self.refused(run("riemann", "--set", "left_depth=inf"), "left_depth", "inf")
+        self.refused(run("riemann", "--set", "left_depth=1m"), "left_depth", "1m")
+        self.refused(run("riemann", "--set", "left_depth="), "left_depth")
+        self.refused(run("riemann", "--set", "particles=2.5"), "particles", "2.5")
+        self.refused(run("riemann", "--set", "particles=3"), "particles", "3")
+        self.refused(run("riemann", "--set", "scheme=euler"), "scheme", "euler", "H2")
+        self.refused(run("riemann", "--set", "left_depth"), "name=value")
+        self.refused(run("riemann", "--set", "jump=1e9"), "jump")
+        self.refused(run("riemann", "--set", "left_depth=0", "--set", "right_depth=0"), "depth")
+        self.refused(run("rieman"), "rieman", "riemann")
+        self.refused(run("--tier", "huge"), "huge", "quick")
+        self.refused(run("riemann", "--jobs", "0"), "jobs")
+        self.refused(run(), "tier")
+        self.refused(seiche("fly"), "fly")
+
+    def test_configuration_file(self):
+        config = self.out.parent / "case.toml"
+        config.write_text("particles = 50\n[riemann]\nright_depth = 0.5\n")
+        result = seiche("run", "riemann", "--config", config, "--set", "particles=60", "--out", self.out)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        values = self.record("riemann")["parameters"]
+        self.assertEqual((values["particles"]["value"], values["right_depth"]["value"]), (60, 0.5))
+
+    def test_wrong_configuration_is_refused_with_its_line(self):
+        config = self.out.parent / "case.toml"
+        for text, words in [("[riemann]\nparticles = 'many'\n", ["line 2", "particles", "many"]),
+                            ("[riemann]\nparticles = [1, 2]\n", ["line 2", "particles"]),
+                            ("particles = \n", ["line 1"]),
+                            ("[rieman]\nparticles = 50\n", ["rieman"])]:
+            config.write_text(text)
+            self.refused(seiche("run", "riemann", "--config", config, "--out", self.out), *words)
+        self.refused(seiche("run", "riemann", "--config", self.out / "none.toml", "--out", self.out), "none.toml")
+
+    def test_a_killed_case_is_an_error_and_the_others_go_on(self):
+        run = subprocess.Popen([SEICHE, "run", *self.LONG[:1], "bore_reflection", *self.LONG[1:3], "--set",
+                                "time_step=0.0005", "--set", "time=5", "--jobs", "2", "--out", self.out],
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        victims = []
+        for _ in range(200):
+            victims = children_of(run)
+            if victims:
+                break
+            time.sleep(0.02)
+        self.assertTrue(victims, "no child process was seen")
+        os.kill(min(victims), signal.SIGKILL)
+        output, _ = run.communicate(timeout=120)
+        self.assertEqual(run.returncode, 3, output)
+        records = {name: self.record(name) for name in ("riemann", "bore_reflection")}
+        states = sorted(record["status"] for record in records.values())
+        self.assertIn("error", states)
+        errors = [record["error"] for record in records.values() if record["status"] == "error"]
+        self.assertTrue(any("signal 9" in error for error in errors), errors)
+        self.assertEqual([p.name for p in self.out.glob(".*")], [])
+
+    def test_resume_after_kill_redoes_only_what_is_not_finished(self):
+        seiche("run", "riemann", "--out", self.out)
+        stamp = (self.out / "riemann.json").stat().st_mtime_ns
+        run = subprocess.Popen([SEICHE, "run", *self.LONG, "--out", self.out / "other"], stdout=subprocess.DEVNULL)
+        time.sleep(0.3)
+        run.kill()
+        run.wait()
+        time.sleep(0.2)
+        self.assertFalse((self.out / "other" / "riemann.json").exists())
+        result = seiche("run", "riemann", "stationary_jump", "--resume", "--out", self.out)
+        self.assertIn(result.returncode, (0, 1), result.stdout)
+        self.assertIn("kept", result.stdout)
+        self.assertEqual((self.out / "riemann.json").stat().st_mtime_ns, stamp)
+        self.assertTrue((self.out / "stationary_jump.json").exists())
+        # Another value is another run.
+        seiche("run", "riemann", "--set", "particles=44", "--resume", "--out", self.out)
+        self.assertNotEqual((self.out / "riemann.json").stat().st_mtime_ns, stamp)
+
+    def test_a_folder_that_cannot_be_written_is_status_3(self):
+        self.out.parent.mkdir(exist_ok=True)
+        self.out.write_text("a file, not a folder")
+        self.assertEqual(seiche("run", "riemann", "--out", self.out).returncode, 3)
+
+    def test_compare_tells_what_got_worse(self):
+        seiche("run", "riemann", "--out", self.out / "a")
+        seiche("run", "riemann", "--set", "particles=30", "--out", self.out / "b")
+        same = seiche("compare", self.out / "a", self.out / "a")
+        self.assertEqual(same.returncode, 0, same.stdout)
+        other = seiche("compare", self.out / "a", self.out / "b")
+        self.assertIn("riemann", other.stdout)
+        (self.out / "b" / "riemann.json").unlink()
+        self.assertEqual(seiche("compare", self.out / "a", self.out / "b").returncode, 1)
+        self.assertEqual(seiche("compare", self.out / "a", self.out / "none").returncode, 2)
+
+    def test_score_round_trip(self):
+        template = seiche("score", "riemann", "--template", "--set", "particles=100").stdout
+        header = next(line for line in template.splitlines() if not line.startswith("#"))
+        self.assertTrue(header.startswith("x [m],h [m],u [m/s]"), header)
+        rows = [line.split(",")[0] for line in template.splitlines() if not line.startswith("#")][1:]
+        points = [word for x in rows for word in ("--at", f"x={x},t=6")]
+        exact = seiche("exact", "riemann", "--set", "jump=20", "--set", "right_depth=0.1", *points)
+        self.assertEqual(exact.returncode, 0, exact.stderr)
+        data = self.out.parent / "mine.csv"
+        data.write_text(exact.stdout)
+        good = seiche("score", "riemann", "--data", data, "--solver", "mine", "--out", self.out)
+        self.assertEqual(good.returncode, 0, good.stdout + good.stderr)
+        self.assertEqual(self.record("riemann.mine")["solver"], "mine")
+        # A result that is wrong must fail.
+        lines = exact.stdout.splitlines()
+        first = next(k for k, line in enumerate(lines) if not line.startswith("#")) + 1
+        spoilt = lines[:first] + [",".join([w.split(",")[0], w.split(",")[1], "0.5", "0"]) for w in lines[first:]]
+        data.write_text("\n".join(spoilt))
+        self.assertEqual(seiche("score", "riemann", "--data", data, "--solver", "bad", "--out", self.out).returncode, 1)
+
+    def test_malformed_results_are_refused_with_line_and_column(self):
+        data = self.out.parent / "mine.csv"
+        score = lambda: seiche("score", "riemann", "--data", data, "--solver", "mine", "--out", self.out)
+        for text, words in [("x,h,u\n0,1\n", ["line 2", "mine.csv"]),
+                            ("x,h,u\n0,1,zero\n", ["line 2", "u", "zero"]),
+                            ("x,h,u\n0,1,nan\n", ["line 2", "u"]),
+                            ("x,h\n0,1\n", ["column u"]),
+                            ("x,h,u\n1,1,0\n0,1,0\n", ["x", "increase"]),
+                            ("", ["no rows"]),
+                            ("x,h,u\n", ["no rows"]),
+                            ("x\0,h,u\n", ["binary"]),
+                            ("x,h,u\n" + "1" * 2_000_000, ["line 2", "MiB"])]:
+            data.write_text(text)
+            self.refused(score(), "mine.csv", *words)
+
+    def test_exact_prints_header_and_rows(self):
+        result = seiche("exact", "riemann", "--set", "right_depth=0.1", "--grid", "x=-1:1:5,t=0.1")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = [line for line in result.stdout.splitlines() if not line.startswith("#")]
+        self.assertEqual(len(rows), 6)
+        self.refused(seiche("exact", "riemann", "--set", "left_depth=-1", "--at", "x=0,t=1"), "left_depth")
+        self.refused(seiche("exact", "nothing"), "nothing")
+
+
+if __name__ == "__main__":
+    unittest.main()

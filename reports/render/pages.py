@@ -1,0 +1,188 @@
+"""Pages from templates: the overview, one page per case, how to read it, and everything in one for printing."""
+import collections
+import math
+import pathlib
+import re
+
+import jinja2
+from markupsafe import Markup
+
+from render import quantities
+from render.records import KINDS, OWN_SOLVER, VERDICTS
+from render.store import digest
+
+_HERE = pathlib.Path(__file__).resolve().parent
+SIGNS = {"pass": "✓", "fail": "✗", "inconclusive": "?", "error": "!", "none": "–"}
+KIND_NAMES = {"roundoff": "round-off", "order": "order", "bound": "bound", "uncertainty": "uncertainty",
+              "qualitative": "qualitative"}
+
+
+def environment(typesetter):
+    """The templates with everything they call."""
+    pages = jinja2.Environment(loader=jinja2.FileSystemLoader(_HERE / "templates"), autoescape=True,
+                               undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+    pages.filters.update(number=quantities.number, value=quantities.value, unit=quantities.unit,
+                         duration=quantities.duration, block=typesetter.block, inline=typesetter.inline,
+                         words=lambda text: text.replace("_", " "), slug=slug, plural=plural, capital=capital)
+    pages.globals.update(SIGNS=SIGNS, KINDS=KINDS, KIND_NAMES=KIND_NAMES, with_uncertainty=quantities.with_uncertainty,
+                         gauge=gauge, tally=tally, limit_html=limit_html, readable=readable, short_commit=short_commit)
+    return pages
+
+
+def slug(text):
+    """A name for files and anchors; distinct texts keep distinct slugs."""
+    plain = re.sub(r"[^A-Za-z0-9_.-]+", "-", text)
+    return plain if plain == text else f"{plain}-{digest(text)[:6]}"
+
+
+def plural(count, noun, many=None):
+    return f"{count} {noun if count == 1 else many or noun + 's'}"
+
+
+def capital(text):
+    return text[:1].upper() + text[1:]
+
+
+def short_commit(provenance):
+    return provenance["commit"][:10] + (" with uncommitted changes" if provenance["dirty"] else "")
+
+
+def tally(claims):
+    """[(verdict, unexpected, count)] of some claims: what surprises first."""
+    counted = collections.Counter((claim.verdict, claim.unexpected) for claim in claims)
+    return sorted(((verdict, unexpected, count) for (verdict, unexpected), count in counted.items()),
+                  key=lambda item: (not item[1], VERDICTS.index(item[0])))
+
+
+def readable(claim, number):
+    """A measured or expected value: words for what is present or absent, else the number with its unit."""
+    if claim.kind == "qualitative" and number in (0, 1):
+        return Markup("present" if number else "absent")
+    return quantities.number(number)
+
+
+def limit_html(claim):
+    """How far measured may be from expected."""
+    limit, criterion = claim.criterion["limit"], claim.criterion
+    if claim.kind == "qualitative" or limit is None:
+        return Markup("")
+    html = Markup("± ") + quantities.number(limit, 3)
+    if claim.kind == "bound" and criterion.get("relative") and claim.expected:
+        html += Markup(f' <span class="aside">({quantities.plain(100 * limit / abs(claim.expected), 3)} %)</span>')
+    return html
+
+
+def gauge(claim):
+    """A small drawing of measured between its limits; nothing where that makes no sense.
+
+    The band is what the criterion allows, the tick its centre, the dot the measurement with its uncertainty.
+    """
+    limit, measured, expected = claim.criterion["limit"], claim.measured, claim.expected
+    if not limit or measured is None or expected is None or limit < 0 or claim.kind == "qualitative":
+        return Markup("")
+    distance = (measured - expected) / limit
+    spread = 0 if claim.uncertainty is None else claim.uncertainty / limit
+    one_sided = expected == 0 and measured >= 0 and claim.kind in ("roundoff", "bound")
+    low, high = (-0.06, 1.5) if one_sided else (-1.6, 1.6)
+    if not (math.isfinite(distance) and math.isfinite(spread)):
+        return Markup("")
+
+    def place(value):
+        return 4 + 112 * (min(max(value, low), high) - low) / (high - low)
+
+    left, right = place(0 if one_sided else -1), place(1)
+    dot = place(distance)
+    parts = [f'<path class="axis" d="M4 8H116"/><rect class="band" x="{left:.1f}" y="2.5" width="{right - left:.1f}" height="11"/>',
+             f'<path class="centre" d="M{place(0):.1f} 2.5V13.5"/>']
+    if spread > 0:
+        parts.append(f'<path class="spread" d="M{place(distance - spread):.1f} 8H{place(distance + spread):.1f}"/>')
+    if distance > high or distance < low:
+        way = 1 if distance > high else -1
+        parts.append(f'<path class="dot" d="M{dot:.1f} 4v8l{4 * way} -4z"/>')
+    else:
+        parts.append(f'<circle class="dot" cx="{dot:.1f}" cy="8" r="3.1"/>')
+    said = f"{abs(distance):.3g} of the limit"
+    return Markup(f'<svg class="gauge {claim.verdict}" viewBox="0 0 120 16" role="img" aria-label="{said}">'
+                  f'<title>{said}</title>{"".join(parts)}</svg>')
+
+
+def overview(cases, broken, problems):
+    """What the first page says at a glance."""
+    records = [record for case in cases for record in case.records]
+    own = [record for record in records if record.own] or records
+    claims = [claim for record in own for claim in record.claims]
+    count = collections.Counter((claim.verdict, claim.unexpected) for claim in claims)
+    surprises, declared = [], []
+    for record in records:
+        surprises += [(record, claim) for claim in record.claims if claim.unexpected]
+        declared += [(record, claim) for claim in record.claims if claim.declared_failure]
+    bar = [(verdict, unexpected, count[verdict, unexpected])
+           for unexpected in (False, True) for verdict in VERDICTS if count[verdict, unexpected]]
+    return {
+        "claims": len(claims), "cases": len(cases), "records": len(records), "count": count, "bar": bar,
+        "surprises": surprises, "declared": declared,
+        "crashed": [record for record in records if record.status == "error"],
+        "broken": broken, "problems": problems,
+        "unexpected_count": len(surprises), "peers": sorted({record.solver for record in records if not record.own}),
+        "solver": own[0].solver if own else OWN_SOLVER,
+        "wall_time": sum(record.wall_time or 0 for record in own),
+        "slowest": sorted(own, key=lambda record: -(record.wall_time or 0))[:5],
+        "quiet": not (surprises or broken or any(record.status == "error" for record in records)),
+        "provenance": facts(own), "tiers": sorted({record.tier for record in own}),
+    }
+
+
+def facts(records):
+    """Each fact of provenance with the values it took, most frequent first."""
+    gathered = {name: collections.Counter() for name in
+                ("commit", "machine", "system", "compiler", "flags", "build", "threads", "libraries", "version")}
+    dates = []
+    for record in records:
+        p = record.provenance
+        gathered["commit"][short_commit(p)] += 1
+        gathered["machine"][f"{p['processor']}, {plural(p['cores'], 'core')}"] += 1
+        gathered["system"][p["system"]] += 1
+        gathered["compiler"][p["compiler"]] += 1
+        gathered["flags"][p["flags"]] += 1
+        gathered["build"][p["build_type"]] += 1
+        gathered["threads"][str(p["threads"])] += 1
+        gathered["libraries"][", ".join(f"{name} {version}" for name, version in sorted(p["libraries"].items()))] += 1
+        gathered["version"][p["version"]] += 1
+        dates.append(p["date"])
+    result = {name: [text for text, _ in counter.most_common() if text] for name, counter in gathered.items()}
+    result["first"], result["last"] = (_date(min(dates)), _date(max(dates))) if dates else ("", "")
+    return result
+
+
+def _date(text):
+    """2026-03-01 12:30 UTC from ISO 8601; anything else as it is."""
+    match = re.fullmatch(r"(\d{4}-\d\d-\d\d)T(\d\d:\d\d)(?::\d\d(?:\.\d+)?)?(?:Z|\+00:00)?", text)
+    return f"{match[1]} {match[2]} UTC" if match else text
+
+
+def grouped(cases):
+    """[(kind, [(group, [case])])] in the order of the report."""
+    kinds = collections.OrderedDict()
+    for case in cases:
+        kinds.setdefault(case.first.kind, collections.OrderedDict()).setdefault(case.first.group, []).append(case)
+    return [(kind, list(groups.items())) for kind, groups in kinds.items()]
+
+
+def case_view(case, surveys, drawn, tile_titles):
+    """What a case page needs beside the records: figures and claims of several solvers side by side."""
+    figures, tables, claims, parameters, measurements = ({} for _ in range(5))
+    for record in case.records:
+        for figure in record.figures:
+            figures.setdefault(figure["id"], []).append((record, figure, drawn[record.stem, figure["id"]]))
+        for table in record.tables:
+            tables.setdefault(table["id"], []).append((record, table))
+        for claim in record.claims:
+            claims.setdefault(claim.id, {})[record.stem] = claim
+        for name, parameter in record.parameters.items():
+            parameters.setdefault(name, {})[record.stem] = parameter
+        for name, measured in record.measurements.items():
+            measurements.setdefault(name, {})[record.stem] = measured
+    tiles = dict.fromkeys(tile for record in case.records for tile in record.tiles)
+    return {"case": case, "figures": figures, "tables": tables, "claims_by_id": claims, "parameters": parameters,
+            "measurements": measurements, "surveys": surveys,
+            "tiles": [(tile, tile_titles[tile]) for tile in tiles if tile in tile_titles]}

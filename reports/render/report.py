@@ -1,0 +1,139 @@
+"""Builds the whole report in an empty directory: read, draw, typeset, copy."""
+import importlib.util
+import os
+import pathlib
+import shutil
+
+from render import atlas, gallery, pages, records
+from render.command import MARKER
+from render.formulas import Formulas
+from render.records import Broken
+from render.store import Store
+from render.text import Typesetter
+
+_HERE = pathlib.Path(__file__).resolve().parent
+
+
+def build(evidence, stage, out, options):
+    """@param stage  empty directory to fill     @param out  the former report, whose cache and copies are used again
+    @returns one sentence for the terminal"""
+    store = Store((out if (out / ".cache").is_dir() else stage) / ".cache")
+    loaded, broken = records.load(evidence, store.memo)
+    surveys = {record.stem: gallery.survey(evidence, record, store) for record in loaded}
+    drawn = gallery.draw_all(evidence, loaded, surveys, store, options.jobs)
+    typesetter = Typesetter(store.memo, Formulas(store.memo).html)
+
+    sources = atlas.read()
+    unknown = atlas.fill(sources, loaded, drawn)
+    titles = {tile.id: (source, tile) for source, members in sources for tile in members}
+    cases = records.cases(loaded)
+    problems = _problems(loaded, surveys, drawn, unknown, evidence)
+    fonts = _fonts(stage)
+    shared = {"title": options.title, "fonts": fonts, "surveys": surveys, "drawn": drawn}
+    environment = pages.environment(typesetter)
+
+    write = _Writer(environment, stage, shared)
+    views = {}
+    for position, case in enumerate(cases):
+        view = pages.case_view(case, surveys, drawn, titles)
+        around = {"before": cases[position - 1] if position else None,
+                  "after": cases[position + 1] if position + 1 < len(cases) else None}
+        try:
+            write("case.html.j2", f"cases/{case.name}.html", "../", **view, **around)
+            views[case.name] = view
+        except Exception as error:      # a record that passed the check but cannot be set: shown, not hidden
+            write("broken.html.j2", f"cases/{case.name}.html", "../", case=case, reason=f"{type(error).__name__}: {error}")
+            broken += [Broken(record.file, [f"page not made: {type(error).__name__}: {error}"]) for record in case.records]
+    cases = [case for case in cases if case.name in views]
+    summary = pages.overview(cases, broken, problems)
+    filled = sum(1 for _, tile in titles.values() if tile.records)
+    whole = {"summary": summary, "kinds": pages.grouped(cases), "sources": sources, "filled": filled, "tiles": len(titles),
+             "has_junit": (evidence / "junit.xml").is_file()}
+    write("index.html.j2", "index.html", "", **whole)
+    write("atlas.html.j2", "atlas.html", "", **whole)
+    write("reading.html.j2", "reading.html", "", **whole)
+    if options.pdf:
+        write("print.html.j2", "print.html", "", views=views, **whole)
+
+    for asset in ("report.css", "report.js"):
+        _copy(_HERE / "assets" / asset, stage / "assets" / asset, None)
+    _copy_figures(loaded, drawn, stage)
+    _copy_data(evidence, loaded, broken, stage / "data", out / "data")
+    (stage / MARKER).write_text("A report made by reports/render; replaced as a whole by its next run.\n", encoding="utf-8")
+    store.save()
+    return (f"{pages.plural(summary['claims'], 'claim')} in {pages.plural(len(cases), 'case')}, "
+            f"{summary['unexpected_count']} unexpected, {pages.plural(len(broken), 'broken record')}, "
+            f"{filled} of {len(titles)} tiles")
+
+
+class _Writer:
+    """Renders a template into a page."""
+
+    def __init__(self, environment, stage, shared):
+        self._environment, self._stage, self._shared = environment, stage, shared
+
+    def __call__(self, template, name, root, **context):
+        html = self._environment.get_template(template).render(root=root, page=name, **self._shared, **context)
+        target = self._stage / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(html, encoding="utf-8")
+
+
+def _problems(loaded, surveys, drawn, unknown, evidence):
+    """Sentences about what the report itself could not show, each with its record."""
+    found = []
+    for record in loaded:
+        if surveys[record.stem]["problem"]:
+            found.append((record, surveys[record.stem]["problem"]))
+        for figure in record.figures:
+            problem = drawn[record.stem, figure["id"]].problem
+            if problem and problem != surveys[record.stem]["problem"]:
+                found.append((record, f"figure “{figure['id']}”: {problem}"))
+        if record.fields and not (evidence / record.fields).is_file():
+            found.append((record, f"{record.fields} is missing"))
+    return found + [(record, f"no tile of the atlas is called “{name}”") for record, name in unknown]
+
+
+def _fonts(stage):
+    """Copies the STIX faces that come with matplotlib, so that text and formulas match; False where there are none."""
+    spec = importlib.util.find_spec("matplotlib")
+    if spec is None:
+        return False
+    places = [pathlib.Path(spec.origin).parent / "mpl-data", pathlib.Path("/usr/share/matplotlib/mpl-data")]
+    for place in places:
+        folder = place / "fonts" / "ttf"
+        names = ("STIXGeneral.ttf", "STIXGeneralItalic.ttf", "STIXGeneralBol.ttf", "LICENSE_STIX")
+        if all((folder / name).is_file() for name in names):
+            for name in names:
+                _copy(folder / name, stage / "assets" / name, None)
+            return True
+    return False
+
+
+def _copy_figures(loaded, drawn, stage):
+    for record in loaded:
+        for figure in record.figures:
+            result = drawn[record.stem, figure["id"]]
+            if result.path is not None:
+                _copy(result.path, stage / "figures" / pages.slug(record.stem) / f"{figure['id']}.svg", None)
+
+
+def _copy_data(evidence, loaded, broken, target, former):
+    """Records, arrays and fields, so that the report can be moved as one folder."""
+    names = {record.file for record in loaded} | {entry.file for entry in broken} | {"junit.xml"}
+    names |= {name for record in loaded for name in (record.data, record.fields) if name}
+    target.mkdir(parents=True, exist_ok=True)
+    for name in sorted(names):
+        if (evidence / name).is_file():
+            _copy(evidence / name, target / name, former / name)
+
+
+def _copy(source, target, former):
+    """Copies a file; where the former report holds the same one (size and time), that copy serves again."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    if former is not None and former.is_file():
+        old, new = former.stat(), source.stat()
+        if (old.st_size, old.st_mtime_ns) == (new.st_size, new.st_mtime_ns):
+            os.link(former, target)
+            return
+    shutil.copy2(source, target)

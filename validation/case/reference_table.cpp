@@ -1,0 +1,36 @@
+#include "validation/case/reference_table.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "reports/evidence/provenance.hpp"
+
+namespace seiche::validation {
+namespace {
+
+std::filesystem::path reference_folder() {
+  for (const char* place : {SEICHE_REFERENCE_DATA, SEICHE_INSTALLED_REFERENCE_DATA}) {
+    if (std::filesystem::is_directory(place)) return place;
+  }
+  throw std::runtime_error(fmt::format("reference data are neither at {} nor at {}", SEICHE_REFERENCE_DATA,
+                                       SEICHE_INSTALLED_REFERENCE_DATA));
+}
+
+}  // namespace
+
+io::CsvTable reference_table(const std::string& source, evidence::Record& record) {
+  const std::filesystem::path folder = reference_folder() / source;
+  const std::filesystem::path table = folder / "table.csv";
+  const toml::table description = toml::parse_file((folder / "source.toml").string());
+  const std::string digest = evidence::sha256_of_file(table);
+  if (description["sha256"].value_or<std::string>("") != digest) {
+    throw std::runtime_error(fmt::format("{} has SHA-256 {}, which is not the one in source.toml", table.string(), digest));
+  }
+  record.reference_data[table.string()] = digest;
+  return io::read_csv(table);
+}
+
+}  // namespace seiche::validation

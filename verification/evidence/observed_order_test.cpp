@@ -1,0 +1,91 @@
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "reports/evidence/grid_convergence.hpp"
+#include "reports/evidence/verdict.hpp"
+#include "verification/check.hpp"
+
+using namespace seiche::evidence;
+
+namespace {
+
+const std::vector<double> sizes{0.1, 0.05, 0.025, 0.0125, 0.00625};
+
+std::vector<double> errors_of_order(double p) {
+  std::vector<double> errors;
+  for (const double h : sizes) errors.push_back(3 * std::pow(h, p));
+  return errors;
+}
+
+}  // namespace
+
+TEST_CASE("an exact power law gives its order with no scatter", "[order]") {
+  const ObservedOrder observed = observed_order(sizes, errors_of_order(2));
+  CHECK(std::abs(observed.order - 2) < 1e-13);
+  CHECK(observed.half_width < 1e-12);
+  CHECK(judge(observed, Order{2, 0.1, "test"}).verdict == Verdict::pass);
+}
+
+TEST_CASE("an order far above theory fails as one far below does", "[order]") {
+  const Order second{2, 0.1, "test"};
+  CHECK(judge(observed_order(sizes, errors_of_order(3)), second).verdict == Verdict::fail);
+  CHECK(judge(observed_order(sizes, errors_of_order(1)), second).verdict == Verdict::fail);
+}
+
+TEST_CASE("scatter wider than the tolerance is inconclusive", "[order]") {
+  std::vector<double> errors = errors_of_order(2);
+  errors[1] *= 2;
+  errors[3] /= 2;
+  CHECK(judge(observed_order(sizes, errors), Order{2, 0.1, "test"}).verdict == Verdict::inconclusive);
+}
+
+TEST_CASE("points at the round-off floor are left out and named", "[order]") {
+  std::vector<double> errors = errors_of_order(2);
+  errors[4] = 1e-15;
+  const ObservedOrder observed = observed_order(sizes, errors, 1e-14);
+  CHECK(observed.sizes.size() == 4);
+  CHECK(std::abs(observed.order - 2) < 1e-13);
+  CHECK(observed.note.find("0.00625") != std::string::npos);
+}
+
+TEST_CASE("fewer than four usable points are inconclusive", "[order]") {
+  std::vector<double> errors = errors_of_order(2);
+  errors[3] = errors[4] = 0;
+  CHECK(judge(observed_order(sizes, errors), Order{2, 0.1, "test"}).verdict == Verdict::inconclusive);
+}
+
+TEST_CASE("an error that is not a number is never a pass, sizes must be positive", "[order]") {
+  std::vector<double> errors = errors_of_order(2);
+  errors[2] = std::nan("");
+  CHECK(judge(observed_order(sizes, errors), Order{2, 0.1, "test"}).verdict == Verdict::inconclusive);
+  CHECK_THROWS_AS(observed_order({0.1, -0.1}, {1, 1}), std::invalid_argument);
+  CHECK_THROWS_AS(observed_order({0.1}, {1, 1}), std::invalid_argument);
+}
+
+TEST_CASE("grid convergence recovers the limit and covers the error", "[grid-convergence]") {
+  std::vector<double> values;
+  for (const double h : sizes) values.push_back(1.5 + 4 * h * h);
+  const GridConvergence study = grid_convergence(sizes, values, 2);
+  CHECK(std::abs(study.extrapolated - 1.5) < 1e-6);
+  CHECK(std::abs(study.order - 2) < 0.01);
+  const double error = std::abs(values.back() - 1.5);
+  CHECK(study.uncertainty >= error);
+  CHECK(study.uncertainty < 1.3 * error);
+}
+
+TEST_CASE("grid convergence with three grids is the grid convergence index", "[grid-convergence]") {
+  // Roache (1994): GCI = 1.25 |f2 - f1| / (r^p - 1) with refinement ratio r = 2 and p = 2.
+  const GridConvergence study = grid_convergence({1, 2, 4}, {1.01, 1.04, 1.16}, 2);
+  CHECK(std::abs(study.uncertainty - 1.25 * 0.03 / 3) < 1e-4);
+}
+
+TEST_CASE("an order that cannot be trusted widens the uncertainty", "[grid-convergence]") {
+  const GridConvergence good = grid_convergence({1, 2, 4}, {1.01, 1.04, 1.16}, 2);
+  const GridConvergence odd = grid_convergence({1, 2, 4}, {1.01, 1.04, 3.0}, 2);  // observed order 6
+  CHECK(odd.uncertainty > 2 * good.uncertainty);
+  CHECK_FALSE(odd.note.empty());
+  CHECK(grid_convergence({1, 2, 4}, {5, 5, 5}, 2).uncertainty == 0);
+  CHECK_THROWS_AS(grid_convergence({1, 2}, {1, 1}, 2), std::invalid_argument);
+  CHECK_THROWS_AS(grid_convergence({1, 1, 1}, {1, 1, 1}, 2), std::invalid_argument);
+}

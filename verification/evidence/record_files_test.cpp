@@ -1,0 +1,110 @@
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "reports/evidence/record_files.hpp"
+#include "seiche/io/atomic_file.hpp"
+#include "verification/check.hpp"
+
+using namespace seiche;
+using namespace seiche::evidence;
+
+namespace {
+
+/// A folder of its own that is removed afterwards.
+class Scratch {
+ public:
+  Scratch() : path_(std::filesystem::temp_directory_path() / "seiche_record_files_test") {
+    std::filesystem::remove_all(path_);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  Scratch(Scratch&&) = delete;
+  Scratch& operator=(Scratch&&) = delete;
+  ~Scratch() { std::filesystem::remove_all(path_); }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+Record sample() {
+  Record record;
+  record.name = "sample";
+  record.group = "evidence";
+  record.title = "A sample <with> \"marks\"";
+  record.parameters["depth"] = {.value = 0.1, .standard = 1.0, .unit = "m", .meaning = "still-water depth"};
+  record.check({.id = "a", .text = "a holds", .quantity = "a", .unit = "m", .source = "s"}, {.value = 0.1},
+               Bound{.limit = 1, .reason = "r"});
+  record.check({.id = "b", .text = "b holds", .quantity = "b", .unit = "m", .source = "s"},
+               {.value = std::numeric_limits<double>::quiet_NaN()}, Bound{.limit = 1, .reason = "r"});
+  record.measure("infinite", std::numeric_limits<double>::infinity());
+  const std::vector<double> x{0, 1, 2};
+  record.figure("profile", "Profile", "A line.").panel({.x = "x [m]", .y = "h [m]"}).line("exact", x, x, Role::exact);
+  record.snapshot({.time = 1, .x = x, .z = x, .fields = {{"depth", "m", x}}});
+  return record;
+}
+
+}  // namespace
+
+TEST_CASE("a record is read back as it was written", "[record]") {
+  const Scratch scratch;
+  write(sample(), scratch.path());
+  CHECK(std::filesystem::exists(scratch.path() / "sample.h5"));
+  CHECK(std::filesystem::exists(scratch.path() / "sample.xdmf"));
+  const Summary summary = read_summary(scratch.path() / "sample.json");
+  CHECK(summary.name == "sample");
+  CHECK(summary.claims.size() == 2);
+  CHECK(summary.claims[0].verdict == "pass");
+  CHECK(summary.claims[0].measured == 0.1);
+  CHECK(summary.claims[1].verdict == "fail");
+  CHECK_FALSE(summary.as_declared());
+  for (const auto& entry : std::filesystem::directory_iterator(scratch.path())) {
+    CHECK(entry.path().extension() != ".part");
+  }
+}
+
+TEST_CASE("numbers that are not finite become null, not invalid JSON", "[record]") {
+  const auto json = nlohmann::json::parse(to_json(sample()));
+  CHECK(json.at("measurements").at("infinite").is_null());
+  CHECK(json.at("claims").at(1).at("measured").is_null());
+}
+
+TEST_CASE("a damaged record is an error that names the file", "[record]") {
+  const Scratch scratch;
+  io::write_file(scratch.path() / "broken.json", "{\"case\": \"brok");
+  try {
+    read_summaries(scratch.path());
+    FAIL("accepted");
+  } catch (const std::runtime_error& refused) {
+    CHECK(std::string(refused.what()).find("broken.json") != std::string::npos);
+  }
+}
+
+TEST_CASE("a file that is not committed leaves nothing behind and the old one in place", "[record]") {
+  const Scratch scratch;
+  const auto target = scratch.path() / "file.txt";
+  io::write_file(target, "old");
+  {
+    const io::AtomicFile file(target);
+    std::ofstream(file.path()) << "half of the n";
+  }
+  CHECK(io::read_file(target) == "old");
+  CHECK(std::distance(std::filesystem::directory_iterator(scratch.path()), {}) == 1);
+}
+
+TEST_CASE("ids with other characters and figures named twice are refused", "[record]") {
+  Record record = sample();
+  CHECK_THROWS_AS(record.figure("../x", "", ""), std::invalid_argument);
+  CHECK_THROWS_AS(record.figure("profile", "", ""), std::invalid_argument);
+  CHECK_THROWS_AS(record.check({.id = ""}, {.value = 1}, Bound{.limit = 1, .reason = "r"}), std::invalid_argument);
+}
+
+TEST_CASE("SHA-256 of known texts", "[record]") {
+  // FIPS 180-4, examples.
+  CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
