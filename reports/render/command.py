@@ -11,7 +11,8 @@ MARKER = ".seiche-report"       # a directory that holds it is a report of ours 
 
 def main(arguments=None):
     options = _options(arguments)
-    evidence, out = pathlib.Path(options.evidence), pathlib.Path(options.out or pathlib.Path(options.evidence) / "report")
+    evidence = pathlib.Path(options.evidence)
+    out = pathlib.Path(options.out or evidence / "report")
     if not evidence.is_dir():
         return _refuse(f"evidence directory {evidence} does not exist")
     if out.exists() and not out.is_dir():
@@ -27,8 +28,8 @@ def main(arguments=None):
     try:
         from render import report
     except ImportError as error:
-        return _refuse(f"{error}; install python3-jinja2, python3-markdown, python3-numpy, python3-h5py, python3-matplotlib"
-                       " (and python3-jsonschema)")
+        return _refuse(f"{error}; install python3-jinja2, python3-markdown, python3-numpy, python3-h5py,"
+                       " python3-matplotlib (and python3-jsonschema)")
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
         stage = pathlib.Path(tempfile.mkdtemp(prefix=f".{out.name}.", dir=out.parent))
@@ -56,7 +57,8 @@ def _options(arguments):
     parser = argparse.ArgumentParser(prog="render", description="HTML report of evidence records.")
     parser.add_argument("evidence", metavar="EVIDENCE_DIR", help="directory of <case>.json and <case>.h5")
     parser.add_argument("--out", metavar="OUT_DIR", help="the report's directory (default: EVIDENCE_DIR/report)")
-    parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1), help="drawing processes (default: %(default)s)")
+    parser.add_argument("--jobs", type=int, default=min(2, os.cpu_count() or 1),
+                        help="drawing processes (default: %(default)s)")
     parser.add_argument("--title", default="Verification and validation of water-wave solvers")
     parser.add_argument("--pdf", metavar="FILE", help="also print the whole report to FILE")
     options = parser.parse_args(arguments)

@@ -1,7 +1,8 @@
 """Drawings by name, and the drawing of one figure of one record to SVG.
 
 A record names the drawing that each of its figures wants; most want "panels". A special one is a small function here
-or beside, marked `@drawing("name")`, that takes the figure (see arrays.read_figure) and returns a matplotlib Figure.
+or beside, marked `@drawing("name")`, that takes the figure (see arrays.read_figure) and returns a matplotlib Figure;
+`small` asks for a picture the size of a stamp, for the atlas: no text.
 """
 import os
 import pathlib
@@ -10,7 +11,7 @@ _DRAWINGS = {}
 
 
 def drawing(name):
-    """Registers a function figure -> matplotlib Figure under the name that records use."""
+    """Registers a function (figure, small) -> matplotlib Figure under the name that records use."""
     def register(function):
         _DRAWINGS[name] = function
         return function
@@ -27,7 +28,7 @@ def prepare():
     from render import panels  # noqa: F401  (registers its drawings)
 
 
-def draw(data_file, figure_id, drawing_name, key, target):
+def draw(data_file, figure_id, drawing_name, small, key, target):
     """Draws one figure into `target`. Returns "" or the sentence that says why it could not be drawn."""
     import matplotlib
     import matplotlib.pyplot
@@ -37,7 +38,7 @@ def draw(data_file, figure_id, drawing_name, key, target):
             return f"no drawing is called “{drawing_name}”; known: {', '.join(sorted(_DRAWINGS))}"
         content = arrays.read_figure(data_file, figure_id)
         matplotlib.rcParams["svg.hashsalt"] = key
-        figure = _DRAWINGS[drawing_name](content)
+        figure = _DRAWINGS[drawing_name](content, small)
         target = pathlib.Path(target)
         beside = target.with_name(f"{target.name}.{os.getpid()}.new")
         figure.savefig(beside, format="svg", metadata={"Date": None, "Creator": None})

@@ -45,8 +45,8 @@ def _set(tex, display):
     if tag:
         body, label = body.replace(tag[0], ""), f'<span class="tag">({escape(tag[1])})</span>'
     lines = [body]
-    environment = re.fullmatch(r"\s*\\begin\{(aligned|align\*?|gathered|gather\*?|split|eqnarray\*?)\}(.*)\\end\{\1\}\s*(.*)",
-                               body, re.DOTALL)
+    environment = re.fullmatch(r"\s*\\begin\{(aligned|align\*?|gathered|gather\*?|split|eqnarray\*?)\}"
+                               r"(.*)\\end\{\1\}\s*(.*)", body, re.DOTALL)
     if environment:
         lines = [line.replace("&", " ") for line in re.split(r"\\\\", environment[2]) if line.strip()]
     try:
@@ -72,6 +72,7 @@ def _svg(line, tex, display):
     source = f"${line.strip()}$"
     width, height, depth = engine.get_text_width_height_descent(source, font, ismath=True)
     vertices, codes = engine.get_text_path(font, source, ismath=True)
+    vertices = [(x * SIZE / engine.FONT_SCALE, y * SIZE / engine.FONT_SCALE) for x, y in vertices]
     pad = 0.04 * SIZE
     scale = 1 / SIZE
     box = f"{-pad:.2f} {-(height - depth) - pad:.2f} {width + 2 * pad:.2f} {height + 2 * pad:.2f}"

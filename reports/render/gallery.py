@@ -13,6 +13,7 @@ class Drawn:
     """One figure of one record: where its SVG is, or why there is none."""
     path: object = None
     problem: str = ""
+    thumb: object = None       # the same without text, for the atlas
 
 
 def survey(directory, record, store):
@@ -26,13 +27,14 @@ def survey(directory, record, store):
         status = path.stat()
         key = f"{path.resolve()} {status.st_size} {status.st_mtime_ns}"
         return {**empty, **store.memo("survey", key, lambda: arrays.survey(path))}
-    except (OSError, KeyError, ValueError, RuntimeError) as error:
-        return {**empty, "problem": f"{record.data} cannot be read: {error}"}
+    except Exception as error:      # HDF5 raises many types; a damaged file must not hide the rest of the report
+        return {**empty, "problem": f"{record.data} cannot be read: {_brief(error)}"}
 
 
 def draw_all(directory, records, surveys, store, jobs):
     """Draws what the cache does not hold. Returns {(record stem, figure id): Drawn}."""
-    style = digest(source_digest("figures.py", "panels.py", "arrays.py", "seiche.mplstyle"), _version("matplotlib"))
+    sources = ("figures.py", "panels.py", "looks.py", "arrays.py", "seiche.mplstyle")
+    style = digest(source_digest(*sources), _version("matplotlib"))
     drawn, missing = {}, {}
     for record in records:
         held = surveys[record.stem]
@@ -43,15 +45,21 @@ def draw_all(directory, records, surveys, store, jobs):
             elif figure["id"] not in held["figures"]:
                 drawn[place] = Drawn(problem=f"{record.data or 'the record'} holds no figure “{figure['id']}”")
             else:
-                key = digest(style, figure["drawing"], held["figures"][figure["id"]])
-                path = store.figure(key)
-                drawn[place] = Drawn(path=path)
-                if not path.exists():
-                    missing.setdefault(key, (str(directory / record.data), figure["id"], figure["drawing"], key, str(path)))
+                drawn[place] = Drawn()
+                sizes = ("path", "thumb") if record.tiles else ("path",)
+                for size in sizes:
+                    key = digest(style, figure["drawing"], held["figures"][figure["id"]], size)
+                    path = store.figure(key)
+                    setattr(drawn[place], size, path)
+                    if not path.exists():
+                        missing.setdefault(key, (str(directory / record.data), figure["id"], figure["drawing"],
+                                                 size == "thumb", key, str(path)))
     problems = _draw(list(missing.values()), jobs)
     for result in drawn.values():
-        if result.path is not None and problems.get(result.path.stem):
-            result.problem, result.path = problems[result.path.stem], None
+        for path in (result.path, result.thumb):
+            if path is not None and problems.get(path.stem):
+                result.problem, result.path, result.thumb = problems[path.stem], None, None
+                break
     return drawn
 
 
@@ -64,13 +72,18 @@ def _draw(tasks, jobs):
     problems = {}
     jobs = max(1, min(jobs, len(tasks)))
     if jobs == 1:
-        return {task[3]: figures.draw(*task) for task in tasks}
+        return {task[4]: figures.draw(*task) for task in tasks}
     with concurrent.futures.ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("fork")) as pool:
-        waiting = {pool.submit(figures.draw, *task): task[3] for task in tasks}
+        waiting = {pool.submit(figures.draw, *task): task[4] for task in tasks}
         for future in concurrent.futures.as_completed(waiting):
             error = future.exception()
             problems[waiting[future]] = f"the drawing process ended: {error}" if error else future.result()
     return problems
+
+
+def _brief(error):
+    """The error in words: HDF5's own messages are long, and name what the reader cannot use."""
+    return "there is no such file" if isinstance(error, FileNotFoundError) else str(error)
 
 
 def _version(package):

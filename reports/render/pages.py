@@ -8,7 +8,7 @@ import jinja2
 from markupsafe import Markup
 
 from render import quantities
-from render.records import KINDS, OWN_SOLVER, VERDICTS
+from render.records import KINDS, VERDICTS
 from render.store import digest
 
 _HERE = pathlib.Path(__file__).resolve().parent
@@ -92,7 +92,8 @@ def gauge(claim):
 
     left, right = place(0 if one_sided else -1), place(1)
     dot = place(distance)
-    parts = [f'<path class="axis" d="M4 8H116"/><rect class="band" x="{left:.1f}" y="2.5" width="{right - left:.1f}" height="11"/>',
+    parts = [f'<path class="axis" d="M4 8H116"/>'
+             f'<rect class="band" x="{left:.1f}" y="2.5" width="{right - left:.1f}" height="11"/>',
              f'<path class="centre" d="M{place(0):.1f} 2.5V13.5"/>']
     if spread > 0:
         parts.append(f'<path class="spread" d="M{place(distance - spread):.1f} 8H{place(distance + spread):.1f}"/>')
@@ -123,8 +124,8 @@ def overview(cases, broken, problems):
         "surprises": surprises, "declared": declared,
         "crashed": [record for record in records if record.status == "error"],
         "broken": broken, "problems": problems,
-        "unexpected_count": len(surprises), "peers": sorted({record.solver for record in records if not record.own}),
-        "solver": own[0].solver if own else OWN_SOLVER,
+        "unexpected_count": len(surprises),
+        "unexpected_elsewhere": sum(1 for record, _ in surprises if record not in own),
         "wall_time": sum(record.wall_time or 0 for record in own),
         "slowest": sorted(own, key=lambda record: -(record.wall_time or 0))[:5],
         "quiet": not (surprises or broken or any(record.status == "error" for record in records)),
@@ -168,7 +169,7 @@ def grouped(cases):
     return [(kind, list(groups.items())) for kind, groups in kinds.items()]
 
 
-def case_view(case, surveys, drawn, tile_titles):
+def case_view(case, drawn, tile_titles):
     """What a case page needs beside the records: figures and claims of several solvers side by side."""
     figures, tables, claims, parameters, measurements = ({} for _ in range(5))
     for record in case.records:
@@ -184,5 +185,5 @@ def case_view(case, surveys, drawn, tile_titles):
             measurements.setdefault(name, {})[record.stem] = measured
     tiles = dict.fromkeys(tile for record in case.records for tile in record.tiles)
     return {"case": case, "figures": figures, "tables": tables, "claims_by_id": claims, "parameters": parameters,
-            "measurements": measurements, "surveys": surveys,
+            "measurements": measurements,
             "tiles": [(tile, tile_titles[tile]) for tile in tiles if tile in tile_titles]}

@@ -1,10 +1,4 @@
-"""The general drawing: panels of series, each series with a role (what it is) and a style (how it is drawn).
-
-Roles keep one look through the whole report: exact solutions are black lines, what was computed is coloured, other
-solvers are coloured and dashed, measurements are dark markers, guides are thin grey. Within a role colour changes
-together with dash or marker, so that series stay apart for the colour-blind and in grey print.
-"""
-import itertools
+"""The general drawing: panels of series, each series with a role (what it is) and a style (how it is drawn)."""
 import math
 import re
 
@@ -15,34 +9,33 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from render.figures import drawing
+from render.looks import Looks
 
 WIDTH = 7.4                     # inches: the width of the page's text block
 MANY = 5000                     # points above which a series is thinned (lines) or rasterised (markers)
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
-DASHES = ["-", (0, (5, 1.6)), (0, (1.2, 1.4)), (0, (6, 1.6, 1.2, 1.6)), (0, (9, 2)), (0, (3, 1.2, 1.2, 1.2, 1.2, 1.2))]
-MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
-INK, GREY = "#1d1d1b", "#8a867e"
-WATER, WATER_LINE = "#d3e6f1", "#2f7ba8"
-BED, BED_LINE = "#c9bfb2", "#6f6255"
 SUPERSCRIPTS = str.maketrans("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
 
 
 @drawing("panels")
-def panels(figure):
+def panels(figure, small):
     """One or more panels; labels shared by all panels go into one legend below."""
     shown = figure["panels"]
     if not shown:
         raise ValueError("the figure has no panels")
-    looks = _Looks(shown)
+    looks = Looks(shown)
+    _share_limits(shown)
+    if small:
+        return _stamp(shown, looks)
     columns = _columns(shown)
     rows = math.ceil(len(shown) / columns)
     shared = _shared_legend(shown)
-    width = WIDTH if len(shown) > 1 else 6.2
+    width = WIDTH
     heights = [max(_height(panel, width / columns, len(shown)) for panel in shown[row * columns:(row + 1) * columns])
                for row in range(rows)]
     legend_lines = math.ceil(len(shared) / _legend_columns(shared)) if shared else 0
-    legend_height = 0.2 * legend_lines + (0.06 if shared else 0)
-    below = [0.2 * math.ceil(len(_labels(panel)) / 2) if not shared and len(_labels(panel)) > 6 else 0 for panel in shown]
+    legend_height = 0.22 * legend_lines + (0.06 if shared else 0)
+    below = [0.2 * math.ceil(len(_labels(panel)) / 2) if not shared and len(_labels(panel)) > 6 else 0
+             for panel in shown]
     total = sum(heights) + legend_height + max(below)
     canvas, axes = matplotlib.pyplot.subplots(rows, columns, figsize=(width, total), squeeze=False,
                                               gridspec_kw={"height_ratios": heights})
@@ -52,58 +45,64 @@ def panels(figure):
         axis.set_visible(False)
     for axis, panel in zip(axes.flat, shown):
         _draw_panel(axis, panel, looks)
+        _text(axis, panel)
         if not shared and _labels(panel):
             _own_legend(axis, panel, looks)
+    for name in ("x_label", "y_label"):      # said once where all panels say the same
+        if len({panel.get(name, "") for panel in shown}) == 1:
+            for position, axis in enumerate(axes.flat[:len(shown)]):
+                if name == "y_label" and position % columns:
+                    axis.set_ylabel("")
+                if name == "x_label" and position + columns < len(shown):
+                    axis.set_xlabel("")
     if shared:
         canvas.legend(*_handles(shared, looks), loc="lower center", ncol=_legend_columns(shared),
                       bbox_to_anchor=(0.5, 0), borderaxespad=0.15)
     return canvas
 
 
-class _Looks:
-    """Colour, dash and marker of every label of a figure, the same in all its panels."""
+def _stamp(shown, looks):
+    """The first panels without any text."""
+    shown = shown[:6]
+    columns = 3 if len(shown) > 4 else _columns(shown)
+    rows = math.ceil(len(shown) / columns)
+    canvas, axes = matplotlib.pyplot.subplots(rows, columns, figsize=(3.0, 1.95), squeeze=False)
+    canvas.set_layout_engine("constrained", w_pad=0.03, h_pad=0.03, wspace=0.03, hspace=0.03)
+    for axis in axes.flat[len(shown):]:
+        axis.set_visible(False)
+    for axis, panel in zip(axes.flat, shown):
+        _draw_panel(axis, panel, looks)
+        axis.tick_params(which="both", labelbottom=False, labelleft=False, length=1.5)
+        axis.minorticks_off()
+    return canvas
 
-    def __init__(self, shown):
-        self._looks, counters = {}, {}
+
+def _share_limits(shown):
+    """Panels of the same quantity over similar ranges, such as frames in time, get the same axes."""
+    for axis in "xy":
+        ranges = [_range(panel, axis) for panel in shown]
+        kinds = {(panel.get(f"{axis}_label"), panel.get(f"log_{axis}")) for panel in shown}
+        given = any(_finite(panel.get(f"{axis}_{end}")) for panel in shown for end in ("min", "max"))
+        if len(shown) < 2 or len(kinds) > 1 or given or shown[0].get(f"log_{axis}"):
+            continue
+        low, high = min(r[0] for r in ranges), max(r[1] for r in ranges)
+        if not high - low <= 1.8 * max(r[1] - r[0] for r in ranges) or high == low:
+            continue
+        room = (0.06 if axis == "y" else 0.015) * (high - low)
+        grounded = any(series.get("role") in ("water", "bed") for panel in shown for series in panel["series"])
         for panel in shown:
-            for series in panel["series"]:
-                role, style = series.get("role", "computed"), series.get("style", "line")
-                key = self.key(series)
-                if key in self._looks:
-                    continue
-                # Peers continue the colours of what was computed; lines and markers of one role count together.
-                family = {"peer": "computed"}.get(role, role)
-                index = counters.setdefault(family, itertools.count())
-                self._looks[key] = _look(role, style, next(index))
-
-    @staticmethod
-    def key(series):
-        return series.get("role", "computed"), series.get("label", ""), series.get("style", "line")
-
-    def of(self, series):
-        return self._looks[self.key(series)]
+            panel[f"{axis}_max"] = high + room
+            if not (axis == "y" and grounded):
+                panel[f"{axis}_min"] = low - room
 
 
-def _look(role, style, index):
-    turn = index // len(COLOURS)
-    look = {"color": COLOURS[index % len(COLOURS)], "linestyle": DASHES[(index + turn) % len(DASHES)],
-            "marker": MARKERS[index % len(MARKERS)], "linewidth": 1.3, "zorder": 3.0, "filled": index % 2 == 0}
-    if role == "computed" and index == 0:
-        look["linestyle"] = "-"
-    if role == "peer":
-        look["linestyle"] = DASHES[1:][index % (len(DASHES) - 1)]
-        look["zorder"] = 2.8
-    if role == "exact":
-        look.update(color=INK if index < 6 else COLOURS[index % len(COLOURS)], linewidth=1.0, zorder=2.6)
-    if role == "data":
-        look.update(color="#3b3833", filled=index % 2 == 1, zorder=3.4)
-    if role == "guide":
-        look.update(color=GREY, linewidth=0.8, linestyle=DASHES[1:][index % 3], zorder=2.2)
-    if role == "water":
-        look.update(color=WATER_LINE, face=WATER, linewidth=1.1, linestyle="-", zorder=1.2)
-    if role == "bed":
-        look.update(color=BED_LINE, face=BED, linewidth=1.1, linestyle="-", zorder=1.6)
-    return look
+def _range(panel, axis):
+    """Smallest and largest finite coordinate of a panel's series."""
+    values = numpy.concatenate([series[axis] for series in panel["series"]
+                                if axis in series and not (axis == "y" and series.get("style") == "vertical")]
+                               or [numpy.empty(0)])
+    values = values[numpy.isfinite(values)]
+    return values.min(initial=math.inf), values.max(initial=-math.inf)
 
 
 def _draw_panel(axis, panel, looks):
@@ -125,10 +124,14 @@ def _draw_panel(axis, panel, looks):
     axis.set_ylim(limits[1])
     if panel.get("aspect") == "equal" and not (panel.get("log_x") or panel.get("log_y")):
         axis.set_aspect("equal", adjustable="box")
-        axis.yaxis.set_major_locator(matplotlib.ticker.MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))
+        ticks = 2 if (_ratio(panel) or 1) > 6 else 4
+        axis.yaxis.set_major_locator(matplotlib.ticker.MaxNLocator(ticks, steps=[1, 2, 2.5, 5, 10]))
     if panel.get("log_x") or panel.get("log_y"):
         axis.grid(True, which="major")
         _log_ticks(axis, panel)
+
+
+def _text(axis, panel):
     axis.set_title(safe(panel.get("title", "")))
     axis.set_xlabel(safe(panel.get("x_label", "")))
     axis.set_ylabel(safe(panel.get("y_label", "")))
@@ -143,9 +146,10 @@ def _draw_series(axis, series, look):
         return
     if style == "steps":
         if len(x) != len(y) + 1:
-            raise ValueError(f"steps “{series.get('label', '')}” need one more edge than values, got {len(x)} and {len(y)}")
-        axis.stairs(y, x, baseline=None, color=look["color"], linewidth=look["linewidth"], linestyle=look["linestyle"],
-                    zorder=look["zorder"] + 0.01)
+            raise ValueError(f"steps “{series.get('label', '')}” "
+                             f"need one edge more than values, not {len(x)} and {len(y)}")
+        axis.plot(numpy.repeat(x, 2)[1:-1], numpy.repeat(y, 2), color=look["color"], linewidth=look["linewidth"],
+                  linestyle=look["linestyle"], zorder=look["zorder"] + 0.01, solid_joinstyle="miter")
         return
     if len(x) != len(y):
         raise ValueError(f"series “{series.get('label', '')}” has {len(x)} x and {len(y)} y")
@@ -153,7 +157,8 @@ def _draw_series(axis, series, look):
         _points(axis, series, look)
         return
     x, y = thin(x, y)
-    axis.plot(x, y, color=look["color"], linewidth=look["linewidth"], linestyle=look["linestyle"], zorder=look["zorder"] + 0.01)
+    axis.plot(x, y, color=look["color"], linewidth=look["linewidth"], linestyle=look["linestyle"],
+              zorder=look["zorder"] + 0.01)
 
 
 def _points(axis, series, look):
@@ -167,7 +172,7 @@ def _points(axis, series, look):
     filled = look["filled"] or len(x) > 400
     style = {"marker": look["marker"], "markersize": size, "linestyle": "none", "color": look["color"],
              "markerfacecolor": look["color"] if filled else "white", "markeredgewidth": 0.8 if len(x) <= 400 else 0,
-             "zorder": look["zorder"]}
+             "zorder": look["zorder"] + 0.5}
     if error is not None:
         axis.errorbar(x, y, yerr=error, elinewidth=0.7, **style)
     else:
@@ -190,20 +195,22 @@ def _fill(axis, series, look, base):
 def _limits(axis, panel):
     axis.autoscale_view()
     low, high = axis.get_ylim()
+    if any(series.get("style") == "points" for series in panel["series"]):
+        axis.margins(x=0.03)       # no marker is cut in half
+        axis.autoscale_view()
     styled = [series for series in panel["series"] if series.get("role") in ("water", "bed")]
-    if styled and not panel.get("log_y"):      # room under the bed, so that its fill has a body
-        floor = min((numpy.nanmin(series["y"]) for series in styled if len(series.get("y", ()))), default=low)
-        axis.set_ylim(min(low, floor - 0.07 * (high - floor)) if _has_bed(panel) else min(low, floor, 0 if floor >= 0 else floor), high)
+    if styled and not panel.get("log_y"):
+        floor = min([low] + [value for series in styled for value in series.get("y", ()) if math.isfinite(value)])
+        if any(series.get("role") == "bed" for series in styled):
+            axis.set_ylim(min(low, floor - 0.07 * (high - floor)), high)      # room below the bed for its fill
+        else:
+            axis.set_ylim(min(low, floor, 0), high)                           # water stands on its bottom
     for name, which in (("x_min", "left"), ("x_max", "right")):
         if _finite(panel.get(name)):
             axis.set_xlim(**{which: panel[name]})
     for name, which in (("y_min", "bottom"), ("y_max", "top")):
         if _finite(panel.get(name)):
             axis.set_ylim(**{which: panel[name]})
-
-
-def _has_bed(panel):
-    return any(series.get("role") == "bed" for series in panel["series"])
 
 
 def _finite(value):
@@ -229,22 +236,23 @@ def _labels(panel):
     unique = {}
     for series in panel["series"]:
         if series.get("label"):
-            unique.setdefault(_Looks.key(series), series)
+            unique.setdefault(Looks.key(series), series)
     return list(unique.values())
 
 
 def _shared_legend(shown):
-    """Labelled series for one legend below, when panels share most of their labels; else empty."""
-    if len(shown) < 2:
-        return []
-    sets = [frozenset(map(_Looks.key, _labels(panel))) for panel in shown]
+    """Labelled series for one legend below, when panels share most of their labels or a single one cannot hold it."""
+    if len(shown) == 1:
+        labels = _labels(shown[0])
+        return labels if len(labels) > 6 or (labels and (_ratio(shown[0]) or 0) > 2) else []
+    sets = [frozenset(map(Looks.key, _labels(panel))) for panel in shown]
     union = frozenset().union(*sets)
     if not union or len(union) > 12 or sum(map(len, sets)) < 0.6 * len(union) * len([s for s in sets if s]):
         return []
     unique = {}
     for panel in shown:
         for series in _labels(panel):
-            unique.setdefault(_Looks.key(series), series)
+            unique.setdefault(Looks.key(series), series)
     return list(unique.values())
 
 
@@ -262,8 +270,9 @@ def _handle(series, look):
     if style == "fill" or (style == "steps" and "face" in look):
         return Patch(facecolor=look.get("face", look["color"]), edgecolor=look["color"], linewidth=0.8)
     if style == "points" and series.get("role") != "guide":
+        filled = look["filled"] or len(series["x"]) > 400
         return Line2D([], [], linestyle="none", marker=look["marker"], markersize=4.2, color=look["color"],
-                      markerfacecolor=look["color"] if look["filled"] or len(series["x"]) > 400 else "white", markeredgewidth=0.8)
+                      markerfacecolor=look["color"] if filled else "white", markeredgewidth=0.8)
     return Line2D([], [], color=look["color"], linewidth=look["linewidth"], linestyle=look["linestyle"])
 
 
@@ -292,10 +301,9 @@ def _ratio(panel):
         return None
     spans = []
     for axis in "xy":
-        values = numpy.concatenate([series[axis] for series in panel["series"] if axis in series] or [numpy.empty(0)])
-        values = values[numpy.isfinite(values)]
-        low = panel.get(f"{axis}_min") if _finite(panel.get(f"{axis}_min")) else values.min(initial=math.inf)
-        high = panel.get(f"{axis}_max") if _finite(panel.get(f"{axis}_max")) else values.max(initial=-math.inf)
+        least, most = _range(panel, axis)
+        low = panel.get(f"{axis}_min") if _finite(panel.get(f"{axis}_min")) else least
+        high = panel.get(f"{axis}_max") if _finite(panel.get(f"{axis}_max")) else most
         spans.append(high - low)
     return spans[0] / (1.1 * spans[1]) if spans[0] > 0 and spans[1] > 0 else None
 
@@ -305,7 +313,7 @@ def _height(panel, width, count):
     labels = 0.62 if count > 1 else 0.55
     if ratio:
         return min(6.5, max(0.55, (width - 0.65) / ratio) + labels)
-    return 3.5 if count == 1 else 0.72 * width if count <= 4 else 0.8 * width
+    return 3.7 if count == 1 else 0.72 * width if count <= 4 else 0.8 * width
 
 
 def thin(x, y, limit=MANY):

@@ -114,13 +114,28 @@ def violations(raw):
     """Sentences naming where `raw` breaks the schema; empty when it does not (or when it cannot be checked)."""
     validator = _validator()
     if validator is None:
-        return [] if isinstance(raw, dict) and {"case", "claims", "figures"} <= raw.keys() else ["not a record"]
+        return _missing(raw)
     found = []
     for error in validator.iter_errors(raw):
         place = "/".join(str(step) for step in error.absolute_path) or "record"
         message = error.message if len(error.message) < 300 else error.message[:300] + " …"
         found.append(f"{place}: {message}")
     return sorted(found)
+
+
+def _missing(raw):
+    """The part of the check that needs no library: every required key is there."""
+    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    if not isinstance(raw, dict):
+        return ["record: not an object"]
+    found = [f"record: {key!r} is missing" for key in schema["required"] if key not in raw]
+    for name, kind in (("claims", "claim"), ("figures", "figure"), ("tables", "table")):
+        parts = raw.get(name, [])
+        for part in parts if isinstance(parts, list) else [None]:
+            required = schema["$defs"][kind]["required"]
+            lacking = [key for key in required if not isinstance(part, dict) or key not in part]
+            found += [f"{name}: {key!r} is missing" for key in lacking]
+    return found
 
 
 def load(directory, memo):

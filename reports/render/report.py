@@ -35,20 +35,21 @@ def build(evidence, stage, out, options):
     write = _Writer(environment, stage, shared)
     views = {}
     for position, case in enumerate(cases):
-        view = pages.case_view(case, surveys, drawn, titles)
+        view = pages.case_view(case, drawn, titles)
         around = {"before": cases[position - 1] if position else None,
                   "after": cases[position + 1] if position + 1 < len(cases) else None}
         try:
             write("case.html.j2", f"cases/{case.name}.html", "../", **view, **around)
             views[case.name] = view
         except Exception as error:      # a record that passed the check but cannot be set: shown, not hidden
-            write("broken.html.j2", f"cases/{case.name}.html", "../", case=case, reason=f"{type(error).__name__}: {error}")
-            broken += [Broken(record.file, [f"page not made: {type(error).__name__}: {error}"]) for record in case.records]
+            reason = f"{type(error).__name__}: {error}"
+            write("broken.html.j2", f"cases/{case.name}.html", "../", case=case, reason=reason)
+            broken += [Broken(record.file, [f"page not made: {reason}"]) for record in case.records]
     cases = [case for case in cases if case.name in views]
     summary = pages.overview(cases, broken, problems)
     filled = sum(1 for _, tile in titles.values() if tile.records)
-    whole = {"summary": summary, "kinds": pages.grouped(cases), "sources": sources, "filled": filled, "tiles": len(titles),
-             "has_junit": (evidence / "junit.xml").is_file()}
+    whole = {"summary": summary, "kinds": pages.grouped(cases), "sources": sources, "filled": filled,
+             "tiles": len(titles), "has_junit": (evidence / "junit.xml").is_file()}
     write("index.html.j2", "index.html", "", **whole)
     write("atlas.html.j2", "atlas.html", "", **whole)
     write("reading.html.j2", "reading.html", "", **whole)
@@ -59,7 +60,7 @@ def build(evidence, stage, out, options):
         _copy(_HERE / "assets" / asset, stage / "assets" / asset, None)
     _copy_figures(loaded, drawn, stage)
     _copy_data(evidence, loaded, broken, stage / "data", out / "data")
-    (stage / MARKER).write_text("A report made by reports/render; replaced as a whole by its next run.\n", encoding="utf-8")
+    (stage / MARKER).write_text("A report made by reports/render; replaced as a whole by its next run.\n")
     store.save()
     return (f"{pages.plural(summary['claims'], 'claim')} in {pages.plural(len(cases), 'case')}, "
             f"{summary['unexpected_count']} unexpected, {pages.plural(len(broken), 'broken record')}, "
@@ -115,7 +116,10 @@ def _copy_figures(loaded, drawn, stage):
         for figure in record.figures:
             result = drawn[record.stem, figure["id"]]
             if result.path is not None:
-                _copy(result.path, stage / "figures" / pages.slug(record.stem) / f"{figure['id']}.svg", None)
+                folder = stage / "figures" / pages.slug(record.stem)
+                _copy(result.path, folder / f"{figure['id']}.svg", None)
+                if result.thumb is not None:
+                    _copy(result.thumb, folder / f"{figure['id']}.thumb.svg", None)
 
 
 def _copy_data(evidence, loaded, broken, target, former):

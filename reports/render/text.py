@@ -52,7 +52,11 @@ def _converter(formula):
 
         def handleMatch(self, match, data):
             tex = " ".join(match.group(1).split())
-            return self.md.htmlStash.store(str(formula(tex, self.display))), match.start(0), match.end(0)
+            html = str(formula(tex, self.display))
+            after = match.group(2)
+            if after:                       # punctuation stays with its formula at the end of a line
+                html = f'<span class="n">{html}{after}</span>'
+            return self.md.htmlStash.store(html), match.start(0), match.end(0)
 
     class Harmless(Treeprocessor):
         def run(self, root):
@@ -80,8 +84,9 @@ def _converter(formula):
             md.preprocessors.deregister("html_block")
             md.inlinePatterns.deregister("html")
             # Above backslash escapes (180) and below code (190): TeX keeps its backslashes, code keeps its dollars.
-            md.inlinePatterns.register(Formula(r"\$\$(.+?)\$\$", md, True), "display_formula", 186)
-            md.inlinePatterns.register(Formula(r"(?<![\\$])\$(?![\s$])([^$]+?)(?<![\s\\])\$(?!\d)", md, False), "formula", 185)
+            md.inlinePatterns.register(Formula(r"\$\$(.+?)\$\$()", md, True), "display_formula", 186)
+            inline = r"(?<![\\$])\$(?![\s$])([^$]+?)(?<![\s\\])\$(?!\d)([.,;:!?)]?)"
+            md.inlinePatterns.register(Formula(inline, md, False), "formula", 185)
             md.treeprocessors.register(Harmless(md), "harmless", 1)
 
     return markdown.Markdown(extensions=["tables", "fenced_code", "sane_lists", Ours()], output_format="html")

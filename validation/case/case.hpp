@@ -29,6 +29,10 @@ class Run {
   [[nodiscard]] bool toggle(std::string_view name) const { return values_.toggle(name); }
   [[nodiscard]] const std::string& text(std::string_view name) const { return values_.text(name); }
   [[nodiscard]] Tier tier() const { return values_.tier(); }
+  [[nodiscard]] const Values& values() const { return values_; }
+
+  /// Whether every parameter has its quick default, which is the publication's own where there is one.
+  [[nodiscard]] bool as_published() const { return values_.canonical() == Values(values_.declared(), Tier::quick).canonical(); }
 
   /// Tells the user how much is done, 0 to 1.
   void progress(double fraction) const { progress_(fraction); }

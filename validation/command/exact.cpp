@@ -100,33 +100,29 @@ std::vector<Point> points_of(const Options& options) {
 
 std::map<std::string, double> parameters_of(const ExactSolution& solution, const std::vector<std::string>& settings) {
   std::map<std::string, double> values;
-  for (const auto& p : solution.parameters) values[p.name] = p.standard;
+  for (const auto& p : solution.parameters) values[p.name] = p.default_value;
   for (const std::string& setting : settings) {
     const auto [name, text] = split_setting(setting);
-    const auto found = values.find(name);
-    if (found == values.end()) {
-      std::vector<std::string> names;
-      for (const auto& p : solution.parameters) names.push_back(p.name);
-      throw std::invalid_argument(
-          fmt::format("parameter {} is unknown: must be one of {}", name, fmt::join(names, ", ")));
-    }
-    found->second = number(name, text);
-  }
-  for (const auto& p : solution.parameters) {
-    if (!(values[p.name] >= p.lowest && values[p.name] <= p.highest)) {
-      throw std::invalid_argument(fmt::format("parameter {} = {:g} is not allowed: must be in [{:g}, {:g}] {}", p.name,
-                                              values[p.name], p.lowest, p.highest, p.unit));
-    }
+    values[name] = number(name, text);
   }
   return values;
+}
+
+const ExactSolution& solution_named(const std::string& name) {
+  const ExactSolution* found = exact::find_solution(name);
+  if (found != nullptr) return *found;
+  std::vector<std::string> names;
+  for (const ExactSolution& s : exact::catalogue()) names.push_back(s.name);
+  throw std::invalid_argument(
+      fmt::format("exact solution {} is unknown: must be list or one of {}", name, fmt::join(names, ", ")));
 }
 
 void print_catalogue() {
   for (const ExactSolution& s : exact::catalogue()) {
     fmt::print("{}: {}\n  {}\n", s.name, s.title, s.citation);
     for (const auto& p : s.parameters) {
-      fmt::print("    {:<16} {} [{}], default {:g}, in [{:g}, {:g}]\n", p.name, p.meaning, p.unit, p.standard, p.lowest,
-                 p.highest);
+      fmt::print("    {:<16} {} [{}], default {:g}, in [{:g}, {:g}]\n", p.name, p.meaning, p.unit, p.default_value, p.minimum,
+                 p.maximum);
     }
     for (const auto& o : s.outputs) fmt::print("    -> {:<13} {} [{}]\n", o.name, o.meaning, o.unit);
     for (const auto& o : s.scalars) fmt::print("    => {:<13} {} [{}]\n", o.name, o.meaning, o.unit);
@@ -135,7 +131,7 @@ void print_catalogue() {
 
 std::vector<std::pair<std::string, std::string>> columns_of(const ExactSolution& solution) {
   std::vector<std::pair<std::string, std::string>> columns;
-  for (const char axis : solution.inputs) columns.emplace_back(std::string(1, axis), axis == 't' ? "s" : "m");
+  for (const std::string& axis : solution.inputs) columns.emplace_back(axis, axis == "t" ? "s" : "m");
   for (const auto& o : solution.outputs) columns.emplace_back(o.name, o.unit);
   return columns;
 }
@@ -146,7 +142,7 @@ Rows rows_of(const ExactSolution& solution, const exact::Evaluator& evaluator, c
   Rows rows;
   for (const Point& p : points) {
     std::vector<double> row;
-    for (const char axis : solution.inputs) row.push_back(p.at(axes.find(axis)));
+    for (const std::string& axis : solution.inputs) row.push_back(p.at(axes.find(axis)));
     for (const double value : evaluator.eval(p[0], p[1], p[2])) row.push_back(value);
     rows.push_back(std::move(row));
   }
@@ -181,10 +177,10 @@ int exact_command(const Options& options) {
     print_catalogue();
     return 0;
   }
-  const ExactSolution& solution = exact::find(options.name);
+  const ExactSolution& solution = solution_named(options.name);
   const std::map<std::string, double> parameters = parameters_of(solution, options.settings);
   const std::vector<Point> points = points_of(options);
-  const auto evaluator = solution.make(parameters);
+  const auto evaluator = solution.evaluator(parameters);
   const std::vector<double> scalars = options.integrals || points.empty() ? evaluator.scalars() : std::vector<double>{};
   const Rows rows = rows_of(solution, evaluator, points);
   if (options.format == "json") {

@@ -8,7 +8,7 @@
   const apply = () => {
     const words = find.value.toLowerCase().split(/\s+/).filter(Boolean);
     for (const body of document.querySelectorAll(".matrix tbody")) {
-      const group = body.querySelector(".group").textContent.toLowerCase();
+      const group = (body.querySelector(".group")?.textContent ?? "").toLowerCase();
       let shown = 0;
       for (const row of body.querySelectorAll(".row")) {
         const text = group + " " + row.textContent.toLowerCase();

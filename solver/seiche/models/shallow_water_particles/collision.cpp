@@ -70,7 +70,10 @@ EdgeState Collision::average(std::size_t edge, const Array& mass, double tau, Ed
   // Passages of one jump that starts at `from` with `speed` at time `begin` and moves until `end`.
   const auto pass = [&](double from, double speed, double begin, double end, State after) {
     const double time = begin + (position - from) / speed;
-    if (position != from && time > begin && time <= end) passages[count++] = {time, after};
+    if (position == from || !(time > begin && time <= end)) return;
+    std::size_t place = count++;  // kept in order of time
+    for (; place > 0 && passages[place - 1].time > time; --place) passages[place] = passages[place - 1];
+    passages[place] = {time, after};
   };
   const double meeting = met_ ? 2 * tau : (track_.right - track_.left) / (track_.left_speed - track_.right_speed);
   const double first_phase = std::min(meeting, tau);
@@ -82,8 +85,6 @@ EdgeState Collision::average(std::size_t edge, const Array& mass, double tau, Ed
     pass(later.left, later.left_speed, meeting, tau, later.between);
     pass(later.right, later.right_speed, meeting, tau, later.between);
   }
-  std::sort(passages.begin(), passages.begin() + static_cast<long>(count),
-            [](const Passage& a, const Passage& b) { return a.time < b.time; });
   if (count == 0) return base;
   EdgeState sum = {base.velocity * passages[0].time, base.thrust * passages[0].time};
   for (std::size_t k = 0; k < count; ++k) {

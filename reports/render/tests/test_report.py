@@ -1,0 +1,357 @@
+"""The renderer on made-up evidence, hostile and broken records among it.
+
+    /usr/bin/python3 reports/render/tests/test_report.py
+"""
+import contextlib
+import copy
+import html.parser
+import io
+import json
+import os
+import pathlib
+import re
+import sys
+import tempfile
+import tomllib
+import unittest
+import urllib.parse
+
+REPORTS = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(REPORTS))
+
+import h5py  # noqa: E402
+import numpy  # noqa: E402
+
+from render import quantities, records  # noqa: E402
+from render.command import main  # noqa: E402
+
+HOSTILE = "<script>alert('x')</script>\"&'"
+VOID = {"meta", "link", "br", "img", "input", "hr", "rect", "path", "circle", "wbr"}
+
+
+class Page(html.parser.HTMLParser):
+    """Checks the balance of tags; gathers ids, references and the elements' names."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.ids, self.references, self.faults, self.names = [], [], [], [], []
+        self.feed(text)
+        self.faults += [f"<{name}> is never closed" for name in self.open]
+
+    def handle_starttag(self, name, attributes):
+        self.names.append(name)
+        for key, value in attributes:
+            if key == "id":
+                self.ids.append(value)
+            elif key in ("href", "src"):
+                self.references.append(value)
+            elif key.startswith("on"):
+                self.faults.append(f"handler {key} on <{name}>")
+        if name not in VOID:
+            self.open.append(name)
+
+    def handle_startendtag(self, name, attributes):
+        self.handle_starttag(name, attributes)
+        if name not in VOID:
+            self.open.pop()
+
+    def handle_endtag(self, name):
+        if name in VOID:
+            return
+        if not self.open or self.open[-1] != name:
+            self.faults.append(f"</{name}> at {self.getpos()} closes {self.open[-1:] or 'nothing'}")
+        if name in self.open:
+            while self.open.pop() != name:
+                pass
+
+
+def claim(name, kind="bound", verdict="pass", **changes):
+    extras = {"roundoff": {"operations": 1e5, "scale": 3.0}, "order": {"theory": 2.0, "tolerance": 0.2},
+              "bound": {"relative": False}, "uncertainty": {"data": 0.01, "input": 0.0, "coverage": 2.0, "useful": None},
+              "qualitative": {"detector": "a stated detector"}}[kind]
+    made = {"id": name, "text": f"Claim {name} holds.", "quantity": "defect", "unit": "m^3/s", "source": "a source",
+            "resolution": "N = 10", "measured": 3.8412e-15, "uncertainty": 0.0, "expected": 0.0,
+            "criterion": {"kind": kind, "limit": 1e-12, "reason": "a reason", **extras},
+            "verdict": verdict, "declared": "pass", "declared_reason": "", "note": ""}
+    return {**made, **changes}
+
+
+def record(case, **changes):
+    made = {"schema": 1, "case": case, "kind": "validation", "group": "bore", "tier": "quick", "solver": "seiche",
+            "title": f"The case {case}", "source": "A source", "article": "Text with $x^2$ and\n\n$$\\frac{a}{b}$$",
+            "status": "finished", "error": "", "parameters": {}, "claims": [claim("one")], "measurements": {},
+            "figures": [], "tables": [], "atlas": [], "data": "", "fields": "", "wall_time": 1.5, "fingerprint": "abc123",
+            "provenance": {"commit": "0123456789abcdef", "dirty": False, "compiler": "g++", "flags": "-O3",
+                           "build_type": "Release", "libraries": {"fmt": "9"}, "processor": "a processor", "cores": 2,
+                           "threads": 1, "system": "Linux", "date": "2026-01-02T03:04:05Z", "version": "1.0",
+                           "reference_data": {"a/table.csv": "ff" * 32}}}
+    return {**made, **changes}
+
+
+def figure(name, **changes):
+    return {**{"id": name, "title": "A figure", "caption": "With $h_0$.", "drawing": "panels", "atlas": []}, **changes}
+
+
+def write_arrays(path, figures):
+    """figures: {id: [[(label, role, style, x, y)]]}"""
+    with h5py.File(path, "w", track_order=True) as file:
+        for name, panels in figures.items():
+            group = file.create_group(f"figures/{name}")
+            group.attrs.update({"title": "A figure", "caption": "", "drawing": "panels"})
+            for p, panel in enumerate(panels):
+                node = group.create_group(f"panel_{p:02d}")
+                node.attrs.update({"title": "", "x_label": "x [m]", "y_label": "u [m^2/s] $", "log_x": 0, "log_y": 0,
+                                   "aspect": "auto"})
+                for s, (label, role, style, x, y) in enumerate(panel):
+                    series = node.create_group(f"series_{s:02d}")
+                    series.attrs.update({"label": label, "role": role, "style": style})
+                    series["x"], series["y"] = numpy.asarray(x, float), numpy.asarray(y, float)
+        array = file.create_dataset("arrays/depth", data=numpy.zeros((3, 4)))
+        array.attrs.update({"unit": "m", "meaning": HOSTILE})
+
+
+def write_evidence(folder):
+    """Evidence with everything that a report must survive."""
+    folder.mkdir()
+
+    def put(content, name=None):
+        (folder / f"{name or content['case']}.json").write_text(json.dumps(content), encoding="utf-8")
+
+    x = numpy.linspace(0, 1, 20)
+    every_style = [("exact", "exact", "line", x, x), ("steps", "computed", "steps", x, x[1:]),
+                   ("data", "data", "points", x, x), ("water", "water", "fill", x, x), ("bed", "bed", "fill", x, 0 * x),
+                   ("wall", "guide", "vertical", [0.5], []), ("cells", "water", "steps", x, x[1:]),
+                   ("with gaps", "peer", "line", x, numpy.where(x > 0.5, numpy.nan, x)), (HOSTILE, "peer", "points", x, x)]
+    many = [("long", "computed", "line", numpy.linspace(0, 1, 40000), numpy.random.default_rng(1).random(40000))]
+    put(record("two_solvers", data="two_solvers.h5", figures=[figure("f", atlas=["bzz-fig-12"]), figure("long")],
+               claims=[claim("one", "roundoff"), claim("two", "order", measured=2.04, uncertainty=0.05, expected=2.0),
+                       claim("three", "uncertainty"), claim("four", "qualitative", measured=1, expected=1)]))
+    write_arrays(folder / "two_solvers.h5", {"f": [every_style, every_style[:3]], "long": [many]})
+    put(record("two_solvers", solver="another", data="two_solvers.another.h5", figures=[figure("f")]), "two_solvers.another")
+    write_arrays(folder / "two_solvers.another.h5", {"f": [every_style[:2]]})
+    put(record("hostile", kind="verification", group=HOSTILE, solver="seiche", title=HOSTILE, source=HOSTILE,
+               article=HOSTILE + "\n\n[link](javascript:alert(1)) ![p](http://example.org/p.png) <img src=x onerror=y>",
+               parameters={HOSTILE: {"value": HOSTILE, "unit": HOSTILE, "default": True, "meaning": HOSTILE}},
+               claims=[claim("one", text=HOSTILE, quantity=HOSTILE, unit=HOSTILE, note=HOSTILE, source=HOSTILE,
+                             resolution=HOSTILE, verdict="fail", declared="fail", declared_reason=HOSTILE)],
+               measurements={HOSTILE: 1.0}, data="hostile.h5", figures=[figure("f", title=HOSTILE, caption=HOSTILE)],
+               tables=[{"id": "t", "title": HOSTILE, "caption": HOSTILE, "columns": [{"name": HOSTILE, "unit": HOSTILE}],
+                        "rows": [[HOSTILE], [None], [True], [1e-300]], "atlas": ["frank-table-celerity", "no-such-tile"]}]))
+    write_arrays(folder / "hostile.h5", {"f": [[(HOSTILE, "computed", "line", x, x)]]})
+    put(record("nulls", wall_time=None, measurements={"m": None},
+               claims=[claim("one", verdict="fail", measured=None, uncertainty=None, expected=None,
+                             criterion={"kind": "bound", "limit": None, "reason": "r", "relative": True}),
+                       claim("late", verdict="inconclusive", declared="inconclusive", declared_reason="known"),
+                       claim("surprise", declared="fail", declared_reason="thought so")]))
+    put(record("crashed", status="error", error="killed by signal 11 <b>", claims=[], figures=[figure("f")], data="gone.h5"))
+    put(record("lost_figure", data="two_solvers.h5", figures=[figure("nowhere"), figure("f", drawing="no such")]))
+    (folder / "truncated.json").write_text('{"schema": 1, <script>', encoding="utf-8")
+    (folder / "not a record.json").write_text("[1, NaN]", encoding="utf-8")
+    broken = record("incomplete")
+    del broken["tier"]
+    put(broken)
+    put(record("two_solvers"), "two_solvers_again")
+    (folder / "junit.xml").write_text("<testsuites/>", encoding="utf-8")
+
+
+def render(evidence, out, *more):
+    said = io.StringIO()
+    with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+        status = main([str(evidence), "--out", str(out), *more])
+    return status, said.getvalue()
+
+
+def contents(folder):
+    """Bytes of all files of a report but its cache."""
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*"))
+            if path.is_file() and ".cache" not in path.parts}
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        cls.evidence, cls.out = cls.folder / "evidence", cls.folder / "report"
+        write_evidence(cls.evidence)
+        cls.status, cls.said = render(cls.evidence, cls.out)
+        cls.pages = {path: Page(path.read_text(encoding="utf-8")) for path in cls.out.rglob("*.html")}
+        cls.index = (cls.out / "index.html").read_text(encoding="utf-8")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def test_a_report_is_made_of_whatever_there_is(self):
+        self.assertEqual(self.status, 0, self.said)
+        self.assertIn("index.html", self.said)
+
+    def test_pages_are_well_formed(self):
+        for path, page in self.pages.items():
+            self.assertEqual(page.faults, [], path.name)
+            self.assertEqual(len(page.ids), len(set(page.ids)), f"an id twice in {path.name}")
+
+    def test_every_reference_resolves_within_the_report(self):
+        for path, page in self.pages.items():
+            for reference in page.references:
+                address = urllib.parse.urlsplit(reference)
+                self.assertEqual((address.scheme, address.netloc), ("", ""), f"{reference} leaves the report")
+                target = (path.parent / urllib.parse.unquote(address.path)).resolve() if address.path else path
+                self.assertTrue(target.is_relative_to(self.out.resolve()), reference)
+                self.assertTrue(target.is_file(), f"{path.name}: {reference}")
+                if address.fragment:
+                    self.assertIn(address.fragment, self.pages[self.out / target.relative_to(self.out.resolve())].ids, reference)
+
+    def test_every_record_appears(self):
+        for case in ("two_solvers", "hostile", "nulls", "crashed", "lost_figure"):
+            self.assertTrue((self.out / "cases" / f"{case}.html").is_file(), case)
+            self.assertIn(f"cases/{case}.html", self.index)
+        for broken in ("truncated.json", "not a record.json", "incomplete.json", "two_solvers_again.json"):
+            self.assertIn(broken, self.index)
+        self.assertIn("tier", self.index)
+        page = (self.out / "cases/two_solvers.html").read_text(encoding="utf-8")
+        self.assertIn("another", page)
+
+    def test_surprises_are_called_out_and_declared_failures_explained(self):
+        alarm = self.index[self.index.index('id="unexpected"'):self.index.index('id="declared"')]
+        declared = self.index[self.index.index('id="declared"'):self.index.index('id="cases"')]
+        self.assertIn("nulls-claim-one", alarm)
+        self.assertIn("nulls-claim-surprise", alarm)
+        self.assertIn("unexpected pass", alarm)
+        self.assertIn("killed by signal 11", alarm)
+        self.assertNotIn("nulls-claim-late", alarm)
+        self.assertIn("nulls-claim-late", declared)
+        self.assertIn("hostile-claim-one", declared)
+
+    def test_what_could_not_be_drawn_is_said(self):
+        page = (self.out / "cases/lost_figure.html").read_text(encoding="utf-8")
+        self.assertIn("holds no figure", page)
+        self.assertIn("no drawing is called", page)
+        self.assertIn("no-such-tile", self.index)
+        self.assertIn("gone.h5 cannot be read", self.index)
+
+    def test_every_tile_of_the_atlas_appears(self):
+        atlas = self.pages[self.out / "atlas.html"]
+        sources = tomllib.loads((REPORTS / "atlas.toml").read_text(encoding="utf-8"))["source"]
+        tiles = [tile["id"] for source in sources for tile in source["tile"]]
+        self.assertEqual(len(tiles), len(set(tiles)))
+        for tile in tiles:
+            self.assertIn(tile, atlas.ids)
+        text = (self.out / "atlas.html").read_text(encoding="utf-8")
+        self.assertEqual(text.count("not yet"), len(tiles) - 2)
+
+    def test_hostile_text_is_printed_not_obeyed(self):
+        for path, page in self.pages.items():
+            text = path.read_text(encoding="utf-8")
+            self.assertNotIn("<script>alert", text, path.name)
+            self.assertNotIn("javascript:", "".join(page.references))
+            self.assertEqual(page.names.count("script"), 1, path.name)
+        self.assertIn("&lt;script&gt;alert", (self.out / "cases/hostile.html").read_text(encoding="utf-8"))
+        for path in self.out.rglob("*.svg"):
+            self.assertNotIn("<script>alert", path.read_text(encoding="utf-8"), path.name)
+
+    def test_formulas_are_set(self):
+        page = (self.out / "cases/two_solvers.html").read_text(encoding="utf-8")
+        self.assertIn('aria-label="x^2"', page)
+        self.assertIn("<title>\\frac{a}{b}</title>", page)
+
+    def test_figures_are_small(self):
+        for path in self.out.rglob("*.svg"):
+            self.assertLess(path.stat().st_size, 600_000, path.name)
+
+    def test_records_and_arrays_travel_with_the_report(self):
+        for name in ("two_solvers.json", "two_solvers.h5", "hostile.json", "truncated.json", "junit.xml"):
+            self.assertEqual((self.out / "data" / name).read_bytes(), (self.evidence / name).read_bytes())
+
+    def test_second_run_draws_nothing_and_gives_the_same_bytes(self):
+        first = contents(self.out)
+        cached = {path: path.stat().st_mtime_ns for path in (self.out / ".cache/figures").iterdir()}
+        self.assertEqual(render(self.evidence, self.out)[0], 0)
+        self.assertEqual(contents(self.out), first)
+        self.assertEqual({path: path.stat().st_mtime_ns for path in (self.out / ".cache/figures").iterdir()}, cached)
+
+    def test_a_fresh_report_elsewhere_has_the_same_bytes(self):
+        self.assertEqual(render(self.evidence, self.folder / "elsewhere", "--jobs", "1")[0], 0)
+        self.assertEqual(contents(self.folder / "elsewhere"), contents(self.out))
+
+    def test_stale_pages_go_and_nothing_is_left_beside(self):
+        evidence, out = self.folder / "changing", self.folder / "changing_report"
+        write_evidence(evidence)
+        render(evidence, out)
+        (evidence / "nulls.json").unlink()
+        render(evidence, out)
+        self.assertFalse((out / "cases/nulls.html").exists())
+        self.assertEqual([path.name for path in self.folder.iterdir() if path.name.startswith(".")], [])
+
+    def test_no_evidence_still_makes_a_report(self):
+        (self.folder / "empty").mkdir()
+        self.assertEqual(render(self.folder / "empty", self.folder / "empty_report")[0], 0)
+
+    def test_what_is_not_a_report_is_never_replaced(self):
+        precious = self.folder / "precious"
+        precious.mkdir()
+        (precious / "thesis.tex").write_text("work of years")
+        status, said = render(self.evidence, precious)
+        self.assertEqual(status, 2)
+        self.assertIn("not a report", said)
+        self.assertTrue((precious / "thesis.tex").exists())
+
+    def test_missing_evidence_is_named(self):
+        status, said = render(self.folder / "nowhere", self.folder / "x")
+        self.assertEqual(status, 2)
+        self.assertIn("nowhere", said)
+
+    def test_missing_browser_is_named(self):
+        before = os.environ["PATH"]
+        os.environ["PATH"] = str(self.folder)
+        try:
+            status, said = render(self.evidence, self.folder / "x", "--pdf", str(self.folder / "x.pdf"))
+        finally:
+            os.environ["PATH"] = before
+        self.assertEqual(status, 2)
+        self.assertIn("chromium", said)
+
+
+class Schema(unittest.TestCase):
+    def test_complete_records_pass(self):
+        self.assertEqual(records.violations(record("a")), [])
+
+    def test_each_change_for_the_worse_is_found(self):
+        def broken(change):
+            made = copy.deepcopy(record("a", figures=[figure("f")], claims=[claim("one"), claim("two", "order")]))
+            change(made)
+            return records.violations(made)
+
+        for change in (lambda r: r.pop("fingerprint"), lambda r: r.update(extra=1), lambda r: r.update(case="../up"),
+                       lambda r: r.update(data="../x.h5"), lambda r: r["claims"][0].update(verdict="fine"),
+                       lambda r: r["claims"][0].update(declared="fail"), lambda r: r["claims"][0]["criterion"].pop("relative"),
+                       lambda r: r["claims"][1]["criterion"].update(reason=""), lambda r: r["provenance"].pop("commit"),
+                       lambda r: r["figures"][0].update(id="a b"), lambda r: r["measurements"].update(x="1")):
+            self.assertNotEqual(broken(change), [])
+
+
+class Numbers(unittest.TestCase):
+    def test_numbers_are_set_as_in_print(self):
+        cases = {3.8412e-15: "3.841 × 10<sup>−15</sup>", 0.0: "0", 1.0: "1", -2.5: "−2.5", 1234.56: "1235", 99999.7: "10<sup>5</sup>",
+                 0.00012345: "1.234 × 10<sup>−4</sup>", 1e5: "10<sup>5</sup>", 120.0: "120", 123456.0: "1.235 × 10<sup>5</sup>", 9.99996: "10"}
+        for number, expected in cases.items():
+            self.assertEqual(quantities.plain(number).replace(quantities.THIN, " "), expected, number)
+
+    def test_uncertainty_gives_the_digits(self):
+        def text(*pair):
+            return re.sub("<[^>]*>", "", str(quantities.with_uncertainty(*pair))).replace(quantities.THIN, " ")
+        self.assertEqual(text(1.23456, 0.021), "1.235 ± 0.021")
+        self.assertEqual(text(3.81e-7, 2e-9), "(3.810 ± 0.020) × 10−7")
+        self.assertEqual(text(2.0, 0.0), "2")
+        self.assertEqual(text(None, 0.1), "—")
+
+    def test_full_value_is_in_the_title(self):
+        self.assertIn('title="1.23456789"', str(quantities.number(1.23456789)))
+
+    def test_units_are_upright_and_raised(self):
+        self.assertIn("m<sup>3</sup>/s", str(quantities.unit("m^3/s")))
+        self.assertEqual(str(quantities.unit("1")), "")
+
+
+if __name__ == "__main__":
+    unittest.main()

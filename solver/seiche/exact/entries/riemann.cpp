@@ -1,0 +1,48 @@
+#include "seiche/exact/riemann.hpp"
+
+#include "seiche/exact/entries/entries.hpp"
+
+namespace seiche::exact {
+
+ExactSolution riemann_entry() {
+  return {
+      .name = "riemann",
+      .title = "Two uniform states of shallow water meet: dam breaks, bores, dry fronts",
+      .citation = Riemann::provenance().citation,
+      .formula = Riemann::provenance().formula,
+      .parameters = {{"left_depth", "m", 1, 0, 1e6, "depth on the left; 0 is dry"},
+                     {"left_velocity", "m/s", 0, -1e6, 1e6, "velocity on the left"},
+                     {"right_depth", "m", 0.1, 0, 1e6, "depth on the right; 0 is dry"},
+                     {"right_velocity", "m/s", 0, -1e6, 1e6, "velocity on the right"},
+                     {"gravity", "m/s^2", 9.81, 1e-6, 1e6, "acceleration of gravity"},
+                     {"jump", "m", 0, -1e9, 1e9, "position of the discontinuity at t = 0"}},
+      .inputs = {"x", "t"},
+      .outputs = {{"h", "m", "depth"}, {"u", "m/s", "velocity, 0 where dry"}},
+      .scalars = {{"star_depth", "m", "depth between the waves, 0 if dry"},
+                  {"star_velocity", "m/s", "velocity between the waves, 0 if dry"},
+                  {"left_wave_slowest", "m/s", "left end of the left wave"},
+                  {"left_wave_fastest", "m/s", "right end of the left wave, equal for a jump"},
+                  {"right_wave_slowest", "m/s", "left end of the right wave"},
+                  {"right_wave_fastest", "m/s", "right end of the right wave, equal for a jump"},
+                  {"discharge_at_jump", "m^2/s", "h u where the states met, t > 0"}},
+      .factory =
+          [](const std::map<std::string, double>& p) {
+            const Riemann solution(p.at("gravity"), {p.at("left_depth"), p.at("left_velocity")},
+                                   {p.at("right_depth"), p.at("right_velocity")}, p.at("jump"));
+            return Evaluator{
+                [solution](double x, double, double t) {
+                  const auto state = solution.at(x, t);
+                  return std::vector<double>{state.depth, state.velocity};
+                },
+                [solution] {
+                  const auto left = solution.left_wave();
+                  const auto right = solution.right_wave();
+                  return std::vector<double>{
+                      solution.star().depth, solution.star().velocity,    left.slowest, left.fastest, right.slowest,
+                      right.fastest,         solution.discharge_at_jump()};
+                }};
+          },
+  };
+}
+
+}  // namespace seiche::exact

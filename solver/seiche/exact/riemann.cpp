@@ -1,0 +1,96 @@
+#include "seiche/exact/riemann.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "seiche/require.hpp"
+
+namespace seiche::exact {
+
+namespace sw = shallow_water;
+
+Riemann::Riemann(double gravity, State left, State right, double jump)
+    : gravity_(gravity), left_(left), right_(right), jump_(jump) {
+  require_positive("gravity", gravity);
+  require_not_negative("left depth", left.depth);
+  require_not_negative("right depth", right.depth);
+  require_finite("left velocity", left.velocity);
+  require_finite("right velocity", right.velocity);
+  require_finite("jump", jump);
+  const bool wet_left = left.depth > 0;
+  const bool wet_right = right.depth > 0;
+  if (!wet_left && !wet_right)
+    throw std::invalid_argument("left depth and right depth are both 0: one must be positive");
+  if (!wet_left) left_.velocity = 0;
+  if (!wet_right) right_.velocity = 0;
+
+  const double cl = sw::celerity(gravity, left_.depth);
+  const double cr = sw::celerity(gravity, right_.depth);
+  if (wet_left && wet_right) star_ = sw::star_state(gravity, left_, right_);
+  const bool wet_star = star_.depth > 0;
+  const double cs = sw::celerity(gravity, star_.depth);
+
+  if (!wet_left) {
+    // A dry side carries no wave of its own: the front of the other fan bounds it.
+    left_wave_ = {Kind::dry, right_.velocity - 2 * cr, right_.velocity - 2 * cr};
+  } else if (star_.depth > left_.depth) {
+    const double speed = left_.velocity - sw::jump_mass_flux(gravity, left_.depth, star_.depth) / left_.depth;
+    left_wave_ = {Kind::jump, speed, speed};
+  } else {
+    const double last = wet_star ? star_.velocity - cs : left_.velocity + 2 * cl;
+    const Kind kind = star_.depth == left_.depth ? Kind::none : Kind::fan;
+    left_wave_ = {kind, left_.velocity - cl, std::max(last, left_.velocity - cl)};
+  }
+  if (!wet_right) {
+    right_wave_ = {Kind::dry, left_.velocity + 2 * cl, left_.velocity + 2 * cl};
+  } else if (star_.depth > right_.depth) {
+    const double speed = right_.velocity + sw::jump_mass_flux(gravity, right_.depth, star_.depth) / right_.depth;
+    right_wave_ = {Kind::jump, speed, speed};
+  } else {
+    const double first = wet_star ? star_.velocity + cs : right_.velocity - 2 * cr;
+    const Kind kind = star_.depth == right_.depth ? Kind::none : Kind::fan;
+    right_wave_ = {kind, std::min(first, right_.velocity + cr), right_.velocity + cr};
+  }
+}
+
+Riemann::State Riemann::sample(double speed) const {
+  if (speed < left_wave_.slowest) return left_;
+  if (speed > right_wave_.fastest) return right_;
+  if (left_wave_.kind == Kind::fan && speed <= left_wave_.fastest) {
+    // u + 2c is constant across the fan and u - c = x/t.
+    const double c = (left_.velocity + 2 * sw::celerity(gravity_, left_.depth) - speed) / 3;
+    return {c * c / gravity_, c > 0 ? speed + c : 0.0};
+  }
+  if (right_wave_.kind == Kind::fan && speed >= right_wave_.slowest) {
+    const double c = (speed - right_.velocity + 2 * sw::celerity(gravity_, right_.depth)) / 3;
+    return {c * c / gravity_, c > 0 ? speed - c : 0.0};
+  }
+  return star_;
+}
+
+Riemann::State Riemann::at(double x, double t) const {
+  require_finite("x", x);
+  require_not_negative("t", t);
+  if (t == 0) return x < jump_ ? left_ : right_;
+  return sample((x - jump_) / t);
+}
+
+double Riemann::discharge_at_jump() const {
+  const State state = sample(0);
+  return state.depth * state.velocity;
+}
+
+std::vector<double> Riemann::breakpoints(double t) const {
+  require_not_negative("t", t);
+  if (t == 0) return {jump_};
+  return {jump_ + left_wave_.slowest * t, jump_ + left_wave_.fastest * t, jump_ + right_wave_.slowest * t,
+          jump_ + right_wave_.fastest * t};
+}
+
+Provenance Riemann::provenance() {
+  return {"Toro, Shock-capturing methods for free-surface shallow flows (2001), ch. 5-6; Stoker, Water Waves (1957)",
+          "f(h*, hL) + f(h*, hR) + uR - uL = 0; f = 2 (c* - cK) in a fan, (h* - hK) sqrt(g (h* + hK)/(2 h* hK)) in a "
+          "jump; fans: c = (uL + 2 cL - x/t)/3, c = (x/t - uR + 2 cR)/3"};
+}
+
+}  // namespace seiche::exact

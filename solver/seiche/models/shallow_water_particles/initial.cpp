@@ -1,0 +1,164 @@
+#include "seiche/models/shallow_water_particles/initial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "seiche/require.hpp"
+
+namespace seiche::shallow_water_particles {
+
+namespace {
+
+// Gauss-Legendre, 5 points on [-1, 1].
+constexpr std::array<double, 5> gauss_points = {-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
+                                                0.9061798459386640};
+constexpr std::array<double, 5> gauss_weights = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+                                                 0.4786286704993665, 0.2369268850561891};
+
+void require_interval(double left, double right) {
+  require_finite("left", left);
+  require_finite("right", right);
+  if (!(left < right)) throw std::invalid_argument(fmt::format("right = {:g} must exceed left = {:g}", right, left));
+}
+
+}  // namespace
+
+Array equal_width_edges(double left, double right, std::size_t count) {
+  require_interval(left, right);
+  require_at_least("number of particles", static_cast<long>(count), 1);
+  Array edges(count + 1);
+  const auto n = static_cast<double>(count);
+  for (std::size_t k = 0; k <= count; ++k) {
+    const auto position = static_cast<double>(k);
+    edges[k] = (left * (n - position) + right * position) / n;
+  }
+  return edges;
+}
+
+Array equal_mass_edges(const Function& mass_up_to, double left, double right, std::size_t count,
+                       const std::vector<double>& discontinuities) {
+  Array edges = equal_width_edges(left, right, count);
+  const double total = mass_up_to(right) - mass_up_to(left);
+  const double start = mass_up_to(left);
+  require_positive("mass between left and right", total);
+  for (std::size_t k = 1; k < count; ++k) {
+    const double target = start + total * static_cast<double>(k) / static_cast<double>(count);
+    double low = edges[k - 1];
+    double high = right;
+    for (int halving = 0; halving < 80; ++halving) {
+      const double middle = 0.5 * (low + high);
+      (mass_up_to(middle) < target ? low : high) = middle;
+    }
+    edges[k] = 0.5 * (low + high);
+  }
+  std::vector<bool> taken(count + 1, false);
+  for (const double x : discontinuities) {
+    require_within("discontinuity", x, left, right);
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < count; ++k) {
+      if (!taken[k] && (nearest == 0 || std::abs(edges[k] - x) < std::abs(edges[nearest] - x))) nearest = k;
+    }
+    if (nearest == 0) throw std::invalid_argument("discontinuities: more of them than inner edges");
+    edges[nearest] = x;
+    taken[nearest] = true;
+  }
+  return edges;
+}
+
+Particles particles_from_primitives(Array edges, const Function& mass_up_to, const Function& momentum_up_to) {
+  Particles p;
+  p.edge = std::move(edges);
+  for (std::size_t i = 0; i + 1 < p.edge.size(); ++i) {
+    const double mass = mass_up_to(p.edge[i + 1]) - mass_up_to(p.edge[i]);
+    p.mass.push_back(mass);
+    p.velocity.push_back((momentum_up_to(p.edge[i + 1]) - momentum_up_to(p.edge[i])) / mass);
+  }
+  p.validate();
+  return p;
+}
+
+Particles particles_from_profile(Array edges, const Function& depth, const Function& velocity) {
+  Particles p;
+  p.edge = std::move(edges);
+  constexpr int parts = 8;
+  for (std::size_t i = 0; i + 1 < p.edge.size(); ++i) {
+    const double width = (p.edge[i + 1] - p.edge[i]) / parts;
+    double mass = 0;
+    double momentum = 0;
+    for (int part = 0; part < parts; ++part) {
+      const double centre = p.edge[i] + (part + 0.5) * width;
+      for (std::size_t k = 0; k < gauss_points.size(); ++k) {
+        const double x = centre + 0.5 * width * gauss_points[k];
+        const double h = depth(x);
+        mass += 0.5 * width * gauss_weights[k] * h;
+        momentum += 0.5 * width * gauss_weights[k] * h * velocity(x);
+      }
+    }
+    p.mass.push_back(mass);
+    p.velocity.push_back(momentum / mass);
+  }
+  p.validate();
+  return p;
+}
+
+Particles uniform_stretches(const std::vector<Stretch>& stretches, std::size_t count, bool equal_masses) {
+  if (stretches.empty()) throw std::invalid_argument("stretches: at least one must be given");
+  require_at_least("number of particles", static_cast<long>(count), static_cast<long>(stretches.size()));
+  const auto weight = [&](const Stretch& s) { return (s.right - s.left) * (equal_masses ? s.state.depth : 1.0); };
+  double total = 0;
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    const Stretch& s = stretches[k];
+    require_interval(s.left, s.right);
+    require_positive("depth", s.state.depth);
+    require_finite("velocity", s.state.velocity);
+    if (k > 0 && s.left != stretches[k - 1].right) {
+      throw std::invalid_argument(
+          fmt::format("stretches: one ends at {:g} and the next starts at {:g}", stretches[k - 1].right, s.left));
+    }
+    total += weight(s);
+  }
+  Particles p;
+  p.edge.push_back(stretches.front().left);
+  double done = 0;
+  for (std::size_t k = 0; k < stretches.size(); ++k) {
+    const Stretch& s = stretches[k];
+    done += weight(s);
+    const std::size_t still_to_come = stretches.size() - 1 - k;
+    const auto until = static_cast<std::size_t>(std::lround(static_cast<double>(count) * done / total));
+    const std::size_t last = std::clamp(until, p.mass.size() + 1, count - still_to_come);
+    const std::size_t here = last - p.mass.size();
+    const Array edges = equal_width_edges(s.left, s.right, here);
+    for (std::size_t i = 0; i < here; ++i) {
+      p.edge.push_back(edges[i + 1]);
+      p.mass.push_back((edges[i + 1] - edges[i]) * s.state.depth);
+      p.velocity.push_back(s.state.velocity);
+    }
+  }
+  p.validate();
+  return p;
+}
+
+Particles dam_break(double start, double dam, double end, shallow_water::State left, shallow_water::State right,
+                    std::size_t count, bool equal_masses) {
+  return uniform_stretches({{start, dam, left}, {dam, end, right}}, count, equal_masses);
+}
+
+Particles bore(double gravity, double start, double jump, double end, double behind, double ahead, std::size_t count,
+               bool equal_masses) {
+  require_positive("gravity", gravity);
+  require_positive("depth ahead", ahead);
+  if (!(behind > ahead)) {
+    throw std::invalid_argument(fmt::format(
+        "depth behind the bore = {:g} must exceed the depth ahead = {:g}: an expansion jump gains energy", behind,
+        ahead));
+  }
+  const double velocity = shallow_water::velocity_change(gravity, behind, ahead);
+  return dam_break(start, jump, end, {behind, velocity}, {ahead, 0}, count, equal_masses);
+}
+
+}  // namespace seiche::shallow_water_particles

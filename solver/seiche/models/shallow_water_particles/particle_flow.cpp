@@ -1,0 +1,318 @@
+#include "seiche/models/shallow_water_particles/particle_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "seiche/divergence.hpp"
+#include "seiche/require.hpp"
+
+namespace seiche::shallow_water_particles {
+
+namespace {
+
+constexpr double hard_courant = 0.9;
+constexpr double jump_fraction = 0.8;  // a jump may cross this part of a particle in one step
+
+}  // namespace
+
+ParticleFlow::ParticleFlow(Particles initial, Ends ends, Forcing forcing, Scheme scheme)
+    : now_(std::move(initial)), ends_(std::move(ends)), forcing_(std::move(forcing)), scheme_(scheme) {
+  validate();
+  resize_work();
+  jumps_.reserve(now_.size());
+  structures_.reserve(now_.size());
+  ledger_.initial_mass = mass();
+  ledger_.initial_momentum = momentum();
+  ledger_.initial_length = length();
+  for (const bool right : {false, true}) {
+    const Side s = side(right);
+    open_width_[s.index()] = now_.width(s.particle(0));
+    const double depth = now_.depth(s.particle(0));
+    front_velocity_[s.index()] =
+        s.outward() * now_.velocity[s.particle(0)] + 2 * shallow_water::celerity(forcing_.gravity, depth);
+  }
+  refresh();
+  detect_jumps();
+  find_starts();
+}
+
+void ParticleFlow::find_starts() {
+  if (scheme_.self_similar_particles == 0 || scheme_.level == Level::godunov || forcing_.bed || forcing_.manning > 0 || forcing_.body_force) return;
+  const auto same = [&](std::size_t i, std::size_t j) {
+    constexpr double tolerance = 1e-12;
+    return std::abs(depth_[i] - depth_[j]) <= tolerance * depth_[i] &&
+           std::abs(now_.velocity[i] - now_.velocity[j]) <= tolerance * celerity_[i];
+  };
+  const std::size_t count = now_.size();
+  for (std::size_t k = 0; k <= count; ++k) {
+    if (k > 0 && k < count && same(k - 1, k)) continue;
+    if ((k == 0 && !has_tip(side(false))) || (k == count && !has_tip(side(true)))) continue;
+    std::size_t first = k;
+    while (first > 0 && (first == k || same(first - 1, first))) --first;
+    std::size_t last = k;
+    while (last < count && (last == k || same(last - 1, last))) ++last;
+    const std::optional<State> left = k > 0 ? std::optional(state(k - 1)) : std::nullopt;
+    const std::optional<State> right = k < count ? std::optional(state(k)) : std::nullopt;
+    starts_.emplace_back(forcing_.gravity, left, right, k, first, last);
+    if (starts_.back().lone_jump()) starts_.pop_back();
+  }
+}
+
+void ParticleFlow::validate() const {
+  now_.validate();
+  require_positive("gravity", forcing_.gravity);
+  require_not_negative("manning", forcing_.manning);
+  require_within("theta", scheme_.theta, 1, 2);
+  require_within("newton_steps", scheme_.newton_steps, 0, 20);
+  require_positive("courant", scheme_.courant);
+  require_within("courant", scheme_.courant, 0, hard_courant);
+  require_positive("jump_threshold", scheme_.jump_threshold);
+  require_not_negative("isolation", scheme_.isolation);
+  require_not_negative("self_similar_particles", scheme_.self_similar_particles);
+  if (forcing_.bed) forcing_.bed->validate(now_.edge.front(), now_.edge.back());
+  for (const bool right : {false, true}) {
+    const Side s = side(right);
+    if (const auto* piston = std::get_if<Piston>(&end(s))) {
+      if (!piston->velocity) throw std::invalid_argument("piston: a velocity as a function of time must be given");
+      require_finite("piston velocity", piston->velocity(0));
+    }
+  }
+}
+
+void ParticleFlow::resize_work() {
+  const std::size_t count = now_.size();
+  for (Array* a : {&inv_mass_, &inv_width_, &depth_, &celerity_}) a->resize(count);
+  edge_velocity_.resize(count + 1);
+  edge_thrust_.resize(count + 1);
+  values_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) inv_mass_[i] = 1 / now_.mass[i];
+  if (forcing_.bed) {
+    for (Array* a : {&surface_, &bed_mean_, &reaction_}) a->resize(count);
+    for (Array* a : {&bed_edge_, &bed_area_}) a->resize(count + 1);
+  }
+}
+
+void ParticleFlow::refresh() {
+  const std::size_t count = now_.size();
+  const double* x = now_.edge.data();
+  const double* u = now_.velocity.data();
+  double courant = 0;
+  double closing = 0;
+  long bad = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double width = x[i + 1] - x[i];
+    inv_width_[i] = 1 / width;
+    depth_[i] = now_.mass[i] * inv_width_[i];
+    celerity_[i] = std::sqrt(forcing_.gravity * depth_[i]);
+    bad += !(width > 0) || !(std::abs(u[i]) < std::numeric_limits<double>::infinity());
+    courant = std::max(courant, celerity_[i] * inv_width_[i]);
+  }
+  for (std::size_t i = 0; i + 1 < count; ++i) closing = std::max(closing, (u[i] - u[i + 1]) * inv_width_[i]);
+  if (bad > 0) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!(now_.width(i) > 0)) {
+        throw Divergence(fmt::format("width of particle {} is {:g}: its edges crossed", i, now_.width(i)), time(),
+                         steps_, x[i]);
+      }
+      if (!std::isfinite(u[i])) {
+        throw Divergence(fmt::format("velocity of particle {} is {}", i, u[i]), time(), steps_, x[i]);
+      }
+    }
+  }
+  courant_rate_ = courant;
+  closing_rate_ = closing;
+
+  if (forcing_.bed) {
+    for (std::size_t k = 0; k <= count; ++k) {
+      bed_edge_[k] = forcing_.bed->elevation(x[k]);
+      bed_area_[k] = forcing_.bed->primitive(x[k]);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      bed_mean_[i] = (bed_area_[i + 1] - bed_area_[i]) * inv_width_[i];
+      surface_[i] = depth_[i] + bed_mean_[i];
+    }
+  }
+  for (const bool right : {false, true}) {
+    const Side s = side(right);
+    if (!has_tip(s)) continue;
+    const std::size_t end_particle = s.particle(0);
+    const State mean = {depth_[end_particle], s.outward() * u[end_particle]};
+    double& front = front_velocity_[s.index()];
+    if (mean.velocity > front) front = mean.velocity + 2 * celerity_[end_particle];
+    tip_[s.index()] = tip_profile(forcing_.gravity, mean, front, depth_[s.particle(1)]);
+  }
+}
+
+StepLimit ParticleFlow::step_limit(double courant) const {
+  const std::size_t count = now_.size();
+  StepLimit limit;
+  const auto lower = [&](double tau, std::size_t particle, const char* reason) {
+    if (tau < limit.tau) limit = {tau, particle, reason};
+  };
+  if (courant_rate_ > 0) {
+    std::size_t who = 0;
+    while (who + 1 < count && celerity_[who] * inv_width_[who] < courant_rate_) ++who;
+    lower(courant / courant_rate_, who, "celerity");
+  }
+  // Stay clear of crossing by the same margin as jumps.
+  if (jump_fraction < closing_rate_ * limit.tau) {
+    std::size_t who = 0;
+    while (who + 2 < count && (now_.velocity[who] - now_.velocity[who + 1]) * inv_width_[who] < closing_rate_) ++who;
+    lower(jump_fraction / closing_rate_, who, "edges would cross");
+  }
+  for (const InteriorJump& jump : jumps_) {
+    lower(jump_fraction * now_.mass[jump.particle] / jump.mass_flux, jump.particle, "jump in the particle");
+  }
+  for (const Collision& collision : collisions_) {
+    for (std::size_t i = collision.left_particle(); i <= collision.right_particle(); ++i) {
+      lower(jump_fraction * now_.mass[i] / collision.fastest_mass_flux(), i, "jump in the particle");
+    }
+  }
+  return limit;
+}
+
+void ParticleFlow::check_step(double tau) const {
+  require_positive("tau", tau);
+  StepLimit limit = step_limit(hard_courant);
+  for (const bool right : {false, true}) {
+    const Side s = side(right);
+    if (!end_is<Piston>(s)) continue;
+    const std::size_t i = s.particle(0);
+    const double approach = -s.outward() * (*wall_velocity(s, time() + 0.5 * tau) - now_.velocity[i]);
+    if (tau * approach >= now_.width(i)) limit = {now_.width(i) / approach, i, "piston would cross the particle"};
+  }
+  // One rounding error of slack: callers form steps as T/n.
+  if (tau > limit.tau * (1 + 1e-12)) {
+    throw std::invalid_argument(fmt::format("tau = {:g} must not exceed {:g} at t = {:g}: limited by particle {} ({})",
+                                            tau, limit.tau, time(), limit.particle, limit.reason));
+  }
+}
+
+void ParticleFlow::advance(double tau) {
+  check_step(tau);
+  starts_.erase(std::remove_if(starts_.begin(), starts_.end(),
+                               [&](const SelfSimilarStart& start) {
+                                 return start.over(now_.mass, time() + tau, scheme_.self_similar_particles);
+                               }),
+                starts_.end());
+  largest_courant_ = std::max(largest_courant_, tau * courant_rate_);
+
+  predict_edges(tau);
+  solve_edges(tau);
+  hand_over_jumps(tau);
+  if (forcing_.bed) react_bed(tau);
+  apply(tau);
+
+  for (Collision& collision : collisions_) collision.advance(tau, now_.mass);
+  time_.add(tau);
+  ++steps_;
+  for (const bool right : {false, true}) {
+    if (end_is<Open>(side(right))) regulate(side(right));
+  }
+  refresh();
+  detect_jumps();
+}
+
+void ParticleFlow::advance_to(double end_time, double longest) {
+  require_finite("time", end_time);
+  while (time() < end_time) {
+    const double left = end_time - time();
+    const double tau = std::min(longest, largest_step().tau);
+    // The last two steps share what is left: no step is a rounding error long.
+    const double step = left <= tau ? left : (left < 2 * tau ? 0.5 * left : tau);
+    advance(step);
+    if (left <= tau) break;
+  }
+}
+
+double ParticleFlow::mass() const {
+  CompensatedSum sum;
+  for (const double m : now_.mass) sum.add(m);
+  return sum.value();
+}
+
+double ParticleFlow::momentum() const {
+  CompensatedSum sum;
+  for (std::size_t i = 0; i < now_.size(); ++i) sum.add(now_.mass[i] * now_.velocity[i]);
+  return sum.value();
+}
+
+double ParticleFlow::mean_energy() const {
+  CompensatedSum sum;
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    const double bed = forcing_.bed ? bed_mean_[i] : 0.0;
+    const double u = now_.velocity[i];
+    sum.add(now_.mass[i] * (0.5 * u * u + forcing_.gravity * (0.5 * depth_[i] + bed)));
+  }
+  return sum.value();
+}
+
+double ParticleFlow::energy() const {
+  CompensatedSum sum;
+  sum.add(mean_energy());
+  for (const Structure& s : structures_) {
+    const auto specific = [&](State state) {
+      return 0.5 * state.velocity * state.velocity + 0.5 * forcing_.gravity * state.depth;
+    };
+    double layered = 0;
+    for (int k = 0; k < s.count; ++k) {
+      const Layer& layer = s.layers[static_cast<std::size_t>(k)];
+      layered += layer.mass_fraction * specific(layer.state);
+    }
+    sum.add(now_.mass[s.particle] * (layered - specific(state(s.particle))));
+  }
+  return sum.value();
+}
+
+double ParticleFlow::discharge(double x) const {
+  const State at = reconstruction().at(x);
+  return at.depth * at.velocity;
+}
+
+MeasuredProfile ParticleFlow::measured_profile() const {
+  MeasuredProfile profile;
+  profile.edges.assign(now_.edge.begin(), now_.edge.end());
+  for (std::size_t i = 0; i < now_.size(); ++i) profile.means.push_back(state(i));
+  const Reconstruction whole = reconstruction();
+  for (const Piece& piece : whole.pieces()) profile.breaks.push_back(piece.left);
+  profile.reconstruction = [whole](double x) { return whole.at(x); };
+  return profile;
+}
+
+Reconstruction ParticleFlow::reconstruction() const {
+  std::vector<Piece> pieces;
+  pieces.reserve(now_.size() + 2 * structures_.size());
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    const double left = now_.edge[i];
+    const double right = now_.edge[i + 1];
+    const bool last = i + 1 == now_.size();
+    const bool tip = (i == 0 && has_tip(side(false))) || (last && has_tip(side(true)));
+    if (const Structure* s = structure_at(i)) {
+      double start = left;
+      for (int k = 0; k < s->count; ++k) {
+        const Layer& layer = s->layers[static_cast<std::size_t>(k)];
+        const double stop =
+            k + 1 == s->count ? right : start + layer.mass_fraction * now_.mass[i] / layer.state.depth;
+        if (!(stop > start)) continue;
+        pieces.push_back({start, stop, layer.state.depth, layer.state.depth, layer.state.velocity,
+                          layer.state.velocity, std::nullopt, true});
+        start = stop;
+      }
+    } else if (tip) {
+      pieces.push_back({left, right, 0, 0, 0, 0, tip_[last ? 1 : 0], last});
+    } else {
+      const EdgePair e = edges_of(i, 0);
+      const double bed_left = forcing_.bed ? bed_edge_[i] : 0;
+      const double bed_right = forcing_.bed ? bed_edge_[i + 1] : 0;
+      pieces.push_back({left, right, e.h_left + bed_left, e.h_right + bed_right, e.u_left, e.u_right, std::nullopt,
+                        true});
+    }
+  }
+  return {forcing_.gravity, std::move(pieces), forcing_.bed};
+}
+
+}  // namespace seiche::shallow_water_particles

@@ -1,0 +1,211 @@
+/// Conservative particle method for the one-dimensional shallow-water equations
+///
+///     h_t + (h u)_x = 0
+///     (h u)_t + (h u^2 + g h^2/2)_x = -g h z_x + h f(x,t) - g n^2 u|u|/h^(1/3)
+///
+/// Particle i is the water between edges X_i < X_(i+1); it keeps its mass m_i. Each edge k gets one velocity u*_k and
+/// one thrust p*_k = g h*^2/2 per step, and with a bed reaction R_i
+///
+///     X_k <- X_k + tau u*_k,      m_i u_i <- m_i u_i + tau (p*_i - p*_(i+1) + R_i).
+///
+/// Whatever u* and p* are, mass is exact, and momentum changes by booked impulses only. In the rules of Bogomolov,
+/// Zakharov and Zerkal (overlap: rebuild the particle of smaller density; gap: rebuild the faster one) the shared edge
+/// takes the velocity of the particle that is not rebuilt; here u* and p* come from one Riemann problem, and "the jump
+/// is handed from one particle to the next" holds for momentum as well as for mass (hand_over.hpp, collision.hpp).
+///
+///     ParticleFlow flow(equal_widths(...), {Wall{}, Vacuum{}});
+///     while (flow.time() < 3) flow.advance(flow.largest_step().tau);
+///
+/// When not to use it: flows that dry out in the middle (particles always touch), and Galilean-fixed meshes.
+/// Sources: Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, formulas (1)-(11);
+/// Toro, Shock-capturing methods for free-surface shallow flows (2001).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "seiche/models/shallow_water_particles/collision.hpp"
+#include "seiche/models/shallow_water_particles/dry_front.hpp"
+#include "seiche/models/shallow_water_particles/edge_values.hpp"
+#include "seiche/models/shallow_water_particles/ends.hpp"
+#include "seiche/models/shallow_water_particles/error_measures.hpp"
+#include "seiche/models/shallow_water_particles/hand_over.hpp"
+#include "seiche/models/shallow_water_particles/ledger.hpp"
+#include "seiche/models/shallow_water_particles/particles.hpp"
+#include "seiche/models/shallow_water_particles/reconstruction.hpp"
+#include "seiche/models/shallow_water_particles/scheme.hpp"
+#include "seiche/models/shallow_water_particles/self_similar_start.hpp"
+
+namespace seiche::shallow_water_particles {
+
+/// The largest admissible step and who limits it.
+struct StepLimit {
+  double tau = std::numeric_limits<double>::infinity();
+  std::size_t particle = 0;
+  std::string reason;  ///< "celerity", "jump in the particle", "edges would cross"
+};
+
+/// Counters of events that a report may want.
+struct Events {
+  long hand_overs = 0;          ///< steps in which a jump left its particle
+  long collisions = 0;          ///< meetings of two jumps that were followed exactly
+  long adjacent_discarded = 0;  ///< jumps dropped because their neighbour held a larger one of the same facing
+};
+
+class ParticleFlow {
+ public:
+  /// Throws std::invalid_argument for particles that do not validate, an inconsistent bed, non-positive gravity,
+  /// parameters of `scheme` out of range, or a piston without a velocity.
+  ParticleFlow(Particles initial, Ends ends = {}, Forcing forcing = {}, Scheme scheme = {});
+
+  /// One step. Throws std::invalid_argument, before anything changes, when tau is not positive or exceeds the limits
+  /// tau c/w <= 0.9, tau <= 0.8 m/M for a jump in a particle, tau < w/(u_i - u_(i+1)); the message names the particle.
+  /// Throws seiche::Divergence when edges cross or a value is not finite after the step.
+  void advance(double tau);
+
+  /// Steps of at most `longest` and at most largest_step() until `time`, which is hit exactly.
+  void advance_to(double time, double longest = std::numeric_limits<double>::infinity());
+
+  /// Largest step at the scheme's Courant number.
+  [[nodiscard]] StepLimit largest_step() const { return step_limit(scheme_.courant); }
+
+  [[nodiscard]] const Particles& particles() const { return now_; }
+  [[nodiscard]] double time() const { return time_.value(); }
+  [[nodiscard]] long steps() const { return steps_; }
+  [[nodiscard]] const Ledger& ledger() const { return ledger_; }
+  [[nodiscard]] const Events& events() const { return events_; }
+  [[nodiscard]] const Scheme& scheme() const { return scheme_; }
+  [[nodiscard]] const Forcing& forcing() const { return forcing_; }
+  /// Largest tau c/w of all steps so far.
+  [[nodiscard]] double largest_courant() const { return largest_courant_; }
+
+  [[nodiscard]] double mass() const;      ///< total [m^2]
+  [[nodiscard]] double momentum() const;  ///< total [m^3/s]
+  [[nodiscard]] double length() const { return now_.edge.back() - now_.edge.front(); }
+  [[nodiscard]] double mass_defect() const { return mass() - ledger_.initial_mass - ledger_.booked_mass(); }
+  [[nodiscard]] double momentum_defect() const {
+    return momentum() - ledger_.initial_momentum - ledger_.booked_impulse();
+  }
+
+  /// Energy sum of m u^2/2 + g h^2 w/2 + g m z [m^4/s^2]; a particle that holds a jump counts with its two states,
+  /// others with their means. Particle means alone are not monotone: they oscillate by the energy of the one
+  /// transition particle as it fills.
+  [[nodiscard]] double energy() const;
+  [[nodiscard]] double mean_energy() const;  ///< the same from particle means alone
+
+  /// Reconstructed profile at the present time.
+  [[nodiscard]] Reconstruction reconstruction() const;
+  /// Edges, means and reconstruction for error_measures.hpp; independent of this object afterwards.
+  [[nodiscard]] MeasuredProfile measured_profile() const;
+  /// Discharge h u [m^2/s] through the fixed section x, from the reconstruction.
+  [[nodiscard]] double discharge(double x) const;
+  /// Particles that hold a jump now, with their layers, from left to right.
+  [[nodiscard]] const std::vector<Structure>& structures() const { return structures_; }
+  /// Jumps found in particles now; those inside a followed collision are not among them.
+  [[nodiscard]] const std::vector<InteriorJump>& jumps() const { return jumps_; }
+  /// Velocity of the front at a Vacuum end on a flat bed [m/s].
+  [[nodiscard]] double front_velocity(bool right) const { return front_velocity_[right ? 1 : 0]; }
+
+ private:
+  // An end seen from inside: index 0 is the end particle (edge), signs point outwards.
+  struct Side {
+    bool right;
+    std::size_t count;
+    [[nodiscard]] std::size_t particle(std::size_t k) const { return right ? count - 1 - k : k; }
+    [[nodiscard]] std::size_t edge(std::size_t k) const { return right ? count - k : k; }
+    [[nodiscard]] double outward() const { return right ? 1.0 : -1.0; }
+    [[nodiscard]] std::size_t index() const { return right ? 1 : 0; }
+  };
+  struct Neighbour {
+    double surface, velocity, distance;
+    bool known;
+  };
+  struct Slopes {
+    double surface, velocity;
+  };
+
+  [[nodiscard]] Side side(bool right) const { return {right, now_.size()}; }
+  [[nodiscard]] const End& end(Side s) const { return s.right ? ends_.right : ends_.left; }
+  template <class T>
+  [[nodiscard]] bool end_is(Side s) const {
+    return std::holds_alternative<T>(end(s));
+  }
+  [[nodiscard]] std::optional<double> wall_velocity(Side s, double time) const;
+  [[nodiscard]] bool has_tip(Side s) const;
+  [[nodiscard]] State state(std::size_t i) const { return {depth_[i], now_.velocity[i]}; }
+
+  void validate() const;
+  void resize_work();
+  void find_starts();
+  void refresh();
+  [[nodiscard]] StepLimit step_limit(double courant) const;
+  void check_step(double tau) const;
+
+  // particle_flow_edges.cpp: from means to the two averages of every edge
+  [[nodiscard]] Neighbour neighbour(std::size_t i, bool to_right) const;
+  [[nodiscard]] Slopes slopes(std::size_t i) const;
+  [[nodiscard]] EdgePair edges_of(std::size_t i, double half_step) const;
+  [[nodiscard]] EdgePair edges_on_bed(std::size_t i, Slopes s) const;
+  [[nodiscard]] double acceleration(std::size_t i, double time) const;
+  void predict_edges(double tau);
+  void solve_edges(double tau);
+  void solve_end(Side s, double tau);
+  void solve_open_end(Side s, const Open& open, State inner, double tau);
+  void hand_over_jumps(double tau);
+  void react_bed(double tau);
+  void apply(double tau);
+
+  // particle_flow_jumps.cpp
+  [[nodiscard]] const Structure* structure_at(std::size_t i) const;
+  void detect_jumps();
+  void detect_at_wall(Side s);
+  void discard_adjacent();
+  void start_collisions();
+  void list_structures();
+
+  // particle_flow_open.cpp
+  void regulate(Side s);
+  void split(Side s);
+  void merge(Side s);
+
+  Particles now_;
+  Ends ends_;
+  Forcing forcing_;
+  Scheme scheme_;
+  Ledger ledger_;
+  Events events_;
+  CompensatedSum time_;
+  long steps_ = 0;
+  double largest_courant_ = 0;
+
+  Array inv_mass_;
+  Array inv_width_;
+  Array depth_;
+  Array celerity_;
+  Array surface_;   // eta on an uneven bed
+  Array bed_edge_;  // z at the edges
+  Array bed_area_;  // Z at the edges
+  Array bed_mean_;  // mean z of each particle
+  EdgeValues values_;
+  Array edge_velocity_;
+  Array edge_thrust_;
+  Array reaction_;
+  double courant_rate_ = 0;  // max c/w
+  double closing_rate_ = 0;  // max (u_i - u_(i+1))/w_i
+
+  std::vector<InteriorJump> jumps_;
+  std::vector<Structure> structures_;
+  std::vector<Collision> collisions_;
+  std::vector<SelfSimilarStart> starts_;
+  std::array<std::optional<State>, 2> ahead_at_wall_;
+  std::array<double, 2> front_velocity_{};
+  std::array<TipProfile, 2> tip_{};
+  std::array<double, 2> open_width_{};
+  std::array<double, 2> open_mass_flux_{};  // out of the domain
+};
+
+}  // namespace seiche::shallow_water_particles

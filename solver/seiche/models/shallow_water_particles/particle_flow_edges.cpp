@@ -1,0 +1,276 @@
+// From particle means to one velocity and one thrust per edge, and the step itself.
+#include <algorithm>
+#include <cmath>
+
+#include "seiche/models/shallow_water_particles/edge_riemann.hpp"
+#include "seiche/models/shallow_water_particles/particle_flow.hpp"
+
+namespace seiche::shallow_water_particles {
+
+std::optional<double> ParticleFlow::wall_velocity(Side s, double time) const {
+  if (end_is<Wall>(s)) return 0.0;
+  if (const auto* piston = std::get_if<Piston>(&end(s))) return piston->velocity(time);
+  return std::nullopt;
+}
+
+bool ParticleFlow::has_tip(Side s) const {
+  return end_is<Vacuum>(s) && !forcing_.bed && scheme_.level != Level::godunov;
+}
+
+ParticleFlow::Neighbour ParticleFlow::neighbour(std::size_t i, bool to_right) const {
+  const double width = now_.width(i);
+  const Side s = side(to_right);
+  const double own = forcing_.bed ? surface_[i] : depth_[i];
+  if (i == s.particle(0)) {
+    // The mirror image of a wall lies one width away.
+    if (const auto wall = wall_velocity(s, time())) return {own, 2 * *wall - now_.velocity[i], width, true};
+    return {own, now_.velocity[i], width, false};
+  }
+  const std::size_t j = to_right ? i + 1 : i - 1;
+  const double distance = 0.5 * (width + now_.width(j));
+  if (const Structure* other = structure_at(j)) {
+    const State near = to_right ? other->at_left() : other->at_right();
+    return {near.depth, near.velocity, distance, true};
+  }
+  if (j == s.particle(0) && has_tip(s)) {
+    const State near = tip_[s.index()].at(forcing_.gravity, 1);
+    // A front particle can be very wide: its inner state belongs to the shared edge, half a width away.
+    return {near.depth, s.outward() * near.velocity, 0.5 * width, true};
+  }
+  return {forcing_.bed ? surface_[j] : depth_[j], now_.velocity[j], distance, true};
+}
+
+ParticleFlow::Slopes ParticleFlow::slopes(std::size_t i) const {
+  const Neighbour before = neighbour(i, false);
+  const Neighbour after = neighbour(i, true);
+  const double own = forcing_.bed ? surface_[i] : depth_[i];
+  const double u = now_.velocity[i];
+  if (before.known && after.known) {
+    return {slope(before.surface, own, after.surface, before.distance, after.distance, scheme_.theta),
+            slope(before.velocity, u, after.velocity, before.distance, after.distance, scheme_.theta)};
+  }
+  // At an open section and at a shoreline the one-sided slope continues; a Free end is uniform.
+  const Side s = side(before.known);
+  if (end_is<Free>(s)) return {0, 0};
+  const Neighbour& inner = before.known ? before : after;
+  const double inward = before.known ? 1.0 : -1.0;
+  return {inward * (own - inner.surface) / inner.distance, inward * (u - inner.velocity) / inner.distance};
+}
+
+EdgePair ParticleFlow::edges_on_bed(std::size_t i, Slopes s) const {
+  const double width = now_.width(i);
+  double half = 0.5 * s.surface * width;
+  const double left_most = surface_[i] - bed_edge_[i];
+  const double right_most = surface_[i] - bed_edge_[i + 1];
+  // A negative edge depth: tilt the surface until that edge is just dry.
+  if (left_most - half < 0) half = left_most;
+  if (right_most + half < 0) half = -right_most;
+  const double least = 1e-10 * depth_[i];  // inner edges stay wet for the Riemann problem
+  const bool dry_left = i == 0 && end_is<Vacuum>(side(false));
+  const bool dry_right = i + 1 == now_.size() && end_is<Vacuum>(side(true));
+  const double du = 0.5 * s.velocity * width;
+  return {std::max(left_most - half, dry_left ? 0.0 : least), std::max(right_most + half, dry_right ? 0.0 : least),
+          now_.velocity[i] - du, now_.velocity[i] + du};
+}
+
+double ParticleFlow::acceleration(std::size_t i, double at_time) const {
+  double a = 0;
+  if (forcing_.body_force) a += forcing_.body_force(now_.centre(i), at_time);
+  if (forcing_.manning > 0) {
+    const double u = now_.velocity[i];
+    const double n = forcing_.manning;
+    a -= forcing_.gravity * n * n * u * std::abs(u) / (depth_[i] * std::cbrt(depth_[i]));
+  }
+  return a;
+}
+
+EdgePair ParticleFlow::edges_of(std::size_t i, double half_step) const {
+  const double h = depth_[i];
+  const double u = now_.velocity[i];
+  if (scheme_.level == Level::godunov && !forcing_.bed) return {h, h, u, u};
+  if (const Structure* own = structure_at(i)) {
+    const State left = own->at_left();
+    const State right = own->at_right();
+    return {left.depth, right.depth, left.velocity, right.velocity};
+  }
+  for (const bool right : {false, true}) {
+    const Side s = side(right);
+    if (i != s.particle(0) || !has_tip(s)) continue;
+    // No prediction: the inner state of the profile is already the one that leaves along the simple wave.
+    const State inner = tip_[s.index()].at(forcing_.gravity, 1);
+    return {inner.depth, inner.depth, s.outward() * inner.velocity, s.outward() * inner.velocity};
+  }
+  const double width = now_.width(i);
+  Slopes s = slopes(i);
+  if (scheme_.level == Level::godunov) s = {0, 0};
+  EdgePair now{};
+  double a = half_step > 0 ? acceleration(i, time()) : 0;
+  if (forcing_.bed) {
+    now = edges_on_bed(i, s);
+    // Thrusts and bed reaction of a linear surface add up to its slope; predict() adds the thrusts.
+    const double surface_slope =
+        ((now.h_right + bed_edge_[i + 1]) - (now.h_left + bed_edge_[i])) * inv_width_[i];
+    a -= forcing_.gravity * surface_slope +
+         0.5 * forcing_.gravity * inv_mass_[i] * (now.h_left - now.h_right) * (now.h_left + now.h_right);
+  } else {
+    const double dh = wet_half_difference(0.5 * s.surface * width, h);
+    const double du = 0.5 * s.velocity * width;
+    now = {h - dh, h + dh, u - du, u + du};
+  }
+  EdgePair half = scheme_.level == Level::godunov
+                      ? now
+                      : predict(forcing_.gravity, now, width, inv_mass_[i], half_step, a);
+  // A fixed section sees the water pass: undo the half step along the path of the edge.
+  const double depth_slope = (now.h_right - now.h_left) * inv_width_[i];
+  if (i == 0 && end_is<Open>(side(false))) {
+    half.h_left -= half_step * now.u_left * depth_slope;
+    half.u_left -= half_step * now.u_left * s.velocity;
+  }
+  if (i + 1 == now_.size() && end_is<Open>(side(true))) {
+    half.h_right -= half_step * now.u_right * depth_slope;
+    half.u_right -= half_step * now.u_right * s.velocity;
+  }
+  return half;
+}
+
+void ParticleFlow::predict_edges(double tau) {
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    const EdgePair e = edges_of(i, 0.5 * tau);
+    values_.left_depth[i] = e.h_left;
+    values_.right_depth[i] = e.h_right;
+    values_.left_velocity[i] = e.u_left;
+    values_.right_velocity[i] = e.u_right;
+  }
+}
+
+void ParticleFlow::solve_edges(double tau) {
+  for (std::size_t k = 1; k < now_.size(); ++k) {
+    const EdgeState e =
+        edge_state(forcing_.gravity, values_.right_depth[k - 1], values_.right_velocity[k - 1], values_.left_depth[k],
+                   values_.left_velocity[k], scheme_.newton_steps);
+    edge_velocity_[k] = e.velocity;
+    edge_thrust_[k] = e.thrust;
+  }
+  solve_end(side(false), tau);
+  solve_end(side(true), tau);
+}
+
+void ParticleFlow::solve_end(Side s, double tau) {
+  const double g = forcing_.gravity;
+  const std::size_t i = s.particle(0);
+  const std::size_t k = s.edge(0);
+  const State inner = s.right ? State{values_.right_depth[i], values_.right_velocity[i]}
+                              : State{values_.left_depth[i], values_.left_velocity[i]};
+  if (const auto wall = wall_velocity(s, time() + 0.5 * tau)) {
+    const double out = s.outward() * inner.velocity;
+    const double mirror = 2 * s.outward() * *wall - out;
+    edge_velocity_[k] = *wall;
+    edge_thrust_[k] = edge_state(g, inner.depth, out, inner.depth, mirror, scheme_.newton_steps).thrust;
+  } else if (end_is<Free>(s)) {
+    edge_velocity_[k] = now_.velocity[i];
+    edge_thrust_[k] = shallow_water::thrust(g, depth_[i]);
+  } else if (end_is<Vacuum>(s)) {
+    edge_velocity_[k] = has_tip(s) ? s.outward() * front_velocity_[s.index()]
+                                   : inner.velocity + s.outward() * 2 * std::sqrt(g * inner.depth);
+    edge_thrust_[k] = 0;
+  } else {
+    solve_open_end(s, std::get<Open>(end(s)), inner, tau);
+  }
+}
+
+void ParticleFlow::hand_over_jumps(double tau) {
+  for (const InteriorJump& jump : jumps_) {
+    const std::size_t k = jump.facing == Facing::right ? jump.particle + 1 : jump.particle;
+    if ((1 - jump.behind_by_volume) * now_.mass[jump.particle] < tau * jump.mass_flux) ++events_.hand_overs;
+    hand_over(forcing_.gravity, jump, now_.mass[jump.particle], tau, edge_velocity_[k], edge_thrust_[k]);
+  }
+  for (const Collision& collision : collisions_) {
+    for (std::size_t k = collision.left_particle(); k <= collision.right_particle() + 1; ++k) {
+      const EdgeState e = collision.average(k, now_.mass, tau, {edge_velocity_[k], edge_thrust_[k]});
+      edge_velocity_[k] = e.velocity;
+      edge_thrust_[k] = e.thrust;
+    }
+  }
+  for (const SelfSimilarStart& start : starts_) {
+    start.replace(now_.mass, time(), tau, edge_velocity_, edge_thrust_);
+  }
+}
+
+void ParticleFlow::react_bed(double tau) {
+  const std::size_t count = now_.size();
+  const double half_step = 0.5 * tau;
+  // Geometry at mid-step.
+  for (std::size_t k = 0; k <= count; ++k) {
+    const double x = now_.edge[k] + half_step * edge_velocity_[k];
+    bed_edge_[k] = forcing_.bed->elevation(x);
+    bed_area_[k] = forcing_.bed->primitive(x);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const double width = now_.width(i) + half_step * (edge_velocity_[i + 1] - edge_velocity_[i]);
+    const double mean = (bed_area_[i + 1] - bed_area_[i]) / width;
+    const double rise = bed_edge_[i + 1] - bed_edge_[i];
+    const double h_left = values_.left_depth[i];
+    const double h_right = values_.right_depth[i];
+    const double surface_rise = (h_right + bed_edge_[i + 1]) - (h_left + bed_edge_[i]);
+    // -int g h z_x dx of a linear surface, free of cancellation: exactly zero on a flat bed, exactly opposite to the
+    // difference of the edge thrusts at rest.
+    reaction_[i] = forcing_.gravity * (surface_rise * (mean - 0.5 * (bed_edge_[i] + bed_edge_[i + 1])) -
+                                       0.5 * rise * (h_left + h_right));
+  }
+}
+
+void ParticleFlow::apply(double tau) {
+  const std::size_t count = now_.size();
+  double* x = now_.edge.data();
+  double* u = now_.velocity.data();
+  const double* thrust = edge_thrust_.data();
+  if (forcing_.body_force) {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double centre = now_.centre(i) + 0.25 * tau * (edge_velocity_[i] + edge_velocity_[i + 1]);
+      const double kick = tau * forcing_.body_force(centre, time() + 0.5 * tau);
+      u[i] += kick;
+      sum += now_.mass[i] * kick;
+    }
+    ledger_.source_impulse.add(sum);
+  }
+  if (forcing_.bed) {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      // Thrusts and reaction cancel at rest: add them before they meet the velocity.
+      u[i] += tau * inv_mass_[i] * (thrust[i] - thrust[i + 1] + reaction_[i]);
+      sum += reaction_[i];
+    }
+    ledger_.bed_impulse.add(tau * sum);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) u[i] += tau * inv_mass_[i] * (thrust[i] - thrust[i + 1]);
+  }
+  for (std::size_t k = 0; k <= count; ++k) x[k] += tau * edge_velocity_[k];
+
+  ledger_.left_impulse.add(tau * thrust[0]);
+  ledger_.right_impulse.add(-tau * thrust[count]);
+  for (const bool right : {false, true}) {
+    const Side s = side(right);
+    if (!end_is<Open>(s)) continue;
+    const std::size_t i = s.particle(0);
+    const double inflow = -tau * open_mass_flux_[s.index()];
+    const double before = now_.mass[i];
+    now_.mass[i] += inflow;
+    inv_mass_[i] = 1 / now_.mass[i];
+    u[i] *= before * inv_mass_[i];  // momentum was complete, now its mass is
+    (right ? ledger_.right_mass : ledger_.left_mass).add(inflow);
+  }
+  if (forcing_.manning > 0) {
+    const double n = forcing_.manning;
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double h = now_.mass[i] / (x[i + 1] - x[i]);
+      const double before = u[i];
+      u[i] /= 1 + tau * forcing_.gravity * n * n * std::abs(before) / (h * std::cbrt(h));
+      sum += now_.mass[i] * (u[i] - before);
+    }
+    ledger_.friction_impulse.add(sum);
+  }
+}
+
+}  // namespace seiche::shallow_water_particles

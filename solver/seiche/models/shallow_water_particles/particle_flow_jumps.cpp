@@ -1,0 +1,159 @@
+// Which particles hold a jump at the present time.
+#include <algorithm>
+#include <cmath>
+
+#include "seiche/models/shallow_water_particles/particle_flow.hpp"
+
+namespace seiche::shallow_water_particles {
+
+const Structure* ParticleFlow::structure_at(std::size_t i) const {
+  if (structures_.empty()) return nullptr;
+  const auto found = std::lower_bound(structures_.begin(), structures_.end(), i,
+                                      [](const Structure& s, std::size_t v) { return s.particle < v; });
+  return found != structures_.end() && found->particle == i ? &*found : nullptr;
+}
+
+void ParticleFlow::detect_jumps() {
+  jumps_.clear();
+  structures_.clear();
+  if (scheme_.level != Level::hand_over || forcing_.bed) return;
+
+  const std::size_t count = now_.size();
+  // A collision is over when three particles with the state between lie between its jumps; it is given up near an end.
+  collisions_.erase(std::remove_if(collisions_.begin(), collisions_.end(),
+                                   [&](const Collision& c) {
+                                     const bool apart = c.met() && c.right_particle() >= c.left_particle() + 3;
+                                     return apart || c.left_particle() < 2 || c.right_particle() + 3 > count;
+                                   }),
+                    collisions_.end());
+  const auto followed = [&](std::size_t i) {
+    return std::any_of(collisions_.begin(), collisions_.end(), [&](const Collision& c) {
+      return i + 1 >= c.left_particle() && i <= c.right_particle() + 1;
+    });
+  };
+
+  const auto difference = [&](std::size_t a, std::size_t b) { return std::abs(depth_[a] - depth_[b]); };
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    if (!(now_.velocity[i - 1] > now_.velocity[i + 1])) continue;
+    if (!collisions_.empty() && followed(i)) continue;
+    auto jump = jump_between(forcing_.gravity, state(i - 1), state(i), state(i + 1), scheme_.jump_threshold);
+    if (!jump) continue;
+    const double beside = (i >= 2 ? difference(i - 1, i - 2) : 0) + (i + 2 < count ? difference(i + 2, i + 1) : 0);
+    if (jump->size() < scheme_.isolation * beside) continue;
+    jump->particle = i;
+    jumps_.push_back(*jump);
+  }
+  detect_at_wall(side(false));
+  detect_at_wall(side(true));
+  std::sort(jumps_.begin(), jumps_.end(),
+            [](const InteriorJump& a, const InteriorJump& b) { return a.particle < b.particle; });
+  discard_adjacent();
+  start_collisions();
+  list_structures();
+}
+
+void ParticleFlow::detect_at_wall(Side s) {
+  std::optional<State>& ahead = ahead_at_wall_[s.index()];
+  const auto wall = wall_velocity(s, time());
+  if (!wall) {
+    ahead.reset();
+    return;
+  }
+  // Everything below is written with velocities towards the wall, the wall on the right.
+  const auto towards = [&](std::size_t k) {
+    return State{depth_[s.particle(k)], s.outward() * now_.velocity[s.particle(k)]};
+  };
+  const double wall_out = s.outward() * *wall;
+  const Facing to_wall = s.right ? Facing::right : Facing::left;
+  const auto restore = [&](InteriorJump jump, State reflected) {
+    for (State* state : {&jump.behind, &jump.ahead, &reflected}) state->velocity *= s.outward();
+    jump.facing = (jump.facing == Facing::right) == s.right ? Facing::right : Facing::left;
+    jump.particle = s.particle(0);
+    jump.reflected = reflected;
+    jumps_.push_back(jump);
+  };
+  const auto arriving = std::find_if(jumps_.begin(), jumps_.end(), [&](const InteriorJump& j) {
+    return j.particle == s.particle(1) && j.facing == to_wall;
+  });
+  if (arriving != jumps_.end()) {
+    ahead = towards(0);
+    return;
+  }
+  if (ahead) {
+    // The jump has entered the end particle: its mean is mixed, the state ahead is remembered.
+    auto jump = jump_between(forcing_.gravity, towards(1), towards(0), *ahead, scheme_.jump_threshold);
+    if (jump && jump->facing == Facing::right) {
+      const State mirror = {jump->behind.depth, 2 * wall_out - jump->behind.velocity};
+      jump->leaves_through_wall = true;
+      restore(*jump, shallow_water::star_state(forcing_.gravity, jump->behind, mirror));
+      return;
+    }
+    ahead.reset();
+  }
+  const State inner = towards(1);
+  const State mirror = {inner.depth, 2 * wall_out - inner.velocity};
+  // Of the two equal jumps of this symmetric problem the one that has left the wall is wanted.
+  if (!(inner.velocity > mirror.velocity)) return;
+  const State star = shallow_water::star_state(forcing_.gravity, inner, mirror);
+  if (star.depth - inner.depth <= scheme_.jump_threshold * inner.depth) return;
+  const State mean = towards(0);
+  InteriorJump jump;
+  jump.facing = Facing::left;
+  jump.ahead = inner;
+  jump.behind = {star.depth, wall_out};
+  jump.behind_by_volume = (1 / inner.depth - 1 / mean.depth) / (1 / inner.depth - 1 / star.depth);
+  jump.behind_by_momentum = (mean.velocity - inner.velocity) / (wall_out - inner.velocity);
+  jump.mass_flux = shallow_water::jump_mass_flux(forcing_.gravity, inner.depth, star.depth);
+  constexpr double guard = 1e-9;
+  if (jump.behind_by_volume > guard && jump.behind_by_volume < 1 - guard && jump.behind_by_momentum > 0 &&
+      jump.behind_by_momentum < 1) {
+    restore(jump, {});
+  }
+}
+
+void ParticleFlow::discard_adjacent() {
+  for (std::size_t k = 0; k + 1 < jumps_.size();) {
+    const bool adjacent = jumps_[k].particle + 1 == jumps_[k + 1].particle && jumps_[k].facing == jumps_[k + 1].facing;
+    if (!adjacent) {
+      ++k;
+      continue;
+    }
+    const std::size_t smaller = jumps_[k].size() < jumps_[k + 1].size() ? k : k + 1;
+    jumps_.erase(jumps_.begin() + static_cast<std::ptrdiff_t>(smaller));
+    ++events_.adjacent_discarded;
+  }
+}
+
+void ParticleFlow::start_collisions() {
+  // Detection from means needs two undisturbed particles between the jumps, and each jump moves up to one particle a
+  // step: from five particles apart on they are followed.
+  constexpr std::size_t nearest = 3;
+  constexpr std::size_t farthest = 5;
+  for (std::size_t k = 0; k + 1 < jumps_.size();) {
+    const InteriorJump& a = jumps_[k];
+    const InteriorJump& b = jumps_[k + 1];
+    const std::size_t apart = b.particle - a.particle;
+    const bool meet = a.facing == Facing::right && b.facing == Facing::left && apart >= nearest && apart <= farthest &&
+                      a.particle >= 3 && b.particle + 4 <= now_.size();
+    if (!meet) {
+      ++k;
+      continue;
+    }
+    collisions_.emplace_back(forcing_.gravity, a, b, now_.mass);
+    ++events_.collisions;
+    jumps_.erase(jumps_.begin() + static_cast<std::ptrdiff_t>(k), jumps_.begin() + static_cast<std::ptrdiff_t>(k) + 2);
+  }
+}
+
+void ParticleFlow::list_structures() {
+  for (const InteriorJump& jump : jumps_) structures_.push_back(structure_of(jump));
+  for (const Collision& c : collisions_) {
+    for (std::size_t i = c.left_particle(); i <= c.right_particle(); ++i) {
+      structures_.push_back(c.structure(i, now_.mass));
+    }
+  }
+  std::sort(structures_.begin(), structures_.end(),
+            [](const Structure& a, const Structure& b) { return a.particle < b.particle; });
+}
+
+}  // namespace seiche::shallow_water_particles

@@ -1,0 +1,24 @@
+# Bash completion for seiche; installed where bash-completion finds it, or: source seiche-completion.bash
+_seiche() {
+  local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} program=${COMP_WORDS[0]}
+  local words
+  case $previous in
+    --tier) words="quick full paper" ;;
+    --format) words="csv json" ;;
+    --config | --data | --out | --pdf) COMPREPLY=($(compgen -f -- "$word")); return ;;
+    *)
+      if ((COMP_CWORD == 1)); then
+        words="list run report exact score compare --help --version"
+      elif [[ $word == -* ]]; then
+        words=$("$program" "${COMP_WORDS[1]}" --help 2>/dev/null | grep -o -- '--[a-z-]*')
+      else
+        case ${COMP_WORDS[1]} in
+          run | score | exact) words=$("$program" list 2>/dev/null | awk '/^  [a-z]/ {print $1}') ;;
+          report | compare) COMPREPLY=($(compgen -d -- "$word")); return ;;
+        esac
+      fi
+      ;;
+  esac
+  COMPREPLY=($(compgen -W "$words" -- "$word"))
+}
+complete -F _seiche seiche

@@ -1,0 +1,25 @@
+/*
+A longer channel: dam at $x = 100$ m in $[0, 200]$ m, $h_0/h_1 = 0.1$, 200 particles, $\tau = 0.05$ s, shown at $t = 25.3$ s, which is 506
+steps (figure 25 of Bogomolov, Zakharov and Zerkal).
+
+**What is compared.** Mean depths, the bore's position and width, beside the other levels of the method.
+
+**What to look at.** After 78 m the bore is still one particle, a third of a metre late.
+*/
+#include "validation/measures/wet_dam_break.hpp"
+
+namespace seiche::validation::cases {
+
+Case long_dam_break_fine() {
+  Case c;
+  c.title = "Dam break in a long channel by 200 particles";
+  c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 25";
+  c.parameters = wet_dam_break_parameters(200L, 0.05);
+  c.run = [](Run& run) {
+    run_wet_dam_break(run, {.ratio = 0.1, .dam = 100, .length = 200, .times = {25.3}, .schemes = particle_schemes,
+                            .atlas = {"bzz-fig-25"}, .cell_l1_h = 2.3e-3});
+  };
+  return c;
+}
+
+}  // namespace seiche::validation::cases

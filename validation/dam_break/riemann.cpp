@@ -1,0 +1,234 @@
+/*
+Two uniform states meet at `jump` at $t = 0$ on a flat bed: the Riemann problem of the shallow-water equations,
+
+$$h_t + (h u)_x = 0, \qquad (h u)_t + \left(h u^2 + g h^2/2\right)_x = 0.$$
+
+Every pair of depths and velocities may be set, a dry side is depth 0. The exact solution consists of a wave to the left,
+a uniform middle and a wave to the right; each wave is a fan or a jump.
+
+This is the case for trying a scheme out, ours (`G1`, `M2`, `H2`: the conservative particle method of Bogomolov, Zakharov
+and Zerkal at its three levels; `lax_friedrichs`, `maccormack`, `roe`, `muscl`) or your own (`seiche score riemann`).
+
+**What is compared.** Cell means, the method's own reconstruction, and the front, all with the exact solution at the same
+time. What passes the ends is booked, so that mass and momentum must balance to round-off whatever the resolution.
+
+**What to look at.** The bore: in level `H2` it lies inside a single particle. The corners of the fan are where every scheme
+loses its order.
+*/
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/riemann.hpp"
+#include "validation/case/case.hpp"
+#include "validation/measures/flow_evidence.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+
+exact::Riemann solution_of(const Values& values) {
+  return {values.real("gravity"),
+          {values.real("left_depth"), values.real("left_velocity")},
+          {values.real("right_depth"), values.real("right_velocity")},
+          values.real("jump")};
+}
+
+FlowProblem problem_from(const Values& values) {
+  const double start = values.real("start");
+  const double end = values.real("end");
+  const double jump = values.real("jump");
+  if (!(start < end)) throw std::invalid_argument(fmt::format("end = {:g} is out of range: must exceed start = {:g}", end, start));
+  if (!(jump > start && jump < end)) {
+    throw std::invalid_argument(fmt::format("jump = {:g} is out of range: must be in ({:g}, {:g})", jump, start, end));
+  }
+  const auto end_kind = [&](const char* side) {
+    return values.real(std::string(side) + "_depth") == 0 ? FlowProblem::End::dry : FlowProblem::End::stream;
+  };
+  const exact::Riemann solution = solution_of(values);
+  return problem_of(solution, solution.gravity(), start, end, {jump}, end_kind("left"), end_kind("right"));
+}
+
+/// The front that is judged: the right wave if it is a jump, else the left one if it is, else the dry front or the head
+/// of the right fan.
+struct Judged {
+  Front front;
+  bool is_jump = false;
+};
+
+Judged judged_front(const exact::Riemann& solution, double time) {
+  const double middle = solution.star().depth;
+  const auto place = [&](double speed) { return solution.jump() + speed * time; };
+  // Half way from the jump to the nearest other wave.
+  const double reach = 0.5 * time * (solution.right_wave().slowest - solution.left_wave().fastest);
+  using Kind = exact::Riemann::Kind;
+  if (solution.right_wave().kind == Kind::jump) {
+    return {{middle, solution.right().depth, place(solution.right_wave().fastest), reach}, true};
+  }
+  if (solution.left_wave().kind == Kind::jump) {
+    return {{middle, solution.left().depth, place(solution.left_wave().slowest), reach}, true};
+  }
+  if (solution.left().depth == 0) return {{0, 0, solution.breakpoints(time).front(), 0}, false};
+  return {{0, 0, solution.breakpoints(time).back(), 0}, false};
+}
+
+/// Where a computed profile has its front: the crossing of mid-depth for a jump, the end of the water for a dry front.
+double judged_position(const exact::Riemann& solution, const Judged& judged, const Profile& profile) {
+  if (judged.is_jump) return front_position(profile, judged.front);
+  if (solution.left().depth == 0) return profile.edges.front();
+  if (solution.right().depth == 0) return profile.edges.back();
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+void run(Run& run) {
+  const Values& values = run.values();
+  const exact::Riemann solution = solution_of(values);
+  const FlowProblem problem = problem_from(values);
+  const double time = run.real("time");
+  const Discretisation discretisation{.scheme = run.text("scheme"),
+                                      .particles = run.integer("particles"),
+                                      .equal_masses = run.text("spacing") == "masses",
+                                      .time_step = run.real("time_step"),
+                                      .theta = run.real("theta")};
+  const std::unique_ptr<Flow> flow = make_flow(problem, discretisation);
+  flow->advance_to(time, [&](double t) { run.progress(t / time); });
+
+  const Profile profile = flow->profile();
+  const ProfileErrors errors = profile_errors(profile, problem, time);
+  const Judged judged = judged_front(solution, time);
+  measure_errors(run.record, errors);
+  run.record.measure("star_depth", solution.star().depth);
+  run.record.measure("star_velocity", solution.star().velocity);
+  run.record.measure("front_position", judged_position(solution, judged, profile));
+  run.record.measure("front_position_exact", judged.front.position);
+  if (judged.is_jump) {
+    run.record.measure("front_width", static_cast<double>(front_width(profile, judged.front)));
+  }
+  claim_conservation(run.record, *flow);
+
+  // A scheme that loses more than the fan's first cell, or smears a jump over the whole channel, is not one to use: the
+  // error of a first-order scheme at a jump of size d is about its width times d times the cell width.
+  const double cell = problem.length() / static_cast<double>(run.integer("particles"));
+  const double range = std::max({solution.left().depth, solution.right().depth, solution.star().depth});
+  const double steps_wide = discretisation.scheme == "lax_friedrichs" ? std::sqrt(static_cast<double>(flow->steps())) : 8;
+  run.record.check(
+      {.id = "depth",
+       .text = "The cell means of depth are those of the exact solution to within a few smeared cells.",
+       .quantity = "cell L1(h)",
+       .unit = "m",
+       .source = "exact solution of the Riemann problem"},
+      {.value = errors.cell.depth.l1, .resolution = discretisation.text()},
+      evidence::Bound{.limit = 2 * steps_wide * cell * range / problem.length(),
+                      .reason = "two waves, each smeared over at most eight cells of the largest depth (Lax-Friedrichs: "
+                                "over the square root of the number of steps)"});
+  if (discretisation.scheme == "H2" && (solution.left().depth == 0 || solution.right().depth == 0)) {
+    run.record.check({.id = "dry-front",
+                      .text = "The dry front is where the exact one is.",
+                      .quantity = "front position",
+                      .unit = "m",
+                      .source = "Ritter (1892)"},
+                     {.value = judged_position(solution, judged, profile), .resolution = discretisation.text()},
+                     evidence::Roundoff{.operations = static_cast<double>(flow->steps()),
+                                        .scale = std::abs(judged.front.position) + problem.length(),
+                                        .reason = "one rounded update of the front per step",
+                                        .expected = judged.front.position});
+  }
+  auto& figure = run.record.figure("profile", "Depth and velocity",
+                                   fmt::format("At t = {:g} s: the exact solution, and the {} as rectangles of their mean "
+                                               "depth and dots at their velocity.",
+                                               time, discretisation.scheme.size() == 2 ? "particles" : "cells"));
+  draw_profile(figure, problem, *flow, fmt::format("t = {:g} s", time));
+  add_snapshot(run.record, *flow);
+}
+
+void judge(const Values& values, const Columns& columns, evidence::Record& record) {
+  const exact::Riemann solution = solution_of(values);
+  const FlowProblem problem = problem_from(values);
+  const double time = values.real("time");
+  const std::vector<double>& x = columns.at("x");
+  if (x.front() < problem.start || x.back() > problem.end || x.size() < 2) {
+    throw std::invalid_argument(fmt::format("column x: {} points in [{:g}, {:g}], must be at least 2 in [{:g}, {:g}]",
+                                            x.size(), x.front(), x.back(), problem.start, problem.end));
+  }
+  // Between the points a result is what linear interpolation makes of it; outside them nothing is claimed.
+  double l1_h = 0;
+  double l1_u = 0;
+  double covered = 0;
+  constexpr int samples = 16;
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    const double width = (x[i + 1] - x[i]) / samples;
+    for (int k = 0; k < samples; ++k) {
+      const double share = (k + 0.5) / samples;
+      const State exact = solution.at(x[i] + share * (x[i + 1] - x[i]), time);
+      const auto between = [&](const std::vector<double>& v) { return v[i] + share * (v[i + 1] - v[i]); };
+      l1_h += width * std::abs(between(columns.at("h")) - exact.depth);
+      if (exact.depth > 0) l1_u += width * std::abs(between(columns.at("u")) - exact.velocity);
+      covered += width;
+    }
+  }
+  record.measure("l1_h", l1_h / covered);
+  record.measure("l1_u", l1_u / covered);
+  record.measure("points", static_cast<double>(x.size()));
+  const double range = std::max({solution.left().depth, solution.right().depth, solution.star().depth});
+  const double spacing = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
+  const double limit = 2 * 8 * spacing * range / covered;
+  record.check({.id = "depth",
+                .text = "The depth is that of the exact solution to within a few smeared cells.",
+                .quantity = "L1(h) of the linear interpolant",
+                .unit = "m",
+                .source = "exact solution of the Riemann problem"},
+               {.value = l1_h / covered, .resolution = fmt::format("{} points", x.size())},
+               evidence::Bound{.limit = limit,
+                               .reason = "two waves, each smeared over at most eight intervals of the largest depth"});
+  auto& figure = record.figure("profile", "Depth and velocity", fmt::format("The submitted result at t = {:g} s.", time));
+  const ExactCurve exact = exact_curve(problem, problem.start, problem.end, time);
+  auto& depth = figure.panel({.x = "x [m]", .y = "depth h [m]"});
+  depth.line("exact", exact.x, exact.depth, Role::exact);
+  depth.points("submitted", x, columns.at("h"), Role::computed);
+  auto& velocity = figure.panel({.x = "x [m]", .y = "velocity u [m/s]"});
+  velocity.line("exact", exact.x, exact.velocity, Role::exact);
+  velocity.points("submitted", x, columns.at("u"), Role::computed);
+}
+
+std::vector<double> cell_centres(const Values& values) {
+  const double start = values.real("start");
+  const double end = values.real("end");
+  const long n = values.integer("particles");
+  std::vector<double> x;
+  for (long i = 0; i < n; ++i) x.push_back(start + (end - start) * (static_cast<double>(i) + 0.5) / static_cast<double>(n));
+  return x;
+}
+
+}  // namespace
+
+Case riemann() {
+  Case c;
+  c.title = "The Riemann problem, as you set it";
+  c.source = "E. F. Toro, Shock-capturing methods for free-surface shallow flows, 2001; J. J. Stoker, Water Waves, 1957";
+  c.parameters = {
+      real("left_depth", 1.0, "m", {0, 1e6}, "depth left of the jump; 0 is dry"),
+      real("left_velocity", 0.0, "m/s", {-1e6, 1e6}, "velocity left of the jump"),
+      real("right_depth", 0.1, "m", {0, 1e6}, "depth right of the jump; 0 is dry"),
+      real("right_velocity", 0.0, "m/s", {-1e6, 1e6}, "velocity right of the jump"),
+      real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
+      real("start", 0.0, "m", {-1e9, 1e9}, "left end of the channel"),
+      real("end", 50.0, "m", {-1e9, 1e9}, "right end of the channel"),
+      real("jump", 20.0, "m", {-1e9, 1e9}, "position of the discontinuity at t = 0"),
+      integer("particles", {50, 800, 6400}, {4, 1e7}, "particles or cells over the whole channel"),
+      choice("spacing", std::string("widths"), {"widths", "masses"}, "particles of equal widths or of equal masses"),
+      real("time_step", {0.05, 0.003, 0.0004}, "s", {0, 1e6}, "time step; 0 takes it from the Courant number 0.4"),
+      real("time", 6.0, "s", {1e-9, 1e9}, "end of the run"),
+      real("theta", 2.0, "1", {1, 2}, "limiter: 1 minmod, 2 monotonised central"),
+      choice("scheme", std::string("H2"), all_schemes, "level of the particle method, or a peer"),
+  };
+  c.run = run;
+  c.submission = {.columns = {{"x", "m", "position, increasing"}, {"h", "m", "depth"}, {"u", "m/s", "velocity"}},
+                  .abscissae = cell_centres,
+                  .judge = judge};
+  return c;
+}
+
+}  // namespace seiche::validation::cases

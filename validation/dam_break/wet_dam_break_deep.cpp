@@ -1,0 +1,26 @@
+/*
+As the dam break over shallow water, with $h_0 = 0.5\,h_1$: above the critical ratio 0.13827, so that the whole flow at the dam
+is subcritical and the plateau reaches across it. Bogomolov, Zakharov and Zerkal show steps 0, 40, 80 and 120 with
+$\tau = 0.05$ s (their figure 23).
+
+**What is compared.** Mean depths, the bore's position and width, with the peers on cells of the same width.
+
+**What to look at.** The bore in one particle, and the plateau: flat, with no oscillation on either side.
+*/
+#include "validation/measures/wet_dam_break.hpp"
+
+namespace seiche::validation::cases {
+
+Case wet_dam_break_deep() {
+  Case c;
+  c.title = "Dam break over deep water, h0/h1 = 0.5";
+  c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 23";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = wet_dam_break_parameters({50, 800, 3200}, {0.05, 0.003, 0.00075});
+  c.run = [](Run& run) {
+    run_wet_dam_break(run, {.ratio = 0.5, .times = {0, 2, 4, 6}, .atlas = {"bzz-fig-23"}, .cell_l1_h = 4.3e-3});
+  };
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,103 @@
+/*
+Give the bore of depth 2 m into 1 m the velocity $-a$ and it stands still: supercritical water of depth $h_0 = 1$ m enters from
+the right at 5.42 m/s and leaves to the left, 2 m deep, at 2.71 m/s. Bogomolov, Zakharov and Zerkal compute it with 105
+particles and $\tau = 0.08$ s, the jump at $x = 100$ m (their figures 16 to 18; the flow is the mirror image of the bore's).
+
+The particles move through the jump; both ends are pistons moving with the stream.
+
+**What is compared.** The position and the profile of the jump after 100 steps, with the other levels of the method and the
+peers.
+
+**What to look at.** MacCormack's and Roe's schemes keep a jump that lies on a cell edge exactly, because nothing moves for them.
+For the particles the water moves 43 m and the jump stays: to the last digit.
+*/
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/bore.hpp"
+#include "validation/case/case.hpp"
+#include "validation/measures/flow_evidence.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+using exact::StationaryJump;
+
+constexpr double length = 105;
+constexpr double place = 100;
+
+void draw_sketches(evidence::Record& record, const FlowProblem& problem, const StationaryJump& jump) {
+  const ExactCurve curve = exact_curve(problem, 0, length, 0);
+  auto& panel =
+      record.figure("setup", "Hydraulic jump at rest: the problem", "Water flows from right to left through a jump that stands.",
+                    {"bzz-fig-16"})
+          .panel({.x = "x [m]", .y = "elevation [m]",
+                  .title = fmt::format("u = {:.2f} m/s left, {:.2f} m/s right", jump.downstream().velocity, jump.upstream().velocity),
+                  .x_min = 80, .x_max = length, .y_min = -0.1, .y_max = 3});
+  panel.fill("water", curve.x, curve.depth, Role::water);
+  auto& figure = record.figure("exact", "The exact jump", "Depth and velocity, the same at all times.", {"bzz-fig-17"});
+  figure.panel({.x = "x [m]", .y = "depth h [m]"}).line("exact", curve.x, curve.depth, Role::exact);
+  figure.panel({.x = "x [m]", .y = "velocity u [m/s]"}).line("exact", curve.x, curve.velocity, Role::exact);
+}
+
+void run(Run& run) {
+  const double gravity = run.real("gravity");
+  const StationaryJump jump(gravity, run.real("shallow_depth"), run.real("deep_depth"), place, StationaryJump::Flow::leftwards);
+  const FlowProblem problem =
+      problem_of(jump, gravity, 0, length, {place}, FlowProblem::End::stream, FlowProblem::End::stream);
+  const Discretisation discretisation{.scheme = "H2", .particles = run.integer("particles"),
+                                      .time_step = run.real("time_step"), .theta = 1.5};
+  const long steps = run.integer("steps");
+  const double time = static_cast<double>(steps) * discretisation.time_step;
+  draw_sketches(run.record, problem, jump);
+  const auto flow = run_and_draw(run.record, problem, discretisation, {0, 0.5 * time, time},
+                                 "Particles stream through a jump at rest", {"bzz-fig-18"},
+                                 [&](double done) { run.progress(0.5 * done); });
+  claim_conservation(run.record, *flow);
+
+  const Profile profile = flow->profile();
+  const ProfileErrors errors = profile_errors(profile, problem, time);
+  measure_errors(run.record, errors);
+  const Front front{.behind = jump.downstream().depth, .ahead = jump.upstream().depth, .position = place, .reach = 30};
+  const long width = front_width(profile, front);
+  run.record.measure("front_width", static_cast<double>(width));
+  run.record.check({.id = "reconstructed_l1_h", .text = "The method's profile is the exact one.",
+                    .quantity = "reconstructed L1(h)", .unit = "m", .source = "jump conditions (11) of the paper"},
+                   {.value = errors.reconstructed.depth.l1, .resolution = discretisation.text()},
+                   evidence::Roundoff{.operations = static_cast<double>(steps * 8), .scale = jump.downstream().depth,
+                                      .reason = "about eight rounded operations per edge and step, on depths of this size"});
+  run.record.check({.id = "width", .text = "The jump lies inside a single particle.",
+                    .quantity = "particles between 5 % and 95 % of the jump", .source = "section 3 of the paper"},
+                   {.value = static_cast<double>(width), .resolution = discretisation.text()},
+                   evidence::Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
+
+  std::vector<Contestant> contestants;
+  for (const std::string& scheme : all_schemes) {
+    Discretisation d = discretisation;
+    d.scheme = scheme;
+    contestants.push_back(contest(problem, d, time, &front));
+  }
+  report_contest(run.record, problem, time, contestants);
+}
+
+}  // namespace
+
+Case stationary_jump() {
+  Case c;
+  c.title = "A hydraulic jump at rest";
+  c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figures 16 to 18";
+  c.parameters = {
+      integer("particles", 105L, {12, 1e6}, "particles of equal widths over the channel"),
+      real("time_step", 0.08, "s", {1e-9, 1}, "time step"),
+      integer("steps", 100L, {1, 1e7}, "number of steps"),
+      real("shallow_depth", 1.0, "m", {1e-3, 1e3}, "depth upstream"),
+      real("deep_depth", 2.0, "m", {1e-3, 1e3}, "depth downstream"),
+      real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
+  };
+  c.run = run;
+  return c;
+}
+
+}  // namespace seiche::validation::cases
