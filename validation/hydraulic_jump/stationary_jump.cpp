@@ -1,7 +1,7 @@
 /*
-Give the bore of depth 2 m into 1 m the velocity $-a$ and it stands still: supercritical water of depth $h_0 = 1$ m enters from
-the right at 5.42 m/s and leaves to the left, 2 m deep, at 2.71 m/s. Bogomolov, Zakharov and Zerkal compute it with 105
-particles and $\tau = 0.08$ s, the jump at $x = 100$ m (their figures 16 to 18; the flow is the mirror image of the bore's).
+Add the velocity $-a$ to the bore of depth 2 m into 1 m and it stands still. In its mirror image, which Bogomolov, Zakharov and
+Zerkal draw, supercritical water of depth $h_0 = 1$ m enters from the left at 5.42 m/s and leaves to the right, 2 m deep, at
+2.71 m/s. They compute it with 105 particles and $\tau = 0.08$ s, the jump at $x = 100$ m (their figures 16 to 18).
 
 The particles move through the jump; both ends are pistons moving with the stream.
 
@@ -31,10 +31,10 @@ constexpr double place = 100;
 void draw_sketches(evidence::Record& record, const FlowProblem& problem, const StationaryJump& jump) {
   const ExactCurve curve = exact_curve(problem, 0, length, 0);
   auto& panel =
-      record.figure("setup", "Hydraulic jump at rest: the problem", "Water flows from right to left through a jump that stands.",
+      record.figure("setup", "Hydraulic jump at rest: the problem", "Water flows from left to right through a jump that stands.",
                     {"bzz-fig-16"})
           .panel({.x = "x [m]", .y = "elevation [m]",
-                  .title = fmt::format("u = {:.2f} m/s left, {:.2f} m/s right", jump.downstream().velocity, jump.upstream().velocity),
+                  .title = fmt::format("u = {:.2f} m/s left, {:.2f} m/s right", jump.upstream().velocity, jump.downstream().velocity),
                   .x_min = 80, .x_max = length, .y_min = -0.1, .y_max = 3});
   panel.fill("water", curve.x, curve.depth, Role::water);
   auto& figure = record.figure("exact", "The exact jump", "Depth and velocity, the same at all times.", {"bzz-fig-17"});
@@ -44,7 +44,7 @@ void draw_sketches(evidence::Record& record, const FlowProblem& problem, const S
 
 void run(Run& run) {
   const double gravity = run.real("gravity");
-  const StationaryJump jump(gravity, run.real("shallow_depth"), run.real("deep_depth"), place, StationaryJump::Flow::leftwards);
+  const StationaryJump jump(gravity, run.real("shallow_depth"), run.real("deep_depth"), place);
   const FlowProblem problem =
       problem_of(jump, gravity, 0, length, {place}, FlowProblem::End::stream, FlowProblem::End::stream);
   const Discretisation discretisation{.scheme = "H2", .particles = run.integer("particles"),
@@ -60,7 +60,7 @@ void run(Run& run) {
   const Profile profile = flow->profile();
   const ProfileErrors errors = profile_errors(profile, problem, time);
   measure_errors(run.record, errors);
-  const Front front{.behind = jump.downstream().depth, .ahead = jump.upstream().depth, .position = place, .reach = 30};
+  const Front front{.behind = jump.upstream().depth, .ahead = jump.downstream().depth, .position = place, .reach = 30};
   const long width = front_width(profile, front);
   run.record.measure("front_width", static_cast<double>(width));
   run.record.check({.id = "reconstructed_l1_h", .text = "The method's profile is the exact one.",

@@ -35,15 +35,27 @@ long front_width(const Profile& profile, const Front& front) {
 double front_position(const Profile& profile, const Front& front) {
   const double middle = 0.5 * (front.behind + front.ahead);
   double best = std::numeric_limits<double>::quiet_NaN();
+  const auto consider = [&](double x) {
+    if (std::abs(x - front.position) > front.reach) return;
+    if (!(std::abs(x - front.position) >= std::abs(best - front.position))) best = x;
+  };
+  // A jump inside a cell is where the method says it is.
+  for (const double x : profile.breaks) {
+    const double hair = 1e-9 * front.reach;
+    const double left = profile.reconstruction(x - hair).depth;
+    const double right = profile.reconstruction(x + hair).depth;
+    const bool inside = std::find(profile.edges.begin(), profile.edges.end(), x) == profile.edges.end();
+    if (inside && (left - middle) * (right - middle) < 0) consider(x);
+  }
+  if (std::isfinite(best)) return best;
+  // A captured jump is where the means cross the mid-depth.
   for (std::size_t i = 0; i + 1 < profile.means.size(); ++i) {
     const double a = profile.means[i].depth - middle;
     const double b = profile.means[i + 1].depth - middle;
     if (a * b > 0 || a == b) continue;
     const double left = 0.5 * (profile.edges[i] + profile.edges[i + 1]);
     const double right = 0.5 * (profile.edges[i + 1] + profile.edges[i + 2]);
-    const double x = left + (right - left) * a / (a - b);
-    if (std::abs(x - front.position) > front.reach) continue;
-    if (!(std::abs(x - front.position) >= std::abs(best - front.position))) best = x;
+    consider(left + (right - left) * a / (a - b));
   }
   return best;
 }

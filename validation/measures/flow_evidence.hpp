@@ -35,7 +35,8 @@ struct Front {
 };
 /// Number of cells between 5 % and 95 % of the jump.
 long front_width(const Profile& profile, const Front& front);
-/// Where the cell means cross the mid-depth of the jump, by linear interpolation between centres; NaN if they do not.
+/// Where the profile crosses the mid-depth of the jump: at the jump inside a cell if the method keeps one there, else where
+/// the means cross it, by linear interpolation between centres; NaN if they do not.
 double front_position(const Profile& profile, const Front& front);
 
 /// Exact curves of depth and velocity on [from, to], sampled densely and at both sides of every breakpoint.

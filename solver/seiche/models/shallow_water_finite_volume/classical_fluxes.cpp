@@ -1,3 +1,6 @@
+#include <cmath>
+#include <limits>
+
 #include "seiche/models/shallow_water_finite_volume/fluxes.hpp"
 #include "seiche/models/shallow_water_finite_volume/roe_average.hpp"
 
@@ -8,8 +11,10 @@ void update_primitives(double gravity, double dry_depth, std::size_t first, std:
   const double* q = cells.discharge.data();
   double* __restrict u = cells.velocity.data();
   double* __restrict c = cells.celerity.data();
+#pragma GCC ivdep
   for (std::size_t i = first; i < last; ++i) {
-    u[i] = h[i] > dry_depth ? q[i] / h[i] : 0.0;
+    // q/infinity = 0 in a dry cell: a select that vectorises, unlike a division under a condition.
+    u[i] = q[i] / (h[i] > dry_depth ? h[i] : std::numeric_limits<double>::infinity());
     c[i] = std::sqrt(gravity * h[i]);
   }
 }
@@ -22,6 +27,7 @@ void lax_friedrichs_fluxes(double gravity, double viscosity, double ratio, const
   double* __restrict momentum = fluxes.momentum.data();
   const double diffusion = 0.5 * viscosity / ratio;
   const auto faces = static_cast<std::ptrdiff_t>(fluxes.mass.size());
+#pragma GCC ivdep
   for (std::ptrdiff_t k = 0; k < faces; ++k) {
     const std::ptrdiff_t l = k - 1;
     mass[k] = 0.5 * (q[l] + q[k]) - diffusion * (h[k] - h[l]);
@@ -43,6 +49,7 @@ void MacCormackFluxes::operator()(double gravity, double ratio, const Cells& cel
 
   // Step 1: forward predictor of the cell left of each face, and its flux. Division without a guard, as the scheme is
   // written: on a dry bed it breaks down, and that is its property.
+#pragma GCC ivdep
   for (std::ptrdiff_t k = 0; k < faces; ++k) {
     const std::ptrdiff_t l = k - 1;
     const double thrust_l = q[l] * u[l] + 0.5 * gravity * h[l] * h[l];
@@ -53,6 +60,7 @@ void MacCormackFluxes::operator()(double gravity, double ratio, const Cells& cel
     predicted_momentum[k] = discharge * discharge / depth + 0.5 * gravity * depth * depth;
   }
   // Step 2: backward corrector, as a flux, and the entropy term.
+#pragma GCC ivdep
   for (std::ptrdiff_t k = 0; k < faces; ++k) {
     const std::ptrdiff_t l = k - 1;
     const WaveSum excess = roe_waves<true>(gravity, h[l], q[l], u[l], c[l], h[k], q[k], u[k], c[k]);
@@ -69,6 +77,7 @@ void roe_fluxes(double gravity, const Cells& cells, Fluxes& fluxes) {
   double* __restrict mass = fluxes.mass.data();
   double* __restrict momentum = fluxes.momentum.data();
   const auto faces = static_cast<std::ptrdiff_t>(fluxes.mass.size());
+#pragma GCC ivdep
   for (std::ptrdiff_t k = 0; k < faces; ++k) {
     const std::ptrdiff_t l = k - 1;
     const WaveSum waves = roe_waves<false>(gravity, h[l], q[l], u[l], c[l], h[k], q[k], u[k], c[k]);

@@ -13,7 +13,8 @@ inline double half_slope(double before, double here, double after, double theta)
   const double forward = after - here;
   const double one_sided = theta * std::min(std::abs(backward), std::abs(forward));
   const double magnitude = std::min(one_sided, 0.5 * std::abs(after - before));
-  return backward * forward > 0 ? 0.5 * std::copysign(magnitude, backward) : 0.0;
+  // Half the sum of the signs is 0 at an extremum.
+  return 0.5 * magnitude * (std::copysign(0.5, backward) + std::copysign(0.5, forward));
 }
 
 struct Flux {
@@ -63,13 +64,15 @@ void MusclHllFluxes::operator()(double gravity, double theta, const Cells& cells
   double* __restrict ul = velocity_left_.data();
   double* __restrict ur = velocity_right_.data();
   const auto entries = static_cast<std::ptrdiff_t>(depth_left_.size());
+#pragma GCC ivdep
   for (std::ptrdiff_t j = 0; j < entries; ++j) {
     const double dh = half_slope(h[j - 1], h[j], h[j + 1], theta);
     const double du = half_slope(u[j - 1], u[j], u[j + 1], theta);
     // The limiter keeps h - |dh| >= 0 for theta <= 2 but for its last bit.
     hl[j] = std::max(h[j] - dh, 0.0);
     hr[j] = std::max(h[j] + dh, 0.0);
-    // Weighted so that the two edges carry the cell's momentum: (hl ul + hr ur)/2 = h u. 1e-300: a dry cell has du 0/0.
+    // Weighted so that the two edges carry the cell's momentum: (hl ul + hr ur)/2 = h u. 1e-300: a dry cell divides 0
+    // by it.
     const double inverse = 1 / std::max(h[j], 1e-300);
     ul[j] = u[j] - du * hr[j] * inverse;
     ur[j] = u[j] + du * hl[j] * inverse;
@@ -81,6 +84,7 @@ void MusclHllFluxes::operator()(double gravity, double theta, const Cells& cells
   const double* z = bed_.data() + 1;
   double* __restrict zl = bed_left_.data();
   double* __restrict zr = bed_right_.data();
+#pragma GCC ivdep
   for (std::ptrdiff_t j = 0; j < entries; ++j) {
     const double surface = h[j] + z[j];
     const double de = half_slope(h[j - 1] + z[j - 1], surface, h[j + 1] + z[j + 1], theta);
@@ -99,6 +103,7 @@ void MusclHllFluxes::flat(double gravity, Fluxes& fluxes) const {
   double* __restrict mass = fluxes.mass.data();
   double* __restrict momentum = fluxes.momentum.data();
   const std::size_t faces = fluxes.mass.size();
+#pragma GCC ivdep
   for (std::size_t k = 0; k < faces; ++k) {
     const Flux flux = hll(gravity, hr[k], ur[k], hl[k + 1], ul[k + 1]);
     mass[k] = flux.mass;
@@ -120,6 +125,7 @@ void MusclHllFluxes::uneven(double gravity, Fluxes& fluxes) const {
   double* __restrict on_right = fluxes.momentum_right.data();
   double* __restrict source = fluxes.source.data();
   const std::size_t faces = fluxes.mass.size();
+#pragma GCC ivdep
   for (std::size_t k = 0; k < faces; ++k) {
     const double step = std::max(zr[k], zl[k + 1]);
     const double left = std::max(0.0, hr[k] + zr[k] - step);
@@ -129,6 +135,7 @@ void MusclHllFluxes::uneven(double gravity, Fluxes& fluxes) const {
     on_left[k] = flux.momentum + 0.5 * gravity * (hr[k] - left) * (hr[k] + left);
     on_right[k] = flux.momentum + 0.5 * gravity * (hl[k + 1] - right) * (hl[k + 1] + right);
   }
+#pragma GCC ivdep
   for (std::size_t i = 0; i + 1 < faces; ++i) {
     source[i] = -0.5 * gravity * (hl[i + 1] + hr[i + 1]) * (zr[i + 1] - zl[i + 1]);
   }

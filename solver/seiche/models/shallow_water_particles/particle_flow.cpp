@@ -90,6 +90,7 @@ void ParticleFlow::resize_work() {
   edge_thrust_.resize(count + 1);
   values_.resize(count);
   for (std::size_t i = 0; i < count; ++i) inv_mass_[i] = 1 / now_.mass[i];
+  if (forcing_.manning > 0) old_velocity_.resize(count);
   if (forcing_.bed) {
     for (Array* a : {&surface_, &bed_mean_, &reaction_}) a->resize(count);
     for (Array* a : {&bed_edge_, &bed_area_}) a->resize(count + 1);
@@ -208,12 +209,12 @@ void ParticleFlow::advance(double tau) {
   apply(tau);
 
   for (Collision& collision : collisions_) collision.advance(tau, now_.mass);
+  refresh();  // throws with the time and step at which this step began
   time_.add(tau);
   ++steps_;
   for (const bool right : {false, true}) {
     if (end_is<Open>(side(right))) regulate(side(right));
   }
-  refresh();
   detect_jumps();
 }
 

@@ -158,6 +158,7 @@ class ParticleFlow {
   void hand_over_jumps(double tau);
   void react_bed(double tau);
   void apply(double tau);
+  void apply_friction(double tau);
 
   // particle_flow_jumps.cpp
   [[nodiscard]] const Structure* structure_at(std::size_t i) const;
@@ -194,6 +195,7 @@ class ParticleFlow {
   Array edge_velocity_;
   Array edge_thrust_;
   Array reaction_;
+  Array old_velocity_;  // for friction
   double courant_rate_ = 0;  // max c/w
   double closing_rate_ = 0;  // max (u_i - u_(i+1))/w_i
 

@@ -224,6 +224,7 @@ void ParticleFlow::apply(double tau) {
   double* x = now_.edge.data();
   double* u = now_.velocity.data();
   const double* thrust = edge_thrust_.data();
+  if (forcing_.manning > 0) std::copy(now_.velocity.begin(), now_.velocity.end(), old_velocity_.begin());
   if (forcing_.body_force) {
     double sum = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -260,17 +261,25 @@ void ParticleFlow::apply(double tau) {
     u[i] *= before * inv_mass_[i];  // momentum was complete, now its mass is
     (right ? ledger_.right_mass : ledger_.left_mass).add(inflow);
   }
-  if (forcing_.manning > 0) {
-    const double n = forcing_.manning;
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double h = now_.mass[i] / (x[i + 1] - x[i]);
-      const double before = u[i];
-      u[i] /= 1 + tau * forcing_.gravity * n * n * std::abs(before) / (h * std::cbrt(h));
-      sum += now_.mass[i] * (u[i] - before);
-    }
-    ledger_.friction_impulse.add(sum);
+  if (forcing_.manning > 0) apply_friction(tau);
+}
+
+void ParticleFlow::apply_friction(double tau) {
+  const double n = forcing_.manning;
+  double sum = 0;
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    // Rate g n^2 |u|/h^(4/3) at mid-step: width halfway, velocity from the predicted edges.
+    const double width = 0.5 * (1 / inv_width_[i] + now_.width(i));
+    const double h = now_.mass[i] / width;
+    const double u = 0.5 * (values_.left_velocity[i] + values_.right_velocity[i]);
+    const double rate = forcing_.gravity * n * n * std::abs(u) / (h * std::cbrt(h));
+    const double before = now_.velocity[i];
+    // Second order where friction is resolved in time, implicit where it would stop the water within the step.
+    now_.velocity[i] = tau * rate < 1 ? (before - 0.5 * tau * rate * old_velocity_[i]) / (1 + 0.5 * tau * rate)
+                                      : before / (1 + tau * rate);
+    sum += now_.mass[i] * (now_.velocity[i] - before);
   }
+  ledger_.friction_impulse.add(sum);
 }
 
 }  // namespace seiche::shallow_water_particles

@@ -49,12 +49,12 @@ void ParticleFlow::regulate(Side s) {
     return;
   }
   resize_work();
+  refresh();
   collisions_.clear();
   ahead_at_wall_ = {};
 }
 
 void ParticleFlow::split(Side s) {
-  refresh();
   detect_jumps();
   const std::size_t i = s.particle(0);
   const EdgePair e = edges_of(i, 0);

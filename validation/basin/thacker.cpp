@@ -1,0 +1,212 @@
+/*
+Water rocks in a parabolic bowl without ever breaking (Thacker): its surface stays a plane, and every drop of it moves by the
+same displacement,
+
+$$z = h_0\left(\frac{(x - L/2)^2}{a^2} - 1\right), \qquad \xi(t) = -b \cos\omega t, \qquad \omega = \frac{\sqrt{2 g h_0}}{a}.$$
+
+Both shorelines run up and down the bowl, over a dry bed, with the velocity of the water behind them. For particles the edges
+themselves are exact references: $X_k(t) = X_k(0) + \xi(t) - \xi(0)$.
+
+**What is compared.** The two shorelines and all edges after some periods, with the exact motion; a fixed-grid scheme with
+hydrostatic reconstruction beside it, whose shoreline is the last cell that holds more than a thousandth of $h_0$.
+
+**What to look at.** The particles' shoreline is a line, not a threshold.
+*/
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/cell_average.hpp"
+#include "seiche/exact/thacker.hpp"
+#include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
+#include "seiche/models/shallow_water_particles/initial.hpp"
+#include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "validation/case/case.hpp"
+#include "validation/measures/flow_evidence.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+namespace particles = shallow_water_particles;
+
+/// Shorelines over time, and the state at the end.
+struct Motion {
+  std::vector<double> time;
+  std::vector<double> left;
+  std::vector<double> right;
+  double worst_edge = std::numeric_limits<double>::quiet_NaN();      ///< at the end, particles only [m]
+  double worst_velocity = std::numeric_limits<double>::quiet_NaN();  ///< at the end, particles only [m/s]
+  double mass_defect = 0;
+  std::vector<double> edges;
+  std::vector<double> depth;
+};
+
+Motion by_particles(const exact::Thacker& bowl, double gravity, long n, double end, particles::Level level,
+                    const Run::Progress& progress) {
+  const auto depth = [&](double x) { return bowl.at(x, 0).depth; };
+  particles::ParticleFlow flow(
+      particles::particles_from_profile(particles::equal_width_edges(bowl.left_shoreline(0), bowl.right_shoreline(0),
+                                                                     static_cast<std::size_t>(n)),
+                                        depth, [](double) { return 0.0; }),
+      {.left = particles::Vacuum{}, .right = particles::Vacuum{}}, {.gravity = gravity, .bed = bowl.bed()}, {.level = level});
+  const particles::Array start = flow.particles().edge;
+  Motion motion;
+  const auto note = [&] {
+    motion.time.push_back(flow.time());
+    motion.left.push_back(flow.particles().edge.front());
+    motion.right.push_back(flow.particles().edge.back());
+  };
+  note();
+  while (flow.time() < end * (1 - 1e-12)) {
+    flow.advance(std::min(flow.largest_step().tau, end - flow.time()));
+    note();
+    progress(flow.time() / end);
+  }
+  const auto& now = flow.particles();
+  motion.worst_edge = motion.worst_velocity = 0;
+  for (std::size_t k = 0; k < start.size(); ++k) {
+    motion.worst_edge = std::max(motion.worst_edge, std::abs(now.edge[k] - bowl.carried(start[k], end)));
+  }
+  for (const double u : now.velocity) motion.worst_velocity = std::max(motion.worst_velocity, std::abs(u - bowl.velocity(end)));
+  motion.mass_defect = flow.mass_defect();
+  motion.edges.assign(now.edge.begin(), now.edge.end());
+  for (std::size_t i = 0; i < now.size(); ++i) motion.depth.push_back(now.depth(i));
+  return motion;
+}
+
+Motion by_cells(const exact::Thacker& bowl, double gravity, double length, double wet_depth, long n, double end,
+                const Run::Progress& progress) {
+  std::vector<double> edges;
+  for (long k = 0; k <= n; ++k) edges.push_back(length * static_cast<double>(k) / static_cast<double>(n));
+  std::vector<double> depth;
+  for (const exact::CellMean& mean : exact::cell_averages(bowl, edges, 0)) depth.push_back(mean.depth);
+  finite_volume::FiniteVolumeFlow::Settings settings;
+  settings.gravity = gravity;
+  finite_volume::FiniteVolumeFlow flow(settings, 0, length, depth, std::vector<double>(depth.size()), bowl.bed());
+  Motion motion;
+  const auto note = [&] {
+    const auto h = flow.depth();
+    const auto first = std::find_if(h.begin(), h.end(), [&](double d) { return d > wet_depth; }) - h.begin();
+    const auto last = h.rend() - std::find_if(h.rbegin(), h.rend(), [&](double d) { return d > wet_depth; });
+    motion.time.push_back(flow.time());
+    motion.left.push_back(edges[static_cast<std::size_t>(first)]);
+    motion.right.push_back(edges[static_cast<std::size_t>(last)]);
+  };
+  note();
+  while (flow.time() < end * (1 - 1e-12)) {
+    flow.step(std::min(0.4 / flow.courant_number(1.0), end - flow.time()));
+    note();
+    progress(flow.time() / end);
+  }
+  motion.mass_defect = flow.mass_defect();
+  motion.edges = edges;
+  motion.depth.assign(flow.depth().begin(), flow.depth().end());
+  return motion;
+}
+
+void run(Run& run) {
+  const double gravity = run.real("gravity");
+  const double radius = run.real("radius");
+  const double depth = run.real("depth");
+  const double displacement = run.real("displacement");
+  const double length = 2 * (radius + displacement) * 1.25;
+  const long n = run.integer("particles");
+  const std::string& scheme = run.text("scheme");
+  const exact::Thacker bowl(gravity, radius, depth, length, displacement);
+  const double end = run.real("periods") * bowl.period();
+  const auto progress = [&](double done) { run.progress(done); };
+
+  const particles::Level level = scheme == "G1"   ? particles::Level::godunov
+                                 : scheme == "M2" ? particles::Level::muscl
+                                                  : particles::Level::hand_over;
+  const Motion motion = scheme == "muscl" ? by_cells(bowl, gravity, length, 1e-3 * depth, n, end, progress)
+                                          : by_particles(bowl, gravity, n, end, level, progress);
+  double left = 0;
+  double right = 0;
+  std::vector<double> exact_left;
+  std::vector<double> exact_right;
+  for (std::size_t k = 0; k < motion.time.size(); ++k) {
+    exact_left.push_back(bowl.left_shoreline(motion.time[k]));
+    exact_right.push_back(bowl.right_shoreline(motion.time[k]));
+    left = std::max(left, std::abs(motion.left[k] - exact_left.back()));
+    right = std::max(right, std::abs(motion.right[k] - exact_right.back()));
+  }
+  const std::string resolution = fmt::format("{}, N = {}", scheme, n);
+  run.record.measure("shoreline_error_left", left);
+  run.record.measure("shoreline_error_right", right);
+  run.record.measure("edge_error", motion.worst_edge);
+  run.record.measure("velocity_error", motion.worst_velocity);
+  run.record.measure("mass_defect", motion.mass_defect);
+  run.record.measure("period", bowl.period());
+  run.record.measure("angular_frequency", bowl.angular_frequency());
+  run.record.check({.id = "mass", .text = "No water is lost at the moving shorelines.", .quantity = "change of mass", .unit = "m^2",
+                    .source = "conservation law of mass"},
+                   {.value = motion.mass_defect, .resolution = resolution},
+                   evidence::Roundoff{.operations = static_cast<double>(motion.time.size()), .scale = bowl.area(),
+                                      .reason = "one rounded update per step, of the size of all the water"});
+  // Truncation: the second-order method has an error of order (w/a)^2 of the displacement per period.
+  const double cell = 2 * radius / static_cast<double>(n);
+  const double limit = scheme == "muscl" || scheme == "G1" ? 4 * cell : 12 * displacement * std::pow(cell / radius, 2);
+  for (const auto& [side, error] : {std::pair{"left", left}, std::pair{"right", right}}) {
+    run.record.check({.id = fmt::format("shoreline-{}", side), .text = fmt::format("The {} shoreline follows the exact one at all times.", side),
+                      .quantity = "largest distance", .unit = "m", .source = "Thacker (1981)"},
+                     {.value = error, .resolution = resolution},
+                     evidence::Bound{.limit = limit, .reason = "second order: twelve times (w/a)^2 of the displacement; fixed-grid and first-order "
+                                                               "schemes: four cells"});
+  }
+  auto& figure = run.record.figure("shorelines", "The two shorelines", "Against time, with the exact motion.");
+  auto& panel = figure.panel({.x = "t [s]", .y = "x [m]"});
+  panel.line("exact", motion.time, exact_left, Role::exact);
+  panel.line("", motion.time, exact_right, Role::exact);
+  panel.points(scheme, motion.time, motion.left, scheme == "muscl" ? Role::peer : Role::computed);
+  panel.points("", motion.time, motion.right, scheme == "muscl" ? Role::peer : Role::computed);
+
+  std::vector<double> x;
+  std::vector<double> bed;
+  std::vector<double> surface;
+  for (int k = 0; k <= 200; ++k) {
+    x.push_back(length * k / 200);
+    bed.push_back(bowl.elevation(x.back()));
+    surface.push_back(bowl.at(x.back(), end).depth + bed.back());
+  }
+  auto& bowl_panel = run.record.figure("bowl", "The bowl at the end", "Bed, exact water, and the computed mean surface.")
+                         .panel({.x = "x [m]", .y = "elevation [m]"});
+  bowl_panel.fill("water", x, surface, Role::water);
+  bowl_panel.fill("bed", x, bed, Role::bed);
+  std::vector<double> centre;
+  std::vector<double> level_of;
+  const Bed bowl_bed = bowl.bed();
+  for (std::size_t i = 0; i < motion.depth.size(); ++i) {
+    if (motion.depth[i] <= 1e-3 * depth) continue;
+    const double a = motion.edges[i];
+    const double b = motion.edges[i + 1];
+    centre.push_back(0.5 * (a + b));
+    level_of.push_back(motion.depth[i] + (bowl_bed.primitive(b) - bowl_bed.primitive(a)) / (b - a));
+  }
+  bowl_panel.points(scheme, centre, level_of, scheme == "muscl" ? Role::peer : Role::computed);
+}
+
+}  // namespace
+
+Case thacker() {
+  Case c;
+  c.title = "Water rocks in a parabolic bowl";
+  c.source = "W. C. Thacker, Some exact solutions to the nonlinear shallow-water wave equations, J. Fluid Mech. 107 (1981) 499";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {
+      real("radius", 1.0, "m", {1e-3, 1e6}, "half-width of the water"),
+      real("depth", 0.5, "m", {1e-3, 1e6}, "depth of the bowl"),
+      real("displacement", 0.5, "m", {1e-6, 1e6}, "amplitude of the motion"),
+      integer("particles", {100, 400, 1600}, {8, 1e5}, "particles in the water; cells over the whole bowl for muscl"),
+      real("periods", 3.0, "1", {0.01, 1000}, "length of the run in periods"),
+      real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
+      choice("scheme", std::string("H2"), {"G1", "M2", "H2", "muscl"}, "level of the particle method, or the peer"),
+  };
+  c.run = run;
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,83 @@
+// What the particle method keeps for ever: mass, length, momentum minus booked impulses, and a lake at rest.
+#include <algorithm>
+#include <cmath>
+
+#include "seiche/models/shallow_water_particles/initial.hpp"
+#include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::shallow_water_particles;
+using seiche::evidence::Roundoff;
+using seiche::verification::Check;
+
+const std::string source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method";
+
+}  // namespace
+
+TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conservation]") {
+  Check check("particles_closed_basin", "Closed basin: mass, length and momentum",
+              "A dam break 2 | 1 sloshes in a basin of 100 m for 1e5 steps and meets the walls many times. Masses are "
+              "never written after the start and the end edges never move, so mass and length keep every bit; "
+              "momentum minus the booked impulses of the walls changes by one rounding per step.");
+  ParticleFlow flow(dam_break(0, 50, 100, {2, 0}, {1, 0}, 500));
+  for (int k = 0; k < 100000; ++k) flow.advance(0.01);
+  const std::string resolution = "N = 500, tau = 0.01 s, 1e5 steps";
+  check.that({.id = "mass", .text = "Mass keeps every bit.", .quantity = "mass defect", .unit = "m^2", .source = source},
+             {.value = flow.mass_defect(), .resolution = resolution},
+             Roundoff{.operations = 0, .scale = 150, .reason = "masses are never written: no operation is rounded"});
+  check.that({.id = "length", .text = "The length keeps every bit.", .quantity = "length defect", .unit = "m",
+              .source = source},
+             {.value = flow.length() - 100, .resolution = resolution},
+             Roundoff{.operations = 0, .scale = 100, .reason = "the edges at the walls move by exact zeros"});
+  check.that({.id = "momentum", .text = "Momentum minus the walls' impulses stays constant.",
+              .quantity = "momentum defect", .unit = "m^3/s", .source = source},
+             {.value = flow.momentum_defect(), .resolution = resolution},
+             Roundoff{.operations = 1e5, .scale = 420,
+                      .reason = "one rounded update of the momenta per step; scale is the largest total |momentum|"});
+  check.measure("hand-overs", static_cast<double>(flow.events().hand_overs));
+  check.measure("adjacent jumps discarded", static_cast<double>(flow.events().adjacent_discarded));
+  check.measure("largest Courant number", flow.largest_courant());
+}
+
+TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
+  Check check("particles_lake_at_rest", "Lake at rest over an uneven bed",
+              "Surface 0.8 over $z = 0.3 e^{-(x-5)^2} + 0.05 \\sin 3x$. Edge thrusts and bed reaction cancel to "
+              "rounding, and no drift builds up over 1e4 steps.");
+  const double root_pi = std::sqrt(std::acos(-1.0));
+  const seiche::Bed bed = {[](double x) { return 0.3 * std::exp(-(x - 5) * (x - 5)) + 0.05 * std::sin(3 * x); },
+                           [=](double x) {
+                             return 0.15 * root_pi * std::erf(x - 5) - 0.05 / 3 * std::cos(3 * x);
+                           }};
+  const Array edges = equal_width_edges(0, 10, 200);
+  const Particles start = particles_from_primitives(
+      edges, [&](double x) { return 0.8 * x - bed.primitive(x); }, [](double) { return 0.0; });
+  Forcing forcing;
+  forcing.bed = bed;
+  ParticleFlow flow(start, {}, forcing);
+  double fastest = 0;
+  for (int k = 0; k < 10000; ++k) {
+    flow.advance(0.005);
+    for (const double u : flow.particles().velocity) fastest = std::max(fastest, std::abs(u));
+  }
+  double drift = 0;
+  for (std::size_t k = 0; k < edges.size(); ++k) drift = std::max(drift, std::abs(flow.particles().edge[k] - edges[k]));
+  const std::string resolution = "N = 200, tau = 0.005 s, 1e4 steps";
+  // The mean bed of a particle is a difference of primitives of size 8 over a width of 0.05: 2e-14 of surface, and
+  // g times its slope (over the width) times the step is the velocity that starts.
+  check.that({.id = "velocity", .text = "No particle moves.", .quantity = "largest speed", .unit = "m/s",
+              .source = "Audusse et al., SIAM J. Sci. Comput. 25 (2004) 2050"},
+             {.value = fastest, .resolution = resolution},
+             Roundoff{.operations = 1e4, .scale = 2.8,
+                      .reason = "one rounded balance of thrusts and bed per step; scale is the celerity"});
+  check.that({.id = "drift", .text = "No edge drifts.", .quantity = "largest displacement", .unit = "m",
+              .source = "Audusse et al., SIAM J. Sci. Comput. 25 (2004) 2050"},
+             {.value = drift, .resolution = resolution},
+             Roundoff{.operations = 1e4, .scale = 10, .reason = "one rounded displacement per step; scale is position"});
+  check.that({.id = "momentum", .text = "Momentum equals the booked impulses of ends and bed.",
+              .quantity = "momentum defect", .unit = "m^3/s", .source = source},
+             {.value = flow.momentum_defect(), .resolution = resolution},
+             Roundoff{.operations = 1e4, .scale = 3.1 * 0.005 * 200,
+                      .reason = "one rounded sum of 200 reactions per step; scale is thrust times step times 200"});
+}

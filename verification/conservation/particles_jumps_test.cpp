@@ -1,0 +1,199 @@
+// Jumps and fronts that the conservative particle method carries exactly.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/bore.hpp"
+#include "seiche/exact/bore_reflection.hpp"
+#include "seiche/exact/colliding_bores.hpp"
+#include "seiche/exact/dam_break.hpp"
+#include "seiche/models/shallow_water_particles/initial.hpp"
+#include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::shallow_water_particles;
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+using seiche::verification::Check;
+using seiche::verification::Role;
+
+constexpr double gravity = 9.81;
+const std::string source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method";
+
+Piston piston(double velocity) {
+  return {[velocity](double) { return velocity; }};
+}
+
+template <class Exact>
+ProfileError reconstructed(const ParticleFlow& flow, const Exact& exact) {
+  const double t = flow.time();
+  return reconstruction_error(flow.measured_profile(), [&](double x) { return exact.at(x, t); }, exact.breakpoints(t));
+}
+
+// About a hundred rounded operations per particle and step reach each edge; velocities are differences of celerities.
+Roundoff rounding(double steps, double scale) {
+  return {.operations = 100 * steps,
+          .scale = scale,
+          .reason = "a hundred rounded operations per particle and step; scale is the celerity (depth) that is rounded"};
+}
+
+}  // namespace
+
+TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact rate", "[conservation]") {
+  Check check("particles_bore", "Bore 2 | 1: exact with one transition particle",
+              "A bore runs 43 m over still water. The jump lives inside one particle and is handed to the next with "
+              "exact time averages of edge velocity and pressure, so the reconstructed profile has no discretisation "
+              "error at all: what is left is rounding. Across the jump the energy of the reconstruction must fall at "
+              "$g (h_1-h_0)^3 a/(4 h_1)$, the rate of the jump relations.");
+  const seiche::exact::Bore exact(gravity, 1, 2, 0, 40);
+  const double u = exact.behind_velocity();
+  ParticleFlow flow(bore(gravity, 0, 40, 120, 2, 1, 120), {piston(u), Wall{}});
+  const double start = flow.energy();
+  const int steps = 100;
+  double deviation = 0;
+  double outside = 0;
+  std::vector<double> times;
+  std::vector<double> lost;
+  std::vector<double> expected;
+  for (int k = 0; k < steps; ++k) {
+    flow.advance(0.08);
+    const double work = flow.ledger().left_impulse.value() * u;
+    times.push_back(flow.time());
+    lost.push_back(start + work - flow.energy());
+    expected.push_back(exact.energy_loss_rate() * flow.time());
+    deviation = std::max(deviation, std::abs(lost.back() - expected.back()));
+    for (std::size_t i = 0; i < flow.particles().size(); ++i) {
+      outside = std::max({outside, flow.particles().depth(i) - 2, 1 - flow.particles().depth(i)});
+    }
+  }
+  const std::string resolution = "N = 120, tau = 0.08 s, 100 steps";
+  const ProfileError error = reconstructed(flow, exact);
+  check.that({.id = "depth", .text = "Reconstructed depth is exact.", .quantity = "L1 error of depth", .unit = "m",
+              .source = source + ", fig. 12"},
+             {.value = error.depth.l1, .resolution = resolution}, rounding(steps, 2));
+  check.that({.id = "velocity", .text = "Reconstructed velocity is exact.", .quantity = "L1 error of velocity",
+              .unit = "m/s", .source = source + ", fig. 12"},
+             {.value = error.velocity.l1, .resolution = resolution}, rounding(steps, 5.4));
+  check.that({.id = "width", .text = "The jump is at most one particle wide.", .quantity = "particles in the jump",
+              .source = source},
+             {.value = static_cast<double>(jump_width(flow.measured_profile(), 2, 1, 0, 200)), .resolution = resolution},
+             Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of a hand-over"});
+  check.that({.id = "bounds", .text = "No depth outside the two exact depths in any step.",
+              .quantity = "largest excess", .unit = "m", .source = source},
+             {.value = outside, .resolution = resolution}, rounding(steps, 2));
+  check.that({.id = "momentum", .text = "Momentum changes by the impulses of the ends only.",
+              .quantity = "momentum defect", .unit = "m^3/s", .source = source},
+             {.value = flow.momentum_defect(), .resolution = resolution},
+             Roundoff{.operations = 100, .scale = 2000, .reason = "one rounded impulse per step; scale is the impulse"});
+  check.that({.id = "entropy", .text = "Energy falls at the rate of the jump relations at every instant.",
+              .quantity = "largest deviation of the energy lost", .unit = "m^4/s^2",
+              .source = "Stoker, Water Waves (1957), ch. 10"},
+             {.value = deviation, .resolution = resolution},
+             Roundoff{.operations = 100, .scale = start, .reason = "one rounded work per step; scale is the energy"});
+  auto& panel = check.figure("energy", "Energy lost by the bore", "Energy of the two-state reconstruction against D t.")
+                    .panel({.x = "t [s]", .y = "energy lost [m^4/s^2]"});
+  panel.line("exact", times, expected, Role::exact);
+  panel.points("particles", times, lost, Role::computed);
+}
+
+TEST_CASE("a bore reflects from a wall exactly, for ten particles as for a hundred", "[conservation]") {
+  Check check("particles_bore_reflection", "Bore reflecting from a wall",
+              "A bore with $h_1 = 1$, $u_1 = 1.3$ meets a wall. Incident and reflected jump are followed inside the "
+              "particle at the wall, so the depth at the wall is the exact reflected depth for any number of "
+              "particles. Tolerances count rounded operations.");
+  const auto exact = seiche::exact::BoreReflection::from_velocity(gravity, 1, 1.3, 5, 10);
+  for (const std::size_t count : {std::size_t{10}, std::size_t{100}}) {
+    ParticleFlow flow(bore(gravity, 0, 5, 10, 1, exact.incident().ahead().depth, count), {piston(1.3), Wall{}});
+    const int steps = static_cast<int>(13 * count);
+    for (int k = 0; k < steps; ++k) flow.advance(2.6 / steps);
+    const std::string n = fmt::format("_{}", count);
+    const std::string resolution = fmt::format("N = {}, tau = {:g} s", count, 2.6 / steps);
+    const ProfileError error = reconstructed(flow, exact);
+    check.that({.id = "wall_depth" + n, .text = "Depth at the wall after reflection.", .quantity = "depth",
+                .unit = "m", .source = source + ", fig. 15"},
+               {.value = flow.particles().depth(count - 1), .resolution = resolution},
+               Roundoff{.operations = 100.0 * steps, .scale = 1.45, .reason = "a hundred rounded operations a step",
+                        .expected = exact.reflected_depth()});
+    check.that({.id = "depth" + n, .text = "Reconstructed depth is exact.", .quantity = "L1 error of depth",
+                .unit = "m", .source = source + ", fig. 15"},
+               {.value = error.depth.l1, .resolution = resolution}, rounding(steps, 1.45));
+    check.that({.id = "velocity" + n, .text = "Reconstructed velocity is exact.",
+                .quantity = "L1 error of velocity", .unit = "m/s", .source = source + ", fig. 15"},
+               {.value = error.velocity.l1, .resolution = resolution}, rounding(steps, 3.8));
+  }
+}
+
+TEST_CASE("a stationary jump stays where it is", "[conservation]") {
+  Check check("particles_stationary_jump", "Stationary hydraulic jump",
+              "Water streams through a jump that stands at x = 100: every particle is swept through it. All particles "
+              "but the one that holds the jump keep one of the two exact states.");
+  const seiche::exact::StationaryJump exact(gravity, 1, 2, 100);
+  const double fast = exact.upstream().velocity;
+  const double slow = exact.downstream().velocity;
+  ParticleFlow flow(dam_break(0, 100, 105, {1, fast}, {2, slow}, 105), {piston(fast), piston(slow)});
+  for (int k = 0; k < 100; ++k) flow.advance(0.08);
+  const double error = reconstructed(flow, exact).depth.l1;
+  check.that({.id = "depth", .text = "Reconstructed depth is exact.", .quantity = "L1 error of depth", .unit = "m",
+              .source = source + ", fig. 18"},
+             {.value = error, .resolution = "N = 105, tau = 0.08 s, 100 steps"}, rounding(100, 2));
+}
+
+TEST_CASE("two bores collide exactly", "[conservation]") {
+  Check check("particles_colliding_bores", "Two bores collide",
+              "Bores of depths 2 and 1.5 run towards each other over depth 1 and pass through one another. While they "
+              "share a few particles their positions are followed in mass coordinates; before and after, they are "
+              "found from particle means. Two seconds after the collision the reconstructed profile is exact.");
+  const seiche::exact::CollidingBores exact(gravity, 2, 1, 1.5, 30, 70);
+  for (const std::size_t count : {std::size_t{200}, std::size_t{800}}) {
+    ParticleFlow flow(uniform_stretches({{0, 30, exact.left()}, {30, 70, {1, 0}}, {70, 100, exact.right()}}, count),
+                      {piston(exact.left().velocity), piston(exact.right().velocity)});
+    flow.advance_to(exact.collision_time() + 2);
+    const ProfileError error = reconstructed(flow, exact);
+    const std::string resolution = fmt::format("N = {}, Courant 0.4", count);
+    check.that({.id = fmt::format("depth_{}", count), .text = "Reconstructed depth is exact after the collision.",
+                .quantity = "L1 error of depth", .unit = "m", .source = "Stoker, Water Waves (1957), ch. 10"},
+               {.value = error.depth.l1, .resolution = resolution},
+               rounding(static_cast<double>(flow.steps()), 2.7));
+    check.that({.id = fmt::format("velocity_{}", count), .text = "Reconstructed velocity is exact after the collision.",
+                .quantity = "L1 error of velocity", .unit = "m/s", .source = "Stoker, Water Waves (1957), ch. 10"},
+               {.value = error.velocity.l1, .resolution = resolution},
+               rounding(static_cast<double>(flow.steps()), 5.2));
+    check.that({.id = fmt::format("followed_{}", count), .text = "The collision was followed once.",
+                .quantity = "collisions followed", .source = source},
+               {.value = static_cast<double>(flow.events().collisions), .resolution = resolution},
+               Bound{.limit = 0, .reason = "a count", .expected = 1});
+  }
+}
+
+TEST_CASE("a dry front moves with the exact velocity for any number of particles", "[conservation]") {
+  Check check("particles_dry_front", "Front of a dam break on a dry bed",
+              "The front particle carries a tip profile; its front keeps the velocity $2 c_1$, so the front is exact "
+              "for ten particles. The discharge at the dam is $8 h_1 c_1/27$ at all times.");
+  const seiche::exact::Ritter exact(gravity, 1, 10);
+  for (const std::size_t count : {std::size_t{10}, std::size_t{100}}) {
+    Scheme scheme;
+    scheme.self_similar_particles = 0;  // the method by itself, without the exact start
+    ParticleFlow flow(uniform_stretches({{0, 10, {1, 0}}}, count), {Wall{}, Vacuum{}}, {}, scheme);
+    const int steps = static_cast<int>(39 * count / 10);
+    double deviation = 0;
+    for (int k = 0; k < steps; ++k) {
+      flow.advance(3.12 / steps);
+      if (flow.time() > 0.5) deviation = std::max(deviation, std::abs(flow.discharge(10) - exact.discharge_at_dam()));
+    }
+    const std::string resolution = fmt::format("N = {}, tau = {:g} s", count, 3.12 / steps);
+    check.that({.id = fmt::format("front_{}", count), .text = "Position of the front.", .quantity = "position",
+                .unit = "m", .source = "Ritter (1892)"},
+               {.value = flow.particles().edge.back(), .resolution = resolution},
+               Roundoff{.operations = static_cast<double>(steps), .scale = 29.5,
+                        .reason = "one rounded displacement per step", .expected = exact.front(3.12)});
+    check.that({.id = fmt::format("discharge_{}", count), .text = "Discharge at the dam after t = 0.5 s.",
+                .quantity = "largest deviation", .unit = "m^2/s", .source = source + ", fig. 8"},
+               {.value = deviation, .resolution = resolution},
+               Bound{.limit = 1.0 / static_cast<double>(2 * count),
+                     .reason = "the section lies in one of N particles of depth ~1/2: half a particle's share"});
+  }
+}

@@ -1,0 +1,52 @@
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include "seiche/exact/catalogue.hpp"
+#include "verification/check.hpp"
+
+using namespace seiche;
+
+TEST_CASE("every entry of the catalogue is complete and evaluates at its defaults", "[exact]") {
+  std::set<std::string> names;
+  for (const exact::ExactSolution& solution : exact::catalogue()) {
+    INFO(solution.name);
+    CHECK(names.insert(solution.name).second);
+    CHECK(std::all_of(solution.name.begin(), solution.name.end(),
+                      [](unsigned char c) { return std::islower(c) || std::isdigit(c) || c == '_'; }));
+    CHECK(!solution.title.empty());
+    CHECK(!solution.citation.empty());
+    CHECK(!solution.formula.empty());
+    CHECK(!solution.inputs.empty());
+    for (const auto& parameter : solution.parameters) {
+      CHECK(parameter.minimum <= parameter.default_value);
+      CHECK(parameter.default_value <= parameter.maximum);
+      CHECK(!parameter.meaning.empty());
+    }
+    const exact::Evaluator evaluator = solution.evaluator();
+    CHECK(evaluator.scalars().size() == solution.scalars.size());
+    CHECK_THROWS_AS(solution.evaluator({{"no such parameter", 1.0}}), std::invalid_argument);
+    if (!solution.parameters.empty()) {
+      const auto& first = solution.parameters.front();
+      CHECK_THROWS_AS(solution.evaluator({{first.name, std::nan("")}}), std::invalid_argument);
+    }
+  }
+  CHECK(exact::find_solution("no_such_solution") == nullptr);
+}
+
+TEST_CASE("the shallow-water entries answer like their classes", "[exact]") {
+  const auto value = [](const char* name, double x, double t) {
+    const exact::ExactSolution* solution = exact::find_solution(name);
+    REQUIRE(solution != nullptr);
+    const auto outputs = solution->evaluator().eval(x, 0, t);
+    CHECK(outputs.size() == solution->outputs.size());
+    return outputs.front();
+  };
+  CHECK(std::abs(value("riemann", 0, 1) - 4.0 / 9.0) < 1e-15);
+  CHECK(std::abs(value("bore_reflection", 9.99, 2.6) - 1.45167616) < 5e-9);
+  CHECK(value("simple_wave", 6, 0) == 1.2);
+  CHECK(std::abs(value("steady_bump", 0, 0) - 0.4137357305845031) < 1e-15);
+  CHECK(std::abs(value("macdonald", 500, 0) - 1.112299103123052) < 1e-14);
+  CHECK(value("thacker", 1.5, 0) == 0.5);
+}

@@ -1,0 +1,124 @@
+#include <cmath>
+
+#include "seiche/exact/cell_average.hpp"
+#include "seiche/exact/lagrangian_manufactured.hpp"
+#include "seiche/exact/thacker.hpp"
+#include "verification/exact/reference_digits.hpp"
+#include "verification/exact/shallow_water_residual.hpp"
+
+using namespace seiche;
+using exact::LagrangianManufactured;
+using exact::Thacker;
+using verification::check_digits;
+
+namespace {
+
+constexpr double g = 9.81;
+
+}  // namespace
+
+TEST_CASE("water oscillates in a parabolic bowl at any amplitude", "[exact]") {
+  const std::string source = "Thacker, J. Fluid Mech. 107 (1981) 499; Delestre et al., SWASHES (2013), section 4.2.1";
+  verification::Check check(
+      "exact_thacker", "Planar oscillation in a parabolic bowl",
+      "Frequency, velocity and period of the published case; residual of both equations on the sloping "
+      "bed for displacements from 0.05 to 1 (the published one is half the radius); constant area; "
+      "the energy of a rigid oscillation.");
+  const Thacker published(g, 1, 0.5, 4);
+  check_digits(check, "frequency", "angular frequency", "1/s", published.angular_frequency(), 3.132091952673165, 15,
+               source);
+  check_digits(check, "velocity", "velocity amplitude", "m/s", published.velocity_amplitude(), 1.566045976336583, 15,
+               source);
+  check_digits(check, "period", "period", "s", published.period(), 2.006066680710647, 15, source);
+  double residual = 0;
+  double area = 0;
+  for (const double displacement : {0.05, 0.3, 0.5, 1.0}) {
+    const Thacker bowl(g, 1, 0.5, 4, displacement);
+    for (double t = 0.1; t < 2; t += 0.3) {
+      const double middle = 2 + bowl.shift(t);
+      for (const double offset : {-0.8, -0.1, 0.5, 0.8}) {
+        const double x = middle + offset;
+        const double slope = 2 * 0.5 * (x - 2);
+        residual =
+            std::max(residual, verification::shallow_water_residual([&](double a, double b) { return bowl.at(a, b); },
+                                                                    g, x, t, 0.01, 0.004, slope));
+      }
+      area = std::max(area, std::abs(4 * exact::cell_average(bowl, 0, 4, t).depth - bowl.area()));
+    }
+  }
+  check.that({.id = "residual",
+              .text = "Both equations hold at every displacement.",
+              .quantity = "residual",
+              .unit = "m^2/s^2",
+              .source = source},
+             {.value = residual},
+             evidence::Bound{.limit = 1e-8,
+                             .reason = "time differences of fourth order: (0.002)^4/30 w^6 h u^2 ~ 5e-9 at "
+                                       "the largest displacement; round-off 10 eps 20/0.004 ~ 1e-11"});
+  check.that({.id = "area",
+              .text = "The area of the water is constant.",
+              .quantity = "area change",
+              .unit = "m^2",
+              .source = source},
+             {.value = area},
+             evidence::Roundoff{.operations = 60, .scale = 1, .reason = "sum of 20 weighted points up to 2/3"});
+  CHECK(std::abs(published.at(published.left_shoreline(0.3) + 1e-9, 0.3).depth) < 2e-9);
+  CHECK(published.at(published.left_shoreline(0.3) - 1e-9, 0.3).depth == 0);
+  CHECK(std::abs(published.carried(1.2, 0.7) - (1.2 + published.shift(0.7) - published.shift(0))) < 1e-15 * 8);
+  CHECK_NOTHROW(published.bed().validate(0, 4));
+}
+
+TEST_CASE("the Lagrangian manufactured solution satisfies the forced equations", "[exact]") {
+  const std::string source = "Roache, J. Fluids Eng. 124 (2002) 4";
+  verification::Check check(
+      "exact_lagrangian_manufactured", "Manufactured solution in Lagrangian form",
+      "Residual of both equations with the stated force, by differences of halving width: order 4. "
+      "The label found from a position leads back to it, walls stay at rest, and the mean velocity of a "
+      "particle is the integral of the velocity over its labels.");
+  const LagrangianManufactured flow;
+  const auto at = [&](double x, double t) { return flow.at(x, t); };
+  std::vector<double> spans;
+  std::vector<double> residuals;
+  for (double span = 0.04; span > 0.004; span /= 2) {
+    double largest = 0;
+    for (double x = 0.05; x < 0.96; x += 0.05) {
+      largest =
+          std::max(largest, verification::shallow_water_residual(at, g, x, 0.4, span, span, 0, flow.source(x, 0.4)));
+    }
+    spans.push_back(span);
+    residuals.push_back(largest);
+  }
+  check.that({.id = "residual-order",
+              .text = "The residual vanishes with the fourth power of the difference.",
+              .quantity = "order of the residual",
+              .source = source},
+             evidence::observed_order(spans, residuals, 1e-11),
+             evidence::Order{4, 0.3, "fourth-order central differences of a smooth solution"});
+  double round_trip = 0;
+  double mean = 0;
+  for (double s = 0; s <= 1; s += 0.0625) {
+    round_trip = std::max(round_trip, std::abs(flow.label(flow.position(s, 0.7), 0.7) - s));
+    if (s < 1) {
+      const double middle = boost::math::quadrature::gauss<double, 15>::integrate(
+          [&](double label) { return flow.state_of(label, 0.7).velocity; }, s, s + 0.0625);
+      mean = std::max(mean, std::abs(flow.mean_velocity(s, s + 0.0625, 0.7) - middle / 0.0625));
+    }
+  }
+  check.that({.id = "label",
+              .text = "Label and position are inverse.",
+              .quantity = "label error",
+              .unit = "m",
+              .source = source},
+             {.value = round_trip},
+             evidence::Roundoff{.operations = 10, .scale = 1, .reason = "10 roundings; J >= 0.69 amplifies by 1.5"});
+  check.that(
+      {.id = "mean-velocity",
+       .text = "Mean velocity is the mean over labels.",
+       .quantity = "velocity error",
+       .unit = "m/s",
+       .source = source},
+      {.value = mean},
+      evidence::Roundoff{.operations = 40, .scale = 0.15, .reason = "15 points, 40 roundings on velocities up to A w"});
+  CHECK(std::abs(flow.at(0, 0.4).velocity) < 1e-16);
+  CHECK(std::abs(flow.at(1, 0.4).velocity) < 1e-15);
+}

@@ -1,0 +1,101 @@
+#include <array>
+#include <cmath>
+
+#include "seiche/exact/cell_average.hpp"
+#include "seiche/exact/simple_wave.hpp"
+#include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
+#include "verification/check.hpp"
+
+using namespace seiche;
+using finite_volume::FiniteVolumeFlow;
+using finite_volume::Scheme;
+
+namespace {
+
+constexpr double length = 20;
+
+double mean_depth_error(const exact::SimpleWave& wave, Scheme scheme, std::size_t cells) {
+  std::vector<double> edges(cells + 1);
+  for (std::size_t k = 0; k <= cells; ++k) edges[k] = length * static_cast<double>(k) / static_cast<double>(cells);
+  std::vector<double> depth;
+  std::vector<double> discharge;
+  for (const auto& mean : exact::cell_averages(wave, edges, 0)) {
+    depth.push_back(mean.depth);
+    discharge.push_back(mean.discharge);
+  }
+  FiniteVolumeFlow::Settings settings;
+  settings.scheme = scheme;
+  settings.theta = 2;
+  FiniteVolumeFlow flow(settings, 0, length, depth, discharge);
+  flow.advance_to(0.9, 0.4);
+  const auto reference = exact::cell_averages(wave, edges, 0.9);
+  double total = 0;
+  for (std::size_t i = 0; i < cells; ++i) total += std::abs(flow.depth()[i] - reference[i].depth);
+  return total / static_cast<double>(cells);
+}
+
+struct Expectation {
+  Scheme scheme;
+  double order;
+  std::size_t coarsest;               // of the four grids that the order is fitted on
+  std::array<double, 5> known_error;  // at N = 100, 200, 400, 800, 1600
+};
+
+}  // namespace
+
+TEST_CASE("finite-volume schemes converge with their orders on a smooth simple wave", "[manufactured]") {
+  verification::Check check("finite_volume_smooth_wave", "Smooth simple wave: orders of the finite-volume schemes",
+                            "A hump $h = 1 + 0.2 \\cos^6(\\pi (x-6)/6)$ runs to the right until $t = 0.9$ s, two "
+                            "thirds of its breaking time. "
+                            "Error: mean over the cells of the difference of mean depths, Courant number 0.4. The "
+                            "first-order schemes approach "
+                            "their order from below (their viscosity flattens the crest), so their order is fitted on "
+                            "finer grids than that of the "
+                            "second-order schemes, whose limiter costs a little at the crest.");
+  const auto wave = exact::SimpleWave::hump(9.81, 1, 0.2, 6, 6);
+  const std::array<Expectation, 4> expectations{{
+      {Scheme::lax_friedrichs, 1, 1600, {1.10e-2, 7.37e-3, 4.55e-3, 2.63e-3, 1.46e-3}},
+      {Scheme::roe, 1, 800, {5.15e-3, 3.07e-3, 1.72e-3, 9.28e-4, 4.87e-4}},
+      {Scheme::mac_cormack, 2, 400, {1.68e-3, 5.26e-4, 1.46e-4, 3.74e-5, 9.40e-6}},
+      {Scheme::muscl_hll, 2, 400, {1.06e-3, 4.07e-4, 1.16e-4, 3.04e-5, 7.90e-6}},
+  }};
+  auto& figure = check.figure("convergence", "Error against cell width", "Mean error of the depth at t = 0.9 s.");
+  auto& panel = figure.panel({.x = "cell width [m]", .y = "mean error of the depth [m]", .log_x = true, .log_y = true});
+  for (const Expectation& expectation : expectations) {
+    const std::string id(finite_volume::name(expectation.scheme));
+    std::vector<double> widths;
+    std::vector<double> errors;
+    for (std::size_t k = 0; k < 5; ++k) {
+      const std::size_t cells = 100u << k;
+      const double error = mean_depth_error(wave, expectation.scheme, cells);
+      const std::string n = std::to_string(cells);
+      check.that({.id = id + "-" + n,
+                  .text = "The error of " + id + " on " + n + " cells is that of an independent code.",
+                  .quantity = "mean error of the depth",
+                  .unit = "m",
+                  .source = "independent implementation of the same schemes"},
+                 {.value = error, .resolution = "N = " + n + ", Courant number 0.4"},
+                 evidence::Bound{.limit = 0.01,
+                                 .reason = "three printed digits of the other code (0.5 %), and its means of "
+                                           "the exact solution by sampling (0.5 %)",
+                                 .expected = expectation.known_error[k],
+                                 .relative = true});
+      widths.push_back(length / static_cast<double>(cells));
+      errors.push_back(error);
+    }
+    for (std::size_t cells = 3200; cells <= expectation.coarsest * 8; cells *= 2) {
+      widths.push_back(length / static_cast<double>(cells));
+      errors.push_back(mean_depth_error(wave, expectation.scheme, cells));
+    }
+    const auto tail = static_cast<std::ptrdiff_t>(widths.size()) - 4;
+    check.that({.id = id + "-order",
+                .text = "Scheme " + id + " has order " + std::to_string(static_cast<int>(expectation.order)) + ".",
+                .quantity = "order of convergence",
+                .source = "Toro, Shock-capturing methods for free-surface shallow flows "
+                          "(2001)"},
+               evidence::observed_order({widths.begin() + tail, widths.end()}, {errors.begin() + tail, errors.end()}),
+               evidence::Order{expectation.order, 0.15,
+                               "approached from below: next term of the error on the four finest grids"});
+    panel.line(id, widths, errors, verification::Role::computed);
+  }
+}

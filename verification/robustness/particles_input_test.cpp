@@ -1,0 +1,125 @@
+// What the particle method refuses, and how it says so.
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "seiche/divergence.hpp"
+#include "seiche/models/shallow_water_particles/initial.hpp"
+#include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::shallow_water_particles;
+using seiche::evidence::Qualitative;
+using seiche::verification::Check;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+Particles still_water(std::size_t count = 10) { return uniform_stretches({{0, 10, {1, 0}}}, count); }
+
+// The message of the std::invalid_argument that `action` must throw; empty when it does not.
+template <class Action>
+std::string refusal(Action action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("bad particles, ends and steps are refused with their name", "[robustness]") {
+  Check check("particles_bad_input", "Bad input of the particle method",
+              "Each refusal is a std::invalid_argument, thrown before anything changes, whose message names the "
+              "quantity.");
+  const auto refused = [&](const std::string& id, const std::string& text, const std::string& word, auto action) {
+    const std::string message = refusal(action);
+    INFO(id << ": " << message);
+    check.that({.id = id, .text = text, .quantity = "refused by name", .source = "interface of the model"},
+               {.value = message.find(word) != std::string::npos ? 1.0 : 0.0},
+               Qualitative{"std::invalid_argument whose message contains \"" + word + "\"", "input must be refused"});
+  };
+  refused("few", "Fewer than four particles.", "number of particles", [] { ParticleFlow flow(still_water(3)); });
+  refused("order", "Edges that do not increase.", "edge", [] {
+    Particles p = still_water();
+    p.edge[3] = p.edge[5];
+    ParticleFlow flow(p);
+  });
+  refused("nan_edge", "An edge that is not a number.", "edge", [] {
+    Particles p = still_water();
+    p.edge[3] = not_a_number;
+    ParticleFlow flow(p);
+  });
+  refused("nan_velocity", "A velocity that is not a number.", "velocity", [] {
+    Particles p = still_water();
+    p.velocity[0] = not_a_number;
+    ParticleFlow flow(p);
+  });
+  refused("mass", "A particle without mass.", "mass", [] {
+    Particles p = still_water();
+    p.mass[2] = 0;
+    ParticleFlow flow(p);
+  });
+  refused("depth", "A dry stretch inside.", "depth", [] { dam_break(0, 5, 10, {1, 0}, {0, 0}, 10); });
+  refused("expansion", "A bore that would gain energy.", "bore", [] { bore(9.81, 0, 5, 10, 1, 2, 10); });
+  refused("gravity", "Gravity that is not positive.", "gravity", [] {
+    Forcing forcing;
+    forcing.gravity = 0;
+    ParticleFlow flow(still_water(), {}, forcing);
+  });
+  refused("theta", "A limiter parameter above 2.", "theta", [] {
+    Scheme scheme;
+    scheme.theta = 2.5;
+    ParticleFlow flow(still_water(), {}, {}, scheme);
+  });
+  refused("bed", "A bed whose primitive belongs to another bed.", "bed", [] {
+    Forcing forcing;
+    forcing.bed = seiche::Bed{[](double x) { return x; }, [](double x) { return x; }};
+    ParticleFlow flow(still_water(), {}, forcing);
+  });
+  refused("piston", "A piston without a velocity.", "piston", [] { ParticleFlow flow(still_water(), {Piston{}, Wall{}}); });
+  refused("tau_zero", "A step of length zero.", "tau", [] { ParticleFlow(still_water()).advance(0); });
+  refused("tau_celerity", "A step beyond the celerity limit names the particle.", "celerity",
+          [] { ParticleFlow(still_water()).advance(1); });
+  refused("tau_jump", "A step in which a jump would cross more than a particle.", "particle", [] {
+    const double u = seiche::shallow_water::velocity_change(9.81, 8, 1);
+    ParticleFlow flow(bore(9.81, 0, 5, 10, 8, 1, 10), {Piston{[u](double) { return u; }}, Wall{}});
+    flow.advance(0.05);
+    flow.advance(0.09);
+  });
+  refused("tau_piston", "A piston that would cross the first particle within the step.", "piston", [] {
+    ParticleFlow flow(still_water(), {Piston{[](double) { return 50.0; }}, Wall{}});
+    flow.advance(0.1);
+  });
+}
+
+TEST_CASE("a breakdown stops with time, step and place", "[robustness]") {
+  Check check("particles_breakdown", "A run that breaks down says where",
+              "A body force that becomes NaN after two steps: the run stops with seiche::Divergence that carries the "
+              "time at the start of the failing step, the number of steps before it and the place.");
+  Forcing forcing;
+  forcing.body_force = [](double x, double t) { return t > 0.1 && x > 7 ? not_a_number : 0.0; };
+  ParticleFlow flow(still_water(), {}, forcing);
+  bool stopped = false;
+  double place = 0;
+  long step = 0;
+  try {
+    for (int k = 0; k < 10; ++k) flow.advance(0.05);
+  } catch (const seiche::Divergence& error) {
+    stopped = true;
+    place = error.place();
+    step = error.step();
+  }
+  check.that({.id = "stopped", .text = "The run stops at the first bad value.", .quantity = "Divergence thrown",
+              .source = "interface of the model"},
+             {.value = stopped && step == 2 ? 1.0 : 0.0},
+             Qualitative{"seiche::Divergence after 2 complete steps", "nothing may be computed from a NaN"});
+  check.that({.id = "place", .text = "It says where.", .quantity = "place inside the region of the bad force",
+              .source = "interface of the model"},
+             {.value = place >= 5 && place <= 10 ? 1.0 : 0.0},
+             Qualitative{"place within the stencil of x > 7", "the message must lead to the cause"});
+}
