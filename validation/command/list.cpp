@@ -89,7 +89,7 @@ void write_ctest(const std::string& file, const std::string& evidence) {
     for (const Tier tier : one.tiers) {
       const std::string test = fmt::format("{}.{}.{}", one.phenomenon, one.name, name(tier));
       text += fmt::format(
-          "if(\"{0}\" IN_LIST seiche_tiers)\n"
+          "if(\";${{seiche_tiers}};\" MATCHES \";{0};\")\n"
           "  add_test([=[{1}]=] [=[{2}]=] run {3} --tier {0} --jobs 1 --out [=[{4}]=])\n"
           "  set_tests_properties([=[{1}]=] PROPERTIES LABELS \"{0};validation;{5}\" TIMEOUT {6})\n"
           "endif()\n",

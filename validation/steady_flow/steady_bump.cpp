@@ -38,16 +38,23 @@ namespace particles = shallow_water_particles;
 struct Regime {
   exact::SteadyBump flow;
   std::optional<double> outflow_depth;
-  double start_level;  ///< surface at t = 0 [m]
+  double start_level;  ///< surface at t = 0, upstream of the crest at least [m]
+  std::optional<double> start_depth_downstream;
+
+  /// Depth at t = 0. A supercritical outflow gives nothing to the flow that could pull it down: it has to start so.
+  [[nodiscard]] double start_depth(double x) const {
+    if (start_depth_downstream && x > flow.bump().crest) return *start_depth_downstream;
+    return start_level - flow.elevation(x);
+  }
 };
 
 Regime regime_from(const std::string& name, double gravity) {
-  if (name == "subcritical") return {exact::SteadyBump(gravity, 4.42, 2.0), 2.0, 2.0};
+  if (name == "subcritical") return {exact::SteadyBump(gravity, 4.42, 2.0), 2.0, 2.0, {}};
   if (name == "transcritical") {
     const exact::SteadyBump flow = exact::SteadyBump::transcritical(gravity, 1.53);
-    return {flow, {}, flow.at(0).depth};
+    return {flow, {}, flow.at(0).depth, 0.8 * flow.critical_depth()};
   }
-  return {exact::SteadyBump(gravity, 0.18, 0.33), 0.33, 0.33};
+  return {exact::SteadyBump(gravity, 0.18, 0.33), 0.33, 0.33, {}};
 }
 
 /// A settled profile: depth and discharge at cell centres.
@@ -60,7 +67,7 @@ struct Settled {
 
 Settled by_particles(const Regime& regime, double gravity, long n, double time, const Run::Progress& progress) {
   const double q = regime.flow.discharge();
-  const auto depth = [&](double x) { return regime.start_level - regime.flow.elevation(x); };
+  const auto depth = [&](double x) { return regime.start_depth(x); };
   particles::Open inflow{.discharge = [q](double) { return q; }};
   particles::Open outflow;
   if (regime.outflow_depth) outflow.depth = [h = *regime.outflow_depth](double) { return h; };
@@ -83,7 +90,7 @@ Settled by_cells(const Regime& regime, double gravity, long n, double time) {
   std::vector<double> depth;
   std::vector<double> discharge(static_cast<std::size_t>(n), regime.flow.discharge());
   for (long i = 0; i < n; ++i) {
-    depth.push_back(regime.start_level - regime.flow.elevation(length * (static_cast<double>(i) + 0.5) / static_cast<double>(n)));
+    depth.push_back(regime.start_depth(length * (static_cast<double>(i) + 0.5) / static_cast<double>(n)));
   }
   finite_volume::FiniteVolumeFlow::Settings settings;
   settings.gravity = gravity;

@@ -39,6 +39,17 @@ TEST_CASE("finite-volume schemes conserve mass and momentum to round-off", "[con
                                           .reason =
                                               "three roundings per cell and step of numbers up to g h^2/2 dx/2 = 10 "
                                               "m^3/s^2"};
+  // Between open ends the flow turns steady: every step then repeats the roundings of the one before, which add up
+  // (steps) instead of walking (sqrt(steps)).
+  const std::string repeated = ", repeated by every step of the steady flow";
+  const evidence::Roundoff open_mass_limit{
+      .operations = mass_limit.operations * steps,
+      .scale = mass_limit.scale,
+      .reason = "three roundings per cell of a content up to h dx = 1 m^2" + repeated};
+  const evidence::Roundoff open_momentum_limit{
+      .operations = momentum_limit.operations * steps,
+      .scale = momentum_limit.scale,
+      .reason = "three roundings per cell of numbers up to g h^2/2 dx/2 = 10 m^3/s^2" + repeated};
   for (const Scheme scheme : {Scheme::lax_friedrichs, Scheme::mac_cormack, Scheme::roe, Scheme::muscl_hll}) {
     const std::string id(finite_volume::name(scheme));
     auto basin = dam_break(scheme, cells, End::wall(), End::wall());
@@ -68,12 +79,12 @@ TEST_CASE("finite-volume schemes conserve mass and momentum to round-off", "[con
                 .quantity = "mass defect",
                 .unit = "m^2",
                 .source = source},
-               {.value = open.mass_defect(), .resolution = resolution}, mass_limit);
+               {.value = open.mass_defect(), .resolution = resolution}, open_mass_limit);
     check.that({.id = id + "-open-momentum",
                 .text = "Momentum changes by what passes the open ends only.",
                 .quantity = "momentum defect",
                 .unit = "m^3/s",
                 .source = source},
-               {.value = open.momentum_defect(), .resolution = resolution}, momentum_limit);
+               {.value = open.momentum_defect(), .resolution = resolution}, open_momentum_limit);
   }
 }

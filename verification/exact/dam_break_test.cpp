@@ -113,6 +113,7 @@ TEST_CASE("dam-break mass and momentum follow from the integral laws", "[exact]"
     const auto mean = exact::cell_average(dam, 0, 60, t);
     mass = std::max(mass, std::abs(60 * mean.depth - (20 + 40 * h0)));
     momentum = std::max(momentum, std::abs(60 * mean.discharge - t * 0.5 * g * (1 - h0 * h0)));
+    if (h0 > 0.5) continue;  // the fan is narrower than the differences
     const double tail = dam.left_wave().slowest;
     const double end = dam.left_wave().fastest;
     const double x = 20 + t * (0.6 * tail + 0.4 * end);
@@ -129,13 +130,15 @@ TEST_CASE("dam-break mass and momentum follow from the integral laws", "[exact]"
               .source = source},
              {.value = momentum},
              evidence::Roundoff{.operations = 100, .scale = 60, .reason = "four pieces of ten points, sums up to 60"});
-  check.that({.id = "residual",
-              .text = "The fan satisfies both equations.",
-              .quantity = "residual",
-              .unit = "m^2/s^2",
-              .source = source},
-             {.value = residual},
-             evidence::Bound{.limit = 1e-9,
-                             .reason = "in x the fan is a cubic, exact for the difference; in t the error is "
-                                       "step^4 h_ttttt/30 ~ 1e-10; round-off 4 eps 5/0.02 ~ 1e-13"});
+  check.that(
+      {.id = "residual",
+       .text = "The fan satisfies both equations.",
+       .quantity = "residual",
+       .unit = "m^2/s^2",
+       .source = source},
+      {.value = residual},
+      evidence::Bound{.limit = 1e-9,
+                      .reason = "in x the fan is a quartic at most, exact for the difference; in t the error of the "
+                                "discharge 2 (4 c1^3 - 3 c1 xi^2 + xi^3)/(27 g), xi = (x - dam)/t, is d^4/30 times its "
+                                "fifth derivative, 9.2e-10 for d = 0.01, t = 3, xi = -2.6; round-off 1e-13"});
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
+#include "seiche/models/shallow_water_particles/row_kernels.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::shallow_water_particles {
@@ -45,7 +46,7 @@ void ParticleFlow::find_starts() {
   const auto same = [&](std::size_t i, std::size_t j) {
     constexpr double tolerance = 1e-12;
     return std::abs(depth_[i] - depth_[j]) <= tolerance * depth_[i] &&
-           std::abs(now_.velocity[i] - now_.velocity[j]) <= tolerance * celerity_[i];
+           std::abs(now_.velocity[i] - now_.velocity[j]) <= tolerance * celerity(i);
   };
   const std::size_t count = now_.size();
   for (std::size_t k = 0; k <= count; ++k) {
@@ -85,7 +86,7 @@ void ParticleFlow::validate() const {
 
 void ParticleFlow::resize_work() {
   const std::size_t count = now_.size();
-  for (Array* a : {&inv_mass_, &inv_width_, &depth_, &celerity_}) a->resize(count);
+  for (Array* a : {&inv_mass_, &inv_width_, &depth_}) a->resize(count);
   edge_velocity_.resize(count + 1);
   edge_thrust_.resize(count + 1);
   values_.resize(count);
@@ -101,19 +102,9 @@ void ParticleFlow::refresh() {
   const std::size_t count = now_.size();
   const double* x = now_.edge.data();
   const double* u = now_.velocity.data();
-  double courant = 0;
-  double closing = 0;
-  long bad = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double width = x[i + 1] - x[i];
-    inv_width_[i] = 1 / width;
-    depth_[i] = now_.mass[i] * inv_width_[i];
-    celerity_[i] = std::sqrt(forcing_.gravity * depth_[i]);
-    bad += !(width > 0) || !(std::abs(u[i]) < std::numeric_limits<double>::infinity());
-    courant = std::max(courant, celerity_[i] * inv_width_[i]);
-  }
-  for (std::size_t i = 0; i + 1 < count; ++i) closing = std::max(closing, (u[i] - u[i + 1]) * inv_width_[i]);
-  if (bad > 0) {
+  const RowLimits limits =
+      measure_row(x, u, now_.mass.data(), inv_width_.data(), depth_.data(), forcing_.gravity, count);
+  if (!limits.sound) {
     for (std::size_t i = 0; i < count; ++i) {
       if (!(now_.width(i) > 0)) {
         throw Divergence(fmt::format("width of particle {} is {:g}: its edges crossed", i, now_.width(i)), time(),
@@ -124,8 +115,8 @@ void ParticleFlow::refresh() {
       }
     }
   }
-  courant_rate_ = courant;
-  closing_rate_ = closing;
+  courant_rate_ = limits.celerity_rate;
+  closing_rate_ = limits.closing_rate;
 
   if (forcing_.bed) {
     for (std::size_t k = 0; k <= count; ++k) {
@@ -143,7 +134,7 @@ void ParticleFlow::refresh() {
     const std::size_t end_particle = s.particle(0);
     const State mean = {depth_[end_particle], s.outward() * u[end_particle]};
     double& front = front_velocity_[s.index()];
-    if (mean.velocity > front) front = mean.velocity + 2 * celerity_[end_particle];
+    if (mean.velocity > front) front = mean.velocity + 2 * celerity(end_particle);
     tip_[s.index()] = tip_profile(forcing_.gravity, mean, front, depth_[s.particle(1)]);
   }
 }
@@ -156,7 +147,8 @@ StepLimit ParticleFlow::step_limit(double courant) const {
   };
   if (courant_rate_ > 0) {
     std::size_t who = 0;
-    while (who + 1 < count && celerity_[who] * inv_width_[who] < courant_rate_) ++who;
+    // The rate was rounded in another order: the first particle within a relative 1e-12 of it.
+    while (who + 1 < count && celerity(who) * inv_width_[who] < (1 - 1e-12) * courant_rate_) ++who;
     lower(courant / courant_rate_, who, "celerity");
   }
   // Stay clear of crossing by the same margin as jumps.
@@ -202,7 +194,6 @@ void ParticleFlow::advance(double tau) {
                 starts_.end());
   largest_courant_ = std::max(largest_courant_, tau * courant_rate_);
 
-  predict_edges(tau);
   solve_edges(tau);
   hand_over_jumps(tau);
   if (forcing_.bed) react_bed(tau);

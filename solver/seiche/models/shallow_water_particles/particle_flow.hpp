@@ -136,6 +136,7 @@ class ParticleFlow {
   }
   [[nodiscard]] std::optional<double> wall_velocity(Side s, double time) const;
   [[nodiscard]] bool has_tip(Side s) const;
+  [[nodiscard]] double celerity(std::size_t i) const { return shallow_water::celerity(forcing_.gravity, depth_[i]); }
   [[nodiscard]] State state(std::size_t i) const { return {depth_[i], now_.velocity[i]}; }
 
   void validate() const;
@@ -151,7 +152,7 @@ class ParticleFlow {
   [[nodiscard]] EdgePair edges_of(std::size_t i, double half_step) const;
   [[nodiscard]] EdgePair edges_on_bed(std::size_t i, Slopes s) const;
   [[nodiscard]] double acceleration(std::size_t i, double time) const;
-  void predict_edges(double tau);
+  void predict_edges(double tau, std::size_t first, std::size_t last);
   void solve_edges(double tau);
   void solve_end(Side s, double tau);
   void solve_open_end(Side s, const Open& open, State inner, double tau);
@@ -186,7 +187,6 @@ class ParticleFlow {
   Array inv_mass_;
   Array inv_width_;
   Array depth_;
-  Array celerity_;
   Array surface_;   // eta on an uneven bed
   Array bed_edge_;  // z at the edges
   Array bed_area_;  // Z at the edges

@@ -4,6 +4,7 @@
 
 #include "seiche/models/shallow_water_particles/edge_riemann.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/models/shallow_water_particles/row_kernels.hpp"
 
 namespace seiche::shallow_water_particles {
 
@@ -133,23 +134,54 @@ EdgePair ParticleFlow::edges_of(std::size_t i, double half_step) const {
   return half;
 }
 
-void ParticleFlow::predict_edges(double tau) {
-  for (std::size_t i = 0; i < now_.size(); ++i) {
+void ParticleFlow::predict_edges(double tau, std::size_t first, std::size_t last) {
+  const auto one = [&](std::size_t i) {
     const EdgePair e = edges_of(i, 0.5 * tau);
     values_.left_depth[i] = e.h_left;
     values_.right_depth[i] = e.h_right;
     values_.left_velocity[i] = e.u_left;
     values_.right_velocity[i] = e.u_right;
+  };
+  const bool plain = !forcing_.bed && !forcing_.body_force && forcing_.manning == 0 && scheme_.level != Level::godunov;
+  if (!plain) {
+    for (std::size_t i = first; i < last; ++i) one(i);
+    return;
+  }
+  const std::size_t count = now_.size();
+  const PredictionRow row = {now_.edge.data(),           depth_.data(),
+                             now_.velocity.data(),       inv_mass_.data(),
+                             values_.left_depth.data(),  values_.right_depth.data(),
+                             values_.left_velocity.data(), values_.right_velocity.data(),
+                             forcing_.gravity,           scheme_.theta,
+                             0.5 * tau};
+  predict_row(row, std::max<std::size_t>(first, 1), std::min(last, count - 1));
+  // Ends, particles that hold a jump, and neighbours of both are not plain.
+  const auto again = [&](std::size_t i) {
+    if (i >= first && i < last) one(i);
+  };
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}, count - 2, count - 1}) again(i);
+  const auto near = std::lower_bound(structures_.begin(), structures_.end(), first,
+                                     [](const Structure& s, std::size_t v) { return s.particle + 1 < v; });
+  for (auto s = near; s != structures_.end() && s->particle <= last; ++s) {
+    if (s->particle > 0) again(s->particle - 1);
+    again(s->particle);
+    again(s->particle + 1);
   }
 }
 
 void ParticleFlow::solve_edges(double tau) {
-  for (std::size_t k = 1; k < now_.size(); ++k) {
-    const EdgeState e =
-        edge_state(forcing_.gravity, values_.right_depth[k - 1], values_.right_velocity[k - 1], values_.left_depth[k],
-                   values_.left_velocity[k], scheme_.newton_steps);
-    edge_velocity_[k] = e.velocity;
-    edge_thrust_[k] = e.thrust;
+  const std::size_t count = now_.size();
+  const EdgeRow row = {values_.left_depth.data(),  values_.right_depth.data(),  values_.left_velocity.data(),
+                       values_.right_velocity.data(), edge_velocity_.data(),     edge_thrust_.data(),
+                       forcing_.gravity,           scheme_.newton_steps};
+  // Prediction and Riemann problems of one stretch after the other: edge values stay in the cache.
+  constexpr std::size_t stretch = 2048;
+  std::size_t solved = 1;
+  for (std::size_t first = 0; first < count; first += stretch) {
+    const std::size_t last = std::min(first + stretch, count);
+    predict_edges(tau, first, last);
+    solve_row(row, solved, last);
+    solved = last;
   }
   solve_end(side(false), tau);
   solve_end(side(true), tau);
@@ -243,10 +275,10 @@ void ParticleFlow::apply(double tau) {
       sum += reaction_[i];
     }
     ledger_.bed_impulse.add(tau * sum);
+    for (std::size_t k = 0; k <= count; ++k) x[k] += tau * edge_velocity_[k];
   } else {
-    for (std::size_t i = 0; i < count; ++i) u[i] += tau * inv_mass_[i] * (thrust[i] - thrust[i + 1]);
+    move_row(x, u, inv_mass_.data(), edge_velocity_.data(), thrust, tau, count);
   }
-  for (std::size_t k = 0; k <= count; ++k) x[k] += tau * edge_velocity_[k];
 
   ledger_.left_impulse.add(tau * thrust[0]);
   ledger_.right_impulse.add(-tau * thrust[count]);

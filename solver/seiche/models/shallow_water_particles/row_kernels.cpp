@@ -1,0 +1,201 @@
+#include "seiche/models/shallow_water_particles/row_kernels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "seiche/models/shallow_water_particles/edge_riemann.hpp"
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__AVX2__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define SEICHE_CLONES __attribute__((target_clones("arch=skylake-avx512", "arch=haswell", "default")))
+#else
+#define SEICHE_CLONES
+#endif
+
+namespace seiche::shallow_water_particles {
+
+namespace {
+
+constexpr std::size_t block = 64;
+
+// Branch-free form of shallow_water::limited_slope for the loop below.
+inline double limited(double backward, double central, double forward, double theta) {
+  const double one_sided = theta * std::min(std::abs(backward), std::abs(forward));
+  const double magnitude = std::min(one_sided, std::abs(central));
+  return backward * forward > 0 ? std::copysign(magnitude, backward) : 0.0;
+}
+
+template <int Steps>
+inline void newton(const EdgeRow& row, std::size_t first, std::size_t last, int steps) {
+  const double* __restrict hl = row.right_depth - 1;
+  const double* __restrict ul = row.right_velocity - 1;
+  const double* __restrict hr = row.left_depth;
+  const double* __restrict ur = row.left_velocity;
+  double* __restrict us = row.edge_velocity;
+  double* __restrict ps = row.edge_thrust;
+  const double g = row.gravity;
+  for (std::size_t k = first; k < last; ++k) {
+    const EdgeState e = edge_state(g, hl[k], ul[k], hr[k], ur[k], Steps >= 0 ? Steps : steps);
+    us[k] = e.velocity;
+    ps[k] = e.thrust;
+  }
+}
+
+}  // namespace
+
+SEICHE_CLONES
+void predict_row(const PredictionRow& row, std::size_t first, std::size_t last) {
+  const double* __restrict x = row.edge;
+  const double* __restrict h = row.depth;
+  const double* __restrict u = row.velocity;
+  const double* __restrict inv_mass = row.inv_mass;
+  double* __restrict hl = row.left_depth;
+  double* __restrict hr = row.right_depth;
+  double* __restrict ul = row.left_velocity;
+  double* __restrict ur = row.right_velocity;
+  const double g = row.gravity;
+  const double theta = row.theta;
+  const double half = row.half_step;
+#pragma GCC ivdep
+  for (std::size_t i = first; i < last; ++i) {
+    // Step 1: slopes. Twice the distances between centres; one division serves three quotients.
+    const double width = x[i + 1] - x[i];
+    const double back = x[i + 1] - x[i - 1];
+    const double ahead = x[i + 2] - x[i];
+    const double both = back + ahead;
+    const double r = width / (back * ahead * both);
+    const double per_back = ahead * both * r;
+    const double per_ahead = back * both * r;
+    const double per_both = back * ahead * r;
+    const double h_back = h[i] - h[i - 1];
+    const double h_ahead = h[i + 1] - h[i];
+    const double u_back = u[i] - u[i - 1];
+    const double u_ahead = u[i + 1] - u[i];
+    const double dh_free = limited(h_back * per_back, (h_back + h_ahead) * per_both, h_ahead * per_ahead, theta);
+    const double du = limited(u_back * per_back, (u_back + u_ahead) * per_both, u_ahead * per_ahead, theta);
+    const double most = 0.9 * h[i];
+    const double dh = std::min(std::max(dh_free, -most), most);
+
+    // Step 2: half a step of the particle by itself.
+    const double stretched = width + half * 2 * du;
+    const bool sane = stretched > 0.2 * width && stretched < 5 * width;
+    const double ratio = sane ? width / stretched : 1.0;
+    const double kick = half * inv_mass[i] * 0.5 * g * (-2 * dh) * (2 * h[i]);
+    hl[i] = (h[i] - dh) * ratio;
+    hr[i] = (h[i] + dh) * ratio;
+    ul[i] = u[i] - du + kick;
+    ur[i] = u[i] + du + kick;
+  }
+}
+
+SEICHE_CLONES
+void solve_row(const EdgeRow& row, std::size_t first, std::size_t last) {
+  const double* __restrict hl = row.right_depth - 1;
+  const double* __restrict ul = row.right_velocity - 1;
+  const double* __restrict hr = row.left_depth;
+  const double* __restrict ur = row.left_velocity;
+  double* __restrict us = row.edge_velocity;
+  double* __restrict ps = row.edge_thrust;
+  const double g = row.gravity;
+  const double half_inv_g = 0.5 / g;
+  constexpr double small = 1e-4;
+  for (std::size_t start = first; start < last; start += block) {
+    const std::size_t stop = std::min(start + block, last);
+    int sharp = 0;  // set where an edge needs the iteration, or is not a number
+    for (std::size_t k = start; k < stop; ++k) {
+      const double c_left = std::sqrt(g * hl[k]);
+      const double c_right = std::sqrt(g * hr[k]);
+      const double jump = ul[k] - ur[k];
+      const double c = 0.5 * (c_left + c_right) + 0.25 * jump;
+      us[k] = 0.5 * (ul[k] + ur[k]) + (c_left - c_right);
+      const double c2 = c * c;
+      ps[k] = half_inv_g * c2 * c2;
+      const bool smooth = (std::abs(jump) <= small * c_left) & (std::abs(c_left - c_right) <= small * c_left);
+      sharp |= static_cast<int>(!smooth);
+    }
+    if (sharp != 0) {
+      if (row.newton_steps == 4) {
+        newton<4>(row, start, stop, 4);
+      } else if (row.newton_steps == 1) {
+        newton<1>(row, start, stop, 1);
+      } else {
+        newton<-1>(row, start, stop, row.newton_steps);
+      }
+    }
+  }
+}
+
+SEICHE_CLONES
+void move_row(double* edge, double* velocity, const double* inv_mass, const double* edge_velocity,
+              const double* edge_thrust, double tau, std::size_t count) {
+  double* __restrict x = edge;
+  double* __restrict u = velocity;
+  const double* __restrict im = inv_mass;
+  const double* __restrict us = edge_velocity;
+  const double* __restrict ps = edge_thrust;
+  for (std::size_t i = 0; i < count; ++i) {
+    x[i] += tau * us[i];
+    u[i] += tau * im[i] * (ps[i] - ps[i + 1]);
+  }
+  x[count] += tau * us[count];
+}
+
+SEICHE_CLONES
+RowLimits measure_row(const double* edge, const double* velocity, const double* mass, double* inv_width, double* depth,
+                      double gravity, std::size_t count) {
+  const double* __restrict x = edge;
+  const double* __restrict u = velocity;
+  const double* __restrict m = mass;
+  double* __restrict iw = inv_width;
+  double* __restrict h = depth;
+  constexpr double huge = std::numeric_limits<double>::max();
+  // Maxima of separate lanes: a single running maximum could not be reordered because of NaN.
+  constexpr std::size_t lanes = 8;
+  double fastest[lanes] = {};
+  double closing[lanes] = {};
+  double worst[lanes] = {};  // 1 where a particle is not sound; comparisons with NaN are false
+  const auto one = [&](std::size_t i, double next_velocity, std::size_t lane) {
+    const double width = x[i + 1] - x[i];
+    const double inverse = 1 / width;
+    iw[i] = inverse;
+    h[i] = m[i] * inverse;
+    const double rate = h[i] * inverse * inverse;
+    const double approach = (u[i] - next_velocity) * inverse;
+    const double fault = (width > 0) & (std::abs(u[i]) <= huge) ? 0.0 : 1.0;
+    fastest[lane] = rate > fastest[lane] ? rate : fastest[lane];
+    closing[lane] = approach > closing[lane] ? approach : closing[lane];
+    worst[lane] = fault > worst[lane] ? fault : worst[lane];
+  };
+  std::size_t i = 0;
+  for (; i + lanes < count; i += lanes) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) one(i + lane, u[i + lane + 1], lane);
+  }
+  for (; i < count; ++i) one(i, u[std::min(i + 1, count - 1)], 0);
+  const double rate = *std::max_element(fastest, fastest + lanes);
+  return {std::sqrt(gravity * rate), *std::max_element(closing, closing + lanes),
+          *std::max_element(worst, worst + lanes) == 0};
+}
+
+SEICHE_CLONES
+bool may_hold_jump(const double* depth, const double* velocity, double gravity, double threshold, std::size_t first,
+                   std::size_t last) {
+  const double* __restrict h = depth;
+  const double* __restrict u = velocity;
+  // The two-wave depth exceeds (1 + threshold) of the lower depth only if the depths do, or if the velocity difference
+  // exceeds 2 (sqrt(1 + threshold) - 1) celerities: either half of the rise must come from one of the two.
+  const double s = std::sqrt(1 + threshold) - 1;
+  const double ratio = (1 + s) * (1 + s);
+  const double square = 4 * s * s * gravity;
+  int found = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    const double closing = u[i - 1] - u[i + 1];
+    const double low = std::min(h[i - 1], h[i + 1]);
+    const double high = std::max(h[i - 1], h[i + 1]);
+    const bool steep = (high >= ratio * low) | (closing * closing >= square * low);
+    found |= static_cast<int>((closing > 0) & steep);
+  }
+  return found != 0;
+}
+
+}  // namespace seiche::shallow_water_particles
