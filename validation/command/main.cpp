@@ -13,7 +13,7 @@ int run(int argc, char** argv) {
       "seiche: verification and validation of free-surface water-wave solvers.\n"
       "Start with 'seiche list', then 'seiche run CASE' and 'seiche report'."};
   app.set_version_flag("--version", std::string(seiche::build_facts::version));
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.footer(
       "Exit status: 0 every claim has its declared verdict, 1 a check failed, 2 wrong usage or input,\n"
       "3 the run could not finish (diverged, disk full, killed).");
@@ -32,6 +32,10 @@ int run(int argc, char** argv) {
     return app.exit(done);
   } catch (const CLI::ParseError& wrong) {
     fmt::print(stderr, "seiche: {}\n", wrong.what());
+    return 2;
+  }
+  if (!action) {
+    fmt::print(stderr, "{}", app.help());
     return 2;
   }
   return action();

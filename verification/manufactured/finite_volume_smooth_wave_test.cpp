@@ -44,14 +44,19 @@ struct Expectation {
 }  // namespace
 
 TEST_CASE("finite-volume schemes converge with their orders on a smooth simple wave", "[manufactured]") {
-  verification::Check check("finite_volume_smooth_wave", "Smooth simple wave: orders of the finite-volume schemes",
-                            "A hump $h = 1 + 0.2 \\cos^6(\\pi (x-6)/6)$ runs to the right until $t = 0.9$ s, two "
-                            "thirds of its breaking time. "
-                            "Error: mean over the cells of the difference of mean depths, Courant number 0.4. The "
-                            "first-order schemes approach "
-                            "their order from below (their viscosity flattens the crest), so their order is fitted on "
-                            "finer grids than that of the "
-                            "second-order schemes, whose limiter costs a little at the crest.");
+  verification::Check check(
+      "finite_volume_smooth_wave", "Smooth simple wave: orders of the finite-volume schemes",
+      "A hump $h = 1 + 0.2 \\cos^6(\\pi (x-6)/6)$ runs to the right until $t = 0.9$ s, two "
+      "thirds of its breaking time. "
+      "Error: mean over the cells of the difference of mean depths, Courant number 0.4. The "
+      "first-order schemes approach "
+      "their order from below (their viscosity flattens the crest), so their order is fitted on "
+      "finer grids than that of the "
+      "second-order schemes, whose limiter costs a little at the crest. The errors of another code confirm the first "
+      "three schemes "
+      "independently. For muscl_hll they only identify the variant: the edge velocities are weighted to carry the "
+      "cell's "
+      "momentum because that is what reproduces them; unweighted, the errors differ by up to 5 %, the order does not.");
   const auto wave = exact::SimpleWave::hump(9.81, 1, 0.2, 6, 6);
   const std::array<Expectation, 4> expectations{{
       {Scheme::lax_friedrichs, 1, 1600, {1.10e-2, 7.37e-3, 4.55e-3, 2.63e-3, 1.46e-3}},
