@@ -292,6 +292,9 @@ def _columns(shown):
         return 1
     if count == 3 and widest < 1.6:
         return 3
+    quantities = [panel.get("y_label", "") for panel in shown]
+    if count % 2 == 0 and quantities[0] != quantities[1] and quantities == quantities[:2] * (count // 2):
+        return 2                              # two quantities at several times: a row per time
     return 2 if count <= 6 else 3
 
 

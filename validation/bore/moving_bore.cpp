@@ -103,7 +103,7 @@ void follow(Run& run, const exact::Bore& bore, long n, double tau, long steps) {
                                     "Energy less the work of the piston. Of the two-state reconstruction it falls along the "
                                     "straight line of the jump conditions; of particle means it wavers as the transition "
                                     "particle fills.")
-                      .panel({.x = "t [s]", .y = "energy - work - E(0) [m⁴/s²]"});
+                      .panel({.x = "t [s]", .y = "energy - work - E(0) [m$^4$/s$^2$]"});
   std::vector<double> two_state;
   std::vector<double> means;
   std::vector<double> law;

@@ -87,9 +87,9 @@ void run(Run& run) {
   const ProfileErrors errors = profile_errors(flow->profile(), problem, end);
   measure_errors(run.record, errors);
   if (run.as_published()) {
-    claim_reproduced(run.record, "reconstructed_l1_h", "The reconstruction of ten particles is the known one.",
+    claim_reproduced(run.record, "reconstructed_l1_h", "reconstructed L1(h)", "The reconstruction of ten particles is the known one.",
                      errors.reconstructed.depth.l1, 4.1e-3, "m", particles.text());
-    claim_reproduced(run.record, "cell_l1_h", "The mean depths of ten particles are the known ones.", errors.cell.depth.l1,
+    claim_reproduced(run.record, "cell_l1_h", "cell L1(h)", "The mean depths of ten particles are the known ones.", errors.cell.depth.l1,
                      3.9e-3, "m", particles.text());
   }
 

@@ -36,7 +36,7 @@ void run(Run& run) {
     contestants.push_back(contest(problem, d, time, &front));
     run.progress(0.25 * static_cast<double>(contestants.size()));
     if (!run.as_published()) continue;
-    claim_reproduced(run.record, fmt::format("cell_l1_h_{}", one.scheme), fmt::format("The error of {} is the known one.", one.scheme),
+    claim_reproduced(run.record, fmt::format("cell_l1_h_{}", one.scheme), "cell L1(h)", fmt::format("The error of {} is the known one.", one.scheme),
                      contestants.back().errors.cell.depth.l1, one.cell_l1_h, "m", d.text());
   }
   report_contest(run.record, problem, time, contestants, {"bzz-fig-24"});

@@ -173,9 +173,9 @@ std::unique_ptr<Flow> run_and_draw(evidence::Record& record, const FlowProblem& 
   return flow;
 }
 
-void claim_reproduced(evidence::Record& record, const std::string& id, const std::string& text, double measured,
+void claim_reproduced(evidence::Record& record, const std::string& id, const std::string& quantity, const std::string& text, double measured,
                       double stated, const std::string& unit, const std::string& resolution) {
-  record.check({.id = id, .text = text, .quantity = id, .unit = unit, .source = "independent implementation of the method"},
+  record.check({.id = id, .text = text, .quantity = quantity, .unit = unit, .source = "independent implementation of the method"},
                {.value = measured, .resolution = resolution},
                evidence::Bound{.limit = 0.1,
                                .reason = "an independent implementation of the same algorithm measured the expected value; "

@@ -71,7 +71,7 @@ std::unique_ptr<Flow> run_and_draw(evidence::Record& record, const FlowProblem& 
 
 /// Claims that an error is what an independent implementation of the same algorithm measured, within 10 %: a larger one
 /// means that something got worse, a smaller one that the number stated here is out of date.
-void claim_reproduced(evidence::Record& record, const std::string& id, const std::string& text, double measured,
+void claim_reproduced(evidence::Record& record, const std::string& id, const std::string& quantity, const std::string& text, double measured,
                       double stated, const std::string& unit, const std::string& resolution);
 
 /// One scheme of a comparison, at the end of its run.

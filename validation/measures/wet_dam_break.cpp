@@ -50,7 +50,7 @@ void run_wet_dam_break(Run& run, const WetDamBreak& setup) {
                                    .reason = "the exact solution is monotone; a hand-over in a disturbed neighbourhood may "
                                              "overshoot by the disturbance, of the size of the start-up error squared"});
   if (run.as_published()) {
-    claim_reproduced(run.record, "cell_l1_h", "The mean depths have the known error.", errors.cell.depth.l1, setup.cell_l1_h, "m",
+    claim_reproduced(run.record, "cell_l1_h", "cell L1(h)", "The mean depths have the known error.", errors.cell.depth.l1, setup.cell_l1_h, "m",
                      particles.text());
   }
 

@@ -115,7 +115,7 @@ void ParticleFlow::refresh() {
       }
     }
   }
-  courant_rate_ = limits.celerity_rate;
+  celerity_rate_ = limits.celerity_rate;
   closing_rate_ = limits.closing_rate;
 
   if (forcing_.bed) {
@@ -139,24 +139,15 @@ void ParticleFlow::refresh() {
   }
 }
 
-StepLimit ParticleFlow::step_limit(double courant) const {
+StepLimit ParticleFlow::step_limit(double courant, bool named) const {
   const std::size_t count = now_.size();
   StepLimit limit;
   const auto lower = [&](double tau, std::size_t particle, const char* reason) {
     if (tau < limit.tau) limit = {tau, particle, reason};
   };
-  if (courant_rate_ > 0) {
-    std::size_t who = 0;
-    // The rate was rounded in another order: the first particle within a relative 1e-12 of it.
-    while (who + 1 < count && celerity(who) * inv_width_[who] < (1 - 1e-12) * courant_rate_) ++who;
-    lower(courant / courant_rate_, who, "celerity");
-  }
+  if (celerity_rate_ > 0) lower(courant / celerity_rate_, count, "celerity");
   // Stay clear of crossing by the same margin as jumps.
-  if (jump_fraction < closing_rate_ * limit.tau) {
-    std::size_t who = 0;
-    while (who + 2 < count && (now_.velocity[who] - now_.velocity[who + 1]) * inv_width_[who] < closing_rate_) ++who;
-    lower(jump_fraction / closing_rate_, who, "edges would cross");
-  }
+  if (closing_rate_ > 0) lower(jump_fraction / closing_rate_, count, "edges would cross");
   for (const InteriorJump& jump : jumps_) {
     lower(jump_fraction * now_.mass[jump.particle] / jump.mass_flux, jump.particle, "jump in the particle");
   }
@@ -165,12 +156,24 @@ StepLimit ParticleFlow::step_limit(double courant) const {
       lower(jump_fraction * now_.mass[i] / collision.fastest_mass_flux(), i, "jump in the particle");
     }
   }
+  if (!named || limit.particle != count) return limit;
+  // Only rates are kept from step to step: look for the particle that has it, which was rounded in another order.
+  const bool by_celerity = limit.tau == courant / celerity_rate_;
+  constexpr double nearly = 1 - 1e-12;
+  std::size_t who = 0;
+  if (by_celerity) {
+    while (who + 1 < count && celerity(who) * inv_width_[who] < nearly * celerity_rate_) ++who;
+  } else {
+    const auto closing = [&](std::size_t i) { return (now_.velocity[i] - now_.velocity[i + 1]) * inv_width_[i]; };
+    while (who + 2 < count && closing(who) < nearly * closing_rate_) ++who;
+  }
+  limit.particle = who;
   return limit;
 }
 
 void ParticleFlow::check_step(double tau) const {
   require_positive("tau", tau);
-  StepLimit limit = step_limit(hard_courant);
+  StepLimit limit = step_limit(hard_courant, false);
   for (const bool right : {false, true}) {
     const Side s = side(right);
     if (!end_is<Piston>(s)) continue;
@@ -180,6 +183,7 @@ void ParticleFlow::check_step(double tau) const {
   }
   // One rounding error of slack: callers form steps as T/n.
   if (tau > limit.tau * (1 + 1e-12)) {
+    if (limit.particle == now_.size()) limit = step_limit(hard_courant, true);
     throw std::invalid_argument(fmt::format("tau = {:g} must not exceed {:g} at t = {:g}: limited by particle {} ({})",
                                             tau, limit.tau, time(), limit.particle, limit.reason));
   }
@@ -192,7 +196,7 @@ void ParticleFlow::advance(double tau) {
                                  return start.over(now_.mass, time() + tau, scheme_.self_similar_particles);
                                }),
                 starts_.end());
-  largest_courant_ = std::max(largest_courant_, tau * courant_rate_);
+  largest_courant_ = std::max(largest_courant_, tau * celerity_rate_);
 
   solve_edges(tau);
   hand_over_jumps(tau);
@@ -213,7 +217,7 @@ void ParticleFlow::advance_to(double end_time, double longest) {
   require_finite("time", end_time);
   while (time() < end_time) {
     const double left = end_time - time();
-    const double tau = std::min(longest, largest_step().tau);
+    const double tau = std::min(longest, step_limit(scheme_.courant, false).tau);
     // The last two steps share what is left: no step is a rounding error long.
     const double step = left <= tau ? left : (left < 2 * tau ? 0.5 * left : tau);
     advance(step);

@@ -71,7 +71,7 @@ class ParticleFlow {
   void advance_to(double time, double longest = std::numeric_limits<double>::infinity());
 
   /// Largest step at the scheme's Courant number.
-  [[nodiscard]] StepLimit largest_step() const { return step_limit(scheme_.courant); }
+  [[nodiscard]] StepLimit largest_step() const { return step_limit(scheme_.courant, true); }
 
   [[nodiscard]] const Particles& particles() const { return now_; }
   [[nodiscard]] double time() const { return time_.value(); }
@@ -143,7 +143,7 @@ class ParticleFlow {
   void resize_work();
   void find_starts();
   void refresh();
-  [[nodiscard]] StepLimit step_limit(double courant) const;
+  [[nodiscard]] StepLimit step_limit(double courant, bool named) const;
   void check_step(double tau) const;
 
   // particle_flow_edges.cpp: from means to the two averages of every edge
@@ -196,7 +196,7 @@ class ParticleFlow {
   Array edge_thrust_;
   Array reaction_;
   Array old_velocity_;  // for friction
-  double courant_rate_ = 0;  // max c/w
+  double celerity_rate_ = 0;  // max c/w
   double closing_rate_ = 0;  // max (u_i - u_(i+1))/w_i
 
   std::vector<InteriorJump> jumps_;

@@ -8,7 +8,7 @@
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__AVX2__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define SEICHE_CLONES __attribute__((target_clones("arch=skylake-avx512", "arch=haswell", "default")))
+#define SEICHE_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define SEICHE_CLONES
 #endif
