@@ -153,16 +153,12 @@ void run(Run& run) {
                              "error of the paper's own computation");
   }
 
-  std::vector<Contestant> contestants;
-  for (const std::string& scheme : all_schemes) {
-    Discretisation d = discretisation;
-    d.scheme = scheme;
-    contestants.push_back(contest(problem, d, time, &front));
-    const Profile& other = contestants.back().profile;
-    if (!other.means.empty()) {
-      run.record.measure("wall_depth_" + scheme, solution.left_wall ? other.means.front().depth : other.means.back().depth);
-    }
-    run.progress(0.5 + 0.5 * static_cast<double>(contestants.size()) / static_cast<double>(all_schemes.size()));
+  const std::vector<Contestant> contestants = contest_all(problem, discretisation, all_schemes, time, &front,
+                                                          [&](double done) { run.progress(0.5 + 0.5 * done); });
+  for (const Contestant& c : contestants) {
+    if (c.profile.means.empty()) continue;
+    const State& at_wall = solution.left_wall ? c.profile.means.front() : c.profile.means.back();
+    run.record.measure("wall_depth_" + c.scheme, at_wall.depth);
   }
   report_contest(run.record, problem, time, contestants);
 }

@@ -149,27 +149,12 @@ void run(Run& run) {
   const auto flow = run_and_draw(run.record, problem, discretisation, {0, 0.5 * time, time}, "A bore runs into still water",
                                  {"bzz-fig-12"}, [&](double done) { run.progress(0.3 * done); });
   claim_conservation(run.record, *flow);
-  const Profile profile = flow->profile();
-  const ProfileErrors errors = profile_errors(profile, problem, time);
-  measure_errors(run.record, errors);
-  run.record.check({.id = "reconstructed_l1_h",
-                    .text = "The method's profile is the exact one.",
-                    .quantity = "reconstructed L1(h)",
-                    .unit = "m",
-                    .source = "jump conditions (11) of the paper"},
-                   {.value = errors.reconstructed.depth.l1, .resolution = discretisation.text()},
-                   evidence::Roundoff{.operations = static_cast<double>(steps * 8), .scale = bore.behind().depth,
-                                      .reason = "about eight rounded operations per edge and step, on depths of this size"});
+  claim_exact_profile(run.record, *flow, problem, bore.behind().depth);
   const Front front{.behind = bore.behind().depth, .ahead = bore.ahead().depth, .position = bore.position(time), .reach = 30};
-  const long width = front_width(profile, front);
-  run.record.measure("front_width", static_cast<double>(width));
-  run.record.check({.id = "width", .text = "The jump lies inside a single particle.",
-                    .quantity = "particles between 5 % and 95 % of the jump", .source = "section 3 of the paper"},
-                   {.value = static_cast<double>(width), .resolution = discretisation.text()},
-                   evidence::Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
+  claim_single_particle(run.record, *flow, front);
   run.record.check({.id = "range", .text = "No depth leaves the range of the exact solution.",
                     .quantity = "largest depth outside the range", .unit = "m", .source = "the bore is monotone"},
-                   {.value = excursion(profile, bore.ahead().depth, bore.behind().depth), .resolution = discretisation.text()},
+                   {.value = excursion(flow->profile(), bore.ahead().depth, bore.behind().depth), .resolution = discretisation.text()},
                    evidence::Roundoff{.operations = static_cast<double>(steps * 8), .scale = bore.behind().depth,
                                       .reason = "about eight rounded operations per edge and step"});
 
@@ -191,13 +176,7 @@ void run(Run& run) {
 
   follow(run, bore, discretisation.particles, discretisation.time_step, steps);
   run.progress(0.5);
-  std::vector<Contestant> contestants;
-  for (const std::string& scheme : all_schemes) {
-    Discretisation d = discretisation;
-    d.scheme = scheme;
-    contestants.push_back(contest(problem, d, time, &front));
-  }
-  report_contest(run.record, problem, time, contestants);
+  report_contest(run.record, problem, time, contest_all(problem, discretisation, all_schemes, time, &front));
 }
 
 }  // namespace

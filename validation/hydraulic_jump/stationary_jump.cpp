@@ -57,29 +57,10 @@ void run(Run& run) {
                                  [&](double done) { run.progress(0.5 * done); });
   claim_conservation(run.record, *flow);
 
-  const Profile profile = flow->profile();
-  const ProfileErrors errors = profile_errors(profile, problem, time);
-  measure_errors(run.record, errors);
+  claim_exact_profile(run.record, *flow, problem, jump.downstream().depth);
   const Front front{.behind = jump.upstream().depth, .ahead = jump.downstream().depth, .position = place, .reach = 30};
-  const long width = front_width(profile, front);
-  run.record.measure("front_width", static_cast<double>(width));
-  run.record.check({.id = "reconstructed_l1_h", .text = "The method's profile is the exact one.",
-                    .quantity = "reconstructed L1(h)", .unit = "m", .source = "jump conditions (11) of the paper"},
-                   {.value = errors.reconstructed.depth.l1, .resolution = discretisation.text()},
-                   evidence::Roundoff{.operations = static_cast<double>(steps * 8), .scale = jump.downstream().depth,
-                                      .reason = "about eight rounded operations per edge and step, on depths of this size"});
-  run.record.check({.id = "width", .text = "The jump lies inside a single particle.",
-                    .quantity = "particles between 5 % and 95 % of the jump", .source = "section 3 of the paper"},
-                   {.value = static_cast<double>(width), .resolution = discretisation.text()},
-                   evidence::Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
-
-  std::vector<Contestant> contestants;
-  for (const std::string& scheme : all_schemes) {
-    Discretisation d = discretisation;
-    d.scheme = scheme;
-    contestants.push_back(contest(problem, d, time, &front));
-  }
-  report_contest(run.record, problem, time, contestants);
+  claim_single_particle(run.record, *flow, front);
+  report_contest(run.record, problem, time, contest_all(problem, discretisation, all_schemes, time, &front));
 }
 
 }  // namespace

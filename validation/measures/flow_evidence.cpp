@@ -89,6 +89,30 @@ void claim_conservation(evidence::Record& record, const Flow& flow, const std::s
                                   .reason = "one rounded update per cell and step; scale is the sum of m (|u| + c)"});
 }
 
+void claim_single_particle(evidence::Record& record, const Flow& flow, const Front& front) {
+  const auto width = static_cast<double>(front_width(flow.profile(), front));
+  record.measure("front_width", width);
+  record.check({.id = "width",
+                .text = "The jump lies inside a single particle.",
+                .quantity = "particles between 5 % and 95 % of the jump",
+                .source = "the hand-over of section 3 of the paper"},
+               {.value = width, .resolution = flow.discretisation().text()},
+               evidence::Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
+}
+
+void claim_exact_profile(evidence::Record& record, const Flow& flow, const FlowProblem& problem, double deepest) {
+  const ProfileErrors errors = profile_errors(flow.profile(), problem, flow.time());
+  measure_errors(record, errors);
+  record.check({.id = "reconstructed_l1_h",
+                .text = "The method's profile is the exact one.",
+                .quantity = "reconstructed L1(h)",
+                .unit = "m",
+                .source = "jump conditions (11) of the paper"},
+               {.value = errors.reconstructed.depth.l1, .resolution = flow.discretisation().text()},
+               evidence::Roundoff{.operations = 8.0 * static_cast<double>(flow.steps()), .scale = deepest,
+                                  .reason = "about eight rounded operations per edge and step, on depths of this size"});
+}
+
 ExactCurve exact_curve(const FlowProblem& problem, double from, double to, double t) {
   constexpr int samples = 400;
   std::vector<double> x;
@@ -203,6 +227,19 @@ Contestant contest(const FlowProblem& problem, const Discretisation& discretisat
     c.width = front_width(c.profile, *front);
   }
   return c;
+}
+
+std::vector<Contestant> contest_all(const FlowProblem& problem, const Discretisation& discretisation,
+                                    const std::vector<std::string>& schemes, double time, const Front* front,
+                                    const std::function<void(double)>& progress) {
+  std::vector<Contestant> contestants;
+  for (const std::string& scheme : schemes) {
+    Discretisation d = discretisation;
+    d.scheme = scheme;
+    contestants.push_back(contest(problem, d, time, front));
+    if (progress) progress(static_cast<double>(contestants.size()) / static_cast<double>(schemes.size()));
+  }
+  return contestants;
 }
 
 void report_contest(evidence::Record& record, const FlowProblem& problem, double time,

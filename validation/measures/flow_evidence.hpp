@@ -39,6 +39,13 @@ long front_width(const Profile& profile, const Front& front);
 /// the means cross it, by linear interpolation between centres; NaN if they do not.
 double front_position(const Profile& profile, const Front& front);
 
+/// Claim that the jump lies inside a single particle; measures "front_width".
+void claim_single_particle(evidence::Record& record, const Flow& flow, const Front& front);
+
+/// Claim that the method's own profile is the exact one to round-off, with mean errors as measurements. For flows of
+/// uniform states and jumps.
+void claim_exact_profile(evidence::Record& record, const Flow& flow, const FlowProblem& problem, double deepest);
+
 /// Exact curves of depth and velocity on [from, to], sampled densely and at both sides of every breakpoint.
 struct ExactCurve {
   std::vector<double> x;
@@ -87,6 +94,11 @@ struct Contestant {
 
 /// Runs a scheme to `time`; a breakdown is kept as the contestant's failure.
 Contestant contest(const FlowProblem& problem, const Discretisation& discretisation, double time, const Front* front);
+
+/// The same for several schemes, each with the discretisation's other values.
+std::vector<Contestant> contest_all(const FlowProblem& problem, const Discretisation& discretisation,
+                                    const std::vector<std::string>& schemes, double time, const Front* front,
+                                    const std::function<void(double)>& progress = {});
 
 /// Adds a table of errors, widths and front errors, and a figure with a panel of depth per scheme.
 void report_contest(evidence::Record& record, const FlowProblem& problem, double time,

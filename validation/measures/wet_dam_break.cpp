@@ -32,14 +32,7 @@ void run_wet_dam_break(Run& run, const WetDamBreak& setup) {
   measure_errors(run.record, errors);
   const Front front{.behind = stoker.plateau().depth, .ahead = setup.ratio, .position = stoker.bore_position(time),
                     .reach = 0.5 * (stoker.bore_position(time) - stoker.fan_end(time))};
-  const long width = front_width(profile, front);
-  run.record.measure("front_width", static_cast<double>(width));
-  run.record.check({.id = "width",
-                    .text = "The bore lies inside a single particle.",
-                    .quantity = "particles between 5 % and 95 % of the jump",
-                    .source = "the hand-over of section 3 of the paper"},
-                   {.value = static_cast<double>(width), .resolution = particles.text()},
-                   evidence::Bound{.limit = 1, .reason = "at most one particle holds the jump; none at the instant of hand-over"});
+  claim_single_particle(run.record, *flow, front);
   run.record.check({.id = "range",
                     .text = "No depth leaves the range of the exact solution.",
                     .quantity = "largest depth outside the range",
@@ -54,14 +47,8 @@ void run_wet_dam_break(Run& run, const WetDamBreak& setup) {
                      particles.text());
   }
 
-  std::vector<Contestant> contestants;
-  for (const std::string& scheme : setup.schemes) {
-    Discretisation d = particles;
-    d.scheme = scheme;
-    contestants.push_back(contest(problem, d, time, &front));
-    run.progress(0.5 + 0.5 * static_cast<double>(contestants.size()) / static_cast<double>(setup.schemes.size()));
-  }
-  report_contest(run.record, problem, time, contestants, {});
+  report_contest(run.record, problem, time,
+                 contest_all(problem, particles, setup.schemes, time, &front, [&](double done) { run.progress(0.5 + 0.5 * done); }));
 }
 
 }  // namespace seiche::validation

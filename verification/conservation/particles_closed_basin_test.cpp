@@ -24,17 +24,25 @@ TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conser
   ParticleFlow flow(dam_break(0, 50, 100, {2, 0}, {1, 0}, 500));
   for (int k = 0; k < 100000; ++k) flow.advance(0.01);
   const std::string resolution = "N = 500, tau = 0.01 s, 1e5 steps";
-  check.that({.id = "mass", .text = "Mass keeps every bit.", .quantity = "mass defect", .unit = "m^2", .source = source},
-             {.value = flow.mass_defect(), .resolution = resolution},
-             Roundoff{.operations = 0, .scale = 150, .reason = "masses are never written: no operation is rounded"});
-  check.that({.id = "length", .text = "The length keeps every bit.", .quantity = "length defect", .unit = "m",
+  check.that(
+      {.id = "mass", .text = "Mass keeps every bit.", .quantity = "mass defect", .unit = "m^2", .source = source},
+      {.value = flow.mass_defect(), .resolution = resolution},
+      Roundoff{.operations = 0, .scale = 150, .reason = "masses are never written: no operation is rounded"});
+  check.that({.id = "length",
+              .text = "The length keeps every bit.",
+              .quantity = "length defect",
+              .unit = "m",
               .source = source},
              {.value = flow.length() - 100, .resolution = resolution},
              Roundoff{.operations = 0, .scale = 100, .reason = "the edges at the walls move by exact zeros"});
-  check.that({.id = "momentum", .text = "Momentum minus the walls' impulses stays constant.",
-              .quantity = "momentum defect", .unit = "m^3/s", .source = source},
+  check.that({.id = "momentum",
+              .text = "Momentum minus the walls' impulses stays constant.",
+              .quantity = "momentum defect",
+              .unit = "m^3/s",
+              .source = source},
              {.value = flow.momentum_defect(), .resolution = resolution},
-             Roundoff{.operations = 1e5, .scale = 420,
+             Roundoff{.operations = 1e5,
+                      .scale = 420,
                       .reason = "one rounded update of the momenta per step; scale is the largest total |momentum|"});
   check.measure("hand-overs", static_cast<double>(flow.events().hand_overs));
   check.measure("adjacent jumps discarded", static_cast<double>(flow.events().adjacent_discarded));
@@ -47,9 +55,7 @@ TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
               "rounding, and no drift builds up over 1e4 steps.");
   const double root_pi = std::sqrt(std::acos(-1.0));
   const seiche::Bed bed = {[](double x) { return 0.3 * std::exp(-(x - 5) * (x - 5)) + 0.05 * std::sin(3 * x); },
-                           [=](double x) {
-                             return 0.15 * root_pi * std::erf(x - 5) - 0.05 / 3 * std::cos(3 * x);
-                           }};
+                           [=](double x) { return 0.15 * root_pi * std::erf(x - 5) - 0.05 / 3 * std::cos(3 * x); }};
   const Array edges = equal_width_edges(0, 10, 200);
   const Particles start = particles_from_primitives(
       edges, [&](double x) { return 0.8 * x - bed.primitive(x); }, [](double) { return 0.0; });
@@ -66,18 +72,30 @@ TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
   const std::string resolution = "N = 200, tau = 0.005 s, 1e4 steps";
   // The mean bed of a particle is a difference of primitives of size 8 over a width of 0.05: 2e-14 of surface, and
   // g times its slope (over the width) times the step is the velocity that starts.
-  check.that({.id = "velocity", .text = "No particle moves.", .quantity = "largest speed", .unit = "m/s",
+  check.that({.id = "velocity",
+              .text = "No particle moves.",
+              .quantity = "largest speed",
+              .unit = "m/s",
               .source = "Audusse et al., SIAM J. Sci. Comput. 25 (2004) 2050"},
              {.value = fastest, .resolution = resolution},
-             Roundoff{.operations = 1e4, .scale = 2.8,
+             Roundoff{.operations = 1e4,
+                      .scale = 2.8,
                       .reason = "one rounded balance of thrusts and bed per step; scale is the celerity"});
-  check.that({.id = "drift", .text = "No edge drifts.", .quantity = "largest displacement", .unit = "m",
-              .source = "Audusse et al., SIAM J. Sci. Comput. 25 (2004) 2050"},
-             {.value = drift, .resolution = resolution},
-             Roundoff{.operations = 1e4, .scale = 10, .reason = "one rounded displacement per step; scale is position"});
-  check.that({.id = "momentum", .text = "Momentum equals the booked impulses of ends and bed.",
-              .quantity = "momentum defect", .unit = "m^3/s", .source = source},
+  check.that(
+      {.id = "drift",
+       .text = "No edge drifts.",
+       .quantity = "largest displacement",
+       .unit = "m",
+       .source = "Audusse et al., SIAM J. Sci. Comput. 25 (2004) 2050"},
+      {.value = drift, .resolution = resolution},
+      Roundoff{.operations = 1e4, .scale = 10, .reason = "one rounded displacement per step; scale is position"});
+  check.that({.id = "momentum",
+              .text = "Momentum equals the booked impulses of ends and bed.",
+              .quantity = "momentum defect",
+              .unit = "m^3/s",
+              .source = source},
              {.value = flow.momentum_defect(), .resolution = resolution},
-             Roundoff{.operations = 1e4, .scale = 3.1 * 0.005 * 200,
+             Roundoff{.operations = 1e4,
+                      .scale = 3.1 * 0.005 * 200,
                       .reason = "one rounded sum of 200 reactions per step; scale is thrust times step times 200"});
 }

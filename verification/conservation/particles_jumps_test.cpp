@@ -31,14 +31,16 @@ Piston piston(double velocity) {
 template <class Exact>
 ProfileError reconstructed(const ParticleFlow& flow, const Exact& exact) {
   const double t = flow.time();
-  return reconstruction_error(flow.measured_profile(), [&](double x) { return exact.at(x, t); }, exact.breakpoints(t));
+  return reconstruction_error(
+      flow.measured_profile(), [&](double x) { return exact.at(x, t); }, exact.breakpoints(t));
 }
 
 // About a hundred rounded operations per particle and step reach each edge; velocities are differences of celerities.
 Roundoff rounding(double steps, double scale) {
-  return {.operations = 100 * steps,
-          .scale = scale,
-          .reason = "a hundred rounded operations per particle and step; scale is the celerity (depth) that is rounded"};
+  return {
+      .operations = 100 * steps,
+      .scale = scale,
+      .reason = "a hundred rounded operations per particle and step; scale is the celerity (depth) that is rounded"};
 }
 
 }  // namespace
@@ -72,25 +74,43 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
   }
   const std::string resolution = "N = 120, tau = 0.08 s, 100 steps";
   const ProfileError error = reconstructed(flow, exact);
-  check.that({.id = "depth", .text = "Reconstructed depth is exact.", .quantity = "L1 error of depth", .unit = "m",
+  check.that({.id = "depth",
+              .text = "Reconstructed depth is exact.",
+              .quantity = "L1 error of depth",
+              .unit = "m",
               .source = source + ", fig. 12"},
              {.value = error.depth.l1, .resolution = resolution}, rounding(steps, 2));
-  check.that({.id = "velocity", .text = "Reconstructed velocity is exact.", .quantity = "L1 error of velocity",
-              .unit = "m/s", .source = source + ", fig. 12"},
+  check.that({.id = "velocity",
+              .text = "Reconstructed velocity is exact.",
+              .quantity = "L1 error of velocity",
+              .unit = "m/s",
+              .source = source + ", fig. 12"},
              {.value = error.velocity.l1, .resolution = resolution}, rounding(steps, 5.4));
-  check.that({.id = "width", .text = "The jump is at most one particle wide.", .quantity = "particles in the jump",
+  check.that(
+      {.id = "width",
+       .text = "The jump is at most one particle wide.",
+       .quantity = "particles in the jump",
+       .source = source},
+      {.value = static_cast<double>(jump_width(flow.measured_profile(), 2, 1, 0, 200)), .resolution = resolution},
+      Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of a hand-over"});
+  check.that({.id = "bounds",
+              .text = "No depth outside the two exact depths in any step.",
+              .quantity = "largest excess",
+              .unit = "m",
               .source = source},
-             {.value = static_cast<double>(jump_width(flow.measured_profile(), 2, 1, 0, 200)), .resolution = resolution},
-             Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of a hand-over"});
-  check.that({.id = "bounds", .text = "No depth outside the two exact depths in any step.",
-              .quantity = "largest excess", .unit = "m", .source = source},
              {.value = outside, .resolution = resolution}, rounding(steps, 2));
-  check.that({.id = "momentum", .text = "Momentum changes by the impulses of the ends only.",
-              .quantity = "momentum defect", .unit = "m^3/s", .source = source},
-             {.value = flow.momentum_defect(), .resolution = resolution},
-             Roundoff{.operations = 100, .scale = 2000, .reason = "one rounded impulse per step; scale is the impulse"});
-  check.that({.id = "entropy", .text = "Energy falls at the rate of the jump relations at every instant.",
-              .quantity = "largest deviation of the energy lost", .unit = "m^4/s^2",
+  check.that(
+      {.id = "momentum",
+       .text = "Momentum changes by the impulses of the ends only.",
+       .quantity = "momentum defect",
+       .unit = "m^3/s",
+       .source = source},
+      {.value = flow.momentum_defect(), .resolution = resolution},
+      Roundoff{.operations = 100, .scale = 2000, .reason = "one rounded impulse per step; scale is the impulse"});
+  check.that({.id = "entropy",
+              .text = "Energy falls at the rate of the jump relations at every instant.",
+              .quantity = "largest deviation of the energy lost",
+              .unit = "m^4/s^2",
               .source = "Stoker, Water Waves (1957), ch. 10"},
              {.value = deviation, .resolution = resolution},
              Roundoff{.operations = 100, .scale = start, .reason = "one rounded work per step; scale is the energy"});
@@ -113,16 +133,27 @@ TEST_CASE("a bore reflects from a wall exactly, for ten particles as for a hundr
     const std::string n = fmt::format("_{}", count);
     const std::string resolution = fmt::format("N = {}, tau = {:g} s", count, 2.6 / steps);
     const ProfileError error = reconstructed(flow, exact);
-    check.that({.id = "wall_depth" + n, .text = "Depth at the wall after reflection.", .quantity = "depth",
-                .unit = "m", .source = source + ", fig. 15"},
+    check.that({.id = "wall_depth" + n,
+                .text = "Depth at the wall after reflection.",
+                .quantity = "depth",
+                .unit = "m",
+                .source = source + ", fig. 15"},
                {.value = flow.particles().depth(count - 1), .resolution = resolution},
-               Roundoff{.operations = 100.0 * steps, .scale = 1.45, .reason = "a hundred rounded operations a step",
+               Roundoff{.operations = 100.0 * steps,
+                        .scale = 1.45,
+                        .reason = "a hundred rounded operations a step",
                         .expected = exact.reflected_depth()});
-    check.that({.id = "depth" + n, .text = "Reconstructed depth is exact.", .quantity = "L1 error of depth",
-                .unit = "m", .source = source + ", fig. 15"},
+    check.that({.id = "depth" + n,
+                .text = "Reconstructed depth is exact.",
+                .quantity = "L1 error of depth",
+                .unit = "m",
+                .source = source + ", fig. 15"},
                {.value = error.depth.l1, .resolution = resolution}, rounding(steps, 1.45));
-    check.that({.id = "velocity" + n, .text = "Reconstructed velocity is exact.",
-                .quantity = "L1 error of velocity", .unit = "m/s", .source = source + ", fig. 15"},
+    check.that({.id = "velocity" + n,
+                .text = "Reconstructed velocity is exact.",
+                .quantity = "L1 error of velocity",
+                .unit = "m/s",
+                .source = source + ", fig. 15"},
                {.value = error.velocity.l1, .resolution = resolution}, rounding(steps, 3.8));
   }
 }
@@ -137,7 +168,10 @@ TEST_CASE("a stationary jump stays where it is", "[conservation]") {
   ParticleFlow flow(dam_break(0, 100, 105, {1, fast}, {2, slow}, 105), {piston(fast), piston(slow)});
   for (int k = 0; k < 100; ++k) flow.advance(0.08);
   const double error = reconstructed(flow, exact).depth.l1;
-  check.that({.id = "depth", .text = "Reconstructed depth is exact.", .quantity = "L1 error of depth", .unit = "m",
+  check.that({.id = "depth",
+              .text = "Reconstructed depth is exact.",
+              .quantity = "L1 error of depth",
+              .unit = "m",
               .source = source + ", fig. 18"},
              {.value = error, .resolution = "N = 105, tau = 0.08 s, 100 steps"}, rounding(100, 2));
 }
@@ -154,16 +188,23 @@ TEST_CASE("two bores collide exactly", "[conservation]") {
     flow.advance_to(exact.collision_time() + 2);
     const ProfileError error = reconstructed(flow, exact);
     const std::string resolution = fmt::format("N = {}, Courant 0.4", count);
-    check.that({.id = fmt::format("depth_{}", count), .text = "Reconstructed depth is exact after the collision.",
-                .quantity = "L1 error of depth", .unit = "m", .source = "Stoker, Water Waves (1957), ch. 10"},
-               {.value = error.depth.l1, .resolution = resolution},
-               rounding(static_cast<double>(flow.steps()), 2.7));
-    check.that({.id = fmt::format("velocity_{}", count), .text = "Reconstructed velocity is exact after the collision.",
-                .quantity = "L1 error of velocity", .unit = "m/s", .source = "Stoker, Water Waves (1957), ch. 10"},
+    check.that({.id = fmt::format("depth_{}", count),
+                .text = "Reconstructed depth is exact after the collision.",
+                .quantity = "L1 error of depth",
+                .unit = "m",
+                .source = "Stoker, Water Waves (1957), ch. 10"},
+               {.value = error.depth.l1, .resolution = resolution}, rounding(static_cast<double>(flow.steps()), 2.7));
+    check.that({.id = fmt::format("velocity_{}", count),
+                .text = "Reconstructed velocity is exact after the collision.",
+                .quantity = "L1 error of velocity",
+                .unit = "m/s",
+                .source = "Stoker, Water Waves (1957), ch. 10"},
                {.value = error.velocity.l1, .resolution = resolution},
                rounding(static_cast<double>(flow.steps()), 5.2));
-    check.that({.id = fmt::format("followed_{}", count), .text = "The collision was followed once.",
-                .quantity = "collisions followed", .source = source},
+    check.that({.id = fmt::format("followed_{}", count),
+                .text = "The collision was followed once.",
+                .quantity = "collisions followed",
+                .source = source},
                {.value = static_cast<double>(flow.events().collisions), .resolution = resolution},
                Bound{.limit = 0, .reason = "a count", .expected = 1});
   }
@@ -185,13 +226,21 @@ TEST_CASE("a dry front moves with the exact velocity for any number of particles
       if (flow.time() > 0.5) deviation = std::max(deviation, std::abs(flow.discharge(10) - exact.discharge_at_dam()));
     }
     const std::string resolution = fmt::format("N = {}, tau = {:g} s", count, 3.12 / steps);
-    check.that({.id = fmt::format("front_{}", count), .text = "Position of the front.", .quantity = "position",
-                .unit = "m", .source = "Ritter (1892)"},
+    check.that({.id = fmt::format("front_{}", count),
+                .text = "Position of the front.",
+                .quantity = "position",
+                .unit = "m",
+                .source = "Ritter (1892)"},
                {.value = flow.particles().edge.back(), .resolution = resolution},
-               Roundoff{.operations = static_cast<double>(steps), .scale = 29.5,
-                        .reason = "one rounded displacement per step", .expected = exact.front(3.12)});
-    check.that({.id = fmt::format("discharge_{}", count), .text = "Discharge at the dam after t = 0.5 s.",
-                .quantity = "largest deviation", .unit = "m^2/s", .source = source + ", fig. 8"},
+               Roundoff{.operations = static_cast<double>(steps),
+                        .scale = 29.5,
+                        .reason = "one rounded displacement per step",
+                        .expected = exact.front(3.12)});
+    check.that({.id = fmt::format("discharge_{}", count),
+                .text = "Discharge at the dam after t = 0.5 s.",
+                .quantity = "largest deviation",
+                .unit = "m^2/s",
+                .source = source + ", fig. 8"},
                {.value = deviation, .resolution = resolution},
                Bound{.limit = 1.0 / static_cast<double>(2 * count),
                      .reason = "the section lies in one of N particles of depth ~1/2: half a particle's share"});

@@ -38,27 +38,38 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
     forcing.bed = exact.bed();
     ParticleFlow flow(start, {prescribed(4.42, {}), prescribed({}, 2)}, forcing);
     flow.advance_to(40);
-    const auto error =
-        cell_error(flow.measured_profile(), [&](double x) { return exact.at(x); }, exact.breakpoints());
+    const auto error = cell_error(
+        flow.measured_profile(), [&](double x) { return exact.at(x); }, exact.breakpoints());
     sizes.push_back(25.0 / static_cast<double>(count));
     errors.push_back(error.depth.l1);
     const std::string resolution = fmt::format("N = {}, Courant 0.4", count);
-    check.that({.id = fmt::format("mass_{}", count), .text = "Mass equals what has passed the sections.",
-                .quantity = "mass defect", .unit = "m^2", .source = "conservation of mass"},
+    check.that({.id = fmt::format("mass_{}", count),
+                .text = "Mass equals what has passed the sections.",
+                .quantity = "mass defect",
+                .unit = "m^2",
+                .source = "conservation of mass"},
                {.value = flow.mass_defect(), .resolution = resolution},
-               Roundoff{.operations = 2.0 * static_cast<double>(flow.steps()), .scale = 50,
+               Roundoff{.operations = 2.0 * static_cast<double>(flow.steps()),
+                        .scale = 50,
                         .reason = "two rounded inflows per step; scale is the mass in the reach"});
-    check.that({.id = fmt::format("momentum_{}", count), .text = "Momentum equals the booked impulses.",
-                .quantity = "momentum defect", .unit = "m^3/s", .source = "conservation of momentum"},
+    check.that({.id = fmt::format("momentum_{}", count),
+                .text = "Momentum equals the booked impulses.",
+                .quantity = "momentum defect",
+                .unit = "m^3/s",
+                .source = "conservation of momentum"},
                {.value = flow.momentum_defect(), .resolution = resolution},
-               Roundoff{.operations = 3.0 * static_cast<double>(flow.steps()), .scale = 110,
+               Roundoff{.operations = 3.0 * static_cast<double>(flow.steps()),
+                        .scale = 110,
                         .reason = "three rounded impulses per step; scale is the momentum in the reach"});
   }
-  check.that({.id = "order", .text = "Depth converges with second order.", .quantity = "order of L1(h)",
+  check.that({.id = "order",
+              .text = "Depth converges with second order.",
+              .quantity = "order of L1(h)",
               .source = "Delestre et al., SWASHES, Int. J. Numer. Meth. Fluids 72 (2013) 269"},
              seiche::evidence::observed_order(sizes, errors),
-             Order{2, 0.5, "the ends of the bump have a kink in z', where the limited slopes are of first order over a "
-                           "region that shrinks with the width"});
+             Order{2, 0.5,
+                   "the ends of the bump have a kink in z', where the limited slopes are of first order over a "
+                   "region that shrinks with the width"});
   auto& panel = check.figure("convergence", "Error of the steady depth", "L1 error against particle width.")
                     .panel({.x = "particle width [m]", .y = "L1 error of h [m]", .log_x = true, .log_y = true});
   panel.points("particles", sizes, errors);

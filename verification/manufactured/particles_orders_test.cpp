@@ -51,32 +51,39 @@ TEST_CASE("a smooth simple wave converges with first (G1) and second order (M2, 
     for (const std::size_t count : {std::size_t{200}, std::size_t{400}, std::size_t{800}, std::size_t{1600}}) {
       Scheme scheme;
       scheme.level = level;
-      ParticleFlow flow(particles_from_profile(equal_width_edges(0, 20, count), depth,
-                                               [&](double x) { return 2 * (std::sqrt(gravity * depth(x)) - celerity); }),
-                        {}, {}, scheme);
+      ParticleFlow flow(
+          particles_from_profile(equal_width_edges(0, 20, count), depth,
+                                 [&](double x) { return 2 * (std::sqrt(gravity * depth(x)) - celerity); }),
+          {}, {}, scheme);
       flow.advance_to(0.9);
       sizes.push_back(20.0 / static_cast<double>(count));
-      errors.push_back(
-          cell_error(flow.measured_profile(), [&](double x) { return exact.at(x, 0.9); }, exact.breakpoints(0.9))
-              .depth.l1);
+      errors.push_back(cell_error(
+                           flow.measured_profile(), [&](double x) { return exact.at(x, 0.9); }, exact.breakpoints(0.9))
+                           .depth.l1);
     }
     const std::string name = level == Level::godunov ? "G1" : (level == Level::muscl ? "M2" : "H2");
     panel.points(name, sizes, errors);
     if (level == Level::godunov) {
-      check.that({.id = "order_G1", .text = "G1 is of first order.", .quantity = "order of L1(h)",
-                  .source = "Godunov (1959)"},
-                 observed_order(sizes, errors), Order{1, 0.2, "first order from below: wide particles smear the crest"});
+      check.that(
+          {.id = "order_G1", .text = "G1 is of first order.", .quantity = "order of L1(h)", .source = "Godunov (1959)"},
+          observed_order(sizes, errors), Order{1, 0.2, "first order from below: wide particles smear the crest"});
     } else {
-      check.that({.id = "order_" + name, .text = name + " is of second order.", .quantity = "order of L1(h)",
+      check.that({.id = "order_" + name,
+                  .text = name + " is of second order.",
+                  .quantity = "order of L1(h)",
                   .source = "van Leer (1979)"},
                  observed_order(sizes, errors),
-                 Order{2, 0.5, "the limiter drops to first order over a few particles at the crest, whose share of L1 "
-                               "shrinks faster than second order"});
+                 Order{2, 0.5,
+                       "the limiter drops to first order over a few particles at the crest, whose share of L1 "
+                       "shrinks faster than second order"});
     }
     if (level == Level::muscl) second_order = errors;
     if (level == Level::hand_over) {
-      check.that({.id = "same", .text = "No smooth compression is taken for a jump.",
-                  .quantity = "difference of the errors of H2 and M2", .unit = "m", .source = "definition of H2"},
+      check.that({.id = "same",
+                  .text = "No smooth compression is taken for a jump.",
+                  .quantity = "difference of the errors of H2 and M2",
+                  .unit = "m",
+                  .source = "definition of H2"},
                  {.value = errors.back() - second_order.back(), .resolution = "N = 1600"},
                  Bound{.limit = 0, .reason = "without a jump both run the same operations"});
     }
@@ -91,7 +98,8 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
   std::vector<double> sizes;
   std::vector<double> edge_errors;
   std::vector<double> velocity_errors;
-  for (const std::size_t count : {std::size_t{160}, std::size_t{240}, std::size_t{360}, std::size_t{540}, std::size_t{720}}) {
+  for (const std::size_t count :
+       {std::size_t{160}, std::size_t{240}, std::size_t{360}, std::size_t{540}, std::size_t{720}}) {
     Particles start;
     start.edge = equal_width_edges(0, 1, count);
     const Array labels = start.edge;
@@ -116,18 +124,28 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
     edge_errors.push_back(edge);
     velocity_errors.push_back(velocity);
     if (count == 160) {
-      check.that({.id = "momentum", .text = "Momentum equals the impulses of walls and source.",
-                  .quantity = "momentum defect", .unit = "m^3/s", .source = "conservation of momentum"},
+      check.that({.id = "momentum",
+                  .text = "Momentum equals the impulses of walls and source.",
+                  .quantity = "momentum defect",
+                  .unit = "m^3/s",
+                  .source = "conservation of momentum"},
                  {.value = flow.momentum_defect(), .resolution = "N = 160"},
-                 seiche::evidence::Roundoff{.operations = static_cast<double>(flow.steps()), .scale = 4.9,
+                 seiche::evidence::Roundoff{.operations = static_cast<double>(flow.steps()),
+                                            .scale = 4.9,
                                             .reason = "one rounded impulse per step; scale is the walls' thrust"});
     }
   }
-  check.that({.id = "edges", .text = "Edges converge with second order.", .quantity = "order of L1(x)",
+  check.that({.id = "edges",
+              .text = "Edges converge with second order.",
+              .quantity = "order of L1(x)",
               .source = "method of manufactured solutions"},
-             observed_order(sizes, edge_errors), Order{2, 0.5, "approaches 2 from below (1.65, 1.83, 1.91 from 160 to 1280): errors of the limited "
-                           "extrema and of the rest cancel on coarse rows"});
-  check.that({.id = "velocities", .text = "Velocities converge with second order.", .quantity = "order of L1(u)",
+             observed_order(sizes, edge_errors),
+             Order{2, 0.5,
+                   "approaches 2 from below (1.65, 1.83, 1.91 from 160 to 1280): errors of the limited "
+                   "extrema and of the rest cancel on coarse rows"});
+  check.that({.id = "velocities",
+              .text = "Velocities converge with second order.",
+              .quantity = "order of L1(u)",
               .source = "method of manufactured solutions"},
              observed_order(sizes, velocity_errors),
              Order{2, 0.5, "approaches 2 from above: the limited extrema shrink with the width"});
@@ -170,14 +188,19 @@ TEST_CASE("a planar surface in a parabolic bowl keeps its shoreline", "[manufact
     sizes.push_back(2.0 / static_cast<double>(count));
     errors.push_back(error);
     if (count == 200) {
-      check.that({.id = "shoreline", .text = "No edge, shorelines included, is off by more than 1e-5 m in 3 periods.",
-                  .quantity = "largest error of an edge", .unit = "m", .source = "Thacker, JFM 107 (1981) 499"},
+      check.that({.id = "shoreline",
+                  .text = "No edge, shorelines included, is off by more than 1e-5 m in 3 periods.",
+                  .quantity = "largest error of an edge",
+                  .unit = "m",
+                  .source = "Thacker, JFM 107 (1981) 499"},
                  {.value = error, .resolution = "N = 200, equal masses, Courant 0.4"},
                  Bound{.limit = 1e-5,
                        .reason = "1/2 6 pi (omega tau)^2/24 with tau = 1.2e-3 s is 5.6e-6 m; twice that is allowed"});
     }
   }
-  check.that({.id = "order", .text = "The error falls with the square of the step.", .quantity = "order",
+  check.that({.id = "order",
+              .text = "The error falls with the square of the step.",
+              .quantity = "order",
               .source = "Thacker, JFM 107 (1981) 499"},
              observed_order(sizes, errors), Order{2, 0.35, "the phase error of the leapfrog map"});
 }
@@ -198,18 +221,24 @@ TEST_CASE("dam breaks converge and the exact start halves their error", "[manufa
         highest = std::max(highest, flow.particles().depth(i));
       }
     }
-    const auto error =
-        cell_error(flow.measured_profile(), [&](double x) { return exact.at(x, 6); }, exact.breakpoints(6));
+    const auto error = cell_error(
+        flow.measured_profile(), [&](double x) { return exact.at(x, 6); }, exact.breakpoints(6));
     const std::string id = low < 0.3 ? "0_1" : "0_5";
     const std::string resolution = "N = 200, Courant 0.4";
-    check.that({.id = "error_" + id, .text = fmt::format("Depth error for h0/h1 = {}.", low),
-                .quantity = "mean-value L1 error", .unit = "m", .source = "Stoker, Water Waves (1957)"},
+    check.that({.id = "error_" + id,
+                .text = fmt::format("Depth error for h0/h1 = {}.", low),
+                .quantity = "mean-value L1 error",
+                .unit = "m",
+                .source = "Stoker, Water Waves (1957)"},
                {.value = error.depth.l1, .resolution = resolution},
                Bound{.limit = low < 0.3 ? 1.0e-3 : 5.0e-4,
                      .reason = "the error of today's MUSCL-HLL finite volumes on 200 cells is 1.5e-3 (0.1) and 1.7e-3 "
                                "(0.5): two thirds and a third of it"});
-    check.that({.id = "bounds_" + id, .text = "No depth outside the exact range in any step.",
-                .quantity = "largest excess", .unit = "m", .source = "maximum principle of the exact solution"},
+    check.that({.id = "bounds_" + id,
+                .text = "No depth outside the exact range in any step.",
+                .quantity = "largest excess",
+                .unit = "m",
+                .source = "maximum principle of the exact solution"},
                {.value = std::max(low - lowest, highest - 1), .resolution = resolution},
                Bound{.limit = 1e-5, .reason = "a hand-over may round a mean beside a fan by its second difference"});
   }

@@ -17,7 +17,9 @@ using seiche::verification::Check;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-Particles still_water(std::size_t count = 10) { return uniform_stretches({{0, 10, {1, 0}}}, count); }
+Particles still_water(std::size_t count = 10) {
+  return uniform_stretches({{0, 10, {1, 0}}}, count);
+}
 
 // The message of the std::invalid_argument that `action` must throw; empty when it does not.
 template <class Action>
@@ -81,7 +83,9 @@ TEST_CASE("bad particles, ends and steps are refused with their name", "[robustn
     forcing.bed = seiche::Bed{[](double x) { return x; }, [](double x) { return x; }};
     ParticleFlow flow(still_water(), {}, forcing);
   });
-  refused("piston", "A piston without a velocity.", "piston", [] { ParticleFlow flow(still_water(), {Piston{}, Wall{}}); });
+  refused("piston", "A piston without a velocity.", "piston", [] {
+    ParticleFlow flow(still_water(), {Piston{}, Wall{}});
+  });
   refused("tau_zero", "A step of length zero.", "tau", [] { ParticleFlow(still_water()).advance(0); });
   refused("tau_celerity", "A step beyond the celerity limit names the particle.", "celerity",
           [] { ParticleFlow(still_water()).advance(1); });
@@ -114,11 +118,15 @@ TEST_CASE("a breakdown stops with time, step and place", "[robustness]") {
     place = error.place();
     step = error.step();
   }
-  check.that({.id = "stopped", .text = "The run stops at the first bad value.", .quantity = "Divergence thrown",
+  check.that({.id = "stopped",
+              .text = "The run stops at the first bad value.",
+              .quantity = "Divergence thrown",
               .source = "interface of the model"},
              {.value = stopped && step == 2 ? 1.0 : 0.0},
              Qualitative{"seiche::Divergence after 2 complete steps", "nothing may be computed from a NaN"});
-  check.that({.id = "place", .text = "It says where.", .quantity = "place inside the region of the bad force",
+  check.that({.id = "place",
+              .text = "It says where.",
+              .quantity = "place inside the region of the bad force",
               .source = "interface of the model"},
              {.value = place >= 5 && place <= 10 ? 1.0 : 0.0},
              Qualitative{"place within the stencil of x > 7", "the message must lead to the cause"});

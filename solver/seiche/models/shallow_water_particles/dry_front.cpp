@@ -15,8 +15,7 @@ double tip_velocity_ratio(double exponent) {
 }
 
 TipProfile tip_profile(double gravity, shallow_water::State mean, double front_velocity, double highest) {
-  const double ratio =
-      (front_velocity - mean.velocity) / (2 * shallow_water::celerity(gravity, mean.depth));
+  const double ratio = (front_velocity - mean.velocity) / (2 * shallow_water::celerity(gravity, mean.depth));
   double low = 0;
   double high = 2;
   if (ratio <= tip_velocity_ratio(low)) {

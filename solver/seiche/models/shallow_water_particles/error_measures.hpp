@@ -2,7 +2,8 @@
 ///
 ///   cell  mean-value error per particle or cell: |mean - exact mean|. The one for orders of convergence.
 ///   rec   reconstruction against exact, pointwise: what a user of the reconstructed profile gets.
-///   pc    piecewise constant against exact: the only one comparable with a picture of rectangles; its Linf at a jump is
+///   pc    piecewise constant against exact: the only one comparable with a picture of rectangles; its Linf at a jump
+///   is
 ///         of the size of the jump for every scheme.
 ///
 /// L1 and L2 are divided by the length (its root); means of velocity are mass means.
@@ -40,7 +41,8 @@ struct MeasuredProfile {
 
 /// `breaks`: positions of discontinuities and kinks of the exact profile; integrals are split there and are otherwise
 /// sums of 32 or more points per cell, exact up to quadrature error. Velocity counts where the exact depth is positive.
-ProfileError cell_error(const MeasuredProfile& profile, const ExactProfile& exact, const std::vector<double>& breaks = {});
+ProfileError cell_error(const MeasuredProfile& profile, const ExactProfile& exact,
+                        const std::vector<double>& breaks = {});
 ProfileError piecewise_constant_error(const MeasuredProfile& profile, const ExactProfile& exact,
                                       const std::vector<double>& breaks = {});
 /// Throws std::invalid_argument without a reconstruction.

@@ -9,7 +9,9 @@ using shallow_water::star_state;
 using shallow_water::thrust;
 using shallow_water::two_rarefaction_depth;
 
-double InteriorJump::size() const { return std::abs(behind.depth - ahead.depth); }
+double InteriorJump::size() const {
+  return std::abs(behind.depth - ahead.depth);
+}
 
 Structure structure_of(const InteriorJump& jump) {
   Structure s;
@@ -60,7 +62,8 @@ std::optional<InteriorJump> jump_between(double gravity, State left, State mean,
   return jump;
 }
 
-void hand_over(double gravity, const InteriorJump& jump, double mass, double tau, double& velocity, double& edge_thrust) {
+void hand_over(double gravity, const InteriorJump& jump, double mass, double tau, double& velocity,
+               double& edge_thrust) {
   const double by_volume = (1 - jump.behind_by_volume) * mass / jump.mass_flux;
   const double by_momentum = (1 - jump.behind_by_momentum) * mass / jump.mass_flux;
   if (jump.leaves_through_wall) {
@@ -74,8 +77,7 @@ void hand_over(double gravity, const InteriorJump& jump, double mass, double tau
   }
   if (by_volume < tau) velocity = (velocity * by_volume + jump.behind.velocity * (tau - by_volume)) / tau;
   if (by_momentum < tau) {
-    edge_thrust =
-        (edge_thrust * by_momentum + thrust(gravity, jump.behind.depth) * (tau - by_momentum)) / tau;
+    edge_thrust = (edge_thrust * by_momentum + thrust(gravity, jump.behind.depth) * (tau - by_momentum)) / tau;
   }
 }
 

@@ -31,7 +31,7 @@ struct InteriorJump {
   double behind_by_momentum = 0;  ///< the same from its momentum; equal for an isolated jump
   double mass_flux = 0;           ///< mass swept per unit time [m^2/s]
   bool leaves_through_wall = false;
-  State reflected;                ///< state behind the reflected jump, when it leaves through a wall
+  State reflected;  ///< state behind the reflected jump, when it leaves through a wall
 
   [[nodiscard]] double size() const;
   [[nodiscard]] State at_left() const { return facing == Facing::right ? behind : ahead; }

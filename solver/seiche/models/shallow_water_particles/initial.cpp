@@ -153,9 +153,9 @@ Particles bore(double gravity, double start, double jump, double end, double beh
   require_positive("gravity", gravity);
   require_positive("depth ahead", ahead);
   if (!(behind > ahead)) {
-    throw std::invalid_argument(fmt::format(
-        "depth behind the bore = {:g} must exceed the depth ahead = {:g}: an expansion jump gains energy", behind,
-        ahead));
+    throw std::invalid_argument(
+        fmt::format("depth behind the bore = {:g} must exceed the depth ahead = {:g}: an expansion jump gains energy",
+                    behind, ahead));
   }
   const double velocity = shallow_water::velocity_change(gravity, behind, ahead);
   return dam_break(start, jump, end, {behind, velocity}, {ahead, 0}, count, equal_masses);

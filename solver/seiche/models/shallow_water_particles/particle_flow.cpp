@@ -42,7 +42,9 @@ ParticleFlow::ParticleFlow(Particles initial, Ends ends, Forcing forcing, Scheme
 }
 
 void ParticleFlow::find_starts() {
-  if (scheme_.self_similar_particles == 0 || scheme_.level == Level::godunov || forcing_.bed || forcing_.manning > 0 || forcing_.body_force) return;
+  if (scheme_.self_similar_particles == 0 || scheme_.level == Level::godunov || forcing_.bed || forcing_.manning > 0 ||
+      forcing_.body_force)
+    return;
   const auto same = [&](std::size_t i, std::size_t j) {
     constexpr double tolerance = 1e-12;
     return std::abs(depth_[i] - depth_[j]) <= tolerance * depth_[i] &&
@@ -291,11 +293,10 @@ Reconstruction ParticleFlow::reconstruction() const {
       double start = left;
       for (int k = 0; k < s->count; ++k) {
         const Layer& layer = s->layers[static_cast<std::size_t>(k)];
-        const double stop =
-            k + 1 == s->count ? right : start + layer.mass_fraction * now_.mass[i] / layer.state.depth;
+        const double stop = k + 1 == s->count ? right : start + layer.mass_fraction * now_.mass[i] / layer.state.depth;
         if (!(stop > start)) continue;
-        pieces.push_back({start, stop, layer.state.depth, layer.state.depth, layer.state.velocity,
-                          layer.state.velocity, std::nullopt, true});
+        pieces.push_back({start, stop, layer.state.depth, layer.state.depth, layer.state.velocity, layer.state.velocity,
+                          std::nullopt, true});
         start = stop;
       }
     } else if (tip) {
@@ -304,8 +305,8 @@ Reconstruction ParticleFlow::reconstruction() const {
       const EdgePair e = edges_of(i, 0);
       const double bed_left = forcing_.bed ? bed_edge_[i] : 0;
       const double bed_right = forcing_.bed ? bed_edge_[i + 1] : 0;
-      pieces.push_back({left, right, e.h_left + bed_left, e.h_right + bed_right, e.u_left, e.u_right, std::nullopt,
-                        true});
+      pieces.push_back(
+          {left, right, e.h_left + bed_left, e.h_right + bed_right, e.u_left, e.u_right, std::nullopt, true});
     }
   }
   return {forcing_.gravity, std::move(pieces), forcing_.bed};

@@ -25,7 +25,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "seiche/models/shallow_water_particles/collision.hpp"
@@ -46,7 +46,7 @@ namespace seiche::shallow_water_particles {
 struct StepLimit {
   double tau = std::numeric_limits<double>::infinity();
   std::size_t particle = 0;
-  std::string reason;  ///< "celerity", "jump in the particle", "edges would cross"
+  std::string_view reason;  ///< "celerity", "jump in the particle", "edges would cross"
 };
 
 /// Counters of events that a report may want.
@@ -195,9 +195,9 @@ class ParticleFlow {
   Array edge_velocity_;
   Array edge_thrust_;
   Array reaction_;
-  Array old_velocity_;  // for friction
+  Array old_velocity_;        // for friction
   double celerity_rate_ = 0;  // max c/w
-  double closing_rate_ = 0;  // max (u_i - u_(i+1))/w_i
+  double closing_rate_ = 0;   // max (u_i - u_(i+1))/w_i
 
   std::vector<InteriorJump> jumps_;
   std::vector<Structure> structures_;

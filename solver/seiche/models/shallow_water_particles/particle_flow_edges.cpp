@@ -109,8 +109,7 @@ EdgePair ParticleFlow::edges_of(std::size_t i, double half_step) const {
   if (forcing_.bed) {
     now = edges_on_bed(i, s);
     // Thrusts and bed reaction of a linear surface add up to its slope; predict() adds the thrusts.
-    const double surface_slope =
-        ((now.h_right + bed_edge_[i + 1]) - (now.h_left + bed_edge_[i])) * inv_width_[i];
+    const double surface_slope = ((now.h_right + bed_edge_[i + 1]) - (now.h_left + bed_edge_[i])) * inv_width_[i];
     a -= forcing_.gravity * surface_slope +
          0.5 * forcing_.gravity * inv_mass_[i] * (now.h_left - now.h_right) * (now.h_left + now.h_right);
   } else {
@@ -118,9 +117,8 @@ EdgePair ParticleFlow::edges_of(std::size_t i, double half_step) const {
     const double du = 0.5 * s.velocity * width;
     now = {h - dh, h + dh, u - du, u + du};
   }
-  EdgePair half = scheme_.level == Level::godunov
-                      ? now
-                      : predict(forcing_.gravity, now, width, inv_mass_[i], half_step, a);
+  EdgePair half =
+      scheme_.level == Level::godunov ? now : predict(forcing_.gravity, now, width, inv_mass_[i], half_step, a);
   // A fixed section sees the water pass: undo the half step along the path of the edge.
   const double depth_slope = (now.h_right - now.h_left) * inv_width_[i];
   if (i == 0 && end_is<Open>(side(false))) {
@@ -148,11 +146,16 @@ void ParticleFlow::predict_edges(double tau, std::size_t first, std::size_t last
     return;
   }
   const std::size_t count = now_.size();
-  const PredictionRow row = {now_.edge.data(),           depth_.data(),
-                             now_.velocity.data(),       inv_mass_.data(),
-                             values_.left_depth.data(),  values_.right_depth.data(),
-                             values_.left_velocity.data(), values_.right_velocity.data(),
-                             forcing_.gravity,           scheme_.theta,
+  const PredictionRow row = {now_.edge.data(),
+                             depth_.data(),
+                             now_.velocity.data(),
+                             inv_mass_.data(),
+                             values_.left_depth.data(),
+                             values_.right_depth.data(),
+                             values_.left_velocity.data(),
+                             values_.right_velocity.data(),
+                             forcing_.gravity,
+                             scheme_.theta,
                              0.5 * tau};
   predict_row(row, std::max<std::size_t>(first, 1), std::min(last, count - 1));
   // Ends, particles that hold a jump, and neighbours of both are not plain.
@@ -171,9 +174,14 @@ void ParticleFlow::predict_edges(double tau, std::size_t first, std::size_t last
 
 void ParticleFlow::solve_edges(double tau) {
   const std::size_t count = now_.size();
-  const EdgeRow row = {values_.left_depth.data(),  values_.right_depth.data(),  values_.left_velocity.data(),
-                       values_.right_velocity.data(), edge_velocity_.data(),     edge_thrust_.data(),
-                       forcing_.gravity,           scheme_.newton_steps};
+  const EdgeRow row = {values_.left_depth.data(),
+                       values_.right_depth.data(),
+                       values_.left_velocity.data(),
+                       values_.right_velocity.data(),
+                       edge_velocity_.data(),
+                       edge_thrust_.data(),
+                       forcing_.gravity,
+                       scheme_.newton_steps};
   // Prediction and Riemann problems of one stretch after the other: edge values stay in the cache.
   constexpr std::size_t stretch = 2048;
   std::size_t solved = 1;
@@ -246,8 +254,8 @@ void ParticleFlow::react_bed(double tau) {
     const double surface_rise = (h_right + bed_edge_[i + 1]) - (h_left + bed_edge_[i]);
     // -int g h z_x dx of a linear surface, free of cancellation: exactly zero on a flat bed, exactly opposite to the
     // difference of the edge thrusts at rest.
-    reaction_[i] = forcing_.gravity * (surface_rise * (mean - 0.5 * (bed_edge_[i] + bed_edge_[i + 1])) -
-                                       0.5 * rise * (h_left + h_right));
+    reaction_[i] = forcing_.gravity *
+                   (surface_rise * (mean - 0.5 * (bed_edge_[i] + bed_edge_[i + 1])) - 0.5 * rise * (h_left + h_right));
   }
 }
 

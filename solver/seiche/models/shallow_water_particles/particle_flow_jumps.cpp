@@ -28,9 +28,8 @@ void ParticleFlow::detect_jumps() {
                                    }),
                     collisions_.end());
   const auto followed = [&](std::size_t i) {
-    return std::any_of(collisions_.begin(), collisions_.end(), [&](const Collision& c) {
-      return i + 1 >= c.left_particle() && i <= c.right_particle() + 1;
-    });
+    return std::any_of(collisions_.begin(), collisions_.end(),
+                       [&](const Collision& c) { return i + 1 >= c.left_particle() && i <= c.right_particle() + 1; });
   };
 
   const auto difference = [&](std::size_t a, std::size_t b) { return std::abs(depth_[a] - depth_[b]); };

@@ -17,10 +17,8 @@ struct CacheLineAllocator {
   CacheLineAllocator() = default;
   template <class U>
   explicit CacheLineAllocator(const CacheLineAllocator<U>& /*other*/) {}
-  T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new(count * sizeof(T), std::align_val_t{64}));
-  }
-  void deallocate(T* data, std::size_t /*count*/) { ::operator delete(data, std::align_val_t{64}); }
+  T* allocate(std::size_t count) { return static_cast<T*>(::operator new (count * sizeof(T), std::align_val_t{64})); }
+  void deallocate(T* data, std::size_t /*count*/) { ::operator delete (data, std::align_val_t{64}); }
   template <class U>
   bool operator==(const CacheLineAllocator<U>& /*other*/) const {
     return true;

@@ -2,8 +2,8 @@
 ///
 /// A dam break starts inside one edge; until its waves span several particles no reconstruction can see them, and the
 /// error of these first steps travels along the corners of the fan for ever. The discontinuity of two uniform states
-/// has a self-similar solution, a function of mass/time in mass coordinates, so edge velocity and thrust averaged over a
-/// step are known in closed form. They are used until the fan spans the given number of particles or a wave reaches
+/// has a self-similar solution, a function of mass/time in mass coordinates, so edge velocity and thrust averaged over
+/// a step are known in closed form. They are used until the fan spans the given number of particles or a wave reaches
 /// water that is not uniform; then the method goes on by itself.
 ///
 /// When not to use it: with bed, friction or body force, where no centred solution exists (ParticleFlow ignores it).
@@ -50,7 +50,7 @@ class SelfSimilarStart {
   std::size_t edge_;
   std::size_t first_;
   std::size_t last_;
-  Wave left_{};   // mirrored
+  Wave left_{};  // mirrored
   Wave right_{};
   shallow_water::State star_{};
 };
