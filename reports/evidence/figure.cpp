@@ -7,7 +7,9 @@
 namespace seiche::evidence {
 namespace {
 
-std::vector<double> copy(std::span<const double> values) { return {values.begin(), values.end()}; }
+std::vector<double> copy(std::span<const double> values) {
+  return {values.begin(), values.end()};
+}
 
 }  // namespace
 

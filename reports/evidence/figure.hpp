@@ -63,8 +63,8 @@ class Figure {
   std::string id;
   std::string title;
   std::string caption;
-  std::vector<std::string> atlas;   ///< tiles of the atlas that this figure fills
-  std::string drawing = "panels";   ///< name of the function in reports/render that draws it
+  std::vector<std::string> atlas;  ///< tiles of the atlas that this figure fills
+  std::string drawing = "panels";  ///< name of the function in reports/render that draws it
 
   Figure(std::string figure_id, std::string figure_title, std::string figure_caption, std::vector<std::string> tiles)
       : id(std::move(figure_id)),

@@ -18,8 +18,8 @@ struct GridConvergence {
   std::string note;
 };
 
-/// Fits value(h) = extrapolated + a h^p by least squares over all resolutions and returns 1.25 (well-behaved order) or 3
-/// times the remaining error plus the scatter of the fit, for the finest mesh.
+/// Fits value(h) = extrapolated + a h^p by least squares over all resolutions and returns 1.25 (well-behaved order) or
+/// 3 times the remaining error plus the scatter of the fit, for the finest mesh.
 ///
 /// With exactly three resolutions the fit is exact (Richardson extrapolation) and the result is the grid convergence
 /// index. An observed order outside [0.5, theory + 0.5] is not trusted: the theoretical order replaces one that is

@@ -53,8 +53,8 @@ ObservedOrder observed_order(const std::vector<double>& sizes, const std::vector
   double cov_slope = 0;
   double residual = 0;
   const std::size_t n = log_size.size();
-  gsl_fit_linear(log_size.data(), 1, log_error.data(), 1, n, &intercept, &slope, &cov_intercept, &cov_mixed,
-                 &cov_slope, &residual);
+  gsl_fit_linear(log_size.data(), 1, log_error.data(), 1, n, &intercept, &slope, &cov_intercept, &cov_mixed, &cov_slope,
+                 &residual);
   result.order = slope;
   result.half_width = gsl_cdf_tdist_Pinv(0.975, static_cast<double>(n - 2)) * std::sqrt(cov_slope);
   return result;

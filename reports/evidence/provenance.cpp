@@ -8,13 +8,13 @@
 #include <thread>
 
 #include <H5public.h>
-#include <boost/version.hpp>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <gsl/gsl_version.h>
-#include <nlohmann/json.hpp>
 #include <openssl/evp.h>
 #include <sys/utsname.h>
+#include <boost/version.hpp>
+#include <nlohmann/json.hpp>
 
 #include "reports/evidence/build_facts.hpp"
 #include "seiche/io/atomic_file.hpp"
@@ -53,14 +53,14 @@ Provenance provenance() {
       {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
       {"GSL", GSL_VERSION},
       {"HDF5", H5_VERS_INFO},
-      {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
-                                    NLOHMANN_JSON_VERSION_PATCH)}};
+      {"nlohmann-json",
+       fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
   p.processor = processor_name();
   p.cores = static_cast<int>(std::thread::hardware_concurrency());
   p.threads = 1;
   p.system = system_name();
-  p.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                       std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
+  p.date =
+      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
   return p;
 }
 
@@ -78,6 +78,8 @@ std::string sha256(std::string_view bytes) {
   return text;
 }
 
-std::string sha256_of_file(const std::filesystem::path& path) { return sha256(io::read_file(path)); }
+std::string sha256_of_file(const std::filesystem::path& path) {
+  return sha256(io::read_file(path));
+}
 
 }  // namespace seiche::evidence

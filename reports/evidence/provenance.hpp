@@ -10,17 +10,17 @@ namespace seiche::evidence {
 /// Where a record comes from: code, tools and machine.
 struct Provenance {
   std::string version;
-  std::string commit;      ///< "unknown" outside a git checkout
-  bool dirty = false;      ///< the checkout had uncommitted changes when it was built
+  std::string commit;  ///< "unknown" outside a git checkout
+  bool dirty = false;  ///< the checkout had uncommitted changes when it was built
   std::string compiler;
   std::string flags;
   std::string build_type;
   std::map<std::string, std::string> libraries;
   std::string processor;
   int cores = 0;
-  int threads = 0;         ///< threads one case may use
+  int threads = 0;  ///< threads one case may use
   std::string system;
-  std::string date;        ///< now, ISO 8601, UTC
+  std::string date;  ///< now, ISO 8601, UTC
 };
 
 /// The facts about this executable and this machine.

@@ -64,19 +64,20 @@ Table& Record::table(Table table) {
   require_identifier("table id", table.id);
   for (const auto& row : table.rows) {
     if (row.size() != table.columns.size()) {
-      throw std::invalid_argument(fmt::format("table '{}': a row has {} entries, must have {}", table.id, row.size(),
-                                              table.columns.size()));
+      throw std::invalid_argument(
+          fmt::format("table '{}': a row has {} entries, must have {}", table.id, row.size(), table.columns.size()));
     }
   }
   return tables_.emplace_back(std::move(table));
 }
 
 bool Record::as_declared() const {
-  return error.empty() && std::all_of(claims_.begin(), claims_.end(), [](const JudgedClaim& c) {
-    return c.judgement.verdict == c.declared;
-  });
+  return error.empty() && std::all_of(claims_.begin(), claims_.end(),
+                                      [](const JudgedClaim& c) { return c.judgement.verdict == c.declared; });
 }
 
-std::string Record::stem() const { return solver == "seiche" ? name : name + "." + solver; }
+std::string Record::stem() const {
+  return solver == "seiche" ? name : name + "." + solver;
+}
 
 }  // namespace seiche::evidence

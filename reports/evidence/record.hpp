@@ -65,20 +65,20 @@ struct Snapshot {
 class Record {
  public:
   // Identity, set by whoever owns the record.
-  std::string name;                   ///< case or check: [a-z0-9_]+, also the file's name
-  std::string kind = "validation";    ///< or "verification"
-  std::string group;                  ///< phenomenon or room
+  std::string name;                 ///< case or check: [a-z0-9_]+, also the file's name
+  std::string kind = "validation";  ///< or "verification"
+  std::string group;                ///< phenomenon or room
   std::string tier = "quick";
   std::string solver = "seiche";
   std::string title;
   std::string source;
-  std::string article;                ///< Markdown with $formulas$
-  std::vector<std::string> atlas;     ///< tiles filled by the record as a whole
+  std::string article;             ///< Markdown with $formulas$
+  std::vector<std::string> atlas;  ///< tiles filled by the record as a whole
   std::map<std::string, ParameterValue> parameters;
   double wall_time = 0;
-  std::string fingerprint;            ///< of executable, case, tier and parameters: equal means it need not run again
+  std::string fingerprint;  ///< of executable, case, tier and parameters: equal means it need not run again
   std::map<std::string, std::string> reference_data;  ///< path of every reference table read -> SHA-256
-  std::string error;                  ///< why the run did not finish; empty if it did
+  std::string error;                                  ///< why the run did not finish; empty if it did
 
   /// Judges a measurement and keeps the result. A claim judged again under the same id keeps its worst verdict.
   Verdict check(const Claim& claim, const Measurement& measurement, const Criterion& criterion);

@@ -10,14 +10,18 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// JSON has no NaN and no infinity: null stands for a number that is not there.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 template <class... Types>
 Json any(const std::variant<Types...>& value) {
   return std::visit(
       [](const auto& v) -> Json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>) return number(v);
-        else return Json(v);
+        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>)
+          return number(v);
+        else
+          return Json(v);
       },
       value);
 }
@@ -28,7 +32,9 @@ Json describe(const Roundoff& c) {
 Json describe(const Order& c) {
   return {{"kind", "order"}, {"reason", c.reason}, {"theory", c.theory}, {"tolerance", c.tolerance}};
 }
-Json describe(const Bound& c) { return {{"kind", "bound"}, {"reason", c.reason}, {"relative", c.relative}}; }
+Json describe(const Bound& c) {
+  return {{"kind", "bound"}, {"reason", c.reason}, {"relative", c.relative}};
+}
 Json describe(const Uncertainty& c) {
   return {{"kind", "uncertainty"}, {"reason", c.reason},     {"data", c.data},
           {"input", c.input},      {"coverage", c.coverage}, {"useful", number(c.useful)}};
@@ -66,15 +72,23 @@ Json describe(const Table& table) {
     for (const auto& cell : row) cells.push_back(any(cell));
     rows.push_back(std::move(cells));
   }
-  return {{"id", table.id},       {"title", table.title}, {"caption", table.caption},
-          {"columns", columns},   {"rows", rows},         {"atlas", table.atlas}};
+  return {{"id", table.id},     {"title", table.title}, {"caption", table.caption},
+          {"columns", columns}, {"rows", rows},         {"atlas", table.atlas}};
 }
 
 Json describe(const Provenance& p, const std::map<std::string, std::string>& reference_data) {
-  return {{"version", p.version},   {"commit", p.commit},       {"dirty", p.dirty},
-          {"compiler", p.compiler}, {"flags", p.flags},         {"build_type", p.build_type},
-          {"libraries", p.libraries}, {"processor", p.processor}, {"cores", p.cores},
-          {"threads", p.threads},   {"system", p.system},       {"date", p.date},
+  return {{"version", p.version},
+          {"commit", p.commit},
+          {"dirty", p.dirty},
+          {"compiler", p.compiler},
+          {"flags", p.flags},
+          {"build_type", p.build_type},
+          {"libraries", p.libraries},
+          {"processor", p.processor},
+          {"cores", p.cores},
+          {"threads", p.threads},
+          {"system", p.system},
+          {"date", p.date},
           {"reference_data", Json(reference_data.empty() ? Json::object() : Json(reference_data))}};
 }
 
@@ -92,8 +106,8 @@ std::string to_json(const Record& record) {
   for (const auto& [quantity, value] : record.measurements()) measurements[quantity] = number(value);
   Json figures = Json::array();
   for (const Figure& f : record.figures()) {
-    figures.push_back({{"id", f.id}, {"title", f.title}, {"caption", f.caption}, {"drawing", f.drawing},
-                       {"atlas", f.atlas}});
+    figures.push_back(
+        {{"id", f.id}, {"title", f.title}, {"caption", f.caption}, {"drawing", f.drawing}, {"atlas", f.atlas}});
   }
   Json tables = Json::array();
   for (const Table& t : record.tables()) tables.push_back(describe(t));

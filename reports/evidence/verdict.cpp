@@ -19,8 +19,12 @@ void require_reason(const std::string& reason) {
 
 /// Judges |value - expected| <= limit for a value known to +- uncertainty.
 Judgement within(const Measurement& m, double expected, double limit) {
-  Judgement j{.measured = m.value, .uncertainty = m.uncertainty, .expected = expected, .limit = limit,
-              .resolution = m.resolution, .note = {}};
+  Judgement j{.measured = m.value,
+              .uncertainty = m.uncertainty,
+              .expected = expected,
+              .limit = limit,
+              .resolution = m.resolution,
+              .note = {}};
   const double distance = std::abs(m.value - expected);
   if (!std::isfinite(distance) || std::isnan(limit)) {
     j.verdict = Verdict::fail;
@@ -39,8 +43,7 @@ Judgement within(const Measurement& m, double expected, double limit) {
 Judgement apply(const Measurement& m, const Roundoff& c) {
   require_reason(c.reason);
   constexpr double standard_deviations = 4;
-  const double limit =
-      standard_deviations * std::numeric_limits<double>::epsilon() * std::sqrt(c.operations) * c.scale;
+  const double limit = standard_deviations * std::numeric_limits<double>::epsilon() * std::sqrt(c.operations) * c.scale;
   return within(m, c.expected, limit);
 }
 
@@ -75,7 +78,9 @@ Judgement apply(const Measurement& /*m*/, const Order& /*c*/) {
 
 }  // namespace
 
-std::string_view name(Verdict verdict) { return verdict_names.at(static_cast<std::size_t>(verdict)); }
+std::string_view name(Verdict verdict) {
+  return verdict_names.at(static_cast<std::size_t>(verdict));
+}
 
 Verdict verdict_from(std::string_view name) {
   const auto* found = std::find(verdict_names.begin(), verdict_names.end(), name);
@@ -89,9 +94,13 @@ Judgement judge(const Measurement& measurement, const Criterion& criterion) {
 
 Judgement judge(const ObservedOrder& observed, const Order& criterion) {
   require_reason(criterion.reason);
-  Judgement j{.verdict = Verdict::inconclusive, .measured = observed.order, .uncertainty = observed.half_width,
-              .expected = criterion.theory, .limit = criterion.tolerance,
-              .resolution = fmt::format("{} resolutions", observed.sizes.size()), .note = observed.note};
+  Judgement j{.verdict = Verdict::inconclusive,
+              .measured = observed.order,
+              .uncertainty = observed.half_width,
+              .expected = criterion.theory,
+              .limit = criterion.tolerance,
+              .resolution = fmt::format("{} resolutions", observed.sizes.size()),
+              .note = observed.note};
   const double distance = std::abs(observed.order - criterion.theory);
   if (distance + observed.half_width <= criterion.tolerance) {
     j.verdict = Verdict::pass;

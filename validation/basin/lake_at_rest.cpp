@@ -1,7 +1,7 @@
 /*
-A lake over an uneven bed must stay at rest: the thrusts on the two sides of every particle must balance the reaction of the bed
-under it *in floating point*, not up to the truncation error. The bed is
-$z = 0.3\,e^{-(x-5)^2} + 0.05 \sin 3x$, the surface at 0.8 m, as smooth as beds come but nowhere flat.
+A lake over an uneven bed must stay at rest: the thrusts on the two sides of every particle must balance the reaction of
+the bed under it *in floating point*, not up to the truncation error. The bed is $z = 0.3\,e^{-(x-5)^2} + 0.05 \sin 3x$,
+the surface at 0.8 m, as smooth as beds come but nowhere flat.
 
 **What is compared.** The largest velocity and the largest displacement of an edge after many steps, with zero.
 
@@ -63,15 +63,26 @@ void run(Run& run) {
   run.record.measure("mass_defect", flow.mass_defect());
   run.record.measure("momentum_defect", flow.momentum_defect());
   const std::string resolution = fmt::format("N = {}, {} steps", n, steps);
-  run.record.check({.id = "velocity", .text = "Water at rest stays at rest.", .quantity = "largest velocity at any step", .unit = "m/s",
-                    .source = "well-balanced bed reaction"},
-                   {.value = fastest, .resolution = resolution},
-                   evidence::Roundoff{.operations = 10 * static_cast<double>(steps), .scale = tau * gravity * level * static_cast<double>(n) / length,
-                                      .reason = "each step kicks a particle by the round-off of some ten operations on thrusts g h^2/2 over its "
-                                                "mass; the kicks add up as a random walk"});
-  run.record.check({.id = "drift", .text = "No edge moves.", .quantity = "largest displacement of an edge", .unit = "m", .source = "the same"},
+  run.record.check(
+      {.id = "velocity",
+       .text = "Water at rest stays at rest.",
+       .quantity = "largest velocity at any step",
+       .unit = "m/s",
+       .source = "well-balanced bed reaction"},
+      {.value = fastest, .resolution = resolution},
+      evidence::Roundoff{
+          .operations = 10 * static_cast<double>(steps),
+          .scale = tau * gravity * level * static_cast<double>(n) / length,
+          .reason = "each step kicks a particle by the round-off of some ten operations on thrusts g h^2/2 over its "
+                    "mass; the kicks add up as a random walk"});
+  run.record.check({.id = "drift",
+                    .text = "No edge moves.",
+                    .quantity = "largest displacement of an edge",
+                    .unit = "m",
+                    .source = "the same"},
                    {.value = drift, .resolution = resolution},
-                   evidence::Roundoff{.operations = static_cast<double>(steps), .scale = length,
+                   evidence::Roundoff{.operations = static_cast<double>(steps),
+                                      .scale = length,
                                       .reason = "one rounded update of an edge of this size per step"});
   run.record.figure("velocity", "Largest velocity against time", "It stays at round-off.")
       .panel({.x = "t [s]", .y = "max |u| [m/s]", .log_y = true})
@@ -84,7 +95,8 @@ void run(Run& run) {
     z.push_back(bed.elevation(x.back()));
     surface.push_back(level);
   }
-  auto& lake = run.record.figure("lake", "The lake", "Bed and surface.").panel({.x = "x [m]", .y = "elevation [m]", .y_min = -0.1});
+  auto& lake = run.record.figure("lake", "The lake", "Bed and surface.")
+                   .panel({.x = "x [m]", .y = "elevation [m]", .y_min = -0.1});
   lake.fill("water", x, surface, Role::water);
   lake.fill("bed", x, z, Role::bed);
 }

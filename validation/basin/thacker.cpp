@@ -1,14 +1,15 @@
 /*
-Water rocks in a parabolic bowl without ever breaking (Thacker): its surface stays a plane, and every drop of it moves by the
-same displacement,
+Water rocks in a parabolic bowl without ever breaking (Thacker): its surface stays a plane, and every drop of it moves
+by the same displacement,
 
-$$z = h_0\left(\frac{(x - L/2)^2}{a^2} - 1\right), \qquad \xi(t) = -b \cos\omega t, \qquad \omega = \frac{\sqrt{2 g h_0}}{a}.$$
+$$z = h_0\left(\frac{(x - L/2)^2}{a^2} - 1\right), \qquad \xi(t) = -b \cos\omega t, \qquad \omega = \frac{\sqrt{2 g
+h_0}}{a}.$$
 
-Both shorelines run up and down the bowl, over a dry bed, with the velocity of the water behind them. For particles the edges
-themselves are exact references: $X_k(t) = X_k(0) + \xi(t) - \xi(0)$.
+Both shorelines run up and down the bowl, over a dry bed, with the velocity of the water behind them. For particles the
+edges themselves are exact references: $X_k(t) = X_k(0) + \xi(t) - \xi(0)$.
 
-**What is compared.** The two shorelines and all edges after some periods, with the exact motion; a fixed-grid scheme with
-hydrostatic reconstruction beside it, whose shoreline is the last cell that holds more than a thousandth of $h_0$.
+**What is compared.** The two shorelines and all edges after some periods, with the exact motion; a fixed-grid scheme
+with hydrostatic reconstruction beside it, whose shoreline is the last cell that holds more than a thousandth of $h_0$.
 
 **What to look at.** The particles' shoreline is a line, not a threshold.
 */
@@ -48,10 +49,11 @@ Motion by_particles(const exact::Thacker& bowl, double gravity, long n, double e
                     const Run::Progress& progress) {
   const auto depth = [&](double x) { return bowl.at(x, 0).depth; };
   particles::ParticleFlow flow(
-      particles::particles_from_profile(particles::equal_width_edges(bowl.left_shoreline(0), bowl.right_shoreline(0),
-                                                                     static_cast<std::size_t>(n)),
-                                        depth, [](double) { return 0.0; }),
-      {.left = particles::Vacuum{}, .right = particles::Vacuum{}}, {.gravity = gravity, .bed = bowl.bed()}, {.level = level});
+      particles::particles_from_profile(
+          particles::equal_width_edges(bowl.left_shoreline(0), bowl.right_shoreline(0), static_cast<std::size_t>(n)),
+          depth, [](double) { return 0.0; }),
+      {.left = particles::Vacuum{}, .right = particles::Vacuum{}}, {.gravity = gravity, .bed = bowl.bed()},
+      {.level = level});
   const particles::Array start = flow.particles().edge;
   Motion motion;
   const auto note = [&] {
@@ -70,7 +72,8 @@ Motion by_particles(const exact::Thacker& bowl, double gravity, long n, double e
   for (std::size_t k = 0; k < start.size(); ++k) {
     motion.worst_edge = std::max(motion.worst_edge, std::abs(now.edge[k] - bowl.carried(start[k], end)));
   }
-  for (const double u : now.velocity) motion.worst_velocity = std::max(motion.worst_velocity, std::abs(u - bowl.velocity(end)));
+  for (const double u : now.velocity)
+    motion.worst_velocity = std::max(motion.worst_velocity, std::abs(u - bowl.velocity(end)));
   motion.mass_defect = flow.mass_defect();
   motion.edges.assign(now.edge.begin(), now.edge.end());
   for (std::size_t i = 0; i < now.size(); ++i) motion.depth.push_back(now.depth(i));
@@ -83,9 +86,10 @@ Motion by_cells(const exact::Thacker& bowl, double gravity, double length, doubl
   for (long k = 0; k <= n; ++k) edges.push_back(length * static_cast<double>(k) / static_cast<double>(n));
   std::vector<double> depth;
   for (const exact::CellMean& mean : exact::cell_averages(bowl, edges, 0)) depth.push_back(mean.depth);
-  finite_volume::FiniteVolumeFlow::Settings settings;
+  shallow_water_finite_volume::FiniteVolumeFlow::Settings settings;
   settings.gravity = gravity;
-  finite_volume::FiniteVolumeFlow flow(settings, 0, length, depth, std::vector<double>(depth.size()), bowl.bed());
+  shallow_water_finite_volume::FiniteVolumeFlow flow(settings, 0, length, depth, std::vector<double>(depth.size()),
+                                                     bowl.bed());
   Motion motion;
   const auto note = [&] {
     const auto h = flow.depth();
@@ -142,20 +146,29 @@ void run(Run& run) {
   run.record.measure("mass_defect", motion.mass_defect);
   run.record.measure("period", bowl.period());
   run.record.measure("angular_frequency", bowl.angular_frequency());
-  run.record.check({.id = "mass", .text = "No water is lost at the moving shorelines.", .quantity = "change of mass", .unit = "m^2",
+  run.record.check({.id = "mass",
+                    .text = "No water is lost at the moving shorelines.",
+                    .quantity = "change of mass",
+                    .unit = "m^2",
                     .source = "conservation law of mass"},
                    {.value = motion.mass_defect, .resolution = resolution},
-                   evidence::Roundoff{.operations = static_cast<double>(motion.time.size()), .scale = bowl.area(),
+                   evidence::Roundoff{.operations = static_cast<double>(motion.time.size()),
+                                      .scale = bowl.area(),
                                       .reason = "one rounded update per step, of the size of all the water"});
   // Truncation: the second-order method has an error of order (w/a)^2 of the displacement per period.
   const double cell = 2 * radius / static_cast<double>(n);
   const double limit = scheme == "muscl" || scheme == "G1" ? 4 * cell : 12 * displacement * std::pow(cell / radius, 2);
   for (const auto& [side, error] : {std::pair{"left", left}, std::pair{"right", right}}) {
-    run.record.check({.id = fmt::format("shoreline-{}", side), .text = fmt::format("The {} shoreline follows the exact one at all times.", side),
-                      .quantity = "largest distance", .unit = "m", .source = "Thacker (1981)"},
-                     {.value = error, .resolution = resolution},
-                     evidence::Bound{.limit = limit, .reason = "second order: twelve times (w/a)^2 of the displacement; fixed-grid and first-order "
-                                                               "schemes: four cells"});
+    run.record.check(
+        {.id = fmt::format("shoreline-{}", side),
+         .text = fmt::format("The {} shoreline follows the exact one at all times.", side),
+         .quantity = "largest distance",
+         .unit = "m",
+         .source = "Thacker (1981)"},
+        {.value = error, .resolution = resolution},
+        evidence::Bound{.limit = limit,
+                        .reason = "second order: twelve times (w/a)^2 of the displacement; fixed-grid and first-order "
+                                  "schemes: four cells"});
   }
   auto& figure = run.record.figure("shorelines", "The two shorelines", "Against time, with the exact motion.");
   auto& panel = figure.panel({.x = "t [s]", .y = "x [m]"});
@@ -172,8 +185,9 @@ void run(Run& run) {
     bed.push_back(bowl.elevation(x.back()));
     surface.push_back(bowl.at(x.back(), end).depth + bed.back());
   }
-  auto& bowl_panel = run.record.figure("bowl", "The bowl at the end", "Bed, exact water, and the computed mean surface.")
-                         .panel({.x = "x [m]", .y = "elevation [m]"});
+  auto& bowl_panel =
+      run.record.figure("bowl", "The bowl at the end", "Bed, exact water, and the computed mean surface.")
+          .panel({.x = "x [m]", .y = "elevation [m]"});
   bowl_panel.fill("water", x, surface, Role::water);
   bowl_panel.fill("bed", x, bed, Role::bed);
   std::vector<double> centre;
@@ -194,7 +208,9 @@ void run(Run& run) {
 Case thacker() {
   Case c;
   c.title = "Water rocks in a parabolic bowl";
-  c.source = "W. C. Thacker, Some exact solutions to the nonlinear shallow-water wave equations, J. Fluid Mech. 107 (1981) 499";
+  c.source =
+      "W. C. Thacker, Some exact solutions to the nonlinear shallow-water wave equations, J. Fluid Mech. 107 (1981) "
+      "499";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("radius", 1.0, "m", {1e-3, 1e6}, "half-width of the water"),

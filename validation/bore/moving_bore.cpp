@@ -3,17 +3,18 @@ A bore of depth $h_1 = 2$ m runs into still water of depth $h_0 = 1$ m. The jump
 
 $$h_1 (u_1 - a) = h_0 (u_0 - a) = m, \qquad m (u_1 - u_0) = \tfrac{g}{2}\left(h_0^2 - h_1^2\right)$$
 
-give its speed $a = \sqrt{g h_1 (h_1 + h_0)/(2 h_0)}$ and the velocity behind it, $u_1 = a (1 - h_0/h_1)$. Bogomolov, Zakharov and
-Zerkal compute it with 120 particles and $\tau = 0.08$ s and print $a = 5.4$ and $u_1 = 2.7$ m/s (their figures 9 to 12); both
-$g = 9.8$ and $9.81$ m/s² fit those digits.
+give its speed $a = \sqrt{g h_1 (h_1 + h_0)/(2 h_0)}$ and the velocity behind it, $u_1 = a (1 - h_0/h_1)$. Bogomolov,
+Zakharov and Zerkal compute it with 120 particles and $\tau = 0.08$ s and print $a = 5.4$ and $u_1 = 2.7$ m/s (their
+figures 9 to 12); both $g = 9.8$ and $9.81$ m/s² fit those digits.
 
 The left end is a piston that moves with $u_1$.
 
-**What is compared.** The method's own profile with the exact one; the energy of the two-state reconstruction, which must fall
-at exactly the rate that the jump conditions give, $D = g a (h_1 - h_0)^3/(4 h_1)$; the other levels of the method and the peers.
+**What is compared.** The method's own profile with the exact one; the energy of the two-state reconstruction, which
+must fall at exactly the rate that the jump conditions give, $D = g a (h_1 - h_0)^3/(4 h_1)$; the other levels of the
+method and the peers.
 
-**What to look at.** One particle holds the jump and hands it on to the next; nothing else is disturbed, to the last digit. Every
-peer smears it over several cells.
+**What to look at.** One particle holds the jump and hands it on to the next; nothing else is disturbed, to the last
+digit. Every peer smears it over several cells.
 */
 #include <algorithm>
 #include <cmath>
@@ -40,23 +41,31 @@ void draw_setup(evidence::Record& record, const exact::Bore& bore) {
   const double h0 = bore.ahead().depth;
   const double h1 = bore.behind().depth;
   const double u1 = bore.behind_velocity();
-  auto& piston = record.figure("setup-piston", "A piston drives a bore",
-                               "The piston at the left moves at the velocity of the water behind the bore.", {"bzz-fig-9"})
-                     .panel({.x = "x [m]", .y = "elevation [m]", .x_min = 0, .x_max = length, .y_min = -0.1, .y_max = 1.5 * h1});
+  auto& piston =
+      record
+          .figure("setup-piston", "A piston drives a bore",
+                  "The piston at the left moves at the velocity of the water behind the bore.", {"bzz-fig-9"})
+          .panel({.x = "x [m]", .y = "elevation [m]", .x_min = 0, .x_max = length, .y_min = -0.1, .y_max = 1.5 * h1});
   const std::vector<double> x{start, start, start + 30, start + 30, length};
   piston.fill("water", x, std::vector<double>{0, h1, h1, h0, h0}, Role::water);
   piston.line("piston", std::vector<double>{start, start}, std::vector<double>{0, 1.3 * h1}, Role::guide);
   piston.line("bed", std::vector<double>{0, length}, std::vector<double>{0, 0}, Role::bed);
 
   auto& panel = record.figure("setup", "The bore: the problem", "Depths and velocities at t = 0.", {"bzz-fig-10"})
-                    .panel({.x = "x [m]", .y = "elevation [m]", .title = fmt::format("behind u = {:.3f} m/s, ahead at rest", u1),
-                            .x_min = 0, .x_max = length, .y_min = -0.1, .y_max = 1.5 * h1});
+                    .panel({.x = "x [m]",
+                            .y = "elevation [m]",
+                            .title = fmt::format("behind u = {:.3f} m/s, ahead at rest", u1),
+                            .x_min = 0,
+                            .x_max = length,
+                            .y_min = -0.1,
+                            .y_max = 1.5 * h1});
   panel.fill("water", std::vector<double>{0, start, start, length}, std::vector<double>{h1, h1, h0, h0}, Role::water);
   panel.line("bed", std::vector<double>{0, length}, std::vector<double>{0, 0}, Role::bed);
 }
 
 void draw_exact(evidence::Record& record, const FlowProblem& problem, double time) {
-  auto& figure = record.figure("exact", "The exact bore", fmt::format("Depth and velocity at t = {:g} s.", time), {"bzz-fig-11"});
+  auto& figure =
+      record.figure("exact", "The exact bore", fmt::format("Depth and velocity at t = {:g} s.", time), {"bzz-fig-11"});
   const ExactCurve curve = exact_curve(problem, 0, length, time);
   figure.panel({.x = "x [m]", .y = "depth h [m]"}).line("exact", curve.x, curve.depth, Role::exact);
   figure.panel({.x = "x [m]", .y = "velocity u [m/s]"}).line("exact", curve.x, curve.velocity, Role::exact);
@@ -90,19 +99,22 @@ void follow(Run& run, const exact::Bore& bore, long n, double tau, long steps) {
     worst = std::max(worst, std::abs(flow.energy() - energy[0] - work + bore.energy_loss_rate() * flow.time()));
   }
   run.record.measure("energy_deviation", worst);
-  run.record.check({.id = "energy",
-                    .text = "Energy falls at exactly the rate of the jump conditions.",
-                    .quantity = "largest deviation of the two-state energy",
-                    .unit = "m^4/s^3 s",
-                    .source = "D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6"},
-                   {.value = worst, .resolution = fmt::format("N = {}, tau = {:g} s", n, tau)},
-                   evidence::Roundoff{.operations = static_cast<double>(n + steps), .scale = energy[0],
-                                      .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});
+  run.record.check(
+      {.id = "energy",
+       .text = "Energy falls at exactly the rate of the jump conditions.",
+       .quantity = "largest deviation of the two-state energy",
+       .unit = "m^4/s^3 s",
+       .source = "D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6"},
+      {.value = worst, .resolution = fmt::format("N = {}, tau = {:g} s", n, tau)},
+      evidence::Roundoff{.operations = static_cast<double>(n + steps),
+                         .scale = energy[0],
+                         .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});
 
-  auto& history = run.record.figure("energy", "Energy against time",
-                                    "Energy less the work of the piston. Of the two-state reconstruction it falls along the "
-                                    "straight line of the jump conditions; of particle means it wavers as the transition "
-                                    "particle fills.")
+  auto& history = run.record
+                      .figure("energy", "Energy against time",
+                              "Energy less the work of the piston. Of the two-state reconstruction it falls along the "
+                              "straight line of the jump conditions; of particle means it wavers as the transition "
+                              "particle fills.")
                       .panel({.x = "t [s]", .y = "energy - work - E(0) [m$^4$/s$^2$]"});
   std::vector<double> two_state;
   std::vector<double> means;
@@ -117,8 +129,9 @@ void follow(Run& run, const exact::Bore& bore, long n, double tau, long steps) {
   history.points("two-state reconstruction", times, two_state, Role::computed);
   history.line("particle means", times, means, Role::peer);
 
-  auto& panel = run.record.figure("paths", "Paths of particle edges",
-                                  "Each line is an edge in the (x, t) plane; the jump is the line along which they bend.")
+  auto& panel = run.record
+                    .figure("paths", "Paths of particle edges",
+                            "Each line is an edge in the (x, t) plane; the jump is the line along which they bend.")
                     .panel({.x = "x [m]", .y = "t [s]", .x_min = 30, .x_max = 90});
   const std::size_t edges = paths.front().size();
   for (std::size_t e = edges / 4; e < edges * 3 / 4; e += 2) {
@@ -134,43 +147,60 @@ void follow(Run& run, const exact::Bore& bore, long n, double tau, long steps) {
 void run(Run& run) {
   const double gravity = run.real("gravity");
   const exact::Bore bore(gravity, run.real("still_depth"), run.real("front_depth"), 0, start);
-  const FlowProblem problem = problem_of(bore, gravity, 0, length, {start}, FlowProblem::End::stream, FlowProblem::End::wall);
-  const Discretisation discretisation{.scheme = "H2", .particles = run.integer("particles"),
-                                      .time_step = run.real("time_step"), .theta = 1.5};
+  const FlowProblem problem =
+      problem_of(bore, gravity, 0, length, {start}, FlowProblem::End::stream, FlowProblem::End::wall);
+  const Discretisation discretisation{
+      .scheme = "H2", .particles = run.integer("particles"), .time_step = run.real("time_step"), .theta = 1.5};
   const long steps = run.integer("steps");
   const double time = static_cast<double>(steps) * discretisation.time_step;
   if (bore.position(time) >= length) {
-    throw std::invalid_argument(fmt::format("steps = {} is out of range: the bore would leave the channel at t = {:g} s", steps,
-                                            (length - start) / bore.speed()));
+    throw std::invalid_argument(
+        fmt::format("steps = {} is out of range: the bore would leave the channel at t = {:g} s", steps,
+                    (length - start) / bore.speed()));
   }
 
   draw_setup(run.record, bore);
   draw_exact(run.record, problem, time);
-  const auto flow = run_and_draw(run.record, problem, discretisation, {0, 0.5 * time, time}, "A bore runs into still water",
-                                 {"bzz-fig-12"}, [&](double done) { run.progress(0.3 * done); });
+  const auto flow =
+      run_and_draw(run.record, problem, discretisation, {0, 0.5 * time, time}, "A bore runs into still water",
+                   {"bzz-fig-12"}, [&](double done) { run.progress(0.3 * done); });
   claim_conservation(run.record, *flow);
   claim_exact_profile(run.record, *flow, problem, bore.behind().depth);
-  const Front front{.behind = bore.behind().depth, .ahead = bore.ahead().depth, .position = bore.position(time), .reach = 30};
+  const Front front{
+      .behind = bore.behind().depth, .ahead = bore.ahead().depth, .position = bore.position(time), .reach = 30};
   claim_single_particle(run.record, *flow, front);
-  run.record.check({.id = "range", .text = "No depth leaves the range of the exact solution.",
-                    .quantity = "largest depth outside the range", .unit = "m", .source = "the bore is monotone"},
-                   {.value = excursion(flow->profile(), bore.ahead().depth, bore.behind().depth), .resolution = discretisation.text()},
-                   evidence::Roundoff{.operations = static_cast<double>(steps * 8), .scale = bore.behind().depth,
+  run.record.check({.id = "range",
+                    .text = "No depth leaves the range of the exact solution.",
+                    .quantity = "largest depth outside the range",
+                    .unit = "m",
+                    .source = "the bore is monotone"},
+                   {.value = excursion(flow->profile(), bore.ahead().depth, bore.behind().depth),
+                    .resolution = discretisation.text()},
+                   evidence::Roundoff{.operations = static_cast<double>(steps * 8),
+                                      .scale = bore.behind().depth,
                                       .reason = "about eight rounded operations per edge and step"});
 
   const io::CsvTable printed = reference_table("bogomolov_zakharov_zerkal", run.record);
   run.record.measure("speed", bore.speed());
   run.record.measure("velocity", bore.behind_velocity());
   if (run.as_published()) {
-    run.record.check({.id = "printed-speed", .text = "The speed that the paper prints follows from the jump conditions.",
-                      .quantity = "bore speed", .unit = "m/s", .source = "section 4 of the paper"},
+    run.record.check({.id = "printed-speed",
+                      .text = "The speed that the paper prints follows from the jump conditions.",
+                      .quantity = "bore speed",
+                      .unit = "m/s",
+                      .source = "section 4 of the paper"},
                      {.value = bore.speed()},
-                     evidence::Bound{.limit = 0.05, .reason = "half a unit of the last printed digit",
+                     evidence::Bound{.limit = 0.05,
+                                     .reason = "half a unit of the last printed digit",
                                      .expected = printed.column("bore_speed")[0]});
-    run.record.check({.id = "printed-velocity", .text = "So does the velocity behind the bore.",
-                      .quantity = "velocity behind", .unit = "m/s", .source = "section 4 of the paper"},
+    run.record.check({.id = "printed-velocity",
+                      .text = "So does the velocity behind the bore.",
+                      .quantity = "velocity behind",
+                      .unit = "m/s",
+                      .source = "section 4 of the paper"},
                      {.value = bore.behind_velocity()},
-                     evidence::Bound{.limit = 0.05, .reason = "half a unit of the last printed digit",
+                     evidence::Bound{.limit = 0.05,
+                                     .reason = "half a unit of the last printed digit",
                                      .expected = printed.column("bore_velocity")[0]});
   }
 

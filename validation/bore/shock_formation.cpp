@@ -1,10 +1,10 @@
 /*
-A piston starts gently, $u = u_p \sin^2(\pi t/4)$ for 2 s and $u_p = 1.5$ m/s from then on, into still water 1 m deep. Its
-compression wave steepens until the characteristics cross, and a bore forms inside smooth flow: nothing tells the scheme where or
-when.
+A piston starts gently, $u = u_p \sin^2(\pi t/4)$ for 2 s and $u_p = 1.5$ m/s from then on, into still water 1 m deep.
+Its compression wave steepens until the characteristics cross, and a bore forms inside smooth flow: nothing tells the
+scheme where or when.
 
-**What is compared.** The position of the bore at $t = 10$ s with the finest run; its width; the depth at the piston, which starts
-at that of a simple wave and must settle to that behind a bore.
+**What is compared.** The position of the bore at $t = 10$ s with the finest run; its width; the depth at the piston,
+which starts at that of a simple wave and must settle to that behind a bore.
 
 **What to look at.** Level `H2` takes the jump into one particle as soon as it stands out against its surroundings.
 */
@@ -30,9 +30,12 @@ namespace particles = shallow_water_particles;
 constexpr double length = 60;
 
 Profile profile_at(double time, double gravity, double depth, double speed, long n) {
-  const auto piston = [speed](double t) { return t < 2 ? speed * std::pow(std::sin(std::numbers::pi * t / 4), 2) : speed; };
+  const auto piston = [speed](double t) {
+    return t < 2 ? speed * std::pow(std::sin(std::numbers::pi * t / 4), 2) : speed;
+  };
   particles::ParticleFlow flow(particles::uniform_stretches({{0, length, {depth, 0}}}, static_cast<std::size_t>(n)),
-                               {.left = particles::Piston{piston}, .right = particles::Wall{}}, {.gravity = gravity}, {.theta = 1.5});
+                               {.left = particles::Piston{piston}, .right = particles::Wall{}}, {.gravity = gravity},
+                               {.theta = 1.5});
   flow.advance_to(time);
   return flow.measured_profile();
 }
@@ -83,27 +86,41 @@ void run(Run& run) {
                                       })->depth);
   const std::string resolution = fmt::format("N = {}", 8 * n);
   if (run.real("gravity") == 9.81 && speed == 1.5) {
-    run.record.check({.id = "front", .text = "The bore is where a very fine run has it.", .quantity = "position of the bore", .unit = "m",
+    run.record.check({.id = "front",
+                      .text = "The bore is where a very fine run has it.",
+                      .quantity = "position of the bore",
+                      .unit = "m",
                       .source = "independent implementation with 6400 particles"},
                      {.value = positions.back(), .uncertainty = study.uncertainty, .resolution = resolution},
-                     evidence::Uncertainty{.expected = 39.094, .data = 0.005, .useful = 0.06,
-                                           .reason = "half a cell width of the fine run (60 m/6400) and the grid convergence here; a "
-                                                     "tenth of a percent of the way decides"});
+                     evidence::Uncertainty{
+                         .expected = 39.094,
+                         .data = 0.005,
+                         .useful = 0.06,
+                         .reason = "half a cell width of the fine run (60 m/6400) and the grid convergence here; a "
+                                   "tenth of a percent of the way decides"});
   }
-  run.record.check({.id = "width", .text = "The bore that has formed lies inside a single particle.",
-                    .quantity = "particles between 5 % and 95 % of the jump", .source = "the hand-over of the method"},
-                   {.value = static_cast<double>(width), .resolution = resolution},
-                   evidence::Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
-  run.record.check({.id = "plateau", .text = "The depth at the piston settles to that behind a bore.",
-                    .quantity = "depth at the piston", .unit = "m", .source = "shock relations and Riemann invariants"},
-                   {.value = at_piston, .resolution = resolution},
-                   evidence::Bound{.limit = simple - bore,
-                                   .reason = "it starts at the depth of a simple wave; what the forming bore reflects to the piston "
-                                             "brings it to that of a bore and never exceeds the first difference",
-                                   .expected = bore});
+  run.record.check(
+      {.id = "width",
+       .text = "The bore that has formed lies inside a single particle.",
+       .quantity = "particles between 5 % and 95 % of the jump",
+       .source = "the hand-over of the method"},
+      {.value = static_cast<double>(width), .resolution = resolution},
+      evidence::Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
+  run.record.check(
+      {.id = "plateau",
+       .text = "The depth at the piston settles to that behind a bore.",
+       .quantity = "depth at the piston",
+       .unit = "m",
+       .source = "shock relations and Riemann invariants"},
+      {.value = at_piston, .resolution = resolution},
+      evidence::Bound{.limit = simple - bore,
+                      .reason = "it starts at the depth of a simple wave; what the forming bore reflects to the piston "
+                                "brings it to that of a bore and never exceeds the first difference",
+                      .expected = bore});
   const Means means = means_of(finest);
-  auto& panel = run.record.figure("profile", "A bore forms inside a compression wave", fmt::format("Depth at t = {:g} s.", time))
-                    .panel({.x = "x [m]", .y = "depth h [m]"});
+  auto& panel =
+      run.record.figure("profile", "A bore forms inside a compression wave", fmt::format("Depth at t = {:g} s.", time))
+          .panel({.x = "x [m]", .y = "depth h [m]"});
   panel.steps(fmt::format("{} particles", 8 * n), finest.edges, means.depth, Role::computed);
 }
 

@@ -32,7 +32,9 @@ class Run {
   [[nodiscard]] const Values& values() const { return values_; }
 
   /// Whether every parameter has its quick default, which is the publication's own where there is one.
-  [[nodiscard]] bool as_published() const { return values_.canonical() == Values(values_.declared(), Tier::quick).canonical(); }
+  [[nodiscard]] bool as_published() const {
+    return values_.canonical() == Values(values_.declared(), Tier::quick).canonical();
+  }
 
   /// Tells the user how much is done, 0 to 1.
   void progress(double fraction) const { progress_(fraction); }
@@ -46,13 +48,13 @@ class Run {
 
 struct Case {
   std::string title;
-  std::string source;                                   ///< citation with figure, table or section
-  std::vector<std::string> atlas;                       ///< tiles that the case fills as a whole
-  std::vector<Tier> tiers = {Tier::quick};              ///< tiers in which it does something of its own
+  std::string source;                       ///< citation with figure, table or section
+  std::vector<std::string> atlas;           ///< tiles that the case fills as a whole
+  std::vector<Tier> tiers = {Tier::quick};  ///< tiers in which it does something of its own
   std::vector<Parameter> parameters;
   ByTier<std::chrono::seconds> time_limit = {std::chrono::seconds(60), std::chrono::hours(1), std::chrono::hours(24)};
   std::function<void(Run&)> run;
-  Submission submission;                                ///< how somebody else's result is judged; empty if it cannot be
+  Submission submission;  ///< how somebody else's result is judged; empty if it cannot be
 
   // Filled in by the registry.
   std::string name;        ///< the file's name

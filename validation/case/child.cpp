@@ -118,11 +118,16 @@ std::optional<Ending> Child::poll() {
     return died(fmt::format("killed by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status))));
   }
   switch (WEXITSTATUS(status)) {
-    case 0: return Ending{Outcome::as_declared, message_};
-    case 1: return Ending{Outcome::failed, message_};
-    case 2: return Ending{Outcome::wrong_input, message_};
-    case 3: return Ending{Outcome::unfinished, message_};
-    default: return died(fmt::format("ended with exit status {}", WEXITSTATUS(status)));
+    case 0:
+      return Ending{Outcome::as_declared, message_};
+    case 1:
+      return Ending{Outcome::failed, message_};
+    case 2:
+      return Ending{Outcome::wrong_input, message_};
+    case 3:
+      return Ending{Outcome::unfinished, message_};
+    default:
+      return died(fmt::format("ended with exit status {}", WEXITSTATUS(status)));
   }
 }
 

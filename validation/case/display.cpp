@@ -18,10 +18,14 @@ std::string bar(double fraction, int width) {
 
 const char* mark(Outcome outcome) {
   switch (outcome) {
-    case Outcome::as_declared: return "✓";
-    case Outcome::failed: return "✗";
-    case Outcome::wrong_input: return "?";
-    case Outcome::unfinished: return "!";
+    case Outcome::as_declared:
+      return "✓";
+    case Outcome::failed:
+      return "✗";
+    case Outcome::wrong_input:
+      return "?";
+    case Outcome::unfinished:
+      return "!";
   }
   return "!";
 }
@@ -40,7 +44,9 @@ void Display::line(const char* sign, const std::string& name, const std::string&
   std::fflush(stdout);
 }
 
-void Display::skipped(const std::string& name) { line("=", name, "unchanged, kept"); }
+void Display::skipped(const std::string& name) {
+  line("=", name, "unchanged, kept");
+}
 
 void Display::finished(const std::string& name, const Ending& ending, double seconds) {
   line(mark(ending.outcome), name, fmt::format("{:7.2f} s  {}", seconds, ending.message));

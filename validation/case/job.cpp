@@ -28,17 +28,21 @@ void require_claims(const evidence::Record& record) {
 
 int exit_status(Outcome outcome) {
   switch (outcome) {
-    case Outcome::as_declared: return 0;
-    case Outcome::failed: return 1;
-    case Outcome::wrong_input: return 2;
-    case Outcome::unfinished: return 3;
+    case Outcome::as_declared:
+      return 0;
+    case Outcome::failed:
+      return 1;
+    case Outcome::wrong_input:
+      return 2;
+    case Outcome::unfinished:
+      return 3;
   }
   return 3;
 }
 
 std::string Job::fingerprint() const {
-  return evidence::sha256(fmt::format("{}\n{}\n{}\n{}", executable_digest(), definition->name, name(values.tier()),
-                                      values.canonical()));
+  return evidence::sha256(
+      fmt::format("{}\n{}\n{}\n{}", executable_digest(), definition->name, name(values.tier()), values.canonical()));
 }
 
 evidence::Record Job::blank_record() const {
@@ -84,9 +88,9 @@ Ending run_job(const Job& job, const std::filesystem::path& directory, const Run
   std::string undeclared;
   for (const evidence::JudgedClaim& claim : run.record.claims()) {
     if (claim.judgement.verdict == claim.declared) continue;
-    undeclared += fmt::format("{}{}: {}, measured {:.6g}, expected {:.6g} within {:.3g}", undeclared.empty() ? "" : "; ",
-                              claim.claim.id, evidence::name(claim.judgement.verdict), claim.judgement.measured,
-                              claim.judgement.expected, claim.judgement.limit);
+    undeclared += fmt::format("{}{}: {}, measured {:.6g}, expected {:.6g} within {:.3g}",
+                              undeclared.empty() ? "" : "; ", claim.claim.id, evidence::name(claim.judgement.verdict),
+                              claim.judgement.measured, claim.judgement.expected, claim.judgement.limit);
   }
   return {Outcome::failed, undeclared};
 }

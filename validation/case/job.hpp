@@ -10,10 +10,10 @@ namespace seiche::validation {
 
 /// How a job ended.
 enum class Outcome {
-  as_declared,   ///< finished, every claim has its declared verdict
-  failed,        ///< finished, some claim has not
-  wrong_input,   ///< refused before it computed; nothing written
-  unfinished,    ///< broke down, crashed, ran out of time or disk; the record says why
+  as_declared,  ///< finished, every claim has its declared verdict
+  failed,       ///< finished, some claim has not
+  wrong_input,  ///< refused before it computed; nothing written
+  unfinished,   ///< broke down, crashed, ran out of time or disk; the record says why
 };
 
 /// The exit status of the command for an outcome: 0, 1, 2, 3.

@@ -14,8 +14,10 @@ namespace {
 std::string to_text(const Value& value) {
   return std::visit(
       [](const auto& v) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>) return fmt::format("{:.17g}", v);
-        else return fmt::format("{}", v);
+        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>)
+          return fmt::format("{:.17g}", v);
+        else
+          return fmt::format("{}", v);
       },
       value);
 }
@@ -52,26 +54,40 @@ std::string Parameter::range() const {
 }
 
 Parameter real(std::string name, ByTier<double> standard, std::string unit, Range range, std::string meaning) {
-  return {.name = std::move(name), .unit = std::move(unit), .meaning = std::move(meaning),
+  return {.name = std::move(name),
+          .unit = std::move(unit),
+          .meaning = std::move(meaning),
           .standard = {standard.quick, standard.full, standard.paper},
-          .lowest = range.lowest, .highest = range.highest, .choices = {}};
+          .lowest = range.lowest,
+          .highest = range.highest,
+          .choices = {}};
 }
 
 Parameter integer(std::string name, ByTier<long> standard, Range range, std::string meaning) {
-  return {.name = std::move(name), .unit = "1", .meaning = std::move(meaning),
+  return {.name = std::move(name),
+          .unit = "1",
+          .meaning = std::move(meaning),
           .standard = {standard.quick, standard.full, standard.paper},
-          .lowest = range.lowest, .highest = range.highest, .choices = {}};
+          .lowest = range.lowest,
+          .highest = range.highest,
+          .choices = {}};
 }
 
 Parameter choice(std::string name, ByTier<std::string> standard, std::vector<std::string> choices,
                  std::string meaning) {
-  return {.name = std::move(name), .unit = "1", .meaning = std::move(meaning),
-          .standard = {standard.quick, standard.full, standard.paper}, .choices = std::move(choices)};
+  return {.name = std::move(name),
+          .unit = "1",
+          .meaning = std::move(meaning),
+          .standard = {standard.quick, standard.full, standard.paper},
+          .choices = std::move(choices)};
 }
 
 Parameter toggle(std::string name, ByTier<bool> standard, std::string meaning) {
-  return {.name = std::move(name), .unit = "1", .meaning = std::move(meaning),
-          .standard = {standard.quick, standard.full, standard.paper}, .choices = {}};
+  return {.name = std::move(name),
+          .unit = "1",
+          .meaning = std::move(meaning),
+          .standard = {standard.quick, standard.full, standard.paper},
+          .choices = {}};
 }
 
 Values::Values(std::vector<Parameter> declared, Tier tier) : declared_(std::move(declared)), tier_(tier) {
@@ -79,7 +95,8 @@ Values::Values(std::vector<Parameter> declared, Tier tier) : declared_(std::move
 }
 
 const Parameter& Values::find(std::string_view name) const {
-  const auto found = std::find_if(declared_.begin(), declared_.end(), [&](const Parameter& p) { return p.name == name; });
+  const auto found =
+      std::find_if(declared_.begin(), declared_.end(), [&](const Parameter& p) { return p.name == name; });
   if (found == declared_.end()) {
     std::vector<std::string> names;
     for (const Parameter& p : declared_) names.push_back(p.name);

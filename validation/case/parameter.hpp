@@ -17,8 +17,8 @@ struct Parameter {
   std::string name;
   std::string unit;
   std::string meaning;
-  ByTier<Value> standard;            ///< default per tier
-  double lowest = 0;                 ///< closed range of a number
+  ByTier<Value> standard;  ///< default per tier
+  double lowest = 0;       ///< closed range of a number
   double highest = 0;
   std::vector<std::string> choices;  ///< of a text
 

@@ -27,7 +27,8 @@ io::CsvTable reference_table(const std::string& source, evidence::Record& record
   const toml::table description = toml::parse_file((folder / "source.toml").string());
   const std::string digest = evidence::sha256_of_file(table);
   if (description["sha256"].value_or<std::string>("") != digest) {
-    throw std::runtime_error(fmt::format("{} has SHA-256 {}, which is not the one in source.toml", table.string(), digest));
+    throw std::runtime_error(
+        fmt::format("{} has SHA-256 {}, which is not the one in source.toml", table.string(), digest));
   }
   record.reference_data[table.string()] = digest;
   return io::read_csv(table);

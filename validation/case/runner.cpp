@@ -18,19 +18,27 @@ namespace {
 /// Set by the signal handler, the one thing that such a handler may do.
 volatile std::sig_atomic_t interrupted = 0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
-void on_interrupt(int /*signal*/) { interrupted = 1; }
+void on_interrupt(int /*signal*/) {
+  interrupted = 1;
+}
 
 int severity(Outcome outcome) {
   switch (outcome) {
-    case Outcome::as_declared: return 0;
-    case Outcome::failed: return 1;
-    case Outcome::unfinished: return 2;
-    case Outcome::wrong_input: return 3;
+    case Outcome::as_declared:
+      return 0;
+    case Outcome::failed:
+      return 1;
+    case Outcome::unfinished:
+      return 2;
+    case Outcome::wrong_input:
+      return 3;
   }
   return 3;
 }
 
-Outcome worse(Outcome a, Outcome b) { return severity(a) >= severity(b) ? a : b; }
+Outcome worse(Outcome a, Outcome b) {
+  return severity(a) >= severity(b) ? a : b;
+}
 
 }  // namespace
 

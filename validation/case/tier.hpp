@@ -11,7 +11,9 @@ enum class Tier { quick, full, paper };
 
 inline constexpr std::array tier_names{std::string_view("quick"), std::string_view("full"), std::string_view("paper")};
 
-constexpr std::string_view name(Tier tier) { return tier_names.at(static_cast<std::size_t>(tier)); }
+constexpr std::string_view name(Tier tier) {
+  return tier_names.at(static_cast<std::size_t>(tier));
+}
 
 /// A value that may differ from tier to tier; one value serves all.
 template <class T>
@@ -24,9 +26,7 @@ struct ByTier {
   ByTier(T for_quick, T for_full, T for_paper)
       : quick(std::move(for_quick)), full(std::move(for_full)), paper(std::move(for_paper)) {}
 
-  [[nodiscard]] const T& at(Tier tier) const {
-    return tier == Tier::quick ? quick : tier == Tier::full ? full : paper;
-  }
+  [[nodiscard]] const T& at(Tier tier) const { return tier == Tier::quick ? quick : tier == Tier::full ? full : paper; }
 };
 
 }  // namespace seiche::validation

@@ -32,12 +32,16 @@ std::map<std::string, Summary> by_name(const std::string& directory) {
 }
 
 /// Distance of a claim's measured value from what is expected.
-double error_of(const Summary::Outcome& claim) { return std::abs(claim.measured - claim.expected); }
+double error_of(const Summary::Outcome& claim) {
+  return std::abs(claim.measured - claim.expected);
+}
 
 /// Prints what changed in one record; returns whether a verdict got worse than declared.
 bool compare_record(const std::string& key, const Summary& before, const Summary& after, double factor) {
   bool worse = false;
-  const auto line = [&](const std::string& id, const std::string& what) { fmt::print("  {:<24} {:<28} {}\n", key, id, what); };
+  const auto line = [&](const std::string& id, const std::string& what) {
+    fmt::print("  {:<24} {:<28} {}\n", key, id, what);
+  };
   if (before.error != after.error) {
     line("run", fmt::format("'{}' -> '{}'", before.error.empty() ? "finished" : before.error,
                             after.error.empty() ? "finished" : after.error));

@@ -121,8 +121,8 @@ void print_catalogue() {
   for (const ExactSolution& s : exact::catalogue()) {
     fmt::print("{}: {}\n  {}\n", s.name, s.title, s.citation);
     for (const auto& p : s.parameters) {
-      fmt::print("    {:<16} {} [{}], default {:g}, in [{:g}, {:g}]\n", p.name, p.meaning, p.unit, p.default_value, p.minimum,
-                 p.maximum);
+      fmt::print("    {:<16} {} [{}], default {:g}, in [{:g}, {:g}]\n", p.name, p.meaning, p.unit, p.default_value,
+                 p.minimum, p.maximum);
     }
     for (const auto& o : s.outputs) fmt::print("    -> {:<13} {} [{}]\n", o.name, o.meaning, o.unit);
     for (const auto& o : s.scalars) fmt::print("    => {:<13} {} [{}]\n", o.name, o.meaning, o.unit);

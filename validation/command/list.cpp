@@ -38,9 +38,10 @@ Json to_json(const Parameter& p) {
   Json json = {{"name", p.name},
                {"unit", p.unit},
                {"meaning", p.meaning},
-               {"default", {{"quick", to_json(p.standard.quick)},
-                            {"full", to_json(p.standard.full)},
-                            {"paper", to_json(p.standard.paper)}}},
+               {"default",
+                {{"quick", to_json(p.standard.quick)},
+                 {"full", to_json(p.standard.full)},
+                 {"paper", to_json(p.standard.paper)}}},
                {"range", p.range()}};
   if (!p.choices.empty()) json["choices"] = p.choices;
   return json;

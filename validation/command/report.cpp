@@ -27,8 +27,8 @@ std::string renderer() {
   for (const char* place : {SEICHE_RENDERER, SEICHE_INSTALLED_RENDERER}) {
     if (std::filesystem::exists(std::filesystem::path(place) / "__main__.py")) return place;
   }
-  throw std::runtime_error(fmt::format("the report's renderer is neither at {} nor at {}", SEICHE_RENDERER,
-                                       SEICHE_INSTALLED_RENDERER));
+  throw std::runtime_error(
+      fmt::format("the report's renderer is neither at {} nor at {}", SEICHE_RENDERER, SEICHE_INSTALLED_RENDERER));
 }
 
 int report(const Options& options) {
@@ -39,8 +39,8 @@ int report(const Options& options) {
   }
   const std::string out =
       options.out.empty() ? (std::filesystem::path(options.evidence) / "report").string() : options.out;
-  std::vector<std::string> words{SEICHE_PYTHON, renderer(), options.evidence, "--out", out, "--jobs",
-                                 std::to_string(options.jobs)};
+  std::vector<std::string> words{
+      SEICHE_PYTHON, renderer(), options.evidence, "--out", out, "--jobs", std::to_string(options.jobs)};
   if (!options.pdf.empty()) words.insert(words.end(), {"--pdf", options.pdf});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());

@@ -79,9 +79,9 @@ int score(const Options& options) {
   const Values values = values_for(one, validation::Tier::quick, options.config, options.settings);
   if (options.template_only) return print_template(one, values);
   if (options.data.empty()) throw std::invalid_argument("score: --data FILE is missing (or --template)");
-  const bool plain = !options.solver.empty() && std::all_of(options.solver.begin(), options.solver.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '-' || c == '_';
-  });
+  const bool plain = !options.solver.empty() &&
+                     std::all_of(options.solver.begin(), options.solver.end(),
+                                 [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; });
   if (!plain || options.solver == "seiche") {
     throw std::invalid_argument(
         fmt::format("--solver {}: must be letters, digits, '-' and '_', and not seiche", options.solver));
@@ -125,7 +125,8 @@ void add_score(CLI::App& app, Action& action) {
   command->add_option("--config", options->config, "TOML file with parameters");
   command->add_option("--out", options->out, "folder for the record")->capture_default_str();
   command->add_flag("--template", options->template_only, "print the file to fill in, and stop");
-  command->footer("Example: seiche score riemann --template > mine.csv, fill it in, seiche score riemann --data mine.csv");
+  command->footer(
+      "Example: seiche score riemann --template > mine.csv, fill it in, seiche score riemann --data mine.csv");
   command->callback([options, &action] { action = [options] { return score(*options); }; });
 }
 

@@ -37,8 +37,7 @@ void apply_file(const std::filesystem::path& config, const validation::Case& one
   try {
     table = toml::parse_file(file);
   } catch (const toml::parse_error& wrong) {
-    throw std::invalid_argument(
-        fmt::format("{}: line {}: {}", file, wrong.source().begin.line, wrong.description()));
+    throw std::invalid_argument(fmt::format("{}: line {}: {}", file, wrong.source().begin.line, wrong.description()));
   }
   for (const auto& [key, node] : table) {
     if (node.is_table()) validation::find_case(key.str());  // an unknown table is a misspelt case

@@ -1,10 +1,11 @@
 /*
-Dam breaks over a dry bed and over water of $h_0/h_1 = 0.1$ and $0.5$, refined: dam at $x = 20$ m in $[0, 50]$ m, $t = 6$ s, Courant
-number 0.4. Corners of fans and jumps limit **every** scheme to first order in the mean; what differs is the constant.
+Dam breaks over a dry bed and over water of $h_0/h_1 = 0.1$ and $0.5$, refined: dam at $x = 20$ m in $[0, 50]$ m, $t =
+6$ s, Courant number 0.4. Corners of fans and jumps limit **every** scheme to first order in the mean; what differs is
+the constant.
 
-**What is compared.** The mean error of cell depths, and the processor time it takes, for the particle method with equal masses
-(recommended) and equal widths, its first-order level, and the peers. A given $N$ means the same initial width for all; over a dry
-bed the particles cover only the water.
+**What is compared.** The mean error of cell depths, and the processor time it takes, for the particle method with equal
+masses (recommended) and equal widths, its first-order level, and the peers. A given $N$ means the same initial width
+for all; over a dry bed the particles cover only the water.
 
 **What to look at.** The second picture: how long one has to wait for a given error.
 */
@@ -53,7 +54,8 @@ void run(Run& run) {
     const FlowProblem problem = problem_for(gravity, ratio);
     const std::string id = fmt::format("ratio-{:02.0f}", 10 * ratio);
     const std::string name = ratio == 0 ? "Dry bed" : fmt::format("h0/h1 = {:g}", ratio);
-    auto& figure = run.record.figure(id, name, "Mean error of cell depths against the number of cells and against processor time.");
+    auto& figure = run.record.figure(
+        id, name, "Mean error of cell depths against the number of cells and against processor time.");
     auto& by_number = figure.panel({.x = "N", .y = "cell L1(h) [m]", .log_x = true, .log_y = true});
     auto& by_time = figure.panel({.x = "processor time [s]", .y = "cell L1(h) [m]", .log_x = true, .log_y = true});
     evidence::Table table{.id = id, .title = name, .caption = "Cell L1(h) at t = 6 s.", .columns = {{"scheme", ""}}};
@@ -69,7 +71,8 @@ void run(Run& run) {
       std::vector<double> seconds;
       std::vector<std::variant<double, std::string>> row{std::string(one.label)};
       for (long k = 0; k < levels; ++k) {
-        const Discretisation d{.scheme = one.scheme, .particles = coarsest << k, .equal_masses = one.equal_masses, .theta = one.theta};
+        const Discretisation d{
+            .scheme = one.scheme, .particles = coarsest << k, .equal_masses = one.equal_masses, .theta = one.theta};
         const Contestant c = contest(problem, d, time, nullptr);
         counts.push_back(static_cast<double>(d.particles));
         widths.push_back(problem.length() / counts.back());
@@ -86,23 +89,28 @@ void run(Run& run) {
       if (one.scheme == std::string("muscl")) best_peer = errors.back();
       if (one.equal_masses) recommended = errors.back();
       if (one.scheme == std::string("H2")) {
-        run.record.check({.id = fmt::format("order-{}-{}", id, one.equal_masses ? "masses" : "widths"),
-                          .text = fmt::format("{}: {} converges at first order.", name, one.label),
-                          .quantity = "observed order of cell L1(h)", .source = "corners and jumps limit every scheme"},
-                         order,
-                         evidence::Order{1, 0.2, "first order; the position of jumps within cells makes single errors scatter by 10 to "
-                                                 "20 % about it"});
+        run.record.check(
+            {.id = fmt::format("order-{}-{}", id, one.equal_masses ? "masses" : "widths"),
+             .text = fmt::format("{}: {} converges at first order.", name, one.label),
+             .quantity = "observed order of cell L1(h)",
+             .source = "corners and jumps limit every scheme"},
+            order,
+            evidence::Order{1, 0.2,
+                            "first order; the position of jumps within cells makes single errors scatter by 10 to "
+                            "20 % about it"});
       }
       run.progress(++job / 21.0);
     }
     std::vector<double> guide_x{static_cast<double>(coarsest), static_cast<double>(coarsest << (levels - 1))};
     by_number.line("order 1", guide_x, std::vector<double>{0.1 * 50 / guide_x[0], 0.1 * 50 / guide_x[1]}, Role::guide);
     run.record.table(std::move(table));
-    run.record.check({.id = "against-peer-" + id,
-                      .text = fmt::format("{}: equal masses are at least as accurate as today's scheme at the same N.", name),
-                      .quantity = "error over that of MUSCL-HLL", .source = "this comparison"},
-                     {.value = recommended / best_peer, .resolution = fmt::format("N = {}", coarsest << (levels - 1))},
-                     evidence::Bound{.limit = 1, .reason = "a method that is worse than current practice has to say so"});
+    run.record.check(
+        {.id = "against-peer-" + id,
+         .text = fmt::format("{}: equal masses are at least as accurate as today's scheme at the same N.", name),
+         .quantity = "error over that of MUSCL-HLL",
+         .source = "this comparison"},
+        {.value = recommended / best_peer, .resolution = fmt::format("N = {}", coarsest << (levels - 1))},
+        evidence::Bound{.limit = 1, .reason = "a method that is worse than current practice has to say so"});
   }
 }
 

@@ -1,9 +1,11 @@
 /*
-The long channel with only **22 particles**, $\tau = 0.1$ s, at $t = 25$ s (figure 26 of Bogomolov, Zakharov and Zerkal).
+The long channel with only **22 particles**, $\tau = 0.1$ s, at $t = 25$ s (figure 26 of Bogomolov, Zakharov and
+Zerkal).
 
 **What is compared.** Mean depths, the bore's position and width; peers on 22 cells with the same step.
 
-**What to look at.** The Courant number is below 0.1, harmless for particles. Lax-Friedrichs is destroyed: its viscosity is
+**What to look at.** The Courant number is below 0.1, harmless for particles. Lax-Friedrichs is destroyed: its viscosity
+is
 $\Delta x^2/\tau$ and spreads the dam over the whole channel.
 */
 #include "validation/measures/wet_dam_break.hpp"
@@ -16,8 +18,8 @@ Case long_dam_break_coarse() {
   c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 26";
   c.parameters = wet_dam_break_parameters(22L, 0.1);
   c.run = [](Run& run) {
-    run_wet_dam_break(run, {.ratio = 0.1, .dam = 110, .length = 220, .times = {25}, .atlas = {"bzz-fig-26"},
-                            .cell_l1_h = 2.2e-2});
+    run_wet_dam_break(
+        run, {.ratio = 0.1, .dam = 110, .length = 220, .times = {25}, .atlas = {"bzz-fig-26"}, .cell_l1_h = 2.2e-2});
   };
   return c;
 }

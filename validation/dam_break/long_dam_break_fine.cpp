@@ -1,6 +1,6 @@
 /*
-A longer channel: dam at $x = 100$ m in $[0, 200]$ m, $h_0/h_1 = 0.1$, 200 particles, $\tau = 0.05$ s, shown at $t = 25.3$ s, which is 506
-steps (figure 25 of Bogomolov, Zakharov and Zerkal).
+A longer channel: dam at $x = 100$ m in $[0, 200]$ m, $h_0/h_1 = 0.1$, 200 particles, $\tau = 0.05$ s, shown at $t
+= 25.3$ s, which is 506 steps (figure 25 of Bogomolov, Zakharov and Zerkal).
 
 **What is compared.** Mean depths, the bore's position and width, beside the other levels of the method.
 
@@ -16,8 +16,13 @@ Case long_dam_break_fine() {
   c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 25";
   c.parameters = wet_dam_break_parameters(200L, 0.05);
   c.run = [](Run& run) {
-    run_wet_dam_break(run, {.ratio = 0.1, .dam = 100, .length = 200, .times = {25.3}, .schemes = particle_schemes,
-                            .atlas = {"bzz-fig-25"}, .cell_l1_h = 2.3e-3});
+    run_wet_dam_break(run, {.ratio = 0.1,
+                            .dam = 100,
+                            .length = 200,
+                            .times = {25.3},
+                            .schemes = particle_schemes,
+                            .atlas = {"bzz-fig-25"},
+                            .cell_l1_h = 2.3e-3});
   };
   return c;
 }

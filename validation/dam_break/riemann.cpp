@@ -3,17 +3,18 @@ Two uniform states meet at `jump` at $t = 0$ on a flat bed: the Riemann problem 
 
 $$h_t + (h u)_x = 0, \qquad (h u)_t + \left(h u^2 + g h^2/2\right)_x = 0.$$
 
-Every pair of depths and velocities may be set, a dry side is depth 0. The exact solution consists of a wave to the left,
-a uniform middle and a wave to the right; each wave is a fan or a jump.
+Every pair of depths and velocities may be set, a dry side is depth 0. The exact solution consists of a wave to the
+left, a uniform middle and a wave to the right; each wave is a fan or a jump.
 
-This is the case for trying a scheme out, ours (`G1`, `M2`, `H2`: the conservative particle method of Bogomolov, Zakharov
-and Zerkal at its three levels; `lax_friedrichs`, `maccormack`, `roe`, `muscl`) or your own (`seiche score riemann`).
+This is the case for trying a scheme out, ours (`G1`, `M2`, `H2`: the conservative particle method of Bogomolov,
+Zakharov and Zerkal at its three levels; `lax_friedrichs`, `maccormack`, `roe`, `muscl`) or your own (`seiche score
+riemann`).
 
-**What is compared.** Cell means, the method's own reconstruction, and the front, all with the exact solution at the same
-time. What passes the ends is booked, so that mass and momentum must balance to round-off whatever the resolution.
+**What is compared.** Cell means, the method's own reconstruction, and the front, all with the exact solution at the
+same time. What passes the ends is booked, so that mass and momentum must balance to round-off whatever the resolution.
 
-**What to look at.** The bore: in level `H2` it lies inside a single particle. The corners of the fan are where every scheme
-loses its order.
+**What to look at.** The bore: in level `H2` it lies inside a single particle. The corners of the fan are where every
+scheme loses its order.
 */
 #include <cmath>
 #include <limits>
@@ -41,7 +42,8 @@ FlowProblem problem_from(const Values& values) {
   const double start = values.real("start");
   const double end = values.real("end");
   const double jump = values.real("jump");
-  if (!(start < end)) throw std::invalid_argument(fmt::format("end = {:g} is out of range: must exceed start = {:g}", end, start));
+  if (!(start < end))
+    throw std::invalid_argument(fmt::format("end = {:g} is out of range: must exceed start = {:g}", end, start));
   if (!(jump > start && jump < end)) {
     throw std::invalid_argument(fmt::format("jump = {:g} is out of range: must be in ({:g}, {:g})", jump, start, end));
   }
@@ -113,7 +115,8 @@ void run(Run& run) {
   // error of a first-order scheme at a jump of size d is about its width times d times the cell width.
   const double cell = problem.length() / static_cast<double>(run.integer("particles"));
   const double range = std::max({solution.left().depth, solution.right().depth, solution.star().depth});
-  const double steps_wide = discretisation.scheme == "lax_friedrichs" ? std::sqrt(static_cast<double>(flow->steps())) : 8;
+  const double steps_wide =
+      discretisation.scheme == "lax_friedrichs" ? std::sqrt(static_cast<double>(flow->steps())) : 8;
   run.record.check(
       {.id = "depth",
        .text = "The cell means of depth are those of the exact solution to within a few smeared cells.",
@@ -122,8 +125,9 @@ void run(Run& run) {
        .source = "exact solution of the Riemann problem"},
       {.value = errors.cell.depth.l1, .resolution = discretisation.text()},
       evidence::Bound{.limit = 2 * steps_wide * cell * range / problem.length(),
-                      .reason = "two waves, each smeared over at most eight cells of the largest depth (Lax-Friedrichs: "
-                                "over the square root of the number of steps)"});
+                      .reason =
+                          "two waves, each smeared over at most eight cells of the largest depth (Lax-Friedrichs: "
+                          "over the square root of the number of steps)"});
   if (discretisation.scheme == "H2" && (solution.left().depth == 0 || solution.right().depth == 0)) {
     run.record.check({.id = "dry-front",
                       .text = "The dry front is where the exact one is.",
@@ -136,10 +140,11 @@ void run(Run& run) {
                                         .reason = "one rounded update of the front per step",
                                         .expected = judged.front.position});
   }
-  auto& figure = run.record.figure("profile", "Depth and velocity",
-                                   fmt::format("At t = {:g} s: the exact solution, and the {} as rectangles of their mean "
-                                               "depth and dots at their velocity.",
-                                               time, discretisation.scheme.size() == 2 ? "particles" : "cells"));
+  auto& figure =
+      run.record.figure("profile", "Depth and velocity",
+                        fmt::format("At t = {:g} s: the exact solution, and the {} as rectangles of their mean "
+                                    "depth and dots at their velocity.",
+                                    time, discretisation.scheme.size() == 2 ? "particles" : "cells"));
   draw_profile(figure, problem, *flow, fmt::format("t = {:g} s", time));
   add_snapshot(run.record, *flow);
 }
@@ -183,7 +188,8 @@ void judge(const Values& values, const Columns& columns, evidence::Record& recor
                {.value = l1_h / covered, .resolution = fmt::format("{} points", x.size())},
                evidence::Bound{.limit = limit,
                                .reason = "two waves, each smeared over at most eight intervals of the largest depth"});
-  auto& figure = record.figure("profile", "Depth and velocity", fmt::format("The submitted result at t = {:g} s.", time));
+  auto& figure =
+      record.figure("profile", "Depth and velocity", fmt::format("The submitted result at t = {:g} s.", time));
   const ExactCurve exact = exact_curve(problem, problem.start, problem.end, time);
   auto& depth = figure.panel({.x = "x [m]", .y = "depth h [m]"});
   depth.line("exact", exact.x, exact.depth, Role::exact);
@@ -198,7 +204,8 @@ std::vector<double> cell_centres(const Values& values) {
   const double end = values.real("end");
   const long n = values.integer("particles");
   std::vector<double> x;
-  for (long i = 0; i < n; ++i) x.push_back(start + (end - start) * (static_cast<double>(i) + 0.5) / static_cast<double>(n));
+  for (long i = 0; i < n; ++i)
+    x.push_back(start + (end - start) * (static_cast<double>(i) + 0.5) / static_cast<double>(n));
   return x;
 }
 
@@ -207,7 +214,8 @@ std::vector<double> cell_centres(const Values& values) {
 Case riemann() {
   Case c;
   c.title = "The Riemann problem, as you set it";
-  c.source = "E. F. Toro, Shock-capturing methods for free-surface shallow flows, 2001; J. J. Stoker, Water Waves, 1957";
+  c.source =
+      "E. F. Toro, Shock-capturing methods for free-surface shallow flows, 2001; J. J. Stoker, Water Waves, 1957";
   c.parameters = {
       real("left_depth", 1.0, "m", {0, 1e6}, "depth left of the jump; 0 is dry"),
       real("left_velocity", 0.0, "m/s", {-1e6, 1e6}, "velocity left of the jump"),

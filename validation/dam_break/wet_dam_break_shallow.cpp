@@ -1,16 +1,16 @@
 /*
-A dam at $x = 20$ m separates still water of depths $h_1 = 1$ m and $h_0 = 0.1\,h_1$. After it vanishes a fan runs upstream, a
-bore downstream, with a plateau of depth $h_*$ between them. For depth ratios below 0.13827 the flow at the dam is critical
-and does not feel the water downstream: this is such a case.
+A dam at $x = 20$ m separates still water of depths $h_1 = 1$ m and $h_0 = 0.1\,h_1$. After it vanishes a fan runs
+upstream, a bore downstream, with a plateau of depth $h_*$ between them. For depth ratios below 0.13827 the flow at the
+dam is critical and does not feel the water downstream: this is such a case.
 
-Bogomolov, Zakharov and Zerkal show steps 0, 40, 80 and 120 with $\tau = 0.05$ s (their figure 22; its caption prints "0.3" for
-0). The number of particles and the channel are not stated; $\Delta x = 1$ m on $[0, 50]$ m is taken here.
+Bogomolov, Zakharov and Zerkal show steps 0, 40, 80 and 120 with $\tau = 0.05$ s (their figure 22; its caption prints
+"0.3" for 0). The number of particles and the channel are not stated; $\Delta x = 1$ m on $[0, 50]$ m is taken here.
 
 **What is compared.** Mean depths, the bore's position and width, with the peers on cells of the same width.
 
-**What to look at.** The bore stays in one particle. What error remains sits at the corners of the fan, where the particles
-have expanded to two and a half times their first width, and in the position of the bore, which the start leaves a quarter of a
-cell behind.
+**What to look at.** The bore stays in one particle. What error remains sits at the corners of the fan, where the
+particles have expanded to two and a half times their first width, and in the position of the bore, which the start
+leaves a quarter of a cell behind.
 */
 #include "validation/measures/wet_dam_break.hpp"
 

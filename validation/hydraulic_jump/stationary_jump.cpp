@@ -1,15 +1,16 @@
 /*
-Add the velocity $-a$ to the bore of depth 2 m into 1 m and it stands still. In its mirror image, which Bogomolov, Zakharov and
-Zerkal draw, supercritical water of depth $h_0 = 1$ m enters from the left at 5.42 m/s and leaves to the right, 2 m deep, at
-2.71 m/s. They compute it with 105 particles and $\tau = 0.08$ s, the jump at $x = 100$ m (their figures 16 to 18).
+Add the velocity $-a$ to the bore of depth 2 m into 1 m and it stands still. In its mirror image, which Bogomolov,
+Zakharov and Zerkal draw, supercritical water of depth $h_0 = 1$ m enters from the left at 5.42 m/s and leaves to the
+right, 2 m deep, at 2.71 m/s. They compute it with 105 particles and $\tau = 0.08$ s, the jump at $x = 100$ m (their
+figures 16 to 18).
 
 The particles move through the jump; both ends are pistons moving with the stream.
 
-**What is compared.** The position and the profile of the jump after 100 steps, with the other levels of the method and the
-peers.
+**What is compared.** The position and the profile of the jump after 100 steps, with the other levels of the method and
+the peers.
 
-**What to look at.** MacCormack's and Roe's schemes keep a jump that lies on a cell edge exactly, because nothing moves for them.
-For the particles the water moves 43 m and the jump stays: to the last digit.
+**What to look at.** MacCormack's and Roe's schemes keep a jump that lies on a cell edge exactly, because nothing moves
+for them. For the particles the water moves 43 m and the jump stays: to the last digit.
 */
 #include <cmath>
 
@@ -30,12 +31,17 @@ constexpr double place = 100;
 
 void draw_sketches(evidence::Record& record, const FlowProblem& problem, const StationaryJump& jump) {
   const ExactCurve curve = exact_curve(problem, 0, length, 0);
-  auto& panel =
-      record.figure("setup", "Hydraulic jump at rest: the problem", "Water flows from left to right through a jump that stands.",
-                    {"bzz-fig-16"})
-          .panel({.x = "x [m]", .y = "elevation [m]",
-                  .title = fmt::format("u = {:.2f} m/s left, {:.2f} m/s right", jump.upstream().velocity, jump.downstream().velocity),
-                  .x_min = 80, .x_max = length, .y_min = -0.1, .y_max = 3});
+  auto& panel = record
+                    .figure("setup", "Hydraulic jump at rest: the problem",
+                            "Water flows from left to right through a jump that stands.", {"bzz-fig-16"})
+                    .panel({.x = "x [m]",
+                            .y = "elevation [m]",
+                            .title = fmt::format("u = {:.2f} m/s left, {:.2f} m/s right", jump.upstream().velocity,
+                                                 jump.downstream().velocity),
+                            .x_min = 80,
+                            .x_max = length,
+                            .y_min = -0.1,
+                            .y_max = 3});
   panel.fill("water", curve.x, curve.depth, Role::water);
   auto& figure = record.figure("exact", "The exact jump", "Depth and velocity, the same at all times.", {"bzz-fig-17"});
   figure.panel({.x = "x [m]", .y = "depth h [m]"}).line("exact", curve.x, curve.depth, Role::exact);
@@ -47,8 +53,8 @@ void run(Run& run) {
   const StationaryJump jump(gravity, run.real("shallow_depth"), run.real("deep_depth"), place);
   const FlowProblem problem =
       problem_of(jump, gravity, 0, length, {place}, FlowProblem::End::stream, FlowProblem::End::stream);
-  const Discretisation discretisation{.scheme = "H2", .particles = run.integer("particles"),
-                                      .time_step = run.real("time_step"), .theta = 1.5};
+  const Discretisation discretisation{
+      .scheme = "H2", .particles = run.integer("particles"), .time_step = run.real("time_step"), .theta = 1.5};
   const long steps = run.integer("steps");
   const double time = static_cast<double>(steps) * discretisation.time_step;
   draw_sketches(run.record, problem, jump);
@@ -68,7 +74,8 @@ void run(Run& run) {
 Case stationary_jump() {
   Case c;
   c.title = "A hydraulic jump at rest";
-  c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figures 16 to 18";
+  c.source =
+      "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figures 16 to 18";
   c.parameters = {
       integer("particles", 105L, {12, 1e6}, "particles of equal widths over the channel"),
       real("time_step", 0.08, "s", {1e-9, 1}, "time step"),

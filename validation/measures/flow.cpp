@@ -17,15 +17,17 @@ namespace seiche::validation {
 namespace {
 
 namespace particles = shallow_water_particles;
-namespace cells = finite_volume;
+namespace cells = shallow_water_finite_volume;
 
 /// Processor time of this process [s].
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 // ---- particles
 
-/// The uniform stretches of the initial state that hold water, with the number of particles each gets: as many per metre
-/// as over the whole channel, so that the same number means the same width for every scheme.
+/// The uniform stretches of the initial state that hold water, with the number of particles each gets: as many per
+/// metre as over the whole channel, so that the same number means the same width for every scheme.
 particles::Particles initial_particles(const FlowProblem& problem, const Discretisation& d) {
   std::vector<double> ends{problem.start};
   for (const double jump : problem.jumps) {
@@ -58,9 +60,12 @@ particles::Scheme particle_scheme(const Discretisation& d) {
 
 particles::End particle_end(FlowProblem::End kind, State at_start) {
   switch (kind) {
-    case FlowProblem::End::wall: return particles::Wall{};
-    case FlowProblem::End::dry: return particles::Vacuum{};
-    case FlowProblem::End::stream: break;
+    case FlowProblem::End::wall:
+      return particles::Wall{};
+    case FlowProblem::End::dry:
+      return particles::Vacuum{};
+    case FlowProblem::End::stream:
+      break;
   }
   if (at_start.velocity == 0) return particles::Wall{};
   return particles::Piston{[u = at_start.velocity](double) { return u; }};
@@ -99,9 +104,12 @@ cells::Scheme cell_scheme(const std::string& name) {
 
 cells::End cell_end(FlowProblem::End kind, State at_start) {
   switch (kind) {
-    case FlowProblem::End::wall: return cells::End::wall();
-    case FlowProblem::End::dry: return cells::End::free();
-    case FlowProblem::End::stream: break;
+    case FlowProblem::End::wall:
+      return cells::End::wall();
+    case FlowProblem::End::dry:
+      return cells::End::free();
+    case FlowProblem::End::stream:
+      break;
   }
   return cells::End::inflow(at_start);
 }
@@ -140,7 +148,8 @@ cells::FiniteVolumeFlow cell_flow(const FlowProblem& problem, const Discretisati
 
 class CellRun : public Flow {
  public:
-  CellRun(const FlowProblem& problem, const Discretisation& d) : Flow(d, problem.gravity), flow_(cell_flow(problem, d)) {}
+  CellRun(const FlowProblem& problem, const Discretisation& d)
+      : Flow(d, problem.gravity), flow_(cell_flow(problem, d)) {}
 
   [[nodiscard]] double time() const override { return flow_.time(); }
   [[nodiscard]] Profile profile() const override {
@@ -172,7 +181,8 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }  // namespace
 
 std::string Discretisation::text() const {
-  const std::string step = time_step > 0 ? fmt::format("tau = {:g} s", time_step) : fmt::format("Courant number {:g}", courant);
+  const std::string step =
+      time_step > 0 ? fmt::format("tau = {:g} s", time_step) : fmt::format("Courant number {:g}", courant);
   return fmt::format("{}, N = {}{}, {}", scheme, particles, equal_masses ? " of equal masses" : "", step);
 }
 

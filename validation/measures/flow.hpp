@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "seiche/exact/cell_average.hpp"
-#include "seiche/models/shallow_water_particles/error_measures.hpp"
+#include "seiche/shallow_water/error_measures.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::validation {
 
-using Profile = shallow_water_particles::MeasuredProfile;
+using Profile = shallow_water::MeasuredProfile;
 using shallow_water::State;
 
 /// A flow on a flat bed with a known solution.
@@ -44,8 +44,8 @@ struct Discretisation {
   bool equal_masses = false;  ///< instead of equal widths; particles only
   double time_step = 0;       ///< [s]; 0: from the Courant number
   double courant = 0.4;
-  double theta = 2;           ///< generalised minmod
-  bool exact_start = false;   ///< particles: exact waves of the initial discontinuity until they span some particles
+  double theta = 2;          ///< generalised minmod
+  bool exact_start = false;  ///< particles: exact waves of the initial discontinuity until they span some particles
 
   /// "N = 100, tau = 0.05 s".
   [[nodiscard]] std::string text() const;
@@ -98,7 +98,12 @@ template <exact::ShallowWaterSolution S>
 FlowProblem problem_of(const S& solution, double gravity, double start, double end, std::vector<double> jumps,
                        FlowProblem::End left = FlowProblem::End::wall,
                        FlowProblem::End right = FlowProblem::End::wall) {
-  return {.gravity = gravity, .start = start, .end = end, .jumps = std::move(jumps), .left = left, .right = right,
+  return {.gravity = gravity,
+          .start = start,
+          .end = end,
+          .jumps = std::move(jumps),
+          .left = left,
+          .right = right,
           .exact = [solution](double x, double t) { return solution.at(x, t); },
           .breakpoints = [solution](double t) { return solution.breakpoints(t); }};
 }

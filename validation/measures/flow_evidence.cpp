@@ -13,7 +13,7 @@ namespace seiche::validation {
 using evidence::Role;
 
 ProfileErrors profile_errors(const Profile& profile, const FlowProblem& problem, double t) {
-  namespace measures = shallow_water_particles;
+  namespace measures = shallow_water;
   const auto exact = [&](double x) { return problem.exact(x, t); };
   const std::vector<double> breaks = problem.breakpoints(t);
   return {.cell = measures::cell_error(profile, exact, breaks),
@@ -28,8 +28,8 @@ double excursion(const Profile& profile, double lowest, double highest) {
 }
 
 long front_width(const Profile& profile, const Front& front) {
-  return shallow_water_particles::jump_width(profile, front.behind, front.ahead, front.position - front.reach,
-                                             front.position + front.reach);
+  return shallow_water::jump_width(profile, front.behind, front.ahead, front.position - front.reach,
+                                   front.position + front.reach);
 }
 
 double front_position(const Profile& profile, const Front& front) {
@@ -77,7 +77,8 @@ void claim_conservation(evidence::Record& record, const Flow& flow, const std::s
                 .unit = "m^2",
                 .source = "conservation law of mass"},
                {.value = flow.mass_defect(), .resolution = flow.discretisation().text()},
-               evidence::Roundoff{.operations = steps, .scale = mass,
+               evidence::Roundoff{.operations = steps,
+                                  .scale = mass,
                                   .reason = "one rounded update per cell and step, of the size of all the water"});
   record.check({.id = "momentum" + suffix,
                 .text = "Momentum changes only by the impulses at the ends.",
@@ -85,7 +86,8 @@ void claim_conservation(evidence::Record& record, const Flow& flow, const std::s
                 .unit = "m^3/s",
                 .source = "conservation law of momentum"},
                {.value = flow.momentum_defect(), .resolution = flow.discretisation().text()},
-               evidence::Roundoff{.operations = steps, .scale = scale,
+               evidence::Roundoff{.operations = steps,
+                                  .scale = scale,
                                   .reason = "one rounded update per cell and step; scale is the sum of m (|u| + c)"});
 }
 
@@ -103,14 +105,16 @@ void claim_single_particle(evidence::Record& record, const Flow& flow, const Fro
 void claim_exact_profile(evidence::Record& record, const Flow& flow, const FlowProblem& problem, double deepest) {
   const ProfileErrors errors = profile_errors(flow.profile(), problem, flow.time());
   measure_errors(record, errors);
-  record.check({.id = "reconstructed_l1_h",
-                .text = "The method's profile is the exact one.",
-                .quantity = "reconstructed L1(h)",
-                .unit = "m",
-                .source = "jump conditions (11) of the paper"},
-               {.value = errors.reconstructed.depth.l1, .resolution = flow.discretisation().text()},
-               evidence::Roundoff{.operations = 8.0 * static_cast<double>(flow.steps()), .scale = deepest,
-                                  .reason = "about eight rounded operations per edge and step, on depths of this size"});
+  record.check(
+      {.id = "reconstructed_l1_h",
+       .text = "The method's profile is the exact one.",
+       .quantity = "reconstructed L1(h)",
+       .unit = "m",
+       .source = "jump conditions (11) of the paper"},
+      {.value = errors.reconstructed.depth.l1, .resolution = flow.discretisation().text()},
+      evidence::Roundoff{.operations = 8.0 * static_cast<double>(flow.steps()),
+                         .scale = deepest,
+                         .reason = "about eight rounded operations per edge and step, on depths of this size"});
 }
 
 ExactCurve exact_curve(const FlowProblem& problem, double from, double to, double t) {
@@ -185,10 +189,11 @@ std::unique_ptr<Flow> run_and_draw(evidence::Record& record, const FlowProblem& 
                                    const std::string& title, const std::vector<std::string>& atlas,
                                    const std::function<void(double)>& progress) {
   std::unique_ptr<Flow> flow = make_flow(problem, discretisation);
-  auto& figure = record.figure("profiles", title,
-                               "The exact solution, the particles as rectangles of their mean depth, and as dots at their "
-                               "velocity.",
-                               atlas);
+  auto& figure =
+      record.figure("profiles", title,
+                    "The exact solution, the particles as rectangles of their mean depth, and as dots at their "
+                    "velocity.",
+                    atlas);
   for (const double time : times) {
     flow->advance_to(time, [&](double t) { progress(t / times.back()); });
     draw_profile(figure, problem, *flow, fmt::format("t = {:g} s, step {}", time, flow->steps()));
@@ -197,15 +202,21 @@ std::unique_ptr<Flow> run_and_draw(evidence::Record& record, const FlowProblem& 
   return flow;
 }
 
-void claim_reproduced(evidence::Record& record, const std::string& id, const std::string& quantity, const std::string& text, double measured,
-                      double stated, const std::string& unit, const std::string& resolution) {
-  record.check({.id = id, .text = text, .quantity = quantity, .unit = unit, .source = "independent implementation of the method"},
-               {.value = measured, .resolution = resolution},
-               evidence::Bound{.limit = 0.1,
-                               .reason = "an independent implementation of the same algorithm measured the expected value; "
-                                         "10 % covers different rounding of limiter decisions",
-                               .expected = stated,
-                               .relative = true});
+void claim_reproduced(evidence::Record& record, const std::string& id, const std::string& quantity,
+                      const std::string& text, double measured, double stated, const std::string& unit,
+                      const std::string& resolution) {
+  record.check(
+      {.id = id,
+       .text = text,
+       .quantity = quantity,
+       .unit = unit,
+       .source = "independent implementation of the method"},
+      {.value = measured, .resolution = resolution},
+      evidence::Bound{.limit = 0.1,
+                      .reason = "an independent implementation of the same algorithm measured the expected value; "
+                                "10 % covers different rounding of limiter decisions",
+                      .expected = stated,
+                      .relative = true});
 }
 
 Contestant contest(const FlowProblem& problem, const Discretisation& discretisation, double time, const Front* front) {
@@ -244,23 +255,24 @@ std::vector<Contestant> contest_all(const FlowProblem& problem, const Discretisa
 
 void report_contest(evidence::Record& record, const FlowProblem& problem, double time,
                     const std::vector<Contestant>& contestants, const std::vector<std::string>& atlas) {
-  evidence::Table table{.id = "schemes",
-                        .title = "The schemes side by side",
-                        .caption = fmt::format("Errors at t = {:g} s, means over the water: of cell means, of the method's own "
-                                               "reconstruction, of the piecewise constant picture. The width of the jump "
-                                               "counts cells between 5 % and 95 % of it.",
-                                               time),
-                        .columns = {{"scheme", ""},
-                                    {"cell L1(h)", "m"},
-                                    {"reconstructed L1(h)", "m"},
-                                    {"constant L1(h)", "m"},
-                                    {"constant L2(h)", "m"},
-                                    {"constant max(h)", "m"},
-                                    {"cell L1(u)", "m/s"},
-                                    {"width", "cells"},
-                                    {"front error", "m"}},
-                        .rows = {},
-                        .atlas = {}};
+  evidence::Table table{
+      .id = "schemes",
+      .title = "The schemes side by side",
+      .caption = fmt::format("Errors at t = {:g} s, means over the water: of cell means, of the method's own "
+                             "reconstruction, of the piecewise constant picture. The width of the jump "
+                             "counts cells between 5 % and 95 % of it.",
+                             time),
+      .columns = {{"scheme", ""},
+                  {"cell L1(h)", "m"},
+                  {"reconstructed L1(h)", "m"},
+                  {"constant L1(h)", "m"},
+                  {"constant L2(h)", "m"},
+                  {"constant max(h)", "m"},
+                  {"cell L1(u)", "m/s"},
+                  {"width", "cells"},
+                  {"front error", "m"}},
+      .rows = {},
+      .atlas = {}};
   auto& figure = record.figure("schemes", "The schemes side by side",
                                fmt::format("Depth at t = {:g} s by each scheme at the same resolution.", time), atlas);
   for (const Contestant& c : contestants) {
@@ -269,7 +281,8 @@ void report_contest(evidence::Record& record, const FlowProblem& problem, double
       continue;
     }
     table.rows.push_back({c.scheme, c.errors.cell.depth.l1, c.errors.reconstructed.depth.l1, c.errors.constant.depth.l1,
-                          c.errors.constant.depth.l2, c.errors.constant.depth.linf, c.errors.cell.velocity.l1, static_cast<double>(c.width), c.front_error});
+                          c.errors.constant.depth.l2, c.errors.constant.depth.linf, c.errors.cell.velocity.l1,
+                          static_cast<double>(c.width), c.front_error});
     measure_errors(record, c.errors, "_" + c.scheme);
     record.measure("front_error_" + c.scheme, c.front_error);
     record.measure("width_" + c.scheme, static_cast<double>(c.width));
@@ -278,8 +291,10 @@ void report_contest(evidence::Record& record, const FlowProblem& problem, double
     const ExactCurve exact = exact_curve(problem, from, to, time);
     auto& panel = figure.panel({.x = "x [m]", .y = "depth h [m]", .title = c.scheme});
     panel.line("exact", exact.x, exact.depth, Role::exact);
-    const bool particles = std::find(particle_schemes.begin(), particle_schemes.end(), c.scheme) != particle_schemes.end();
-    panel.steps(particles ? "particles" : "cells", c.profile.edges, means_of(c.profile).depth, particles ? Role::computed : Role::peer);
+    const bool particles =
+        std::find(particle_schemes.begin(), particle_schemes.end(), c.scheme) != particle_schemes.end();
+    panel.steps(particles ? "particles" : "cells", c.profile.edges, means_of(c.profile).depth,
+                particles ? Role::computed : Role::peer);
   }
   record.table(std::move(table));
 }

@@ -11,9 +11,9 @@ namespace seiche::validation {
 
 /// The three measures of a profile's distance from the exact one; which is which: error_measures.hpp.
 struct ProfileErrors {
-  shallow_water_particles::ProfileError cell;
-  shallow_water_particles::ProfileError reconstructed;
-  shallow_water_particles::ProfileError constant;
+  shallow_water::ProfileError cell;
+  shallow_water::ProfileError reconstructed;
+  shallow_water::ProfileError constant;
 };
 
 /// Errors at time t. Means are taken over the length of the profile.
@@ -35,8 +35,8 @@ struct Front {
 };
 /// Number of cells between 5 % and 95 % of the jump.
 long front_width(const Profile& profile, const Front& front);
-/// Where the profile crosses the mid-depth of the jump: at the jump inside a cell if the method keeps one there, else where
-/// the means cross it, by linear interpolation between centres; NaN if they do not.
+/// Where the profile crosses the mid-depth of the jump: at the jump inside a cell if the method keeps one there, else
+/// where the means cross it, by linear interpolation between centres; NaN if they do not.
 double front_position(const Profile& profile, const Front& front);
 
 /// Claim that the jump lies inside a single particle; measures "front_width".
@@ -78,8 +78,9 @@ std::unique_ptr<Flow> run_and_draw(evidence::Record& record, const FlowProblem& 
 
 /// Claims that an error is what an independent implementation of the same algorithm measured, within 10 %: a larger one
 /// means that something got worse, a smaller one that the number stated here is out of date.
-void claim_reproduced(evidence::Record& record, const std::string& id, const std::string& quantity, const std::string& text, double measured,
-                      double stated, const std::string& unit, const std::string& resolution);
+void claim_reproduced(evidence::Record& record, const std::string& id, const std::string& quantity,
+                      const std::string& text, double measured, double stated, const std::string& unit,
+                      const std::string& resolution);
 
 /// One scheme of a comparison, at the end of its run.
 struct Contestant {
@@ -89,7 +90,7 @@ struct Contestant {
   double front_error = 0;  ///< NaN without a front
   long width = 0;
   double seconds = 0;
-  std::string failure;     ///< why it did not finish; empty if it did
+  std::string failure;  ///< why it did not finish; empty if it did
 };
 
 /// Runs a scheme to `time`; a breakdown is kept as the contestant's failure.

@@ -20,8 +20,8 @@ void run_wet_dam_break(Run& run, const WetDamBreak& setup) {
   const double time = setup.times.back();
   const exact::Stoker stoker(gravity, 1, setup.ratio, setup.dam);
   const FlowProblem problem = problem_of(stoker, gravity, 0, setup.length, {setup.dam});
-  const Discretisation particles{.scheme = "H2", .particles = run.integer("particles"),
-                                 .time_step = run.real("time_step"), .theta = 1.5};
+  const Discretisation particles{
+      .scheme = "H2", .particles = run.integer("particles"), .time_step = run.real("time_step"), .theta = 1.5};
   const auto flow = run_and_draw(run.record, problem, particles, setup.times,
                                  fmt::format("Dam break over water, h0/h1 = {:g}", setup.ratio), setup.atlas,
                                  [&](double done) { run.progress(0.5 * done); });
@@ -30,25 +30,29 @@ void run_wet_dam_break(Run& run, const WetDamBreak& setup) {
   const Profile profile = flow->profile();
   const ProfileErrors errors = profile_errors(profile, problem, time);
   measure_errors(run.record, errors);
-  const Front front{.behind = stoker.plateau().depth, .ahead = setup.ratio, .position = stoker.bore_position(time),
+  const Front front{.behind = stoker.plateau().depth,
+                    .ahead = setup.ratio,
+                    .position = stoker.bore_position(time),
                     .reach = 0.5 * (stoker.bore_position(time) - stoker.fan_end(time))};
   claim_single_particle(run.record, *flow, front);
-  run.record.check({.id = "range",
-                    .text = "No depth leaves the range of the exact solution.",
-                    .quantity = "largest depth outside the range",
-                    .unit = "m",
-                    .source = "maximum principle of the two fields"},
-                   {.value = excursion(profile, setup.ratio, 1), .resolution = particles.text()},
-                   evidence::Bound{.limit = 1e-5,
-                                   .reason = "the exact solution is monotone; a hand-over in a disturbed neighbourhood may "
-                                             "overshoot by the disturbance, of the size of the start-up error squared"});
+  run.record.check(
+      {.id = "range",
+       .text = "No depth leaves the range of the exact solution.",
+       .quantity = "largest depth outside the range",
+       .unit = "m",
+       .source = "maximum principle of the two fields"},
+      {.value = excursion(profile, setup.ratio, 1), .resolution = particles.text()},
+      evidence::Bound{.limit = 1e-5,
+                      .reason = "the exact solution is monotone; a hand-over in a disturbed neighbourhood may "
+                                "overshoot by the disturbance, of the size of the start-up error squared"});
   if (run.as_published()) {
-    claim_reproduced(run.record, "cell_l1_h", "cell L1(h)", "The mean depths have the known error.", errors.cell.depth.l1, setup.cell_l1_h, "m",
-                     particles.text());
+    claim_reproduced(run.record, "cell_l1_h", "cell L1(h)", "The mean depths have the known error.",
+                     errors.cell.depth.l1, setup.cell_l1_h, "m", particles.text());
   }
 
   report_contest(run.record, problem, time,
-                 contest_all(problem, particles, setup.schemes, time, &front, [&](double done) { run.progress(0.5 + 0.5 * done); }));
+                 contest_all(problem, particles, setup.schemes, time, &front,
+                             [&](double done) { run.progress(0.5 + 0.5 * done); }));
 }
 
 }  // namespace seiche::validation

@@ -8,13 +8,13 @@ namespace seiche::validation {
 
 /// What differs between the figures.
 struct WetDamBreak {
-  double ratio = 0.1;           ///< h0/h1
-  double dam = 20;              ///< [m]
-  double length = 50;           ///< [m]
-  std::vector<double> times;    ///< shown, the last is judged [s]
+  double ratio = 0.1;                              ///< h0/h1
+  double dam = 20;                                 ///< [m]
+  double length = 50;                              ///< [m]
+  std::vector<double> times;                       ///< shown, the last is judged [s]
   std::vector<std::string> schemes = all_schemes;  ///< compared at the same resolution
   std::vector<std::string> atlas;
-  double cell_l1_h = 0;         ///< of H2 with the standard parameters, known from an independent implementation [m]
+  double cell_l1_h = 0;  ///< of H2 with the standard parameters, known from an independent implementation [m]
 };
 
 /// Parameters of every one of these cases, with the figure's resolution as standard.

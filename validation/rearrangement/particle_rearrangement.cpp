@@ -1,17 +1,17 @@
 /*
-A particle of the method is a rectangle of constant area whose height is the depth; a row of them approximates the water, as in the
-paper's picture of a parabola. When the particles move with their velocities, neighbours overlap or part; a rearrangement rebuilds one
-of the two so that they touch again: in an overlap the one of smaller density, at a gap the faster one. If the rebuilt one
-would become the denser of the two, its position changes as well.
+A particle of the method is a rectangle of constant area whose height is the depth; a row of them approximates the
+water, as in the paper's picture of a parabola. When the particles move with their velocities, neighbours overlap or
+part; a rearrangement rebuilds one of the two so that they touch again: in an overlap the one of smaller density, at a
+gap the faster one. If the rebuilt one would become the denser of the two, its position changes as well.
 
-Rebuilding one particle of a pair moves only the edge they share. So the rule is a choice of a velocity for every edge, and the
-scheme of this suite takes it, with the thrust, from the Riemann problem of the pair: order of processing plays no role, areas are
-kept to the last digit, and so is momentum.
+Rebuilding one particle of a pair moves only the edge they share. So the rule is a choice of a velocity for every edge,
+and the scheme of this suite takes it, with the thrust, from the Riemann problem of the pair: order of processing plays
+no role, areas are kept to the last digit, and so is momentum.
 
 **What is compared.** The area of the rectangles with that of the parabola; the areas before and after a rearrangement.
 
-**What to look at.** The third picture of the rearrangement: the edge has gone further than either velocity would take it, because the
-deep particle also pushes.
+**What to look at.** The third picture of the rearrangement: the edge has gone further than either velocity would take
+it, because the deep particle also pushes.
 */
 #include <cmath>
 
@@ -28,12 +28,14 @@ using evidence::Role;
 namespace particles = shallow_water_particles;
 
 /// A rectangle standing on the bed, as a closed line.
-void draw_rectangle(evidence::Panel& panel, const std::string& label, double left, double right, double depth, Role role) {
+void draw_rectangle(evidence::Panel& panel, const std::string& label, double left, double right, double depth,
+                    Role role) {
   panel.line(label, std::vector<double>{left, left, right, right}, std::vector<double>{0, depth, depth, 0}, role);
 }
 
 void draw_channel(evidence::Record& record) {
-  auto& figure = record.figure("channel", "A channel of constant cross-section", "Section along the channel and across it.", {"bzz-fig-1"});
+  auto& figure = record.figure("channel", "A channel of constant cross-section",
+                               "Section along the channel and across it.", {"bzz-fig-1"});
   std::vector<double> x;
   std::vector<double> h;
   for (int k = 0; k <= 100; ++k) {
@@ -62,19 +64,26 @@ void run(Run& run) {
     depth.push_back(parabola.depth(i));
   }
   run.record.measure("area", area);
-  run.record.check({.id = "area", .text = "The rectangles hold exactly the water of the parabola.", .quantity = "area", .unit = "m^2",
-                    .source = "integral of 1 - x^2 over [-1, 1]"},
-                   {.value = area, .resolution = fmt::format("N = {}", n)},
-                   evidence::Roundoff{.operations = static_cast<double>(40 * n), .scale = 4.0 / 3,
-                                      .reason = "a sum over forty quadrature points per particle, of the size of the area", .expected = 4.0 / 3});
+  run.record.check(
+      {.id = "area",
+       .text = "The rectangles hold exactly the water of the parabola.",
+       .quantity = "area",
+       .unit = "m^2",
+       .source = "integral of 1 - x^2 over [-1, 1]"},
+      {.value = area, .resolution = fmt::format("N = {}", n)},
+      evidence::Roundoff{.operations = static_cast<double>(40 * n),
+                         .scale = 4.0 / 3,
+                         .reason = "a sum over forty quadrature points per particle, of the size of the area",
+                         .expected = 4.0 / 3});
   std::vector<double> x;
   std::vector<double> h;
   for (int k = 0; k <= 200; ++k) {
     x.push_back(-1 + 0.01 * k);
     h.push_back(1 - x.back() * x.back());
   }
-  auto& approximation = run.record.figure("parabola", "Rectangles approximating a parabola", "Each has the area of the parabola above it.",
-                                          {"bzz-fig-2"})
+  auto& approximation = run.record
+                            .figure("parabola", "Rectangles approximating a parabola",
+                                    "Each has the area of the parabola above it.", {"bzz-fig-2"})
                             .panel({.x = "x [m]", .y = "depth h [m]"});
   approximation.steps("particles", parabola.edge, depth, Role::computed);
   approximation.line("parabola", x, h, Role::exact);
@@ -86,29 +95,51 @@ void run(Run& run) {
   };
   const particles::Particles before = make();
   const double tau = run.real("time_step");
-  particles::ParticleFlow flow(make(), {.left = particles::Free{}, .right = particles::Free{}}, {}, {.level = particles::Level::godunov});
+  particles::ParticleFlow flow(make(), {.left = particles::Free{}, .right = particles::Free{}}, {},
+                               {.level = particles::Level::godunov});
   flow.advance(tau);
   const particles::Particles& after = flow.particles();
   double change = 0;
   for (std::size_t i = 0; i < 4; ++i) change = std::max(change, std::abs(after.mass[i] - before.mass[i]));
   run.record.measure("area_change", change);
-  run.record.check({.id = "rearranged-area", .text = "A rearrangement keeps the area of every particle.", .quantity = "largest change of an area",
-                    .unit = "m^2", .source = "section 3 of the paper"},
-                   {.value = change, .resolution = fmt::format("tau = {:g} s", tau)},
-                   evidence::Roundoff{.operations = 1, .scale = 0, .reason = "masses are never written: nothing is rounded"});
-  const double star = shallow_water::star_state(9.81, {before.depth(1), before.velocity[1]}, {before.depth(2), before.velocity[2]}).velocity;
-  run.record.check({.id = "edge", .text = "The shared edge moves with the middle velocity of the two particles' Riemann problem.",
-                    .quantity = "position of the edge", .unit = "m", .source = "a choice of edge velocity, sections 3 and 4 of the paper"},
+  run.record.check(
+      {.id = "rearranged-area",
+       .text = "A rearrangement keeps the area of every particle.",
+       .quantity = "largest change of an area",
+       .unit = "m^2",
+       .source = "section 3 of the paper"},
+      {.value = change, .resolution = fmt::format("tau = {:g} s", tau)},
+      evidence::Roundoff{.operations = 1, .scale = 0, .reason = "masses are never written: nothing is rounded"});
+  const double star =
+      shallow_water::star_state(9.81, {before.depth(1), before.velocity[1]}, {before.depth(2), before.velocity[2]})
+          .velocity;
+  run.record.check({.id = "edge",
+                    .text = "The shared edge moves with the middle velocity of the two particles' Riemann problem.",
+                    .quantity = "position of the edge",
+                    .unit = "m",
+                    .source = "a choice of edge velocity, sections 3 and 4 of the paper"},
                    {.value = after.edge[2], .resolution = fmt::format("tau = {:g} s", tau)},
-                   evidence::Roundoff{.operations = 30, .scale = before.edge[2], .reason = "some thirty operations of the Riemann problem",
+                   evidence::Roundoff{.operations = 30,
+                                      .scale = before.edge[2],
+                                      .reason = "some thirty operations of the Riemann problem",
                                       .expected = before.edge[2] + tau * star});
 
-  auto& figure = run.record.figure("rearrangement", "Rearrangement of two particles", "Before; moved each with its own velocity, overlapping; "
-                                   "rearranged: the shared edge has moved, areas are kept, and both centres have changed.",
-                                   {"bzz-fig-3", "bzz-fig-4"});
-  auto& first = figure.panel({.x = "x [m]", .y = "depth h [m]", .title = "before", .x_min = 0.5, .x_max = 4, .y_min = 0, .y_max = 2.2});
-  auto& second = figure.panel({.x = "x [m]", .y = "depth h [m]", .title = "moved apart: overlap", .x_min = 0.5, .x_max = 4, .y_min = 0, .y_max = 2.2});
-  auto& third = figure.panel({.x = "x [m]", .y = "depth h [m]", .title = "rearranged", .x_min = 0.5, .x_max = 4, .y_min = 0, .y_max = 2.2});
+  auto& figure =
+      run.record.figure("rearrangement", "Rearrangement of two particles",
+                        "Before; moved each with its own velocity, overlapping; "
+                        "rearranged: the shared edge has moved, areas are kept, and both centres have changed.",
+                        {"bzz-fig-3", "bzz-fig-4"});
+  auto& first = figure.panel(
+      {.x = "x [m]", .y = "depth h [m]", .title = "before", .x_min = 0.5, .x_max = 4, .y_min = 0, .y_max = 2.2});
+  auto& second = figure.panel({.x = "x [m]",
+                               .y = "depth h [m]",
+                               .title = "moved apart: overlap",
+                               .x_min = 0.5,
+                               .x_max = 4,
+                               .y_min = 0,
+                               .y_max = 2.2});
+  auto& third = figure.panel(
+      {.x = "x [m]", .y = "depth h [m]", .title = "rearranged", .x_min = 0.5, .x_max = 4, .y_min = 0, .y_max = 2.2});
   for (const std::size_t i : {std::size_t{1}, std::size_t{2}}) {
     const Role role = i == 1 ? Role::computed : Role::peer;
     const std::string label = i == 1 ? "fast" : "slow";

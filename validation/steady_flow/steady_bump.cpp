@@ -1,17 +1,17 @@
 /*
-Water flows over a parabolic bump, $z = 0.2 - 0.05 (x - 10)^2$ on $8 < x < 12$ m, in a channel of 25 m, until nothing changes any
-more. Bernoulli's law gives the depth,
+Water flows over a parabolic bump, $z = 0.2 - 0.05 (x - 10)^2$ on $8 < x < 12$ m, in a channel of 25 m, until nothing
+changes any more. Bernoulli's law gives the depth,
 
 $$\frac{q^2}{2 g h^2} + h + z = E,$$
 
-in three regimes: subcritical ($q = 4.42$ m²/s, depth 2 m at the outflow), transcritical without a jump (1.53) and with one (0.18,
-0.33 m).
+in three regimes: subcritical ($q = 4.42$ m²/s, depth 2 m at the outflow), transcritical without a jump (1.53) and with
+one (0.18, 0.33 m).
 
-The ends are fixed sections: the water comes in at $q$ and goes out at the given depth (or freely, where it leaves supercritical), so
-particles are born at one end and leave at the other.
+The ends are fixed sections: the water comes in at $q$ and goes out at the given depth (or freely, where it leaves
+supercritical), so particles are born at one end and leave at the other.
 
-**What is compared.** Depth, and the discharge, which a steady state has the same everywhere; the fixed-grid peer with hydrostatic
-reconstruction beside it.
+**What is compared.** Depth, and the discharge, which a steady state has the same everywhere; the fixed-grid peer with
+hydrostatic reconstruction beside it.
 
 **What to look at.** The discharge: it shows what the depth hides.
 */
@@ -72,14 +72,17 @@ Settled by_particles(const Regime& regime, double gravity, long n, double time, 
   particles::Open outflow;
   if (regime.outflow_depth) outflow.depth = [h = *regime.outflow_depth](double) { return h; };
   const double length = regime.flow.bump().length;
-  particles::ParticleFlow flow(particles::particles_from_profile(particles::equal_width_edges(0, length, static_cast<std::size_t>(n)),
-                                                                 depth, [&](double x) { return q / depth(x); }),
-                               {.left = inflow, .right = outflow}, {.gravity = gravity, .bed = regime.flow.bed()});
+  particles::ParticleFlow flow(
+      particles::particles_from_profile(particles::equal_width_edges(0, length, static_cast<std::size_t>(n)), depth,
+                                        [&](double x) { return q / depth(x); }),
+      {.left = inflow, .right = outflow}, {.gravity = gravity, .bed = regime.flow.bed()});
   while (flow.time() < time * (1 - 1e-12)) {
     flow.advance(std::min(flow.largest_step().tau, time - flow.time()));
     progress(flow.time() / time);
   }
-  Settled settled{.profile = flow.measured_profile(), .discharge = {}, .mass_defect = flow.mass_defect(),
+  Settled settled{.profile = flow.measured_profile(),
+                  .discharge = {},
+                  .mass_defect = flow.mass_defect(),
                   .momentum_defect = flow.momentum_defect()};
   for (const State& s : settled.profile.means) settled.discharge.push_back(s.depth * s.velocity);
   return settled;
@@ -92,12 +95,12 @@ Settled by_cells(const Regime& regime, double gravity, long n, double time) {
   for (long i = 0; i < n; ++i) {
     depth.push_back(regime.start_depth(length * (static_cast<double>(i) + 0.5) / static_cast<double>(n)));
   }
-  finite_volume::FiniteVolumeFlow::Settings settings;
+  shallow_water_finite_volume::FiniteVolumeFlow::Settings settings;
   settings.gravity = gravity;
   // The exact end states are held: the weakest way to err at the ends.
-  settings.left = finite_volume::End::inflow(regime.flow.at(0));
-  settings.right = finite_volume::End::inflow(regime.flow.at(length));
-  finite_volume::FiniteVolumeFlow flow(settings, 0, length, depth, discharge, regime.flow.bed());
+  settings.left = shallow_water_finite_volume::End::inflow(regime.flow.at(0));
+  settings.right = shallow_water_finite_volume::End::inflow(regime.flow.at(length));
+  shallow_water_finite_volume::FiniteVolumeFlow flow(settings, 0, length, depth, discharge, regime.flow.bed());
   flow.advance_to(time);
   Settled settled;
   settled.profile.edges = flow.edges();
@@ -107,7 +110,9 @@ Settled by_cells(const Regime& regime, double gravity, long n, double time) {
 }
 
 double depth_error(const Settled& settled, const exact::SteadyBump& exact) {
-  return particles::cell_error(settled.profile, [&](double x) { return exact.at(x); }, exact.breakpoints()).depth.l1;
+  return shallow_water::cell_error(
+             settled.profile, [&](double x) { return exact.at(x); }, exact.breakpoints())
+      .depth.l1;
 }
 
 double discharge_spread(const Settled& settled, double q) {
@@ -124,18 +129,25 @@ void run(Run& run) {
   const long n = run.integer("particles");
   std::vector<double> widths;
   std::vector<double> errors;
-  evidence::Table table{.id = "resolutions", .title = "Refinement", .caption = "Mean errors after the flow has settled.",
-                        .columns = {{"N", ""}, {"particles: L1(h)", "m"}, {"particles: L1(q)/q", ""}, {"cells: L1(h)", "m"}, {"cells: L1(q)/q", ""}}};
+  evidence::Table table{.id = "resolutions",
+                        .title = "Refinement",
+                        .caption = "Mean errors after the flow has settled.",
+                        .columns = {{"N", ""},
+                                    {"particles: L1(h)", "m"},
+                                    {"particles: L1(q)/q", ""},
+                                    {"cells: L1(h)", "m"},
+                                    {"cells: L1(q)/q", ""}}};
   Settled finest;
   Settled peer;
   for (long k = 0; k < 4; ++k) {
     const long count = n << k;
-    finest = by_particles(regime, gravity, count, time, [&](double done) { run.progress(0.25 * (static_cast<double>(k) + 0.8 * done)); });
+    finest = by_particles(regime, gravity, count, time,
+                          [&](double done) { run.progress(0.25 * (static_cast<double>(k) + 0.8 * done)); });
     peer = by_cells(regime, gravity, count, time);
     widths.push_back(25.0 / static_cast<double>(count));
     errors.push_back(depth_error(finest, regime.flow));
-    table.rows.push_back({static_cast<double>(count), errors.back(), discharge_spread(finest, q), depth_error(peer, regime.flow),
-                          discharge_spread(peer, q)});
+    table.rows.push_back({static_cast<double>(count), errors.back(), discharge_spread(finest, q),
+                          depth_error(peer, regime.flow), discharge_spread(peer, q)});
   }
   const std::string resolution = fmt::format("N = {}", n << 3);
   run.record.table(std::move(table));
@@ -146,17 +158,28 @@ void run(Run& run) {
   run.record.measure("mass_defect", finest.mass_defect);
   run.record.measure("momentum_defect", finest.momentum_defect);
   const bool smooth = run.text("regime") != "jump";
-  run.record.check({.id = "order", .text = "The depth converges to the steady state at the order of the method.",
-                    .quantity = "observed order of cell L1(h)", .source = "Delestre et al. (2013), section 3.1"},
-                   evidence::observed_order(widths, errors),
-                   evidence::Order{smooth ? 2.0 : 1.0, 0.5,
-                                   smooth ? "second order; the bump's corners, and particles that enter at their own rhythm, scatter it by a few tenths"
-                                          : "first order at a jump; its place between particles scatters single errors by a few tenths"});
-  run.record.check({.id = "mass", .text = "Mass is what it was, plus inflow, less outflow.", .quantity = "mass less the booked mass", .unit = "m^2",
-                    .source = "conservation law of mass"},
-                   {.value = finest.mass_defect, .resolution = resolution},
-                   evidence::Roundoff{.operations = 1e5, .scale = 2 * q * time + 50,
-                                      .reason = "some 1e5 steps, each booking what enters and leaves; of the size of all that passed"});
+  run.record.check(
+      {.id = "order",
+       .text = "The depth converges to the steady state at the order of the method.",
+       .quantity = "observed order of cell L1(h)",
+       .source = "Delestre et al. (2013), section 3.1"},
+      evidence::observed_order(widths, errors),
+      evidence::Order{
+          smooth ? 2.0 : 1.0, 0.5,
+          smooth ? "second order; the bump's corners, and particles that enter at their own rhythm, scatter it by a "
+                   "few tenths"
+                 : "first order at a jump; its place between particles scatters single errors by a few tenths"});
+  run.record.check(
+      {.id = "mass",
+       .text = "Mass is what it was, plus inflow, less outflow.",
+       .quantity = "mass less the booked mass",
+       .unit = "m^2",
+       .source = "conservation law of mass"},
+      {.value = finest.mass_defect, .resolution = resolution},
+      evidence::Roundoff{
+          .operations = 1e5,
+          .scale = 2 * q * time + 50,
+          .reason = "some 1e5 steps, each booking what enters and leaves; of the size of all that passed"});
   std::vector<double> x;
   std::vector<double> surface;
   std::vector<double> bed;
@@ -165,11 +188,13 @@ void run(Run& run) {
     bed.push_back(regime.flow.elevation(x.back()));
     surface.push_back(regime.flow.at(x.back()).depth + bed.back());
   }
-  auto& figure = run.record.figure("profile", "Steady flow over a bump", "Surface and discharge after the flow has settled.");
+  auto& figure =
+      run.record.figure("profile", "Steady flow over a bump", "Surface and discharge after the flow has settled.");
   auto& top = figure.panel({.x = "x [m]", .y = "elevation [m]"});
   const Means means = means_of(finest.profile);
   std::vector<double> level;
-  for (std::size_t i = 0; i < means.centre.size(); ++i) level.push_back(means.depth[i] + regime.flow.elevation(means.centre[i]));
+  for (std::size_t i = 0; i < means.centre.size(); ++i)
+    level.push_back(means.depth[i] + regime.flow.elevation(means.centre[i]));
   top.fill("bed", x, bed, Role::bed);
   top.line("exact surface", x, surface, Role::exact);
   top.points("particles", means.centre, level, Role::computed);
@@ -184,7 +209,9 @@ void run(Run& run) {
 Case steady_bump() {
   Case c;
   c.title = "Steady flow over a bump";
-  c.source = "O. Delestre et al., SWASHES: a compilation of shallow water analytic solutions, Int. J. Numer. Meth. Fluids 72 (2013) 269, section 3.1";
+  c.source =
+      "O. Delestre et al., SWASHES: a compilation of shallow water analytic solutions, Int. J. Numer. Meth. Fluids 72 "
+      "(2013) 269, section 3.1";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       choice("regime", std::string("subcritical"), {"subcritical", "transcritical", "jump"}, "which steady state"),

@@ -5,9 +5,9 @@
 #include "verification/check.hpp"
 
 using namespace seiche;
-using finite_volume::End;
-using finite_volume::FiniteVolumeFlow;
-using finite_volume::Scheme;
+using shallow_water_finite_volume::End;
+using shallow_water_finite_volume::FiniteVolumeFlow;
+using shallow_water_finite_volume::Scheme;
 
 namespace {
 
@@ -51,7 +51,7 @@ TEST_CASE("finite-volume schemes conserve mass and momentum to round-off", "[con
       .scale = momentum_limit.scale,
       .reason = "three roundings per cell of numbers up to g h^2/2 dx/2 = 10 m^3/s^2" + repeated};
   for (const Scheme scheme : {Scheme::lax_friedrichs, Scheme::mac_cormack, Scheme::roe, Scheme::muscl_hll}) {
-    const std::string id(finite_volume::name(scheme));
+    const std::string id(shallow_water_finite_volume::name(scheme));
     auto basin = dam_break(scheme, cells, End::wall(), End::wall());
     auto open = dam_break(scheme, cells, End::free(), End::inflow({1, 0}));
     for (long k = 0; k < steps; ++k) {

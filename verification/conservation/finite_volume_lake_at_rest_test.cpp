@@ -6,7 +6,7 @@
 #include "verification/check.hpp"
 
 using namespace seiche;
-using finite_volume::FiniteVolumeFlow;
+using shallow_water_finite_volume::FiniteVolumeFlow;
 
 TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and without an island", "[conservation]") {
   verification::Check check(

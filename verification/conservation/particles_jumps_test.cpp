@@ -18,6 +18,7 @@ namespace {
 using namespace seiche::shallow_water_particles;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
+using seiche::shallow_water::ProfileError;
 using seiche::verification::Check;
 using seiche::verification::Role;
 

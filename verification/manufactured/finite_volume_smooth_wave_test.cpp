@@ -7,8 +7,8 @@
 #include "verification/check.hpp"
 
 using namespace seiche;
-using finite_volume::FiniteVolumeFlow;
-using finite_volume::Scheme;
+using shallow_water_finite_volume::FiniteVolumeFlow;
+using shallow_water_finite_volume::Scheme;
 
 namespace {
 
@@ -67,7 +67,7 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
   auto& figure = check.figure("convergence", "Error against cell width", "Mean error of the depth at t = 0.9 s.");
   auto& panel = figure.panel({.x = "cell width [m]", .y = "mean error of the depth [m]", .log_x = true, .log_y = true});
   for (const Expectation& expectation : expectations) {
-    const std::string id(finite_volume::name(expectation.scheme));
+    const std::string id(shallow_water_finite_volume::name(expectation.scheme));
     std::vector<double> widths;
     std::vector<double> errors;
     for (std::size_t k = 0; k < 5; ++k) {

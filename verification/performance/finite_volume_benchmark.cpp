@@ -15,8 +15,8 @@
 
 namespace {
 
-using seiche::finite_volume::FiniteVolumeFlow;
-using seiche::finite_volume::Scheme;
+using seiche::shallow_water_finite_volume::FiniteVolumeFlow;
+using seiche::shallow_water_finite_volume::Scheme;
 
 struct Work {
   double arrays;      // passes over arrays per step

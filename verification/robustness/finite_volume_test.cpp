@@ -6,9 +6,9 @@
 #include "verification/check.hpp"
 
 using namespace seiche;
-using finite_volume::End;
-using finite_volume::FiniteVolumeFlow;
-using finite_volume::Scheme;
+using shallow_water_finite_volume::End;
+using shallow_water_finite_volume::FiniteVolumeFlow;
+using shallow_water_finite_volume::Scheme;
 
 TEST_CASE("finite-volume flow refuses bad input", "[robustness]") {
   using Bad = std::invalid_argument;
@@ -46,9 +46,9 @@ TEST_CASE("finite-volume flow refuses bad input", "[robustness]") {
   CHECK_THROWS_AS(flow.step(1), Bad);
   CHECK_THROWS_AS(flow.advance_to(1, 1.5), Bad);
   CHECK_THROWS_AS(flow.advance_to(-1), Bad);
-  CHECK(finite_volume::scheme_from("roe") == Scheme::roe);
-  CHECK(finite_volume::name(Scheme::muscl_hll) == "muscl_hll");
-  CHECK_THROWS_AS(finite_volume::scheme_from("superbee"), Bad);
+  CHECK(shallow_water_finite_volume::scheme_from("roe") == Scheme::roe);
+  CHECK(shallow_water_finite_volume::name(Scheme::muscl_hll) == "muscl_hll");
+  CHECK_THROWS_AS(shallow_water_finite_volume::scheme_from("superbee"), Bad);
 }
 
 TEST_CASE("on a dry bed MacCormack's scheme breaks down and the others do not", "[robustness]") {
@@ -72,7 +72,7 @@ TEST_CASE("on a dry bed MacCormack's scheme breaks down and the others do not", 
       CHECK(std::string(divergence.what()).find("mac_cormack") != std::string::npos);
       CHECK(divergence.place() > 19);
     }
-    const std::string id(finite_volume::name(scheme));
+    const std::string id(shallow_water_finite_volume::name(scheme));
     check.that({.id = id,
                 .text = "Scheme " + id + (scheme == Scheme::mac_cormack ? " breaks down." : " survives."),
                 .quantity = "breakdown",

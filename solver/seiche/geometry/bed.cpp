@@ -22,9 +22,8 @@ void Bed::validate(double start, double end) const {
     highest = std::max(highest, z);
     const double slope = (primitive(x + step) - primitive(x - step)) / (2 * step);
     if (!std::isfinite(z) || !(std::abs(slope - z) <= 1e-6 * (1 + highest - lowest))) {
-      throw std::invalid_argument(
-          fmt::format("bed: derivative of the primitive at x = {:g} is {:.9g}, must equal the elevation {:.9g}", x,
-                      slope, z));
+      throw std::invalid_argument(fmt::format(
+          "bed: derivative of the primitive at x = {:g} is {:.9g}, must equal the elevation {:.9g}", x, slope, z));
     }
   }
 }

@@ -12,7 +12,9 @@
 namespace seiche::io {
 namespace {
 
-std::string partial_suffix(long process) { return fmt::format(".{}.part", process); }
+std::string partial_suffix(long process) {
+  return fmt::format(".{}.part", process);
+}
 
 }  // namespace
 

@@ -66,8 +66,8 @@ double number_in(const LineReader& reader, std::string_view entry, const std::st
   double value = 0;
   const auto [end, failure] = std::from_chars(entry.data(), entry.data() + entry.size(), value);
   if (failure != std::errc() || end != entry.data() + entry.size() || !std::isfinite(value)) {
-    reader.fail(fmt::format("line {}: column {}: '{}' is not a finite number", reader.number(), column,
-                            entry.substr(0, 40)));
+    reader.fail(
+        fmt::format("line {}: column {}: '{}' is not a finite number", reader.number(), column, entry.substr(0, 40)));
   }
   return value;
 }

@@ -61,8 +61,7 @@ void Hdf5File::array(const std::string& path, std::span<const double> values, st
     const H5::DataSpace space(static_cast<int>(extents.size()), extents.data());
     H5::DSetCreatPropList properties;
     H5Pset_obj_track_times(properties.getId(), false);  // the same data shall give the same bytes
-    const H5::DataSet set =
-        handle_->file.createDataSet(path, H5::PredType::IEEE_F64LE, space, properties);
+    const H5::DataSet set = handle_->file.createDataSet(path, H5::PredType::IEEE_F64LE, space, properties);
     if (count > 0) set.write(values.data(), H5::PredType::NATIVE_DOUBLE);
   });
   attribute(path, "name", name);

@@ -11,8 +11,8 @@ namespace seiche::io {
 struct XdmfFrame {
   double time = 0;
   std::size_t points = 0;
-  std::string points_path;                                    ///< inside the HDF5 file
-  std::vector<std::pair<std::string, std::string>> fields;    ///< name, path inside the HDF5 file
+  std::string points_path;                                  ///< inside the HDF5 file
+  std::vector<std::pair<std::string, std::string>> fields;  ///< name, path inside the HDF5 file
 };
 
 /// Text of an XDMF 3 file through which ParaView opens the frames of `hdf5_name` (a file in the same folder).

@@ -16,8 +16,7 @@ State star_state(double gravity, State left, State right) {
   for (int k = 0; k < cap; ++k) {
     const double residual =
         velocity_change(gravity, h, left.depth) + velocity_change(gravity, h, right.depth) + velocity_jump;
-    const double slope =
-        velocity_change_slope(gravity, h, left.depth) + velocity_change_slope(gravity, h, right.depth);
+    const double slope = velocity_change_slope(gravity, h, left.depth) + velocity_change_slope(gravity, h, right.depth);
     const double next = std::max(h - residual / slope, 0.1 * h);
     const bool settled = std::abs(next - h) <= std::numeric_limits<double>::epsilon() * h;
     h = next;

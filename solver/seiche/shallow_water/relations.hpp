@@ -18,10 +18,14 @@ struct State {
 };
 
 /// Celerity of long waves sqrt(g h) [m/s].
-inline double celerity(double gravity, double depth) { return std::sqrt(gravity * depth); }
+inline double celerity(double gravity, double depth) {
+  return std::sqrt(gravity * depth);
+}
 
 /// Hydrostatic thrust g h^2/2 per unit width and density [m^3/s^2].
-inline double thrust(double gravity, double depth) { return 0.5 * gravity * depth * depth; }
+inline double thrust(double gravity, double depth) {
+  return 0.5 * gravity * depth * depth;
+}
 
 /// Velocity change f_K(h) [m/s] across the wave that leads from depth `from` to depth `to`: a simple wave when the
 /// depth falls, a hydraulic jump when it rises.
@@ -51,8 +55,8 @@ inline bool middle_dries(double gravity, State left, State right) {
 /// Depth of the middle state if both waves were simple waves; exact when it is below both depths, and the starting
 /// value of every iteration here. Zero when the middle dries.
 inline double two_rarefaction_depth(double gravity, State left, State right) {
-  const double c = 0.5 * (celerity(gravity, left.depth) + celerity(gravity, right.depth)) +
-                   0.25 * (left.velocity - right.velocity);
+  const double c =
+      0.5 * (celerity(gravity, left.depth) + celerity(gravity, right.depth)) + 0.25 * (left.velocity - right.velocity);
   return c > 0 ? c * c / gravity : 0.0;
 }
 

@@ -4,7 +4,7 @@
 #include "seiche/models/shallow_water_finite_volume/fluxes.hpp"
 #include "seiche/models/shallow_water_finite_volume/roe_average.hpp"
 
-namespace seiche::finite_volume {
+namespace seiche::shallow_water_finite_volume {
 
 void update_primitives(double gravity, double dry_depth, std::size_t first, std::size_t last, Cells& cells) {
   const double* h = cells.depth.data();
@@ -87,4 +87,4 @@ void roe_fluxes(double gravity, const Cells& cells, Fluxes& fluxes) {
   }
 }
 
-}  // namespace seiche::finite_volume
+}  // namespace seiche::shallow_water_finite_volume

@@ -10,7 +10,7 @@
 #include "seiche/divergence.hpp"
 #include "seiche/require.hpp"
 
-namespace seiche::finite_volume {
+namespace seiche::shallow_water_finite_volume {
 namespace {
 
 template <class Term>
@@ -346,4 +346,4 @@ double FiniteVolumeFlow::momentum_defect() const {
          impulse_friction_.value();
 }
 
-}  // namespace seiche::finite_volume
+}  // namespace seiche::shallow_water_finite_volume

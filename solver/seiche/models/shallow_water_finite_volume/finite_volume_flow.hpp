@@ -17,13 +17,13 @@
 #include <span>
 #include <vector>
 
+#include "seiche/compensated_sum.hpp"
 #include "seiche/geometry/bed.hpp"
-#include "seiche/models/shallow_water_finite_volume/compensated_sum.hpp"
 #include "seiche/models/shallow_water_finite_volume/fluxes.hpp"
 #include "seiche/models/shallow_water_finite_volume/scheme.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
-namespace seiche::finite_volume {
+namespace seiche::shallow_water_finite_volume {
 
 /// What lies beyond an end of the channel.
 struct End {
@@ -132,4 +132,4 @@ class FiniteVolumeFlow {
   double largest_courant_ = 0;
 };
 
-}  // namespace seiche::finite_volume
+}  // namespace seiche::shallow_water_finite_volume

@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace seiche::finite_volume {
+namespace seiche::shallow_water_finite_volume {
 
 inline constexpr std::size_t ghosts = 2;
 
@@ -82,4 +82,4 @@ class MusclHllFluxes {
   std::vector<double> depth_left_, depth_right_, velocity_left_, velocity_right_, bed_left_, bed_right_;
 };
 
-}  // namespace seiche::finite_volume
+}  // namespace seiche::shallow_water_finite_volume

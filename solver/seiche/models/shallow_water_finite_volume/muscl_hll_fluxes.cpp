@@ -4,7 +4,7 @@
 
 #include "seiche/models/shallow_water_finite_volume/fluxes.hpp"
 
-namespace seiche::finite_volume {
+namespace seiche::shallow_water_finite_volume {
 namespace {
 
 /// Half the generalised minmod slope (limited_slope.hpp) without a branch, so that the loop vectorises.
@@ -141,4 +141,4 @@ void MusclHllFluxes::uneven(double gravity, Fluxes& fluxes) const {
   }
 }
 
-}  // namespace seiche::finite_volume
+}  // namespace seiche::shallow_water_finite_volume

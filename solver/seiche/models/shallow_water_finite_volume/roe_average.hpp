@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace seiche::finite_volume {
+namespace seiche::shallow_water_finite_volume {
 
 /// Change of the flux across a face by the two waves of Roe's linearisation.
 struct WaveSum {
@@ -38,4 +38,4 @@ inline WaveSum roe_waves(double gravity, double hl, double ql, double ul, double
   return {a1 + a2, a1 * lam1 + a2 * lam2};
 }
 
-}  // namespace seiche::finite_volume
+}  // namespace seiche::shallow_water_finite_volume

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace seiche::finite_volume {
+namespace seiche::shallow_water_finite_volume {
 namespace {
 
 constexpr std::array<std::pair<Scheme, std::string_view>, 4> names{{{Scheme::lax_friedrichs, "lax_friedrichs"},
@@ -31,4 +31,4 @@ Scheme scheme_from(std::string_view name) {
       fmt::format("scheme = {} is unknown: must be lax_friedrichs, mac_cormack, roe or muscl_hll", name));
 }
 
-}  // namespace seiche::finite_volume
+}  // namespace seiche::shallow_water_finite_volume

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace seiche::finite_volume {
+namespace seiche::shallow_water_finite_volume {
 
 /// The schemes, from the oldest to today's practice.
 enum class Scheme {
@@ -18,4 +18,4 @@ std::string_view name(Scheme scheme);
 /// Throws std::invalid_argument for any other name, listing these.
 Scheme scheme_from(std::string_view name);
 
-}  // namespace seiche::finite_volume
+}  // namespace seiche::shallow_water_finite_volume

@@ -3,24 +3,9 @@
 /// Mass and momentum of the particles must equal their initial values plus everything booked here, to round-off.
 #pragma once
 
-#include <cmath>
+#include "seiche/compensated_sum.hpp"
 
 namespace seiche::shallow_water_particles {
-
-/// Running sum whose rounding errors are carried along (Neumaier 1974).
-class CompensatedSum {
- public:
-  void add(double term) {
-    const double sum = sum_ + term;
-    carry_ += std::abs(sum_) >= std::abs(term) ? (sum_ - sum) + term : (term - sum) + sum_;
-    sum_ = sum;
-  }
-  [[nodiscard]] double value() const { return sum_ + carry_; }
-
- private:
-  double sum_ = 0;
-  double carry_ = 0;
-};
 
 /// Impulses on the water per unit width and density [m^3/s], positive along +x, since the start of the run; inflows of
 /// mass [m^2] count positive into the domain.

@@ -32,15 +32,17 @@
 #include "seiche/models/shallow_water_particles/dry_front.hpp"
 #include "seiche/models/shallow_water_particles/edge_values.hpp"
 #include "seiche/models/shallow_water_particles/ends.hpp"
-#include "seiche/models/shallow_water_particles/error_measures.hpp"
 #include "seiche/models/shallow_water_particles/hand_over.hpp"
 #include "seiche/models/shallow_water_particles/ledger.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/models/shallow_water_particles/reconstruction.hpp"
 #include "seiche/models/shallow_water_particles/scheme.hpp"
 #include "seiche/models/shallow_water_particles/self_similar_start.hpp"
+#include "seiche/shallow_water/error_measures.hpp"
 
 namespace seiche::shallow_water_particles {
+
+using shallow_water::MeasuredProfile;
 
 /// The largest admissible step and who limits it.
 struct StepLimit {

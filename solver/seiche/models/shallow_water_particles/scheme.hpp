@@ -19,7 +19,7 @@ struct Scheme {
   double courant = 0.4;            ///< largest tau c / w that largest_step() proposes, at most 0.9
   double jump_threshold = 0.02;    ///< smallest relative depth jump that is handed over
   double isolation = 2;            ///< a jump must exceed this many times the variation beside it
-  int self_similar_particles = 8;  ///< M2, H2: use the exact waves of an initial discontinuity until its fans span this
+  int self_similar_particles = 0;  ///< M2, H2: use the exact waves of an initial discontinuity until its fans span this
                                    ///< many particles; 0: off. See self_similar_start.hpp
 };
 

@@ -1,11 +1,11 @@
-#include "seiche/models/shallow_water_particles/error_measures.hpp"
+#include "seiche/shallow_water/error_measures.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
-namespace seiche::shallow_water_particles {
+namespace seiche::shallow_water {
 
 namespace {
 
@@ -130,4 +130,4 @@ double jump_position(const MeasuredProfile& profile, double behind, double ahead
   return start + (volume - ahead * (stop - start)) / (behind - ahead);
 }
 
-}  // namespace seiche::shallow_water_particles
+}  // namespace seiche::shallow_water

@@ -14,9 +14,8 @@
 
 #include "seiche/shallow_water/relations.hpp"
 
-namespace seiche::shallow_water_particles {
+namespace seiche::shallow_water {
 
-using shallow_water::State;
 using ExactProfile = std::function<State(double)>;  ///< x -> depth, velocity
 
 struct Norms {
@@ -57,4 +56,4 @@ int jump_width(const MeasuredProfile& profile, double behind, double ahead, doub
 /// nearest to `from` and `to`: the volume-true position of a smeared jump.
 double jump_position(const MeasuredProfile& profile, double behind, double ahead, double from, double to);
 
-}  // namespace seiche::shallow_water_particles
+}  // namespace seiche::shallow_water
