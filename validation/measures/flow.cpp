@@ -54,7 +54,7 @@ particles::Scheme particle_scheme(const Discretisation& d) {
                                     : particles::Level::hand_over;
   scheme.theta = d.theta;
   scheme.courant = d.courant;
-  if (!d.exact_start) scheme.self_similar_particles = 0;
+  scheme.self_similar_particles = d.exact_start ? 8 : 0;
   return scheme;
 }
 

@@ -98,7 +98,7 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
   std::vector<double> sizes;
   std::vector<double> edge_errors;
   std::vector<double> velocity_errors;
-  for (const std::size_t count : {std::size_t{320}, std::size_t{480}, std::size_t{800}, std::size_t{1280}}) {
+  for (const std::size_t count : {std::size_t{320}, std::size_t{480}, std::size_t{640}, std::size_t{960}}) {
     Particles start;
     start.edge = equal_width_edges(0, 1, count);
     const Array labels = start.edge;
