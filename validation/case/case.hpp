@@ -52,7 +52,7 @@ struct Case {
   std::vector<std::string> atlas;           ///< tiles that the case fills as a whole
   std::vector<Tier> tiers = {Tier::quick};  ///< tiers in which it does something of its own
   std::vector<Parameter> parameters;
-  ByTier<std::chrono::seconds> time_limit = {std::chrono::seconds(60), std::chrono::hours(1), std::chrono::hours(24)};
+  ByTier<std::chrono::seconds> time_limit = {std::chrono::minutes(5), std::chrono::hours(1), std::chrono::hours(24)};
   std::function<void(Run&)> run;
   Submission submission;  ///< how somebody else's result is judged; empty if it cannot be
 

@@ -37,13 +37,13 @@ struct Contender {
 };
 constexpr Contender contenders[] = {
     {"H2, equal masses", "h2_masses", "H2", true, 2, Role::computed, true},
-    {"H2, equal masses, exact first moments", "h2_exact_start", "H2", true, 2, Role::computed, false, true},
     {"H2, equal widths", "h2_widths", "H2", false, 1.5, Role::computed, true},
     {"G1", "g1", "G1", false, 1.5, Role::computed, true},
     {"MUSCL-HLL", "muscl", "muscl", false, 1.5, Role::peer, true},
     {"Roe", "roe", "roe", false, 1.5, Role::peer, true},
+    {"Lax-Friedrichs", "lax_friedrichs", "lax_friedrichs", false, 1.5, Role::peer, true},
     {"MacCormack", "maccormack", "maccormack", false, 1.5, Role::peer, false},
-    {"Lax-Friedrichs", "lax_friedrichs", "lax_friedrichs", false, 1.5, Role::peer, true}};
+    {"H2, equal masses, exact first moments", "h2_exact_start", "H2", true, 2, Role::computed, false, true}};
 
 FlowProblem problem_for(double gravity, double ratio) {
   using End = FlowProblem::End;
