@@ -16,6 +16,7 @@ same time. What passes the ends is booked, so that mass and momentum must balanc
 **What to look at.** The bore: in level `H2` it lies inside a single particle. The corners of the fan are where every
 scheme loses its order.
 */
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -77,12 +78,37 @@ Judged judged_front(const exact::Riemann& solution, double time) {
   return {{0, 0, solution.breakpoints(time).back(), 0}, false};
 }
 
-/// Where a computed profile has its front: the crossing of mid-depth for a jump, the end of the water for a dry front.
+/// Where a computed profile has its front: the jump, or the end of the water at a dry front. Cells have no end of the
+/// water; the outermost one deeper than a thousandth of the deepest counts.
 double judged_position(const exact::Riemann& solution, const Judged& judged, const Profile& profile) {
   if (judged.is_jump) return front_position(profile, judged.front);
-  if (solution.left().depth == 0) return profile.edges.front();
-  if (solution.right().depth == 0) return profile.edges.back();
-  return std::numeric_limits<double>::quiet_NaN();
+  if (solution.left().depth > 0 && solution.right().depth > 0) return std::numeric_limits<double>::quiet_NaN();
+  const auto shallower = [](const State& a, const State& b) { return a.depth < b.depth; };
+  const double wet = 1e-3 * std::max_element(profile.means.begin(), profile.means.end(), shallower)->depth;
+  const auto is_wet = [&](const State& mean) { return mean.depth > wet; };
+  if (solution.left().depth == 0) {
+    const auto first = std::find_if(profile.means.begin(), profile.means.end(), is_wet) - profile.means.begin();
+    return profile.edges[static_cast<std::size_t>(first)];
+  }
+  const auto last = profile.means.rend() - std::find_if(profile.means.rbegin(), profile.means.rend(), is_wet);
+  return profile.edges[static_cast<std::size_t>(last)];
+}
+
+/// The solution holds until a wave meets an end. The ends move with the water in the particle method, as pistons.
+void require_before_ends(const exact::Riemann& solution, const FlowProblem& problem, double time, bool moving_ends) {
+  double limit = std::numeric_limits<double>::infinity();
+  const double left_end = moving_ends ? solution.left().velocity : 0;
+  const double right_end = moving_ends ? solution.right().velocity : 0;
+  if (solution.left().depth > 0 && solution.left_wave().slowest < left_end) {
+    limit = std::min(limit, (solution.jump() - problem.start) / (left_end - solution.left_wave().slowest));
+  }
+  if (solution.right().depth > 0 && solution.right_wave().fastest > right_end) {
+    limit = std::min(limit, (problem.end - solution.jump()) / (solution.right_wave().fastest - right_end));
+  }
+  if (time > limit) {
+    throw std::invalid_argument(
+        fmt::format("time = {:g} is out of range: must be at most {:g}, when a wave meets an end", time, limit));
+  }
 }
 
 void run(Run& run) {
@@ -95,6 +121,8 @@ void run(Run& run) {
                                       .equal_masses = run.text("spacing") == "masses",
                                       .time_step = run.real("time_step"),
                                       .theta = run.real("theta")};
+  const bool particles = discretisation.scheme.size() == 2;
+  require_before_ends(solution, problem, time, particles);
   const std::unique_ptr<Flow> flow = make_flow(problem, discretisation);
   flow->advance_to(time, [&](double t) { run.progress(t / time); });
 
@@ -144,7 +172,7 @@ void run(Run& run) {
       run.record.figure("profile", "Depth and velocity",
                         fmt::format("At t = {:g} s: the exact solution, and the {} as rectangles of their mean "
                                     "depth and dots at their velocity.",
-                                    time, discretisation.scheme.size() == 2 ? "particles" : "cells"));
+                                    time, particles ? "particles" : "cells"));
   draw_profile(figure, problem, *flow, fmt::format("t = {:g} s", time));
   add_snapshot(run.record, *flow);
 }
