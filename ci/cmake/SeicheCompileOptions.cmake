@@ -5,14 +5,16 @@ target_compile_options(seiche_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion
   # Designated initialisers leave out what has a default.
   -Wno-missing-field-initializers
-  # GCC 12 sees overlaps in `"text" + std::string` that are not there (GCC bug 105651).
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # Honours `#pragma omp simd` without a threading runtime.
   -fopenmp-simd
   # sqrt and comparisons vectorise without these two; both keep IEEE results (unlike -ffast-math, never used here).
   -fno-math-errno -fno-trapping-math
   # __FILE__ and source_location relative to the project, so that builds in different folders give the same bytes.
   -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # GCC 12 sees overlaps in `"text" + std::string` that are not there (GCC bug 105651).
+  target_compile_options(seiche_options INTERFACE -Wno-restrict)
+endif()
 target_include_directories(seiche_options INTERFACE ${PROJECT_SOURCE_DIR})
 
 if(SEICHE_WARNINGS_AS_ERRORS)
