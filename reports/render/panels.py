@@ -13,7 +13,6 @@ from render.looks import Looks
 
 WIDTH = 7.4                     # inches: the width of the page's text block
 MANY = 5000                     # points above which a series is thinned (lines) or rasterised (markers)
-SUPERSCRIPTS = str.maketrans("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
 
 
 @drawing("panels")
@@ -344,4 +343,4 @@ def safe(text):
             return text
         except Exception:                     # mathtext raises many types
             return text.replace("$", r"\$")
-    return re.sub(r"\^\{?([-+]?\d+)\}?", lambda match: match[1].translate(SUPERSCRIPTS), text)
+    return re.sub(r"\^\{?([-+]?\d+)\}?", r"$^{\1}$", text)
