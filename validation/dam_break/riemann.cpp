@@ -165,9 +165,11 @@ void run(Run& run) {
          .unit = "m",
          .source = "Ritter (1892)"},
         {.value = judged_position(solution, judged, profile, particles), .resolution = discretisation.text()},
-        evidence::Roundoff{.operations = static_cast<double>(flow->steps()),
+        evidence::Roundoff{.operations = std::pow(static_cast<double>(flow->steps()), 2),
                            .scale = std::abs(judged.front.position) + problem.length(),
-                           .reason = "one rounded update of the front per step",
+                           .reason =
+                               "one rounded update per step; the increment is the same in every step, so that its "
+                               "rounding repeats and adds up linearly",
                            .expected = judged.front.position});
   }
   auto& figure =
