@@ -8,8 +8,8 @@ Bed, friction and the two ends act together over $L = 1000$ m.
 
 **What is compared.** Depth and discharge after the flow has settled, for several numbers of particles.
 
-**What to look at.** The order away from the ends, and the first particle behind the inlet: the fixed section through which the water
-enters is only first-order accurate, and with the ends included it decides the mean error.
+**What to look at.** The order away from the ends, and the first particle behind the inlet: the fixed section through
+which the water enters is only first-order accurate, and with the ends included it decides the mean error.
 */
 #include <algorithm>
 #include <cmath>
@@ -75,8 +75,9 @@ void run(Run& run) {
     mass_defect = flow.mass_defect();
     widths.push_back(length / static_cast<double>(count));
     errors.push_back(shallow_water::cell_error(finest, [&](double x) { return channel.at(x); }).depth.l1);
-    inner_errors.push_back(
-        shallow_water::cell_error(inner_part(finest, 100, length - 100), [&](double x) { return channel.at(x); }).depth.l1);
+    inner_errors.push_back(shallow_water::cell_error(inner_part(finest, 100, length - 100), [&](double x) {
+                             return channel.at(x);
+                           }).depth.l1);
     double spread = 0;
     for (const State& s : finest.means)
       spread += std::abs(s.depth * s.velocity / discharge - 1) / static_cast<double>(finest.means.size());
@@ -94,8 +95,8 @@ void run(Run& run) {
        .quantity = "observed order of cell L1(h), 100 m off the ends",
        .source = "MacDonald et al. (1997)"},
       evidence::observed_order(widths, inner_errors),
-      evidence::Order{2, 0.5,
-                      "second order; particles enter at their own rhythm, which scatters single errors by a few tenths"});
+      evidence::Order{
+          2, 0.5, "second order; particles enter at their own rhythm, which scatters single errors by a few tenths"});
   run.record.check(
       {.id = "mass",
        .text = "Mass is what it was, plus inflow, less outflow.",
