@@ -53,6 +53,7 @@ void run(Run& run) {
   std::vector<double> inner_errors;
   Profile finest;
   double mass_defect = 0;
+  long steps = 0;
   evidence::Table table{.id = "resolutions",
                         .title = "Refinement",
                         .caption = "Mean errors after the flow has settled.",
@@ -73,6 +74,7 @@ void run(Run& run) {
     }
     finest = flow.measured_profile();
     mass_defect = flow.mass_defect();
+    steps = flow.steps();
     widths.push_back(length / static_cast<double>(count));
     errors.push_back(shallow_water::cell_error(finest, [&](double x) { return channel.at(x); }).depth.l1);
     inner_errors.push_back(shallow_water::cell_error(inner_part(finest, 100, length - 100), [&](double x) {
@@ -104,10 +106,9 @@ void run(Run& run) {
        .unit = "m^2",
        .source = "conservation law of mass"},
       {.value = mass_defect, .resolution = fmt::format("N = {}", n << 3)},
-      evidence::Roundoff{
-          .operations = 1e5,
-          .scale = 2 * discharge * time + length,
-          .reason = "some 1e5 steps, each booking what enters and leaves; of the size of all that passed"});
+      evidence::Roundoff{.operations = static_cast<double>(steps),
+                         .scale = 2 * discharge * time + length,
+                         .reason = "every step books what enters and leaves; of the size of all that passed"});
   std::vector<double> x;
   std::vector<double> surface;
   std::vector<double> bed;

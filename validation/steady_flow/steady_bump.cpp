@@ -63,6 +63,7 @@ struct Settled {
   std::vector<double> discharge;
   double mass_defect = 0;
   double momentum_defect = 0;
+  long steps = 0;
 };
 
 Settled by_particles(const Regime& regime, double gravity, long n, double time, const Run::Progress& progress) {
@@ -83,7 +84,8 @@ Settled by_particles(const Regime& regime, double gravity, long n, double time, 
   Settled settled{.profile = flow.measured_profile(),
                   .discharge = {},
                   .mass_defect = flow.mass_defect(),
-                  .momentum_defect = flow.momentum_defect()};
+                  .momentum_defect = flow.momentum_defect(),
+                  .steps = flow.steps()};
   for (const State& s : settled.profile.means) settled.discharge.push_back(s.depth * s.velocity);
   return settled;
 }
@@ -176,10 +178,9 @@ void run(Run& run) {
        .unit = "m^2",
        .source = "conservation law of mass"},
       {.value = finest.mass_defect, .resolution = resolution},
-      evidence::Roundoff{
-          .operations = 1e5,
-          .scale = 2 * q * time + 50,
-          .reason = "some 1e5 steps, each booking what enters and leaves; of the size of all that passed"});
+      evidence::Roundoff{.operations = static_cast<double>(finest.steps),
+                         .scale = 2 * q * time + 50,
+                         .reason = "every step books what enters and leaves; of the size of all that passed"});
   std::vector<double> x;
   std::vector<double> surface;
   std::vector<double> bed;
