@@ -111,15 +111,25 @@ Motion by_cells(const exact::Thacker& bowl, double gravity, double length, doubl
   return motion;
 }
 
+/// The channel is a little longer than the water ever reaches.
+double channel_length(const Values& values) {
+  return 2 * (values.real("radius") + values.real("displacement")) * 1.25;
+}
+
+exact::Thacker bowl_of(const Values& values) {
+  return {values.real("gravity"), values.real("radius"), values.real("depth"), channel_length(values),
+          values.real("displacement")};
+}
+
 void run(Run& run) {
   const double gravity = run.real("gravity");
   const double radius = run.real("radius");
   const double depth = run.real("depth");
   const double displacement = run.real("displacement");
-  const double length = 2 * (radius + displacement) * 1.25;
+  const double length = channel_length(run.values());
   const long n = run.integer("particles");
   const std::string& scheme = run.text("scheme");
-  const exact::Thacker bowl(gravity, radius, depth, length, displacement);
+  const exact::Thacker bowl = bowl_of(run.values());
   const double end = run.real("periods") * bowl.period();
   const auto progress = [&](double done) { run.progress(done); };
 
@@ -203,6 +213,57 @@ void run(Run& run) {
   bowl_panel.points(scheme, centre, level_of, scheme == "muscl" ? Role::peer : Role::computed);
 }
 
+/// Gauges in the middle and half-way to either shoreline at rest, and the shorelines as series.
+std::vector<WantedTable> wanted(const Values& values) {
+  const exact::Thacker bowl = bowl_of(values);
+  const double middle = channel_length(values) / 2;
+  const double radius = values.real("radius");
+  const double period = bowl.period();
+  std::vector<double> times;
+  for (int k = 0; k <= 100; ++k) times.push_back(values.real("periods") * period * k / 100);
+  const auto points = [times](double) { return times; };
+  const std::string source = "Thacker (1981)";
+  const auto shoreline = [&](const Column& column, const auto& reference) {
+    return WantedQuantity{
+        .column = column,
+        .reference = reference,
+        .requirements = {{.measure = Measure::largest_error,
+                          .criterion = evidence::Bound{.limit = 4 * 2 * radius / 50,
+                                                       .reason = "four cells of a grid of fifty across the water, as "
+                                                                 "for the case's own first-order schemes"},
+                          .text = fmt::format("The {} follows the exact one at all times.", column.meaning),
+                          .source = source}}};
+  };
+  return {{.name = "shorelines",
+           .kind = WantedTable::Kind::series,
+           .abscissa = Column{"t", "s", "time"},
+           .quantities = {shoreline({"left", "m", "left shoreline"},
+                                    [bowl](Place p) { return bowl.left_shoreline(p.abscissa); }),
+                          shoreline({"right", "m", "right shoreline"},
+                                    [bowl](Place p) { return bowl.right_shoreline(p.abscissa); })},
+           .points = points},
+          {.name = "gauges",
+           .kind = WantedTable::Kind::series,
+           .group = Column{"x", "m", "position of the gauge"},
+           .abscissa = Column{"t", "s", "time"},
+           .quantities = {{.column = {"h", "m", "depth"},
+                           .reference = [bowl](Place p) { return bowl.at(p.group, p.abscissa).depth; },
+                           .requirements = {{.measure = Measure::shift,
+                                             .criterion = evidence::Bound{.limit = period / 50,
+                                                                          .reason = "a fiftieth of the period"},
+                                             .text = "The oscillation has the exact phase.",
+                                             .source = source},
+                                            {.measure = Measure::skill,
+                                             .criterion = evidence::Bound{.limit = 0.01,
+                                                                          .reason = "d = 0.99: an rms error of a fifth "
+                                                                                    "of the rms amplitude",
+                                                                          .expected = 1},
+                                             .text = "Amplitude and shape of the oscillation are the exact ones.",
+                                             .source = source}}}},
+           .groups = {middle - radius / 2, middle, middle + radius / 2},
+           .points = points}};
+}
+
 }  // namespace
 
 Case thacker() {
@@ -222,6 +283,7 @@ Case thacker() {
       choice("scheme", std::string("H2"), {"G1", "M2", "H2", "muscl"}, "level of the particle method, or the peer"),
   };
   c.run = run;
+  c.submission = {.tables = wanted};
   return c;
 }
 

@@ -147,7 +147,7 @@ void run(Run& run) {
                          .scale = reflection.reflected_depth(),
                          .reason = "eight rounded operations per step, and per particle the jump has passed"});
 
-  const io::CsvTable printed = reference_table("bogomolov_zakharov_zerkal", run.record);
+  const io::Table printed = reference_table("bogomolov_zakharov_zerkal", run.record);
   if (run.as_published()) {
     run.record.check({.id = "printed-exact",
                       .text = "The paper's 1.45 m follows from the jump conditions.",

@@ -183,7 +183,7 @@ void run(Run& run) {
                          .reason = "edges as large as the channel are rounded once per step, and a width is "
                                    "their difference, N times smaller"});
 
-  const io::CsvTable printed = reference_table("bogomolov_zakharov_zerkal", run.record);
+  const io::Table printed = reference_table("bogomolov_zakharov_zerkal", run.record);
   run.record.measure("speed", bore.speed());
   run.record.measure("velocity", bore.behind_velocity());
   if (run.as_published()) {

@@ -7,21 +7,10 @@
 #include <toml++/toml.h>
 
 #include "reports/evidence/provenance.hpp"
+#include "validation/case/reference_source.hpp"
 
 namespace seiche::validation {
-namespace {
-
-std::filesystem::path reference_folder() {
-  for (const char* place : {SEICHE_REFERENCE_DATA, SEICHE_INSTALLED_REFERENCE_DATA}) {
-    if (std::filesystem::is_directory(place)) return place;
-  }
-  throw std::runtime_error(fmt::format("reference data are neither at {} nor at {}", SEICHE_REFERENCE_DATA,
-                                       SEICHE_INSTALLED_REFERENCE_DATA));
-}
-
-}  // namespace
-
-io::CsvTable reference_table(const std::string& source, evidence::Record& record) {
+io::Table reference_table(const std::string& source, evidence::Record& record) {
   const std::filesystem::path folder = reference_folder() / source;
   const std::filesystem::path table = folder / "table.csv";
   const toml::table description = toml::parse_file((folder / "source.toml").string());

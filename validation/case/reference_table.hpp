@@ -10,6 +10,6 @@ namespace seiche::validation {
 /// Reads reference_data/<source>/table.csv and notes its SHA-256 in the record.
 ///
 /// @throws std::runtime_error when the table is not the one whose SHA-256 source.toml states
-io::CsvTable reference_table(const std::string& source, evidence::Record& record);
+io::Table reference_table(const std::string& source, evidence::Record& record);
 
 }  // namespace seiche::validation

@@ -1,18 +1,32 @@
 /// How somebody else's result is judged by a case.
+///
+/// A case says which tables it takes: their columns with units, the points at which the reference is known, the
+/// reference itself, and what is required of it. Template, reading, measures, figures and claims follow from that:
+///
+///     std::vector<WantedTable> wanted(const Values& values) {
+///       const exact::Thacker bowl = bowl_of(values);
+///       return {{.name = "shorelines",
+///                .kind = WantedTable::Kind::series,
+///                .abscissa = {"t", "s", "time"},
+///                .quantities = {{.column = {"left", "m", "left shoreline"},
+///                                .reference = [bowl](Place p) { return bowl.left_shoreline(p.abscissa); },
+///                                .requirements = {...}}},
+///                .points = [](double) { return times; }}};
+///     }
+///     c.submission = {.tables = wanted};
 #pragma once
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-namespace seiche::evidence {
-class Record;
-}
+#include "reports/evidence/record.hpp"
+#include "validation/case/measure.hpp"
+#include "validation/case/parameter.hpp"
 
 namespace seiche::validation {
-
-class Values;
 
 struct Column {
   std::string name;
@@ -20,18 +34,65 @@ struct Column {
   std::string meaning;
 };
 
-/// Columns of equal length, by name.
-using Columns = std::map<std::string, std::vector<double>>;
+/// Where a value belongs: the group (time of a profile, position of a gauge; 0 without groups) and the abscissa within
+/// it (position in a profile, time in a series; 0 of a scalar).
+struct Place {
+  double group = 0;
+  double abscissa = 0;
+};
+
+/// What is required of one measure of a quantity, in every group.
+struct Requirement {
+  Measure measure = Measure::value;
+  evidence::Criterion criterion;
+  std::string text;    ///< the sentence that the report prints
+  std::string source;  ///< citation
+};
+
+/// A quantity that is asked for, with what it should be.
+struct WantedQuantity {
+  Column column;
+  std::function<double(Place)> reference;  ///< NaN where nothing is known: such points are left out
+  std::vector<Requirement> requirements = {};
+};
+
+/// A table that is asked for.
+struct WantedTable {
+  /// Values along x at given times, values along t at given gauges, or one row of single numbers.
+  enum class Kind { profile, series, scalars };
+
+  std::string name;
+  Kind kind = Kind::scalars;
+  std::optional<Column> group = {};     ///< the column that tells several profiles or gauges apart
+  std::optional<Column> abscissa = {};  ///< not for scalars
+  std::vector<WantedQuantity> quantities;
+  std::vector<double> groups = {};  ///< those that are required, where there is a group column
+  /// The reference points of a group, strictly increasing: where the measures are taken and a template asks for values.
+  std::function<std::vector<double>(double group)> points = {};
+  /// Smallest share of the reference points that must lie within the submitted ones. A result at the centres of N cells
+  /// leaves half a cell out at either end: 1/N of the points.
+  double least_coverage = 0.9;
+  double arrival_fraction = 0.1;                          ///< see Arrival in validation/measures/agreement.hpp
+  evidence::Role reference_role = evidence::Role::exact;  ///< Role::data where it was measured
+};
+
+/// One group of a submitted table, by the wanted names.
+struct SubmittedGroup {
+  double value = 0;              ///< of the group column
+  std::vector<double> abscissa;  ///< strictly increasing; empty for scalars
+  std::map<std::string, std::vector<double>> values;
+};
+
+/// Submitted tables by name, in the wanted order of groups; checked and complete.
+using Submitted = std::map<std::string, std::vector<SubmittedGroup>>;
 
 struct Submission {
-  /// The first column is the abscissa, strictly increasing.
-  std::vector<Column> columns;
-  /// The abscissae at which a template asks for values.
-  std::function<std::vector<double>(const Values&)> abscissae;
-  /// Judges the columns and fills measurements, claims and figures of the record.
-  std::function<void(const Values&, const Columns&, evidence::Record&)> judge;
+  /// What is asked for with given parameters. A file may hold one of several tables.
+  std::function<std::vector<WantedTable>(const Values&)> tables;
+  /// Adds claims, measures and figures that the tables alone cannot state; optional.
+  std::function<void(const Values&, const Submitted&, evidence::Record&)> judge = {};
 
-  explicit operator bool() const { return static_cast<bool>(judge); }
+  explicit operator bool() const { return static_cast<bool>(tables); }
 };
 
 }  // namespace seiche::validation

@@ -7,6 +7,7 @@
 
 #include "reports/evidence/record_files.hpp"
 #include "validation/command/commands.hpp"
+#include "validation/command/side_by_side.hpp"
 
 namespace seiche::command {
 namespace {
@@ -19,12 +20,16 @@ struct Options {
   double factor = 1.05;
 };
 
-std::map<std::string, Summary> by_name(const std::string& directory) {
+std::vector<Summary> records_in(const std::string& directory) {
   if (!std::filesystem::is_directory(directory)) {
     throw std::invalid_argument(fmt::format("compare: folder {} does not exist", directory));
   }
+  return evidence::read_summaries(directory);
+}
+
+std::map<std::string, Summary> by_name(const std::string& directory) {
   std::map<std::string, Summary> records;
-  for (Summary& s : evidence::read_summaries(directory)) {
+  for (Summary& s : records_in(directory)) {
     const std::string key = s.solver == "seiche" ? s.name : s.name + "." + s.solver;
     records[key] = std::move(s);
   }
@@ -77,6 +82,7 @@ bool compare_record(const std::string& key, const Summary& before, const Summary
 }
 
 int compare(const Options& options) {
+  if (options.after.empty()) return print_side_by_side(records_in(options.before)) ? 0 : 1;
   const auto before = by_name(options.before);
   const auto after = by_name(options.after);
   bool worse = false;
@@ -105,9 +111,11 @@ int compare(const Options& options) {
 void add_compare(CLI::App& app, Action& action) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-      "compare", "What changed between two sets of records: verdicts, errors, times (status 1 if anything got worse)");
-  command->add_option("A", options->before, "folder with the earlier records")->required();
-  command->add_option("B", options->after, "folder with the later records")->required();
+      "compare",
+      "What changed between two sets of records: verdicts, errors, times (status 1 if anything got worse);\n"
+      "of one set: the solvers of each case side by side (status 1 unless all are as declared)");
+  command->add_option("A", options->before, "folder with records, the earlier ones of two")->required();
+  command->add_option("B", options->after, "folder with the later records");
   command->add_option("--factor", options->factor, "smallest change of an error that is shown")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 1e6));

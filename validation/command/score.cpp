@@ -5,69 +5,116 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "reports/evidence/record_files.hpp"
-#include "seiche/io/csv_table.hpp"
+#include "seiche/io/table.hpp"
 #include "validation/case/job.hpp"
 #include "validation/case/registry.hpp"
+#include "validation/case/submitted.hpp"
 #include "validation/command/commands.hpp"
 #include "validation/command/settings.hpp"
+#include "validation/measures/score.hpp"
 
 namespace seiche::command {
 namespace {
 
 using validation::Case;
-using validation::Column;
 using validation::Values;
+using validation::WantedTable;
 
 struct Options {
   std::string name;
-  std::string data;
+  std::vector<std::string> data;
   std::string solver = "yours";
   std::vector<std::string> map;
+  std::vector<std::string> uncertainty;
   std::vector<std::string> settings;
   std::string config;
   std::string out = "evidence";
+  std::string table;
   bool template_only = false;
 };
 
-/// The columns the case asks for, from the file, under the names that --map gives them.
-validation::Columns columns_for(const Case& one, const io::CsvTable& table, const std::vector<std::string>& map) {
-  std::map<std::string, std::string> name_in_file;
-  for (const Column& column : one.submission.columns) name_in_file[column.name] = column.name;
-  for (const std::string& pair : map) {
-    const auto [in_file, quantity] = split_setting(pair);
-    if (name_in_file.count(quantity) == 0) {
-      throw std::invalid_argument(fmt::format("--map {}: case {} has no quantity {}", pair, one.name, quantity));
-    }
-    name_in_file[quantity] = in_file;
+/// Names of everything that may be mapped; `with_uncertainty`: that may have an uncertainty.
+std::vector<std::string> known_columns(const std::vector<WantedTable>& wanted, bool with_uncertainty) {
+  std::vector<std::string> names;
+  for (const WantedTable& table : wanted) {
+    if (table.group && !with_uncertainty) names.push_back(table.group->name);
+    if (table.abscissa) names.push_back(table.abscissa->name);
+    for (const validation::WantedQuantity& q : table.quantities) names.push_back(q.column.name);
   }
-  validation::Columns columns;
-  for (const auto& [quantity, in_file] : name_in_file) columns[quantity] = table.column(in_file);
-
-  const Column& abscissa = one.submission.columns.front();
-  const std::vector<double>& x = columns.at(abscissa.name);
-  const auto disorder = std::adjacent_find(x.begin(), x.end(), [](double a, double b) { return !(a < b); });
-  if (disorder != x.end()) {
-    throw std::invalid_argument(fmt::format("column {}: row {}: {:g} follows {:g}, must increase strictly",
-                                            name_in_file.at(abscissa.name), disorder - x.begin() + 2, *(disorder + 1),
-                                            *disorder));
-  }
-  return columns;
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
 }
 
-int print_template(const Case& one, const Values& values) {
-  fmt::print("# {}: {}\n# Fill in the values, then: seiche score {} --data FILE --solver NAME\n", one.name, one.title,
-             one.name);
-  std::string header;
-  for (const Column& column : one.submission.columns) {
-    fmt::print("# {}: {} [{}]\n", column.name, column.meaning, column.unit);
-    header += fmt::format("{}{} [{}]", header.empty() ? "" : ",", column.name, column.unit);
+void require_known(const std::string& option, const Case& one, const std::string& name,
+                   const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    throw std::invalid_argument(fmt::format("{}: case {} has no quantity {}: must be one of {}", option, one.name, name,
+                                            fmt::join(known, ", ")));
   }
-  fmt::print("{}\n", header);
-  const std::string blanks(one.submission.columns.size() - 1, ',');
-  for (const double x : one.submission.abscissae(values)) fmt::print("{:.17g}{}\n", x, blanks);
+}
+
+validation::ColumnNames column_names(const Case& one, const std::vector<WantedTable>& wanted,
+                                     const std::vector<std::string>& map) {
+  validation::ColumnNames renamed;
+  for (const auto& [in_file, quantity] : split_settings("--map", map)) {
+    require_known("--map", one, quantity, known_columns(wanted, false));
+    if (!renamed.emplace(quantity, in_file).second) {
+      throw std::invalid_argument(fmt::format("--map: quantity {} is given twice", quantity));
+    }
+  }
+  return renamed;
+}
+
+std::map<std::string, validation::StatedUncertainty> uncertainties(const Case& one,
+                                                                   const std::vector<WantedTable>& wanted,
+                                                                   const std::vector<std::string>& texts) {
+  std::map<std::string, validation::StatedUncertainty> stated;
+  for (const auto& [quantity, text] : split_settings("--uncertainty", texts)) {
+    require_known("--uncertainty", one, quantity, known_columns(wanted, true));
+    stated[quantity] = validation::uncertainty_from(quantity, text);
+  }
+  return stated;
+}
+
+int print_template(const Case& one, const std::vector<WantedTable>& wanted, const std::string& name) {
+  std::vector<std::string> names;
+  for (const WantedTable& table : wanted) names.push_back(table.name);
+  if (name.empty() && wanted.size() > 1) {
+    throw std::invalid_argument(fmt::format("--template: case {} takes several tables: add --table with one of {}",
+                                            one.name, fmt::join(names, ", ")));
+  }
+  const auto chosen = name.empty() ? names.begin() : std::find(names.begin(), names.end(), name);
+  if (chosen == names.end()) {
+    throw std::invalid_argument(fmt::format("--table {}: must be one of {}", name, fmt::join(names, ", ")));
+  }
+  const WantedTable& table = wanted[static_cast<std::size_t>(chosen - names.begin())];
+  fmt::print("{}", validation::template_of(
+                       table, fmt::format("# {}: {}\n# Fill in the values, then: seiche score {} --data FILE --solver "
+                                          "NAME\n",
+                                          one.name, one.title, one.name)));
   return 0;
+}
+
+void print(const evidence::Record& record) {
+  for (const auto& [quantity, value] : record.measurements()) fmt::print("  {:<28} {:.6g}\n", quantity, value);
+  for (const evidence::JudgedClaim& claim : record.claims()) {
+    const evidence::Judgement& j = claim.judgement;
+    fmt::print("  {:<12} {} (measured {:.3g}, expected {:.3g} within {:.3g}; {})\n", evidence::name(j.verdict),
+               claim.claim.text, j.measured, j.expected, j.limit, j.resolution);
+  }
+}
+
+void require_solver_name(const std::string& name) {
+  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '_';
+  });
+  if (!plain || name == "seiche") {
+    throw std::invalid_argument(fmt::format("--solver {}: must be letters, digits, '-' and '_', and not seiche", name));
+  }
 }
 
 int score(const Options& options) {
@@ -77,35 +124,31 @@ int score(const Options& options) {
         fmt::format("score: case {} does not score others: 'seiche list' shows which do", one.name));
   }
   const Values values = values_for(one, validation::Tier::quick, options.config, options.settings);
-  if (options.template_only) return print_template(one, values);
+  const std::vector<WantedTable> wanted = one.submission.tables(values);
+  if (options.template_only) return print_template(one, wanted, options.table);
   if (options.data.empty()) throw std::invalid_argument("score: --data FILE is missing (or --template)");
-  const bool plain = !options.solver.empty() &&
-                     std::all_of(options.solver.begin(), options.solver.end(),
-                                 [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; });
-  if (!plain || options.solver == "seiche") {
-    throw std::invalid_argument(
-        fmt::format("--solver {}: must be letters, digits, '-' and '_', and not seiche", options.solver));
-  }
+  require_solver_name(options.solver);
+  const validation::ColumnNames renamed = column_names(one, wanted, options.map);
+  const auto uncertainty = uncertainties(one, wanted, options.uncertainty);
 
   const auto begin = std::chrono::steady_clock::now();
   evidence::Record record = validation::Job{&one, values}.blank_record();
   record.solver = options.solver;
-  record.reference_data[options.data] = evidence::sha256_of_file(options.data);
+  std::vector<io::Table> files;
+  for (const std::string& file : options.data) {
+    files.push_back(io::read_table(file, validation::names_in_files(wanted, renamed)));
+    record.reference_data[file] = evidence::sha256_of_file(file);
+  }
+  const validation::Submitted submitted = validation::submitted_from(files, wanted, renamed);
   try {
-    one.submission.judge(values, columns_for(one, io::read_csv(options.data), options.map), record);
+    validation::score(wanted, submitted, uncertainty, record);
+    if (one.submission.judge) one.submission.judge(values, submitted, record);
   } catch (const std::invalid_argument& wrong) {
-    const std::string message = wrong.what();
-    throw std::invalid_argument(message.starts_with(options.data) ? message : options.data + ": " + message);
+    throw std::invalid_argument(fmt::format("{}: {}", fmt::join(options.data, ", "), wrong.what()));
   }
   record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   evidence::write(record, options.out);
-
-  for (const auto& [quantity, value] : record.measurements()) fmt::print("  {:<28} {:.6g}\n", quantity, value);
-  for (const evidence::JudgedClaim& claim : record.claims()) {
-    fmt::print("  {:<12} {} (measured {:.3g}, expected {:.3g} within {:.3g})\n",
-               evidence::name(claim.judgement.verdict), claim.claim.text, claim.judgement.measured,
-               claim.judgement.expected, claim.judgement.limit);
-  }
+  print(record);
   fmt::print("record: {}\n", (std::filesystem::path(options.out) / (record.stem() + ".json")).string());
   return record.as_declared() ? 0 : 1;
 }
@@ -116,17 +159,32 @@ void add_score(CLI::App& app, Action& action) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("score", "Judge somebody else's result against a case's reference");
   command->add_option("CASE", options->name, "name of a case that scores others, see 'seiche list'")->required();
-  command->add_option("--data", options->data, "CSV file with the result")->check(CLI::ExistingFile);
+  command
+      ->add_option("--data", options->data,
+                   "CSV or HDF5 file with the result (its content decides which); repeated where a case takes several "
+                   "tables")
+      ->allow_extra_args(false)
+      ->check(CLI::ExistingFile);
   command->add_option("--solver", options->solver, "what to call the solver in the report")->capture_default_str();
-  command->add_option("--map", options->map, "column=quantity, where the file names a column differently")
+  command
+      ->add_option("--map", options->map,
+                   "column=quantity,... where the file names columns (datasets) differently; may be repeated")
       ->allow_extra_args(false);
-  command->add_option("--set", options->settings, "parameter of the case, as name=value; may be repeated")
+  command
+      ->add_option("--uncertainty", options->uncertainty,
+                   "quantity=value,...: your result's standard numerical uncertainty, in the wanted unit, or relative "
+                   "to the reference's largest value as in h=1%; none stated counts as 0")
+      ->allow_extra_args(false);
+  command->add_option("--set", options->settings, "parameters of the case, as name=value,...; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--config", options->config, "TOML file with parameters");
   command->add_option("--out", options->out, "folder for the record")->capture_default_str();
-  command->add_flag("--template", options->template_only, "print the file to fill in, and stop");
+  command->add_flag("--template", options->template_only, "print the CSV file to fill in, and stop");
+  command->add_option("--table", options->table, "which table --template shall print, where a case takes several");
   command->footer(
-      "Example: seiche score riemann --template > mine.csv, fill it in, seiche score riemann --data mine.csv");
+      "Between its points a result is joined by straight lines and taken at the reference's points; nothing is\n"
+      "extrapolated. Example: seiche score riemann --template > mine.csv, fill it in, seiche score riemann --data "
+      "mine.csv");
   command->callback([options, &action] { action = [options] { return score(*options); }; });
 }
 

@@ -4,7 +4,7 @@ _seiche() {
   local words
   case $previous in
     --tier) words="quick full paper" ;;
-    --format) words="csv json" ;;
+    --format) words="csv json hdf5" ;;
     --config | --data | --out | --pdf) COMPREPLY=($(compgen -f -- "$word")); return ;;
     *)
       if ((COMP_CWORD == 1)); then

@@ -4,49 +4,11 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
-#include "validation/case/registry.hpp"
+#include "seiche/io/atomic_file.hpp"
+#include "validation/case/configuration.hpp"
 
 namespace seiche::command {
-namespace {
-
-validation::Value value_of(const std::string& file, const std::string& key, const toml::node& node) {
-  if (const auto v = node.value_exact<double>()) return *v;
-  if (const auto v = node.value_exact<int64_t>()) return static_cast<long>(*v);
-  if (const auto v = node.value_exact<bool>()) return *v;
-  if (const auto v = node.value_exact<std::string>()) return *v;
-  throw std::invalid_argument(fmt::format("{}: line {}: parameter {} must be a number, a text, true or false", file,
-                                          node.source().begin.line, key));
-}
-
-void apply(const std::string& file, const toml::table& table, validation::Values& values) {
-  for (const auto& [key, node] : table) {
-    if (node.is_table()) continue;
-    try {
-      values.set(key.str(), value_of(file, std::string(key.str()), node));
-    } catch (const std::invalid_argument& wrong) {
-      throw std::invalid_argument(fmt::format("{}: line {}: {}", file, node.source().begin.line, wrong.what()));
-    }
-  }
-}
-
-void apply_file(const std::filesystem::path& config, const validation::Case& one, validation::Values& values) {
-  const std::string file = config.string();
-  toml::table table;
-  try {
-    table = toml::parse_file(file);
-  } catch (const toml::parse_error& wrong) {
-    throw std::invalid_argument(fmt::format("{}: line {}: {}", file, wrong.source().begin.line, wrong.description()));
-  }
-  for (const auto& [key, node] : table) {
-    if (node.is_table()) validation::find_case(key.str());  // an unknown table is a misspelt case
-  }
-  apply(file, table, values);
-  if (const toml::table* own = table[one.name].as_table()) apply(file, *own, values);
-}
-
-}  // namespace
 
 std::pair<std::string, std::string> split_setting(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -56,15 +18,35 @@ std::pair<std::string, std::string> split_setting(const std::string& text) {
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+std::vector<std::pair<std::string, std::string>> split_settings(const std::string& option,
+                                                                const std::vector<std::string>& texts) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const std::string& text : texts) {
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t comma = std::min(text.find(',', begin), text.size());
+      const std::string one = text.substr(begin, comma - begin);
+      const std::size_t equals = one.find('=');
+      if (equals == std::string::npos || equals == 0) {
+        throw std::invalid_argument(fmt::format("{} {}: '{}' must be name=value", option, text, one));
+      }
+      pairs.emplace_back(one.substr(0, equals), one.substr(equals + 1));
+      begin = comma + 1;
+    }
+  }
+  return pairs;
+}
+
 validation::Values values_for(const validation::Case& one, validation::Tier tier, const std::filesystem::path& config,
                               const std::vector<std::string>& settings) {
   validation::Values values(one.parameters, tier);
   try {
-    if (!config.empty()) apply_file(config, one, values);
-    for (const std::string& setting : settings) {
-      const auto [name, value] = split_setting(setting);
-      values.set(name, value);
+    if (!config.empty()) {
+      if (!std::filesystem::is_regular_file(config)) {
+        throw std::invalid_argument(fmt::format("{}: cannot be read as a file", config.string()));
+      }
+      validation::apply_configuration(io::read_file(config), config.string(), one, values);
     }
+    for (const auto& [name, value] : split_settings("--set", settings)) values.set(name, value);
   } catch (const std::invalid_argument& wrong) {
     throw std::invalid_argument(fmt::format("{}: {}", one.name, wrong.what()));
   }

@@ -12,10 +12,13 @@ namespace seiche::command {
 /// "name=value" taken apart. @throws std::invalid_argument when there is no '='
 std::pair<std::string, std::string> split_setting(const std::string& text);
 
+/// Several of them: "a=1,b=2" and the option repeated. @throws std::invalid_argument naming the option
+std::vector<std::pair<std::string, std::string>> split_settings(const std::string& option,
+                                                                const std::vector<std::string>& texts);
+
 /// Values for a case: its defaults for the tier, then the configuration file, then the settings, later ones winning.
 ///
-/// In the file, keys at the top apply to every case, a table [CASE] to that case alone.
-/// @param config  empty for none
+/// @param config  TOML file, see apply_configuration(); empty for none
 /// @throws std::invalid_argument naming file, parameter, value and range
 validation::Values values_for(const validation::Case& one, validation::Tier tier, const std::filesystem::path& config,
                               const std::vector<std::string>& settings);

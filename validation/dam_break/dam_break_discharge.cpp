@@ -132,7 +132,7 @@ void run(Run& run) {
     run.progress(0.3 * static_cast<double>(&s - settings.data() + 1));
   }
 
-  const io::CsvTable printed = reference_table("bogomolov_zakharov_zerkal", run.record);
+  const io::Table printed = reference_table("bogomolov_zakharov_zerkal", run.record);
   const double ratio = exact::Stoker::critical_ratio();
   run.record.measure("critical_ratio", ratio);
   run.record.known_failure({.id = "critical-ratio",

@@ -18,7 +18,7 @@ TEST_CASE("every entry of the catalogue is complete and evaluates at its default
     CHECK(!solution.title.empty());
     CHECK(!solution.citation.empty());
     CHECK(!solution.formula.empty());
-    CHECK(!solution.inputs.empty());
+    CHECK(!solution.outputs.empty());
     for (const auto& parameter : solution.parameters) {
       CHECK(parameter.minimum <= parameter.default_value);
       CHECK(parameter.default_value <= parameter.maximum);
@@ -26,21 +26,48 @@ TEST_CASE("every entry of the catalogue is complete and evaluates at its default
     }
     const exact::Evaluator evaluator = solution.evaluator();
     CHECK(evaluator.scalars().size() == solution.scalars.size());
+    std::vector<double> defaults;
+    for (const auto& input : solution.inputs) defaults.push_back(input.default_value);
+    const std::vector<double> row = evaluator.curve ? evaluator.curve(defaults).front() : evaluator.eval(defaults);
+    CHECK(row.size() == solution.outputs.size());
+    CHECK(std::all_of(row.begin(), row.end(), [](double value) { return std::isfinite(value); }));
     CHECK_THROWS_AS(solution.evaluator({{"no such parameter", 1.0}}), std::invalid_argument);
     if (!solution.parameters.empty()) {
       const auto& first = solution.parameters.front();
       CHECK_THROWS_AS(solution.evaluator({{first.name, std::nan("")}}), std::invalid_argument);
     }
   }
-  CHECK(exact::find_solution("no_such_solution") == nullptr);
+  CHECK_THROWS_AS(exact::find_solution("no_such_solution"), std::invalid_argument);
+}
+
+TEST_CASE("every exact solution keeps its own identities", "[exact]") {
+  verification::Check check(
+      "exact_self_tests", "What every exact solution says of itself",
+      "Each solution of the catalogue, at its default parameters, is checked against identities that hold for it "
+      "exactly: conservation across jumps, integral identities, invariants of the motion. No outside data take part. "
+      "`seiche exact NAME --self-test` does the same for any parameters.");
+  for (const exact::ExactSolution& solution : exact::catalogue()) {
+    const exact::Evaluator evaluator = solution.evaluator();
+    CHECK(evaluator.uncertainty() > 0);
+    const exact::SelfTest identities = evaluator.self_test();
+    CHECK(!identities.empty());
+    for (std::size_t k = 0; k < identities.size(); ++k) {
+      check.that({.id = solution.name + "-" + std::to_string(k + 1),
+                  .text = solution.name + ": " + identities[k].name + ".",
+                  .quantity = "relative defect",
+                  .source = solution.citation},
+                 {.value = identities[k].defect},
+                 evidence::Bound{.limit = identities[k].limit, .reason = identities[k].reason});
+    }
+  }
 }
 
 TEST_CASE("the shallow-water entries answer like their classes", "[exact]") {
   const auto value = [](const char* name, double x, double t) {
-    const exact::ExactSolution* solution = exact::find_solution(name);
-    REQUIRE(solution != nullptr);
-    const auto outputs = solution->evaluator().eval(x, 0, t);
-    CHECK(outputs.size() == solution->outputs.size());
+    const exact::ExactSolution& solution = exact::find_solution(name);
+    const std::vector<double> at = solution.inputs.size() == 1 ? std::vector{x} : std::vector{x, t};
+    const auto outputs = solution.evaluator().eval(at);
+    CHECK(outputs.size() == solution.outputs.size());
     return outputs.front();
   };
   CHECK(std::abs(value("riemann", 0, 1) - 4.0 / 9.0) < 1e-15);

@@ -1,9 +1,11 @@
 #include "seiche/exact/bore_reflection.hpp"
 
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "seiche/exact/jump_identities.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
@@ -48,11 +50,26 @@ sw::State BoreReflection::at(double x, double t) const {
   return t < time_ ? incident_.ahead() : sw::State{depth_, 0};
 }
 
+double BoreReflection::uncertainty() const {
+  return 20 * std::numeric_limits<double>::epsilon();
+}
+
+SelfTest BoreReflection::self_test() const {
+  SelfTest tests = jump_identities("the incident bore", incident_.gravity(), incident_.behind(), incident_.ahead(),
+                                   incident_.speed());
+  const SelfTest reflected =
+      jump_identities("the reflected bore", incident_.gravity(), incident_.behind(), {depth_, 0}, speed_);
+  tests.insert(tests.end(), reflected.begin(), reflected.end());
+  return tests;
+}
+
 Provenance BoreReflection::provenance() {
   return {
       "Stoker, Water Waves (1957), section 10.7; Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by "
       "the particle method, section 5",
       "u1 = (h2 - h1) sqrt(g (h2 + h1)/(2 h1 h2)), a- = -u1 h1/(h2 - h1)"};
 }
+
+static_assert(ReferenceSolution<BoreReflection>);
 
 }  // namespace seiche::exact

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "seiche/exact/bore.hpp"
+#include "seiche/exact/reference_solution.hpp"
 
 namespace seiche::exact {
 
@@ -43,6 +44,9 @@ class BoreReflection {
   /// Position of the incident, then of the reflected jump [m].
   [[nodiscard]] double position(double t) const;
 
+  /// See ReferenceSolution.
+  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] SelfTest self_test() const;
   static Provenance provenance();
 
  private:

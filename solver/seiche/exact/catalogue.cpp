@@ -1,9 +1,10 @@
 #include "seiche/exact/catalogue.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "seiche/exact/entries/entries.hpp"
 #include "seiche/require.hpp"
@@ -25,23 +26,54 @@ Evaluator ExactSolution::evaluator(const std::map<std::string, double>& values) 
     place->second = value;
   }
   for (const Parameter& parameter : parameters) {
-    require_within(parameter.name, complete[parameter.name], parameter.minimum, parameter.maximum);
+    const double value = complete[parameter.name];
+    require_within(parameter.name, value, parameter.minimum, parameter.maximum);
+    if (!parameter.choices.empty() && value != std::floor(value)) {
+      throw std::invalid_argument(fmt::format("{} = {:g} is out of range: must be the number of one of {}, from 0",
+                                              parameter.name, value, fmt::join(parameter.choices, ", ")));
+    }
   }
   return factory(complete);
 }
 
 const std::vector<ExactSolution>& catalogue() {
   static const std::vector<ExactSolution> solutions{
-      riemann_entry(),     bore_reflection_entry(), simple_wave_entry(),
-      steady_bump_entry(), macdonald_entry(),       thacker_entry(),
+      riemann_entry(),
+      bore_reflection_entry(),
+      simple_wave_entry(),
+      steady_bump_entry(),
+      macdonald_entry(),
+      thacker_entry(),
+      thacker_radial_entry(),
+      thacker_planar_entry(),
+      airy_entry(),
+      dispersion_entry(),
+      frank_dispersion_entry(),
+      serre_solitary_entry(),
+      solitary_asymptotic_entry(),
+      solitary_entry(),
+      stokes_entry(),
+      standing_entry(),
+      gerstner_entry(),
+      overturning_wave_entry(),
+      solitary_runup_entry(),
+      hall_watts_entry(),
+      wall_runup_entry(),
+      mach_reflection_entry(),
+      wavemaker_entry(),
+      wavemaker_start_entry(),
+      affine_drop_entry(),
   };
   return solutions;
 }
 
-const ExactSolution* find_solution(std::string_view name) {
-  const auto& all = catalogue();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const ExactSolution& s) { return s.name == name; });
-  return found == all.end() ? nullptr : &*found;
+const ExactSolution& find_solution(std::string_view name) {
+  std::string known;
+  for (const ExactSolution& solution : catalogue()) {
+    if (solution.name == name) return solution;
+    known += (known.empty() ? "" : ", ") + solution.name;
+  }
+  throw std::invalid_argument(fmt::format("exact solution {} is unknown: must be one of {}", name, known));
 }
 
 }  // namespace seiche::exact

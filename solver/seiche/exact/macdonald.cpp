@@ -128,6 +128,31 @@ Bed MacDonald::bed() const {
   return {[self](double x) { return self.elevation(x); }, [self](double x) { return self.primitive(x); }};
 }
 
+double MacDonald::uncertainty() const {
+  return 1e-12;
+}
+
+SelfTest MacDonald::self_test() const {
+  // Momentum: the fall of the bed balances the change of q^2/(2 g h^2) + h and the loss by friction.
+  const auto friction = [&](double x) {
+    const double h = depth_(x);
+    return manning_ * manning_ * discharge_ * discharge_ / std::pow(h, 10.0 / 3.0);
+  };
+  constexpr int panels = 32;
+  double loss = 0;
+  for (int k = 0; k < panels; ++k) {
+    loss += boost::math::quadrature::gauss<double, 30>::integrate(friction, length_ * k / panels,
+                                                                  length_ * (k + 1) / panels);
+  }
+  const auto energy = [&](double x) {
+    const double h = depth_(x);
+    return elevation(x) + h + discharge_ * discharge_ / (2 * gravity_ * h * h);
+  };
+  const double fall = energy(0) - energy(length_);
+  return {{"the fall of the head is the loss by friction", std::abs(fall - loss) / (std::abs(energy(0)) + loss), 1e-12,
+           "the bed is integrated to 1e-12 of its range"}};
+}
+
 Provenance MacDonald::provenance() {
   return {
       "MacDonald, Baines, Nichols and Samuels, Analytic benchmark solutions for open-channel flows, J. Hydraul. Eng. "
@@ -135,5 +160,7 @@ Provenance MacDonald::provenance() {
       "(1997) 1041; Delestre et al., SWASHES (2013), section 3.2",
       "z' = (q^2/(g h^3) - 1) h' - n^2 q^2/h^(10/3)"};
 }
+
+static_assert(ReferenceSolution<MacDonald>);
 
 }  // namespace seiche::exact

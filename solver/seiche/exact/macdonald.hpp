@@ -17,7 +17,7 @@
 #include <memory>
 #include <vector>
 
-#include "seiche/exact/provenance.hpp"
+#include "seiche/exact/reference_solution.hpp"
 #include "seiche/geometry/bed.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
@@ -45,6 +45,9 @@ class MacDonald {
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] double manning() const { return manning_; }
 
+  /// See ReferenceSolution.
+  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] SelfTest self_test() const;
   static Provenance provenance();
 
  private:

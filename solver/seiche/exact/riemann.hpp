@@ -15,7 +15,7 @@
 
 #include <vector>
 
-#include "seiche/exact/provenance.hpp"
+#include "seiche/exact/reference_solution.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::exact {
@@ -62,6 +62,9 @@ class Riemann {
   /// Positions of jumps and corners at time t, increasing [m].
   [[nodiscard]] std::vector<double> breakpoints(double t) const;
 
+  /// See ReferenceSolution.
+  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] SelfTest self_test() const;
   static Provenance provenance();
 
  private:

@@ -12,7 +12,7 @@
 #include <functional>
 #include <vector>
 
-#include "seiche/exact/provenance.hpp"
+#include "seiche/exact/reference_solution.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::exact {
@@ -43,6 +43,9 @@ class SimpleWave {
   /// Where it does [m]; meaningless when it never breaks.
   [[nodiscard]] double breaking_place() const { return breaking_place_; }
 
+  /// See ReferenceSolution.
+  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] SelfTest self_test() const;
   static Provenance provenance();
 
  private:

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include "seiche/exact/jump_identities.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
@@ -138,9 +140,36 @@ Bed SteadyBump::bed() const {
           }};
 }
 
+double SteadyBump::uncertainty() const {
+  return 20 * std::numeric_limits<double>::epsilon();
+}
+
+SelfTest SteadyBump::self_test() const {
+  const auto head = [&](double x) {
+    const auto state = at(x);
+    return elevation(x) + state.depth + state.velocity * state.velocity / (2 * gravity_);
+  };
+  SelfTest tests;
+  double defect = 0;
+  for (const double share : {0.2, 0.5, 0.8}) {
+    const double x = bump_.crest - share * bump_.half_width;
+    defect = std::max(defect, std::abs(head(x) - head(0)) / head(0));
+  }
+  tests.push_back({"the head is constant upstream of the crest", defect, 64 * std::numeric_limits<double>::epsilon(),
+                   "roots of a cubic by cosines, about twenty roundings each"});
+  if (regime_ == Regime::with_jump) {
+    const auto jump = jump_identities("the jump", gravity_, {depth_before_jump(), discharge_ / depth_before_jump()},
+                                      {depth_after_jump(), discharge_ / depth_after_jump()}, 0);
+    tests.insert(tests.end(), jump.begin(), jump.end());
+  }
+  return tests;
+}
+
 Provenance SteadyBump::provenance() {
   return {"Goutal and Maurel (1997); Delestre et al., SWASHES, Int. J. Numer. Meth. Fluids 72 (2013) 269, section 3.1",
           "h^3 - (E - z) h^2 + q^2/(2g) = 0; q^2/h + g h^2/2 continuous at the jump"};
 }
+
+static_assert(ReferenceSolution<SteadyBump>);
 
 }  // namespace seiche::exact

@@ -17,7 +17,7 @@
 #include <limits>
 #include <vector>
 
-#include "seiche/exact/provenance.hpp"
+#include "seiche/exact/reference_solution.hpp"
 #include "seiche/geometry/bed.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
@@ -68,6 +68,9 @@ class SteadyBump {
   [[nodiscard]] Bed bed() const;
   [[nodiscard]] Bump bump() const { return bump_; }
 
+  /// See ReferenceSolution.
+  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] SelfTest self_test() const;
   static Provenance provenance();
 
  private:

@@ -1,6 +1,7 @@
 #include "seiche/exact/thacker.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "seiche/require.hpp"
@@ -69,11 +70,31 @@ Bed Thacker::bed() const {
           }};
 }
 
+double Thacker::uncertainty() const {
+  return 20 * std::numeric_limits<double>::epsilon();
+}
+
+SelfTest Thacker::self_test() const {
+  const double t = 0.3 * period();
+  const double middle = 0.5 * (left_shoreline(t) + right_shoreline(t));
+  // Simpson's rule is exact for the parabola between the shorelines.
+  const double width = right_shoreline(t) - left_shoreline(t);
+  const double water = width / 6 * 4 * at(middle, t).depth;
+  // xi'' = -w^2 xi with w^2 = 2 g h0/a^2, from xi'^2 + w^2 xi^2 = const.
+  const double swing = std::hypot(velocity(t), frequency_ * shift(t));
+  const double limit = 32 * std::numeric_limits<double>::epsilon();
+  return {{"the area of the water is 4 a h0/3", std::abs(water - area()) / area(), limit, "ten roundings at x up to L"},
+          {"xi'^2 + w^2 xi^2 is constant", std::abs(swing - velocity_amplitude()) / velocity_amplitude(), limit,
+           "sine and cosine of the same phase"}};
+}
+
 Provenance Thacker::provenance() {
   return {
       "Thacker, Some exact solutions to the nonlinear shallow-water wave equations, J. Fluid Mech. 107 (1981) 499; "
       "Delestre et al., SWASHES (2013), section 4.2.1",
       "h = h0 (1 - ((x - L/2 - xi)/a)^2), u = xi', xi = -displacement cos(w t), w = sqrt(2 g h0)/a"};
 }
+
+static_assert(ReferenceSolution<Thacker>);
 
 }  // namespace seiche::exact

@@ -18,7 +18,7 @@
 #include <optional>
 #include <vector>
 
-#include "seiche/exact/provenance.hpp"
+#include "seiche/exact/reference_solution.hpp"
 #include "seiche/geometry/bed.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
@@ -54,6 +54,9 @@ class Thacker {
   /// Area of the water, 4 a h0/3 [m^2].
   [[nodiscard]] double area() const { return 4 * radius_ * depth_ / 3; }
 
+  /// See ReferenceSolution.
+  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] SelfTest self_test() const;
   static Provenance provenance();
 
  private:

@@ -1,6 +1,7 @@
 #include "seiche/exact/bore_reflection.hpp"
 
 #include "seiche/exact/entries/entries.hpp"
+#include "seiche/exact/entries/entry_parts.hpp"
 
 namespace seiche::exact {
 
@@ -12,10 +13,10 @@ ExactSolution bore_reflection_entry() {
       .formula = BoreReflection::provenance().formula,
       .parameters = {{"behind_depth", "m", 1, 1e-9, 1e6, "depth behind the incident bore"},
                      {"behind_velocity", "m/s", 1.3, 1e-9, 1e6, "velocity behind the incident bore"},
-                     {"gravity", "m/s^2", 9.81, 1e-6, 1e6, "acceleration of gravity"},
+                     gravity_parameter(9.81),
                      {"start", "m", 5, -1e9, 1e9, "position of the bore at t = 0"},
                      {"wall", "m", 10, -1e9, 1e9, "position of the wall, beyond start"}},
-      .inputs = {"x", "t"},
+      .inputs = {position_x, time_t},
       .outputs = {{"h", "m", "depth"}, {"u", "m/s", "velocity"}},
       .scalars = {{"ahead_depth", "m", "depth of the still water"},
                   {"incident_speed", "m/s", "velocity of the incident bore"},
@@ -23,18 +24,19 @@ ExactSolution bore_reflection_entry() {
                   {"reflected_depth", "m", "depth at the wall afterwards"},
                   {"reflected_speed", "m/s", "velocity of the reflected jump"}},
       .factory =
-          [](const std::map<std::string, double>& p) {
-            const auto solution = BoreReflection::from_velocity(p.at("gravity"), p.at("behind_depth"),
-                                                                p.at("behind_velocity"), p.at("start"), p.at("wall"));
-            return Evaluator{[solution](double x, double, double t) {
-                               const auto state = solution.at(x, t);
-                               return std::vector<double>{state.depth, state.velocity};
-                             },
-                             [solution] {
-                               return std::vector<double>{solution.incident().ahead().depth,
-                                                          solution.incident().speed(), solution.reflection_time(),
-                                                          solution.reflected_depth(), solution.reflected_speed()};
-                             }};
+          [](const Values& p) {
+            return evaluator_of(
+                BoreReflection::from_velocity(p.at("gravity"), p.at("behind_depth"), p.at("behind_velocity"),
+                                              p.at("start"), p.at("wall")),
+                [](const BoreReflection& solution, std::span<const double> at) {
+                  const auto state = solution.at(at[0], at[1]);
+                  return Evaluator::Row{state.depth, state.velocity};
+                },
+                [](const BoreReflection& solution) {
+                  return Evaluator::Row{solution.incident().ahead().depth, solution.incident().speed(),
+                                        solution.reflection_time(), solution.reflected_depth(),
+                                        solution.reflected_speed()};
+                });
           },
   };
 }

@@ -11,5 +11,24 @@ ExactSolution simple_wave_entry();
 ExactSolution steady_bump_entry();
 ExactSolution macdonald_entry();
 ExactSolution thacker_entry();
+ExactSolution airy_entry();
+ExactSolution dispersion_entry();
+ExactSolution frank_dispersion_entry();
+ExactSolution serre_solitary_entry();
+ExactSolution solitary_asymptotic_entry();
+ExactSolution solitary_entry();
+ExactSolution stokes_entry();
+ExactSolution standing_entry();
+ExactSolution gerstner_entry();
+ExactSolution affine_drop_entry();
+ExactSolution mach_reflection_entry();
+ExactSolution solitary_runup_entry();
+ExactSolution hall_watts_entry();
+ExactSolution wall_runup_entry();
+ExactSolution wavemaker_entry();
+ExactSolution wavemaker_start_entry();
+ExactSolution thacker_radial_entry();
+ExactSolution thacker_planar_entry();
+ExactSolution overturning_wave_entry();
 
 }  // namespace seiche::exact

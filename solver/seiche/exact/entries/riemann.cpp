@@ -1,6 +1,7 @@
 #include "seiche/exact/riemann.hpp"
 
 #include "seiche/exact/entries/entries.hpp"
+#include "seiche/exact/entries/entry_parts.hpp"
 
 namespace seiche::exact {
 
@@ -14,9 +15,9 @@ ExactSolution riemann_entry() {
                      {"left_velocity", "m/s", 0, -1e6, 1e6, "velocity on the left"},
                      {"right_depth", "m", 0.1, 0, 1e6, "depth on the right; 0 is dry"},
                      {"right_velocity", "m/s", 0, -1e6, 1e6, "velocity on the right"},
-                     {"gravity", "m/s^2", 9.81, 1e-6, 1e6, "acceleration of gravity"},
+                     gravity_parameter(9.81),
                      {"jump", "m", 0, -1e9, 1e9, "position of the discontinuity at t = 0"}},
-      .inputs = {"x", "t"},
+      .inputs = {position_x, time_t},
       .outputs = {{"h", "m", "depth"}, {"u", "m/s", "velocity, 0 where dry"}},
       .scalars = {{"star_depth", "m", "depth between the waves, 0 if dry"},
                   {"star_velocity", "m/s", "velocity between the waves, 0 if dry"},
@@ -26,21 +27,21 @@ ExactSolution riemann_entry() {
                   {"right_wave_fastest", "m/s", "right end of the right wave, equal for a jump"},
                   {"discharge_at_jump", "m^2/s", "h u where the states met, t > 0"}},
       .factory =
-          [](const std::map<std::string, double>& p) {
-            const Riemann solution(p.at("gravity"), {p.at("left_depth"), p.at("left_velocity")},
-                                   {p.at("right_depth"), p.at("right_velocity")}, p.at("jump"));
-            return Evaluator{
-                [solution](double x, double, double t) {
-                  const auto state = solution.at(x, t);
-                  return std::vector<double>{state.depth, state.velocity};
+          [](const Values& p) {
+            return evaluator_of(
+                Riemann(p.at("gravity"), {p.at("left_depth"), p.at("left_velocity")},
+                        {p.at("right_depth"), p.at("right_velocity")}, p.at("jump")),
+                [](const Riemann& solution, std::span<const double> at) {
+                  const auto state = solution.at(at[0], at[1]);
+                  return Evaluator::Row{state.depth, state.velocity};
                 },
-                [solution] {
+                [](const Riemann& solution) {
                   const auto left = solution.left_wave();
                   const auto right = solution.right_wave();
-                  return std::vector<double>{
+                  return Evaluator::Row{
                       solution.star().depth, solution.star().velocity,    left.slowest, left.fastest, right.slowest,
                       right.fastest,         solution.discharge_at_jump()};
-                }};
+                });
           },
   };
 }

@@ -1,0 +1,220 @@
+/// Python module `seiche`: the exact solutions with numpy arrays in and out.
+///
+///     import numpy, seiche
+///     wave = seiche.solitary(amplitude=0.3)
+///     values = wave(x=numpy.linspace(-10, 10, 401), y=-0.5)      # {"eta": array, "u": array, "v": array}
+///     wave.scalars["speed"], wave.uncertainty
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "seiche/exact/catalogue.hpp"
+
+namespace py = pybind11;
+using namespace seiche;
+
+namespace {
+
+using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// A solution with its parameters fixed.
+class Solution {
+ public:
+  Solution(const exact::ExactSolution& description, std::map<std::string, double> parameters)
+      : description_(&description), evaluator_(description.evaluator(parameters)) {
+    for (const auto& p : description.parameters) parameters_[p.name] = p.default_value;
+    for (const auto& [name, value] : parameters) parameters_[name] = value;
+  }
+
+  /// Outputs at the broadcast coordinates.
+  [[nodiscard]] py::dict at(const py::kwargs& coordinates) const {
+    bool outside_is_nan = false;
+    const std::vector<Array> inputs = broadcast(coordinates, outside_is_nan);
+    if (evaluator_.curve) return curve(inputs);
+    const auto count = inputs.empty() ? py::ssize_t{1} : inputs.front().size();
+    const std::vector<py::ssize_t> shape =
+        inputs.empty()
+            ? std::vector<py::ssize_t>{}
+            : std::vector<py::ssize_t>(inputs.front().shape(), inputs.front().shape() + inputs.front().ndim());
+    std::vector<Array> outputs;
+    for (std::size_t k = 0; k < description_->outputs.size(); ++k) outputs.emplace_back(shape);
+    std::vector<double> point(inputs.size());
+    for (py::ssize_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < inputs.size(); ++k) point[k] = inputs[k].data()[i];
+      std::vector<double> values;
+      try {
+        values = evaluator_.eval(point);
+      } catch (const exact::OutsideFluid&) {
+        if (!outside_is_nan) throw;
+        values.assign(outputs.size(), std::numeric_limits<double>::quiet_NaN());
+      }
+      for (std::size_t k = 0; k < outputs.size(); ++k) outputs[k].mutable_data()[i] = values[k];
+    }
+    return named(outputs);
+  }
+
+  [[nodiscard]] py::dict scalars() const {
+    const std::vector<double> values = evaluator_.scalars();
+    py::dict result;
+    for (std::size_t k = 0; k < values.size(); ++k) result[description_->scalars[k].name.c_str()] = values[k];
+    return result;
+  }
+
+  [[nodiscard]] py::list self_test() const {
+    py::list result;
+    for (const exact::Identity& identity : evaluator_.self_test()) {
+      py::dict entry;
+      entry["name"] = identity.name;
+      entry["defect"] = identity.defect;
+      entry["limit"] = identity.limit;
+      entry["reason"] = identity.reason;
+      entry["holds"] = identity.holds();
+      result.append(entry);
+    }
+    return result;
+  }
+
+  [[nodiscard]] double uncertainty() const { return evaluator_.uncertainty(); }
+  [[nodiscard]] const std::map<std::string, double>& parameters() const { return parameters_; }
+  [[nodiscard]] const exact::ExactSolution& description() const { return *description_; }
+
+ private:
+  [[nodiscard]] std::vector<Array> broadcast(const py::kwargs& coordinates, bool& outside_is_nan) const {
+    std::vector<std::string> names;
+    for (const auto& input : description_->inputs) names.push_back(input.name);
+    for (const auto& [key, value] : coordinates) {
+      const auto name = py::cast<std::string>(key);
+      if (name == "outside") {
+        const auto choice = py::cast<std::string>(value);
+        if (choice != "nan" && choice != "error") {
+          throw std::invalid_argument(fmt::format("outside = {} is unknown: must be nan or error", choice));
+        }
+        outside_is_nan = choice == "nan";
+      } else if (std::find(names.begin(), names.end(), name) == names.end()) {
+        throw std::invalid_argument(fmt::format("{} has no coordinate {}: it has {}", description_->name, name,
+                                                names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+      }
+    }
+    if (names.empty()) return {};
+    py::list given;
+    for (const auto& input : description_->inputs) {
+      given.append(coordinates.contains(input.name.c_str()) ? py::object(coordinates[input.name.c_str()])
+                                                            : py::object(py::float_(input.default_value)));
+    }
+    const py::object arrays = py::module_::import("numpy").attr("broadcast_arrays")(*given);
+    std::vector<Array> inputs;
+    for (const py::handle array : arrays) inputs.push_back(Array::ensure(array));
+    return inputs;
+  }
+
+  [[nodiscard]] py::dict curve(const std::vector<Array>& inputs) const {
+    std::vector<double> point;
+    for (const Array& input : inputs) {
+      if (input.size() != 1) {
+        throw std::invalid_argument(
+            fmt::format("{} is a curve: coordinates must be single numbers", description_->name));
+      }
+      point.push_back(input.data()[0]);
+    }
+    const auto rows = evaluator_.curve(point);
+    std::vector<Array> outputs;
+    for (std::size_t k = 0; k < description_->outputs.size(); ++k) {
+      outputs.emplace_back(static_cast<py::ssize_t>(rows.size()));
+      for (std::size_t i = 0; i < rows.size(); ++i) outputs.back().mutable_data()[i] = rows[i][k];
+    }
+    return named(outputs);
+  }
+
+  [[nodiscard]] py::dict named(const std::vector<Array>& outputs) const {
+    py::dict result;
+    for (std::size_t k = 0; k < outputs.size(); ++k) result[description_->outputs[k].name.c_str()] = outputs[k];
+    return result;
+  }
+
+  const exact::ExactSolution* description_;
+  exact::Evaluator evaluator_;
+  std::map<std::string, double> parameters_;
+};
+
+/// Numbers, and names of choices, from keyword arguments.
+Solution make(const exact::ExactSolution& description, const py::kwargs& arguments) {
+  std::map<std::string, double> parameters;
+  for (const auto& [key, value] : arguments) {
+    const auto name = py::cast<std::string>(key);
+    if (!py::isinstance<py::str>(value)) {
+      parameters[name] = py::cast<double>(value);
+      continue;
+    }
+    const auto text = py::cast<std::string>(value);
+    for (const auto& p : description.parameters) {
+      if (p.name != name) continue;
+      const auto choice = std::find(p.choices.begin(), p.choices.end(), text);
+      if (choice == p.choices.end()) {
+        throw std::invalid_argument(
+            fmt::format("{} = {} is unknown: must be one of {}", name, text, fmt::join(p.choices, ", ")));
+      }
+      parameters[name] = static_cast<double>(choice - p.choices.begin());
+    }
+    if (parameters.count(name) == 0) throw std::invalid_argument(fmt::format("{} is not a parameter", name));
+  }
+  return {description, parameters};
+}
+
+std::string docstring(const exact::ExactSolution& s) {
+  std::string text = fmt::format("{}.\n\n{}\n\n{}\n\nParameters:\n", s.title, s.formula, s.citation);
+  for (const auto& p : s.parameters) {
+    text += fmt::format("  {} [{}]: {}; {}\n", p.name, p.unit, p.meaning,
+                        p.choices.empty()
+                            ? fmt::format("default {:g}, in [{:g}, {:g}]", p.default_value, p.minimum, p.maximum)
+                            : fmt::format("one of {}", fmt::join(p.choices, ", ")));
+  }
+  text += "Coordinates:\n";
+  for (const auto& i : s.inputs) text += fmt::format("  {} [{}]: {}\n", i.name, i.unit, i.meaning);
+  text += "Outputs:\n";
+  for (const auto& o : s.outputs) text += fmt::format("  {} [{}]: {}\n", o.name, o.unit, o.meaning);
+  text += "Scalars:\n";
+  for (const auto& o : s.scalars) text += fmt::format("  {} [{}]: {}\n", o.name, o.unit, o.meaning);
+  return text;
+}
+
+}  // namespace
+
+PYBIND11_MODULE(seiche, m) {
+  m.doc() = "Exact and semi-analytic solutions of free-surface flows, with numpy arrays in and out.";
+
+  py::class_<Solution>(m, "Solution", "An exact solution with its parameters fixed; call it with coordinates.")
+      .def("__call__", &Solution::at,
+           "Outputs by name at the given coordinates, which broadcast like numpy's. Outside the fluid: ValueError, or "
+           "NaN with outside='nan'.")
+      .def("self_test", &Solution::self_test, "The solution's own identities, each with defect, limit and reason.")
+      .def_property_readonly("scalars", &Solution::scalars, "Numbers that belong to the solution as a whole, by name.")
+      .def_property_readonly("uncertainty", &Solution::uncertainty,
+                             "Bound of the numerical error, relative to the solution's own scale.")
+      .def_property_readonly("parameters", &Solution::parameters)
+      .def_property_readonly("name", [](const Solution& s) { return s.description().name; })
+      .def_property_readonly("citation", [](const Solution& s) { return s.description().citation; })
+      .def("__repr__", [](const Solution& s) {
+        std::vector<std::string> words;
+        for (const auto& [name, value] : s.parameters()) words.push_back(fmt::format("{}={:g}", name, value));
+        return fmt::format("seiche.{}({})", s.description().name, fmt::join(words, ", "));
+      });
+
+  std::vector<std::string> names;
+  for (const exact::ExactSolution& solution : exact::catalogue()) {
+    names.push_back(solution.name);
+    m.def(
+        solution.name.c_str(), [&solution](const py::kwargs& arguments) { return make(solution, arguments); },
+        docstring(solution).c_str());
+  }
+  m.attr("solutions") = names;
+  m.def(
+      "exact",
+      [](const std::string& name, const py::kwargs& arguments) { return make(exact::find_solution(name), arguments); },
+      py::arg("name"), "The solution of that name: seiche.exact('solitary', amplitude=0.3).");
+}

@@ -1,0 +1,64 @@
+"""The Python module: values are the command's, arrays broadcast, and what is wrong is a ValueError that says so."""
+
+import numpy
+import pytest
+
+import seiche
+
+
+def test_every_solution_is_there_and_documented():
+    assert {"riemann", "solitary", "stokes", "standing", "gerstner", "overturning_wave"} <= set(seiche.solutions)
+    for name in seiche.solutions:
+        assert "Parameters:" in getattr(seiche, name).__doc__
+        assert seiche.exact(name).name == name
+
+
+def test_arrays_come_back_in_the_shape_that_coordinates_broadcast_to():
+    dam_break = seiche.riemann(left_depth=1, right_depth=0, gravity=9.81)
+    values = dam_break(x=numpy.linspace(-5, 5, 11), t=1.0)
+    assert values["h"].shape == (11,)
+    assert values["h"][5] == pytest.approx(4 / 9, rel=1e-15)
+    grid = dam_break(x=numpy.linspace(-1, 1, 4), t=numpy.array([[0.5], [1.0], [2.0]]))
+    assert grid["u"].shape == (3, 4)
+    assert dam_break(x=0.0, t=1.0)["u"].shape == ()
+
+
+def test_the_solitary_wave_at_depth_and_on_the_surface():
+    wave = seiche.solitary(amplitude=0.3)
+    assert wave.scalars["speed"] == pytest.approx(1.13752301663104, rel=1e-14)
+    inside = wave(x=numpy.array([0.0, 1.0]), y=-0.5)
+    assert inside["u"] == pytest.approx([0.25121780819879, 0.21852316195712], abs=1e-14)
+    assert wave(x=0.0)["u"] == pytest.approx(0.304481232945863, abs=1e-14)
+    assert wave(x=0.0)["eta"] == pytest.approx(0.3, abs=1e-14)
+
+
+def test_points_outside_the_fluid_are_errors_unless_nan_is_asked_for():
+    wave = seiche.solitary(amplitude=0.3)
+    with pytest.raises(ValueError, match="y"):
+        wave(x=0.0, y=0.4)
+    values = wave(x=0.0, y=numpy.array([0.2, 0.4]), outside="nan")
+    assert numpy.isfinite(values["u"][0]) and numpy.isnan(values["u"][1])
+
+
+def test_wrong_names_and_values_say_what_is_allowed():
+    for call, words in [
+        (lambda: seiche.exact("nothing"), "nothing"),
+        (lambda: seiche.riemann(left_deth=1), "left_deth"),
+        (lambda: seiche.riemann(left_depth=-1), "left_depth"),
+        (lambda: seiche.riemann(left_depth=float("nan")), "left_depth"),
+        (lambda: seiche.riemann()(x=0, z=1), "coordinate z"),
+        (lambda: seiche.wavemaker(kind="plunger"), "piston"),
+        (lambda: seiche.solitary()(x=0, outside="zero"), "outside"),
+    ]:
+        with pytest.raises(ValueError, match=words):
+            call()
+
+
+def test_a_curve_comes_back_as_arrays_along_it():
+    profile = seiche.overturning_wave()(t=0.0)
+    assert profile["x"].ndim == 1 and profile["x"].shape == profile["y"].shape
+
+
+def test_solutions_test_themselves():
+    for identity in seiche.riemann(right_depth=0.1).self_test():
+        assert identity["holds"], identity

@@ -1,0 +1,128 @@
+#include "seiche/exact/overturning/surface_velocity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "seiche/require.hpp"
+
+namespace seiche::exact::overturning {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Part of a residual that corrections by the matrix in single precision leave: its rounding, 2^-24, to the residual.
+constexpr double single_precision = 1e-7;
+constexpr int most_passes = 5;
+
+std::size_t checked(std::size_t markers, double depth) {
+  require_at_least("markers", static_cast<long>(markers), 8);
+  if (!std::isinf(depth)) require_finite("depth", depth);
+  require_positive("depth", std::isinf(depth) && depth > 0 ? 1 : depth);
+  return markers;
+}
+
+}  // namespace
+
+SurfaceVelocity::SurfaceVelocity(std::size_t markers, double depth)
+    : n_(checked(markers, depth)),
+      depth_(depth),
+      has_bottom_(std::isfinite(depth)),
+      fourier_(markers),
+      work_(markers),
+      coefficients_(markers),
+      z_s_(markers),
+      z_ss_(markers),
+      velocity_(markers),
+      phi_s_(markers),
+      phi_ss_(markers),
+      E_(markers),
+      e_(markers),
+      A_(markers * markers),
+      residual_(static_cast<Eigen::Index>(markers)) {}
+
+void SurfaceVelocity::differentiate(SurfaceView<const double> surface) {
+  const auto first = [&](std::size_t k) {
+    return fourier_.is_sawtooth(k) ? Complex(0) : Complex(0, fourier_.wavenumber(k));
+  };
+  for (std::size_t j = 0; j < n_; ++j) work_[j] = {surface.displacement[j], surface.y[j]};
+  fourier_.coefficients(work_, coefficients_);
+  for (std::size_t k = 0; k < n_; ++k) work_[k] = first(k) * coefficients_[k];
+  fourier_.samples(work_, z_s_);
+  for (std::size_t k = 0; k < n_; ++k) work_[k] *= first(k);
+  fourier_.samples(work_, z_ss_);
+  for (std::size_t j = 0; j < n_; ++j) {
+    z_s_[j] += 1;
+    work_[j] = surface.potential[j];
+  }
+  fourier_.coefficients(work_, coefficients_);
+  // phi_s and phi_ss are real: one transform carries both.
+  for (std::size_t k = 0; k < n_; ++k) work_[k] = first(k) * (1.0 + Complex(0, 1) * first(k)) * coefficients_[k];
+  fourier_.samples(work_, work_);
+  for (std::size_t j = 0; j < n_; ++j) {
+    phi_s_[j] = work_[j].real();
+    phi_ss_[j] = work_[j].imag();
+  }
+}
+
+void SurfaceVelocity::exponentials(SurfaceView<const double> surface) {
+  for (std::size_t j = 0; j < n_; ++j) {
+    const double x = label(j, n_) + surface.displacement[j];
+    const Complex direction(std::cos(x), std::sin(x));
+    E_.set(j, std::exp(-surface.y[j]) * direction);
+    if (has_bottom_) e_.set(j, std::exp(-surface.y[j] - depth_) * direction);
+  }
+}
+
+double SurfaceVelocity::assemble(const Eigen::VectorXd& psi_s) {
+  const double factor = 2 / static_cast<double>(n_);  // w/pi
+  double b_squared = 0;
+  for (std::size_t i = 0; i < n_; ++i) {
+    const Complex z_s = z_s_[i];
+    const auto row = A_.begin() + static_cast<std::ptrdiff_t>(i * n_);
+    const RowSums sums = kernel_row(i, z_s, -factor, E_, has_bottom_ ? &e_ : nullptr, phi_s_.data(), psi_s.data(), row);
+    const double image = has_bottom_ ? 1 / (1 - std::norm(e_[i])) : 1;  // 1/(1 - e_i conj e_i)
+    const Complex regular = z_ss_[i] / (2.0 * z_s);
+    const double diagonal = factor * (regular.imag() - z_s.real() * (image - 0.5));
+    const double b = factor * (-(z_s * (E_[i] * sums.direct - sums.image)).imag() +
+                               z_s.imag() * phi_s_[i] * (0.5 + image) + phi_ss_[i] - phi_s_[i] * regular.real());
+    row[static_cast<std::ptrdiff_t>(i)] = static_cast<float>(diagonal);
+    b_squared += b * b;
+    const double psi = psi_s[static_cast<Eigen::Index>(i)];
+    residual_[static_cast<Eigen::Index>(i)] = b - psi + (sums.product + diagonal * psi);
+  }
+  return std::sqrt(b_squared);
+}
+
+void SurfaceVelocity::solve(SurfaceView<const double> surface, Eigen::VectorXd& psi_s, double tolerance) {
+  differentiate(surface);
+  exponentials(surface);
+  const auto apply = [&](const Eigen::VectorXd& x, Eigen::VectorXd& y) {
+    subtract_product(A_, x.data(), y.data(), n_);
+  };
+  // Each pass leaves of the residual what single precision misses; a first guess from the past needs one.
+  bool solved = false;
+  for (int pass = 0; !solved && pass < most_passes; ++pass) {
+    const double goal = tolerance * assemble(psi_s);
+    const double residual = residual_.norm();
+    iterations_ += gmres_.solve(apply, residual_, correction_, std::max(goal / residual, single_precision));
+    psi_s += correction_;
+    solved = residual * single_precision <= goal;
+  }
+  ++solves_;
+  for (std::size_t i = 0; i < n_; ++i) velocity_[i] = Complex(phi_s_[i], psi_s[static_cast<Eigen::Index>(i)]) / z_s_[i];
+}
+
+Invariants SurfaceVelocity::invariants(SurfaceView<const double> surface, const Eigen::VectorXd& psi_s) const {
+  Invariants sum;
+  for (std::size_t i = 0; i < n_; ++i) {
+    const double y = surface.y[i];
+    sum.volume += y * z_s_[i].real();
+    sum.kinetic_energy -= 0.5 * surface.potential[i] * psi_s[static_cast<Eigen::Index>(i)];
+    sum.potential_energy += 0.5 * y * y * z_s_[i].real();
+    sum.impulse -= surface.potential[i] * z_s_[i].imag();
+  }
+  const double w = label(1, n_);
+  return {w * sum.volume, w * sum.kinetic_energy, w * sum.potential_energy, w * sum.impulse};
+}
+
+}  // namespace seiche::exact::overturning

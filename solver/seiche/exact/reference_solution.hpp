@@ -1,0 +1,41 @@
+/// What every exact solution offers besides its values: how well it is known, and a test of itself.
+#pragma once
+
+#include <concepts>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "seiche/exact/provenance.hpp"
+
+namespace seiche::exact {
+
+/// Something that holds exactly for the solution, evaluated with the numbers that the solution returns: no outside data.
+struct Identity {
+  std::string name;    ///< the identity in plain text, "2 T = F (I - C)"
+  double defect = 0;   ///< magnitude of what should be zero, relative to the largest term unless the name says otherwise
+  double limit = 0;    ///< the defect that round-off or the stated resolution explains
+  std::string reason;  ///< where the limit comes from
+
+  [[nodiscard]] bool holds() const { return defect <= limit; }
+};
+
+using SelfTest = std::vector<Identity>;
+
+/// One solution with validated parameters.
+template <class S>
+concept ReferenceSolution = requires(const S& solution) {
+  { S::provenance() } -> std::same_as<Provenance>;
+  /// Bound of the numerical error of the values returned, relative to the solution's own scale (largest elevation,
+  /// largest velocity, speed); for an asymptotic formula, of its evaluation, not of its derivation.
+  { solution.uncertainty() } -> std::convertible_to<double>;
+  { solution.self_test() } -> std::same_as<SelfTest>;
+};
+
+/// A point above the surface or below the bottom was asked for.
+class OutsideFluid : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+}  // namespace seiche::exact

@@ -1,0 +1,144 @@
+/// Solitary waves as asymptotic series in amplitude over depth: the first three orders, and the exact wave of Serre's
+/// equations.
+///
+/// With a = amplitude/depth, X = (x - c t)/depth, elevations in depths, speeds in sqrt(g depth):
+///
+///     Boussinesq         eta = a sech^2(sqrt(3a/4) X),                  c^2 = 1 + a
+///     Rayleigh, Serre    eta = a sech^2(sqrt(a/(4 alpha (1 + a))) X),   c^2 = 1 + a,   alpha = 1/3
+///     Laitone            eta = a S - (3/4) a^2 S (1 - S),  S = sech^2(sqrt(3a/4) (1 - 5a/8) X),
+///                        c = 1 + a/2 - 3a^2/20
+///     Grimshaw           eta = a s^2 - (3/4) a^2 s^2 q^2 + a^3 ((5/8) s^2 q^2 - (101/80) s^4 q^2), s = sech, q = tanh
+///     of
+///                        sqrt(3a/4) (1 - 5a/8 + 71 a^2/128) X,  c^2 = 1 + a - a^2/20 - 3a^3/70
+///
+/// Depth-averaged velocity of any steady wave: u = c eta/(1 + eta). Crest at x = 0; the wave travels to +x.
+/// Profile errors against the exact wave of the Euler equations, in depths at a = 0.1 and 0.2 (order in a): Boussinesq
+/// 2.0e-3, 7.1e-3 (2); Rayleigh 1.2e-3, 5.2e-3 (2); Laitone 3.6e-4, 2.9e-3 (3); Grimshaw 1.8e-5, 2.8e-4 (4).
+///
+/// When not to use it: amplitudes beyond about 0.3 as a reference of the Euler equations; use SolitaryWave.
+/// SerreSolitary is exact for the Serre (Green-Naghdi) equations at any amplitude.
+///
+/// References: Boussinesq (1872), J. Math. Pures Appl. 17, 55; Rayleigh (1876), Phil. Mag. 1, 257; Serre (1953),
+/// Houille Blanche 8, 374; Laitone (1960), J. Fluid Mech. 9, 430; Grimshaw (1971), J. Fluid Mech. 46, 611.
+#pragma once
+
+#include "seiche/exact/reference_solution.hpp"
+
+namespace seiche::exact {
+
+/// A steady wave of elevation on still water; see the formulas above.
+class AsymptoticSolitary {
+ public:
+  virtual ~AsymptoticSolitary() = default;
+
+  /// Elevation [m] at distance x [m] from the crest, or at x at time t of the wave with its crest at x = 0 at t = 0.
+  [[nodiscard]] double elevation(double x) const;
+  [[nodiscard]] double elevation(double x, double t) const { return elevation(x - speed() * t); }
+  /// Speed of the crest [m/s].
+  [[nodiscard]] double speed() const;
+  /// Mean over the depth of the horizontal velocity [m/s], exact for the mass of a steady wave.
+  [[nodiscard]] double depth_averaged_velocity(double x) const;
+  /// Area above the still level [m^2].
+  [[nodiscard]] double area() const;
+
+  [[nodiscard]] double amplitude() const { return ratio_ * depth_; }
+  [[nodiscard]] double depth() const { return depth_; }
+  [[nodiscard]] double gravity() const { return gravity_; }
+
+  [[nodiscard]] double uncertainty() const;
+  /// Crest height and area of the profile; what a model's conservation laws say beyond them.
+  [[nodiscard]] SelfTest self_test() const;
+
+  /// Highest wave of the Euler equations in depths: the series mean nothing beyond.
+  static constexpr double highest = 0.8332;
+
+ protected:
+  /// @param amplitude [m], at most `limit` depths;  @param depth [m];  @param gravity [m/s^2]
+  AsymptoticSolitary(double amplitude, double depth, double gravity, double limit);
+  AsymptoticSolitary(const AsymptoticSolitary&) = default;
+  AsymptoticSolitary& operator=(const AsymptoticSolitary&) = default;
+  AsymptoticSolitary(AsymptoticSolitary&&) = default;
+  AsymptoticSolitary& operator=(AsymptoticSolitary&&) = default;
+
+  /// Amplitude over depth.
+  [[nodiscard]] double ratio() const { return ratio_; }
+
+ private:
+  /// eta(X)/depth, the decay rate K of its argument, c/sqrt(g depth), area/depth^2.
+  [[nodiscard]] virtual double profile(double x) const = 0;
+  [[nodiscard]] virtual double decay() const = 0;
+  [[nodiscard]] virtual double froude() const = 0;
+  [[nodiscard]] virtual double profile_area() const = 0;
+  /// Whether 3 V = (F^2 - 1) M (V potential energy, M excess mass) holds exactly and not only to the wave's order.
+  [[nodiscard]] virtual bool conserves_momentum() const { return false; }
+
+  double ratio_;
+  double depth_;
+  double gravity_;
+};
+
+class BoussinesqSolitary final : public AsymptoticSolitary {
+ public:
+  /// @param amplitude  [m], at most 0.8332 depth. Throws std::invalid_argument.
+  explicit BoussinesqSolitary(double amplitude, double depth = 1, double gravity = 1);
+  static Provenance provenance();
+
+ private:
+  [[nodiscard]] double profile(double x) const override;
+  [[nodiscard]] double decay() const override;
+  [[nodiscard]] double froude() const override;
+  [[nodiscard]] double profile_area() const override;
+  [[nodiscard]] bool conserves_momentum() const override { return true; }
+};
+
+/// Rayleigh's wave; exact for the equations of Serre, and for those of Frank's discrete model as spacing -> 0.
+class SerreSolitary final : public AsymptoticSolitary {
+ public:
+  /// @param amplitude  [m], any positive. @param alpha  factor of the vertical kinetic energy, 1/3 for Serre.
+  /// Throws std::invalid_argument.
+  explicit SerreSolitary(double amplitude, double depth = 1, double gravity = 1, double alpha = 1.0 / 3);
+
+  /// Area of the water between the crest and x, depth x + integral of the elevation [m^2], and its inverse: equal steps
+  /// of it are particles of equal mass.
+  [[nodiscard]] double water_up_to(double x) const;
+  [[nodiscard]] double place_of(double water) const;
+
+  static Provenance provenance();
+
+ private:
+  [[nodiscard]] double profile(double x) const override;
+  [[nodiscard]] double decay() const override;
+  [[nodiscard]] double froude() const override;
+  [[nodiscard]] double profile_area() const override;
+  [[nodiscard]] bool conserves_momentum() const override { return true; }
+
+  double alpha_;
+};
+
+class LaitoneSolitary final : public AsymptoticSolitary {
+ public:
+  /// @param amplitude  [m], at most 0.8332 depth. Throws std::invalid_argument.
+  explicit LaitoneSolitary(double amplitude, double depth = 1, double gravity = 1);
+  static Provenance provenance();
+
+ private:
+  [[nodiscard]] double profile(double x) const override;
+  [[nodiscard]] double decay() const override;
+  [[nodiscard]] double froude() const override;
+  [[nodiscard]] double profile_area() const override;
+};
+
+class GrimshawSolitary final : public AsymptoticSolitary {
+ public:
+  /// @param amplitude  [m], at most 0.8332 depth. Throws std::invalid_argument.
+  explicit GrimshawSolitary(double amplitude, double depth = 1, double gravity = 1);
+  static Provenance provenance();
+
+ private:
+  [[nodiscard]] double profile(double x) const override;
+  [[nodiscard]] double decay() const override;
+  [[nodiscard]] double froude() const override;
+  [[nodiscard]] double profile_area() const override;
+};
+
+}  // namespace seiche::exact

@@ -1,0 +1,88 @@
+/// Solitary wave of the full Euler equations, irrotational, without surface tension: every amplitude, to round-off.
+///
+/// In the frame of the wave and in units of the depth, of sqrt(gravity depth) and of the Froude number F = c/sqrt(g h):
+/// complex potential W = phi + i psi, dW/dz = exp(tau - i theta), q = exp(tau) the speed and theta the inclination of
+/// the surface psi = 0 above the bottom psi = -1,
+///
+///     theta(phi) = 1/2 PV int tau(phi') / sinh(pi (phi - phi')/2) dphi'    (analytic in the strip, flat bottom),
+///     y = F^2 (1 - q^2)/2                                                  (Bernoulli),
+///     dy/dphi = sin(theta)/q                                               (the surface is a streamline),
+///
+/// solved for y and F^2 by Newton's method on nodes clustered under the crest. Velocities inside are the quotient of
+/// two Cauchy sums along the surface and its mirror image in the bottom, accurate up to the surface.
+///
+/// Two waves share a speed above F = 1.29089 (F is largest at amplitude 0.7959 depth), so that the amplitude, or near
+/// the limit the crest speed, is the parameter. Coordinates: y = 0 undisturbed level, bottom y = -depth, crest at x = 0
+/// travelling to +x, water at rest far away (laboratory frame). Integrals are for density 1 per unit length of crest.
+///
+/// When not to use it: viscous or stratified water, surface tension; speeds of a solitary wave of a model equation
+/// (Boussinesq, Serre) differ from it by O(a^2) and more.
+///
+/// References: Longuet-Higgins & Fenton, On the mass, momentum, energy and circulation of a solitary wave II, Proc. R.
+/// Soc. A 340 (1974) 471; Hunter & Vanden-Broeck, Accurate computations for steep solitary waves, J. Fluid Mech. 136
+/// (1983) 63; Tanaka, The stability of solitary waves, Phys. Fluids 29 (1986) 650; Dutykh & Clamond, Efficient
+/// computation of steady solitary gravity waves, Wave Motion 51 (2014) 86.
+#pragma once
+
+#include <memory>
+
+#include "seiche/exact/reference_solution.hpp"
+#include "seiche/exact/resolution.hpp"
+#include "seiche/exact/velocity.hpp"
+
+namespace seiche::exact {
+
+class SolitarySurface;
+
+class SolitaryWave {
+ public:
+  /// @param amplitude  crest above the undisturbed level [m], amplitude/depth in [0.001, 0.8331]
+  /// Throws std::invalid_argument.
+  explicit SolitaryWave(double amplitude, double depth = 1, double gravity = 1, Resolution resolution = {});
+  /// The wave whose water moves backwards at the crest, seen from the wave, with crest_speed times the wave's speed:
+  /// 1 without a wave, 0 in the limiting one; [3e-4, 0.999].
+  static SolitaryWave from_crest_speed(double crest_speed, double depth = 1, double gravity = 1,
+                                       Resolution resolution = {});
+
+  [[nodiscard]] double amplitude() const;                    ///< [m]
+  [[nodiscard]] double depth() const { return depth_; }      ///< undisturbed [m]
+  [[nodiscard]] double gravity() const { return gravity_; }  ///< [m/s^2]
+  [[nodiscard]] double speed() const;                        ///< phase speed c [m/s]
+  [[nodiscard]] double froude() const;                       ///< F = c/sqrt(gravity depth)
+  /// Speed of the water at the crest in the frame of the wave, relative to c.
+  [[nodiscard]] double crest_speed() const;
+
+  /// Surface [m] at the distance x from the crest, or at x at time t of the wave with its crest at x = 0 at t = 0.
+  [[nodiscard]] double elevation(double x) const;
+  [[nodiscard]] double elevation(double x, double t) const { return elevation(x - speed() * t); }
+  /// Velocity potential on the surface [m^2/s], laboratory frame, 0 at the crest; odd in x.
+  [[nodiscard]] double surface_potential(double x) const;
+  /// Velocity [m/s] in the laboratory frame; throws OutsideFluid above the surface and below the bottom.
+  [[nodiscard]] Velocity velocity(double x, double y) const;
+  [[nodiscard]] Velocity velocity(double x, double y, double t) const { return velocity(x - speed() * t, y); }
+
+  [[nodiscard]] double mass() const;              ///< M = int eta dx [m^2]
+  [[nodiscard]] double kinetic_energy() const;    ///< T = 1/2 int int u^2 + v^2 dy dx [m^4/s^2]
+  [[nodiscard]] double potential_energy() const;  ///< V = g/2 int eta^2 dx [m^4/s^2]
+  [[nodiscard]] double circulation() const;       ///< C = int u dx along any line below the troughs [m^2/s]
+  [[nodiscard]] double impulse() const;           ///< I = c M [m^3/s]
+  [[nodiscard]] double crest_velocity() const;    ///< u at the crest [m/s]
+  [[nodiscard]] double half_width() const;        ///< distance at which the elevation is amplitude/2 [m]
+  [[nodiscard]] double maximum_slope() const;     ///< largest inclination of the surface [rad]
+  /// Rate of decay of the tail, eta ~ exp(-decay_rate |x|) [1/m].
+  [[nodiscard]] double decay_rate() const;
+
+  static Provenance provenance();
+  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] SelfTest self_test() const;
+
+ private:
+  SolitaryWave(std::shared_ptr<const SolitarySurface> surface, double depth, double gravity);
+
+  std::shared_ptr<const SolitarySurface> surface_;  ///< in units of the depth and of sqrt(gravity depth)
+  double depth_;
+  double gravity_;
+  double celerity_;  ///< sqrt(gravity depth)
+};
+
+}  // namespace seiche::exact

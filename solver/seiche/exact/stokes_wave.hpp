@@ -1,0 +1,90 @@
+/// Periodic progressive gravity wave (Stokes wave) of the full Euler equations, finite or infinite depth, to round-off.
+///
+/// In the frame of the wave and in units of 1/k (k = 2 pi/wavelength), sqrt(gravity/k) and of the phase speed c, with
+/// the complex potential W = phi + i psi of period 2 pi, dW/dz = exp(tau - i theta), q = exp(tau), psi = 0 on the
+/// surface and -d on the bottom (d the conformal depth, infinite in deep water):
+///
+///     theta = T tau,   T with the symbol -i tanh(k d),
+///     c^2 q^2/2 + y = B   (Bernoulli),   c^2/2 d(q^2)/dphi + sin(theta)/q = 0   (its derivative along the surface),
+///     int cos(theta)/q dphi = 2 pi,   c^2 (q_trough^2 - q_crest^2)/2 = wave height.
+///
+/// c is the speed in the frame where the mean Eulerian velocity below the troughs is zero (Stokes's first definition).
+/// Coordinates: y = 0 mean level, bottom y = -mean_depth, crest at x = 0 travelling to +x. Densities of energy and of
+/// impulse are for density 1, averaged over a wavelength.
+///
+/// When not to use it: k depth < 0.2 (the crests are solitary waves: SolitaryWave); irregular or short-crested waves.
+///
+/// References: Schwartz, Computer extension and analytic continuation of Stokes' expansion, J. Fluid Mech. 62 (1974)
+/// 553; Cokelet, Steep gravity waves in water of arbitrary uniform depth, Phil. Trans. R. Soc. A 286 (1977) 183;
+/// Longuet-Higgins, Integral properties of periodic gravity waves of finite amplitude, Proc. R. Soc. A 342 (1975) 157;
+/// Dyachenko, Lushnikov & Korotkevich, Branch cuts of Stokes wave on deep water, Stud. Appl. Math. 137 (2016) 419.
+#pragma once
+
+#include <limits>
+#include <memory>
+
+#include "seiche/exact/reference_solution.hpp"
+#include "seiche/exact/resolution.hpp"
+#include "seiche/exact/velocity.hpp"
+
+namespace seiche::exact {
+
+class StokesSurface;
+
+class StokesWave {
+ public:
+  static constexpr double deep = std::numeric_limits<double>::infinity();
+
+  /// @param amplitude   half of the height from trough to crest [m]; above the limiting wave it throws
+  ///                    std::invalid_argument that names the steepest wave reached
+  /// @param wavelength  [m];  @param mean_depth  [m], StokesWave::deep for infinite depth; k mean_depth >= 0.2
+  StokesWave(double amplitude, double wavelength, double mean_depth, double gravity, Resolution resolution = {});
+  /// With the conformal depth (flux/c, [m]) in place of the mean depth: one solution less deep, no outer iteration.
+  static StokesWave from_conformal_depth(double amplitude, double wavelength, double conformal_depth, double gravity,
+                                         Resolution resolution = {});
+  /// The wave whose water moves backwards at the crest, seen from the wave, with crest_speed times the phase speed:
+  /// [0.0015, 0.9999], 0 in the limiting wave.
+  static StokesWave from_crest_speed(double crest_speed, double wavelength, double conformal_depth, double gravity,
+                                     Resolution resolution = {});
+
+  [[nodiscard]] double amplitude() const;                          ///< half height [m]
+  [[nodiscard]] double wavelength() const;                         ///< [m]
+  [[nodiscard]] double wavenumber() const { return wavenumber_; }  ///< [1/m]
+  [[nodiscard]] double gravity() const { return gravity_; }        ///< [m/s^2]
+  [[nodiscard]] double mean_depth() const;                         ///< [m], infinite in deep water
+  [[nodiscard]] double conformal_depth() const;                    ///< [m], infinite in deep water
+  [[nodiscard]] double phase_speed() const;                        ///< c [m/s]
+  [[nodiscard]] double crest_speed() const;  ///< of the water at the crest, seen from the wave, relative to c
+  /// B = q^2/2 + g y on the surface, q in the frame of the wave, y from the mean level [m^2/s^2].
+  [[nodiscard]] double bernoulli_constant() const;
+
+  [[nodiscard]] double elevation(double x) const;
+  [[nodiscard]] double elevation(double x, double t) const { return elevation(x - phase_speed() * t); }
+  /// Velocity potential on the surface [m^2/s], laboratory frame, 0 at the crest; odd and periodic in x.
+  [[nodiscard]] double surface_potential(double x) const;
+  /// Velocity [m/s] in the laboratory frame; throws OutsideFluid above the surface and below the bottom.
+  [[nodiscard]] Velocity velocity(double x, double y) const;
+  [[nodiscard]] Velocity velocity(double x, double y, double t) const { return velocity(x - phase_speed() * t, y); }
+
+  [[nodiscard]] double crest_elevation() const;   ///< [m]
+  [[nodiscard]] double trough_elevation() const;  ///< [m], negative
+  [[nodiscard]] double crest_velocity() const;    ///< [m/s]
+  [[nodiscard]] double impulse() const;           ///< I, mean of the depth-integrated u [m^2/s]
+  [[nodiscard]] double kinetic_energy() const;    ///< T, mean of the depth-integrated (u^2 + v^2)/2 [m^3/s^2]
+  [[nodiscard]] double potential_energy() const;  ///< V, mean of g eta^2/2 [m^3/s^2]
+  [[nodiscard]] double maximum_slope() const;     ///< largest inclination of the surface [rad]
+
+  static Provenance provenance();
+  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] SelfTest self_test() const;
+
+ private:
+  StokesWave(std::shared_ptr<const StokesSurface> surface, double wavenumber, double gravity);
+
+  std::shared_ptr<const StokesSurface> surface_;  ///< in units of 1/k and sqrt(gravity/k)
+  double wavenumber_;
+  double gravity_;
+  double celerity_;  ///< sqrt(gravity/k)
+};
+
+}  // namespace seiche::exact

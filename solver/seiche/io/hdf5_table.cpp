@@ -1,0 +1,199 @@
+#include "seiche/io/hdf5_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+#include <string_view>
+
+#include <H5Cpp.h>
+#include <fmt/format.h>
+
+#include "seiche/io/isolated.hpp"
+
+namespace seiche::io {
+namespace {
+
+constexpr hsize_t longest_dataset = 50'000'000;
+constexpr std::size_t most_datasets = 1000;
+
+/// The table as bytes and back, to pass it from one process to the other.
+class Bytes {
+ public:
+  Bytes() = default;
+  explicit Bytes(std::string content) : content_(std::move(content)) {}
+
+  template <class Item>
+  void put(const Item* items, std::size_t count) {
+    content_.append(reinterpret_cast<const char*>(&count), sizeof count);
+    if (count > 0) content_.append(reinterpret_cast<const char*>(items), count * sizeof(Item));
+  }
+  template <class Sequence>
+  Sequence take() {
+    using Item = typename Sequence::value_type;
+    std::size_t count = 0;
+    copy(&count, sizeof count);
+    if (count > (content_.size() - position_) / sizeof(Item)) throw std::invalid_argument("incomplete answer");
+    Sequence sequence(count, Item{});
+    copy(sequence.data(), count * sizeof(Item));
+    return sequence;
+  }
+  [[nodiscard]] bool more() const { return position_ < content_.size(); }
+  [[nodiscard]] const std::string& content() const { return content_; }
+
+ private:
+  void copy(void* target, std::size_t size) {
+    if (size > content_.size() - position_) throw std::invalid_argument("incomplete answer");
+    if (size == 0) return;  // an empty sequence may have no address
+    std::memcpy(target, content_.data() + position_, size);
+    position_ += size;
+  }
+
+  std::string content_;
+  std::size_t position_ = 0;
+};
+
+void put(Bytes& bytes, const std::string& text) {
+  bytes.put(text.data(), text.size());
+}
+
+/// Names and reasons come from the file: whatever is no text must not reach the terminal.
+std::string one_line(std::string text) {
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == 0x7f; };
+  std::replace_if(text.begin(), text.end(), is_control, '?');
+  return text.substr(0, 200);
+}
+
+herr_t note_dataset(hid_t /*root*/, const char* name, const H5O_info_t* info, void* names) {
+  auto& known = *static_cast<std::vector<std::string>*>(names);
+  if (info->type == H5O_TYPE_DATASET) known.emplace_back(name);
+  return known.size() < most_datasets ? 0 : 1;
+}
+
+std::string unit_of(const H5::DataSet& set) {
+  for (const char* name : {"unit", "units"}) {
+    if (!set.attrExists(name)) continue;
+    const H5::Attribute attribute = set.openAttribute(name);
+    if (attribute.getTypeClass() != H5T_STRING || attribute.getSpace().getSimpleExtentNpoints() != 1) {
+      throw std::invalid_argument(fmt::format("its attribute {} is not a text", name));
+    }
+    std::string text;
+    attribute.read(attribute.getStrType(), text);
+    const std::size_t begin = text.find_first_not_of(" \t");
+    text = text.substr(0, text.find('\0'));
+    return begin >= text.size() ? "" : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+  }
+  return {};
+}
+
+/// @throws std::invalid_argument with the reason why the dataset is no column
+std::vector<double> values_of(const H5::DataSet& set) {
+  const H5T_class_t kind = set.getTypeClass();
+  if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw std::invalid_argument("its elements are not numbers");
+  const H5::DataSpace space = set.getSpace();
+  if (!space.isSimple() || space.getSimpleExtentNdims() > 1) {
+    throw std::invalid_argument(fmt::format("has {} dimensions, must have one", space.getSimpleExtentNdims()));
+  }
+  const auto count = static_cast<hsize_t>(space.getSimpleExtentNpoints());
+  if (count > longest_dataset) {
+    throw std::invalid_argument(fmt::format("{} elements, must be at most {}", count, longest_dataset));
+  }
+  std::vector<double> values(count);
+  if (count > 0) set.read(values.data(), H5::PredType::NATIVE_DOUBLE);
+  const auto odd = std::find_if_not(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+  if (odd != values.end()) {
+    throw std::invalid_argument(fmt::format("element {}: '{}' is not a finite number", odd - values.begin(), *odd));
+  }
+  return values;
+}
+
+/// Per dataset: name, reason why it is unusable or nothing, unit, values.
+std::string datasets(const std::filesystem::path& path, const std::vector<std::string>& wanted) {
+  H5::Exception::dontPrint();
+  Bytes bytes;
+  try {
+    const H5::H5File file(path.string(), H5F_ACC_RDONLY);
+    std::vector<std::string> names;
+    if (H5Ovisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note_dataset, &names) < 0) {
+      throw std::invalid_argument("damaged: its datasets cannot be listed");
+    }
+    const std::set<std::string> needed(wanted.begin(), wanted.end());
+    for (const std::string& name : names) {
+      std::string reason;
+      std::string unit;
+      std::vector<double> values;
+      if (!needed.empty() && needed.count(name) == 0) {
+        reason = "not asked for";
+      } else {
+        try {
+          const H5::DataSet set = file.openDataSet(name);
+          unit = unit_of(set);
+          values = values_of(set);
+        } catch (const std::invalid_argument& unusable) {
+          reason = unusable.what();
+        } catch (const H5::Exception&) {
+          reason = "damaged: cannot be read";
+        }
+      }
+      put(bytes, one_line(name));
+      put(bytes, one_line(reason));
+      put(bytes, one_line(unit));
+      bytes.put(values.data(), values.size());
+    }
+  } catch (const H5::Exception&) {
+    throw std::invalid_argument("damaged: the HDF5 library cannot open it");
+  }
+  return bytes.content();
+}
+
+Table table_from(Bytes bytes, const std::string& source) {
+  Table table;
+  table.source = source;
+  while (bytes.more()) {
+    const auto name = bytes.take<std::string>();
+    const auto reason = bytes.take<std::string>();
+    auto unit = bytes.take<std::string>();
+    auto values = bytes.take<std::vector<double>>();
+    if (!reason.empty()) {
+      table.unusable[name] = reason;
+    } else if (!table.has(name)) {
+      table.names.push_back(name);
+      table.units.push_back(std::move(unit));
+      table.columns.push_back(std::move(values));
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+bool is_hdf5(const std::filesystem::path& file) {
+  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(file, failure)) return false;
+  const std::uintmax_t size = std::filesystem::file_size(file, failure);
+  std::ifstream in(file, std::ios::binary);
+  std::array<char, signature.size()> found{};
+  for (std::uintmax_t place = 0; in && !failure && place + found.size() <= size; place = place == 0 ? 512 : 2 * place) {
+    in.seekg(static_cast<std::streamoff>(place));
+    if (in.read(found.data(), found.size()) && std::string_view(found.data(), found.size()) == signature) return true;
+  }
+  return false;
+}
+
+Table read_hdf5(const std::filesystem::path& file, const std::vector<std::string>& wanted, unsigned seconds) {
+  std::string answer;
+  try {
+    answer = isolated([&] { return datasets(file, wanted); }, seconds);
+    return table_from(Bytes(std::move(answer)), file.string());
+  } catch (const std::invalid_argument& wrong) {
+    throw std::invalid_argument(fmt::format("{}: {}", file.string(), wrong.what()));
+  } catch (const std::runtime_error& broken) {
+    throw std::invalid_argument(fmt::format("{}: damaged or too large: {}", file.string(), broken.what()));
+  }
+}
+
+}  // namespace seiche::io

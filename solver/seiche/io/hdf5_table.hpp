@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "seiche/io/table.hpp"
+
+namespace seiche::io {
+
+/// Whether a file begins with the signature of HDF5, or has it after a user block of 512, 1024, 2048, ... bytes.
+bool is_hdf5(const std::filesystem::path& file);
+
+/// Reads one-dimensional datasets of numbers; a single number counts as one of length one. A dataset is named by its
+/// path without the leading slash: "h", "run/h". Its unit is the text attribute `unit` or `units`. Whatever else is
+/// there by name, or holds a number that is not finite, is listed as unusable with the reason.
+///
+/// The HDF5 library can crash on damaged files, or never end, so that it reads in a child process.
+///
+/// @param wanted   datasets to be read; empty for all
+/// @param seconds  processor time after which a file that sends the library round in circles is given up
+/// @throws std::invalid_argument, in one line, when the file cannot be opened or is damaged
+Table read_hdf5(const std::filesystem::path& file, const std::vector<std::string>& wanted = {}, unsigned seconds = 10);
+
+}  // namespace seiche::io

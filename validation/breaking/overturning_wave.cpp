@@ -1,0 +1,128 @@
+/*
+A cosine of large amplitude, with the potential of the linear wave at its surface, steepens, turns over and plunges. Up
+to touch-down the flow is irrotational and its surface known to many digits from a spectral boundary-integral
+computation (`seiche exact overturning_wave`): a plunging breaker without experimental scatter.
+
+**What is compared.** The case computes the wave, checks conservation of volume, energy and impulse and the exact
+kinetic energy of the start, $\tfrac{\pi}{2} A^2 I_0(2A)$, and shows profiles until the jet is about to land. It scores
+others: the surface at given times, as points $(x, y)$ with their fraction $s$ of the arc length over one wavelength,
+and the time at which the front is first vertical.
+
+**What to look at.** The nose of the jet. A solver that is too viscous, in fact or by its numerics, turns over late and
+throws a thick jet near the crest.
+*/
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/overturning_wave.hpp"
+#include "validation/case/case.hpp"
+#include "validation/measures/agreement.hpp"
+#include "validation/measures/reference_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+using exact::OverturningWave;
+
+const std::string source = "Longuet-Higgins and Cokelet (1976); Baker, Meiron and Orszag (1982)";
+
+OverturningWave wave_of(const Values& values) {
+  const double depth = values.real("depth");
+  return OverturningWave({.amplitude = values.real("amplitude"),
+                          .wavelength = values.real("wavelength"),
+                          .depth = depth > 0 ? depth : std::numeric_limits<double>::infinity(),
+                          .gravity = values.real("gravity"),
+                          .markers = static_cast<std::size_t>(values.integer("markers"))});
+}
+
+/// Instants at which surfaces are drawn and asked for: steepening, near the vertical front, and with a jet.
+std::vector<double> instants_of(const OverturningWave& wave) {
+  const double vertical = wave.vertical_tangent_time().value_or(wave.end_time());
+  const double last = std::min(wave.well_resolved_until(), wave.end_time());
+  return {0.5 * vertical, vertical, last};
+}
+
+void run(Run& run) {
+  const OverturningWave wave = wave_of(run.values());
+  run.progress(0.6);
+  claim_identities(run.record, wave.self_test(), wave.uncertainty(), source);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  run.record.measure("vertical_tangent_time", wave.vertical_tangent_time().value_or(none));
+  run.record.measure("touch_down_time", wave.touch_down_time().value_or(none));
+  run.record.measure("end_time", wave.end_time());
+  run.record.check(
+      {.id = "overturns", .text = "The wave turns over.", .quantity = "the front becomes vertical", .source = source},
+      {.value = wave.vertical_tangent_time() ? 1.0 : 0.0},
+      evidence::Qualitative{.detector = "x stops increasing along the surface",
+                            .reason = "a cosine of this amplitude is far steeper than any steady wave",
+                            .expected = true});
+  auto& figure = run.record.figure("profiles", "From a cosine to a plunging jet",
+                                   "Surfaces over one wavelength, to the same scale both ways.");
+  for (const double t : instants_of(wave)) {
+    const auto profile = wave.profile(t, 401);
+    figure.panel({.x = "x [m]", .y = "y [m]", .title = fmt::format("t = {:.4g} s", t), .equal_aspect = true})
+        .line("surface", profile.x, profile.y, Role::exact);
+  }
+}
+
+std::vector<WantedTable> wanted(const Values& values) {
+  const auto wave = std::make_shared<const OverturningWave>(wave_of(values));
+  constexpr std::size_t points = 2001;
+  // Surfaces at equal arc length, joined by straight lines.
+  auto surfaces = std::make_shared<std::map<double, OverturningWave::Profile>>();
+  const std::vector<double> instants = instants_of(*wave);
+  for (const double t : instants) surfaces->emplace(t, wave->profile(t, points));
+  const std::vector<double> fractions = evenly(0, 1, points);
+  const auto along = [surfaces, fractions](std::vector<double> OverturningWave::Profile::*coordinate) {
+    return [surfaces, fractions, coordinate](Place p) {
+      return linear_at({fractions, surfaces->at(p.group).*coordinate}, p.abscissa);
+    };
+  };
+  const std::vector<Requirement> close{
+      within_tolerance(Measure::relative_linf, values, "The surface is that of potential flow.", source)};
+  return {
+      {.name = "surface",
+       .kind = WantedTable::Kind::profile,
+       .group = Column{"t", "s", "time"},
+       .abscissa = Column{"s", "1", "arc length from the point that starts at the crest, over the whole"},
+       .quantities = {{.column = {"x", "m", "position"},
+                       .reference = along(&OverturningWave::Profile::x),
+                       .requirements = close},
+                      {.column = {"y", "m", "elevation"},
+                       .reference = along(&OverturningWave::Profile::y),
+                       .requirements = close}},
+       .groups = instants,
+       .points = [](double) { return evenly(0, 1, 201); }},
+      {.name = "numbers",
+       .quantities = {wanted_number({"vertical_time", "s", "when the front is first vertical"},
+                                    wave->vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN()),
+                                    values, "The front is vertical when it is in potential flow.", source)}}};
+}
+
+}  // namespace
+
+Case overturning_wave() {
+  Case c;
+  c.title = "A wave overturns and plunges";
+  c.source =
+      "M. S. Longuet-Higgins, E. D. Cokelet, Proc. R. Soc. A 350 (1976) 1; G. R. Baker, D. I. Meiron, S. A. Orszag, J. "
+      "Fluid Mech. 123 (1982) 477";
+  c.parameters = {
+      real("amplitude", 0.5, "m", {1e-9, 1e6}, "half the height of the cosine"),
+      real("wavelength", 2 * std::numbers::pi, "m", {1e-9, 1e6}, "wavelength"),
+      real("depth", 0.0, "m", {0, 1e6}, "depth; 0 is infinitely deep water"),
+      real("gravity", 1.0, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
+      integer("markers", {256, 512, 1024}, {64, 4096}, "markers per wavelength, even"),
+      tolerance_parameter(),
+  };
+  c.run = run;
+  c.submission = {.tables = wanted};
+  return c;
+}
+
+}  // namespace seiche::validation::cases

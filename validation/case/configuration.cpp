@@ -1,0 +1,67 @@
+#include "validation/case/configuration.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "validation/case/registry.hpp"
+
+namespace seiche::validation {
+namespace {
+
+Value value_of(const toml::node& node) {
+  if (const auto v = node.value_exact<double>()) return *v;
+  if (const auto v = node.value_exact<int64_t>()) return static_cast<long>(*v);
+  if (const auto v = node.value_exact<bool>()) return *v;
+  if (const auto v = node.value_exact<std::string>()) return *v;
+  throw std::invalid_argument("must be a number, a text, true or false");
+}
+
+/// Keys and texts come from the file: a line break in one must not break the message.
+std::string one_line(std::string text) {
+  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == 0x7f; };
+  std::replace_if(text.begin(), text.end(), is_control, '?');
+  return text;
+}
+
+[[noreturn]] void fail(const std::string& name, const toml::source_region& where, const std::string& what) {
+  throw std::invalid_argument(one_line(fmt::format("{}: line {}: {}", name, where.begin.line, what)));
+}
+
+void apply(const std::string& name, const toml::table& table, Values& values) {
+  for (const auto& [key, node] : table) {
+    if (node.is_table()) continue;
+    try {
+      values.set(key.str(), value_of(node));
+    } catch (const std::invalid_argument& wrong) {
+      const std::string message = wrong.what();
+      const bool named = message.starts_with("parameter");
+      fail(name, node.source(), named ? message : fmt::format("parameter {} {}", key.str(), message));
+    }
+  }
+}
+
+}  // namespace
+
+void apply_configuration(std::string_view text, const std::string& name, const Case& one, Values& values) {
+  toml::table table;
+  try {
+    table = toml::parse(text, name);
+  } catch (const toml::parse_error& wrong) {
+    fail(name, wrong.source(), std::string(wrong.description()));
+  }
+  for (const auto& [key, node] : table) {
+    if (!node.is_table()) continue;
+    try {
+      find_case(key.str());  // an unknown table is a misspelt case
+    } catch (const std::invalid_argument& unknown) {
+      fail(name, node.source(), unknown.what());
+    }
+  }
+  apply(name, table, values);
+  if (const toml::table* own = table[one.name].as_table()) apply(name, *own, values);
+}
+
+}  // namespace seiche::validation

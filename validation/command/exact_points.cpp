@@ -1,0 +1,146 @@
+#include "validation/command/exact_points.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "validation/command/settings.hpp"
+
+namespace seiche::command {
+namespace {
+
+using exact::ExactSolution;
+
+double number(const std::string& what, std::string_view text) {
+  double value = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc() || end != text.data() + text.size() || std::isnan(value)) {
+    throw std::invalid_argument(fmt::format("{} = {} is not a number", what, text));
+  }
+  return value;
+}
+
+double finite_number(const std::string& what, std::string_view text) {
+  const double value = number(what, text);
+  if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("{} = {} must be finite", what, text));
+  return value;
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end - begin));
+    if (end == std::string::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+std::size_t input_named(const ExactSolution& solution, const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& input : solution.inputs) {
+    if (input.name == name) return names.size();
+    names.push_back(input.name);
+  }
+  throw std::invalid_argument(
+      names.empty() ? fmt::format("{} has no coordinates, and no {}", solution.name, name)
+                    : fmt::format("{} has no coordinate {}: it has {}", solution.name, name, fmt::join(names, ", ")));
+}
+
+/// "x=0:10:101" as the numbers of a range, "x=3" as one number; with the input that it names.
+std::pair<std::size_t, std::vector<double>> range_of(const ExactSolution& solution, const std::string& text) {
+  const auto [axis, value] = split_setting(text);
+  const std::size_t index = input_named(solution, axis);
+  const std::vector<std::string> parts = split(value, ':');
+  if (parts.size() == 1) return {index, {finite_number(axis, parts[0])}};
+  if (parts.size() != 3) throw std::invalid_argument(fmt::format("{}: must be {}=FROM:TO:COUNT", text, axis));
+  const double from = finite_number(axis, parts[0]);
+  const double to = finite_number(axis, parts[1]);
+  const double count = finite_number(axis, parts[2]);
+  if (count < 2 || count > 1e7 || count != std::floor(count)) {
+    throw std::invalid_argument(fmt::format("{}: COUNT = {} must be an integer in [2, 1e7]", text, parts[2]));
+  }
+  std::vector<double> values(static_cast<std::size_t>(count));
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = from + (to - from) * static_cast<double>(k) / (count - 1);
+  values.back() = to;
+  return {index, values};
+}
+
+Point default_point(const ExactSolution& solution) {
+  Point point;
+  for (const auto& input : solution.inputs) point.push_back(input.default_value);
+  return point;
+}
+
+}  // namespace
+
+std::vector<Point> points_at(const ExactSolution& solution, const std::vector<std::string>& points) {
+  std::vector<Point> result;
+  for (const std::string& text : points) {
+    Point point = default_point(solution);
+    for (const std::string& part : split(text, ',')) {
+      const auto [index, values] = range_of(solution, part);
+      if (values.size() != 1) {
+        throw std::invalid_argument(fmt::format("--at {}: must be single numbers; ranges are for --grid", text));
+      }
+      point[index] = values.front();
+    }
+    result.push_back(point);
+  }
+  return result;
+}
+
+std::vector<Point> points_on_grid(const ExactSolution& solution, const std::string& grid) {
+  std::vector<Point> points{default_point(solution)};
+  std::vector<std::vector<double>> ranges(solution.inputs.size());
+  double total = 1;
+  for (const std::string& part : split(grid, ',')) {
+    const auto [index, values] = range_of(solution, part);
+    ranges[index] = values;
+    total *= static_cast<double>(values.size());
+  }
+  if (total > 1e7) throw std::invalid_argument(fmt::format("--grid {}: {:g} points, must be at most 1e7", grid, total));
+  // From the slowest input to the fastest, every point so far is repeated for every value.
+  for (std::size_t k = ranges.size(); k-- > 0;) {
+    if (ranges[k].empty()) continue;
+    std::vector<Point> product;
+    product.reserve(points.size() * ranges[k].size());
+    for (Point point : points) {
+      for (const double value : ranges[k]) {
+        point[k] = value;
+        product.push_back(point);
+      }
+    }
+    points = std::move(product);
+  }
+  return points;
+}
+
+std::map<std::string, double> parameters_from(const ExactSolution& solution, const std::vector<std::string>& settings) {
+  std::map<std::string, double> values;
+  for (const auto& p : solution.parameters) values[p.name] = p.default_value;
+  for (const std::string& word : settings) {
+    for (const std::string& setting : split(word, ',')) {
+      const auto [name, text] = split_setting(setting);
+      const auto known = std::find_if(solution.parameters.begin(), solution.parameters.end(),
+                                      [&name = name](const auto& p) { return p.name == name; });
+      if (known != solution.parameters.end() && !known->choices.empty()) {
+        const auto choice = std::find(known->choices.begin(), known->choices.end(), text);
+        if (choice == known->choices.end()) {
+          throw std::invalid_argument(
+              fmt::format("{} = {} is unknown: must be one of {}", name, text, fmt::join(known->choices, ", ")));
+        }
+        values[name] = static_cast<double>(choice - known->choices.begin());
+      } else {
+        values[name] = number(name, text);
+      }
+    }
+  }
+  return values;
+}
+
+}  // namespace seiche::command

@@ -1,0 +1,94 @@
+/*
+A round drop of liquid, without gravity or surface tension, is given the velocity $u = \alpha x$, $v = -\alpha y$. It
+stays an ellipse for ever, of constant area, and every particle's path is known: Dirichlet's ellipse, the patch on which
+particle methods are usually tried out.
+
+$$\alpha^2 (a^2 + b^2) = \mathrm{const}, \qquad p = \rho\,\frac{\alpha^2 a^2 b^2}{a^2 + b^2}
+\left(1 - \frac{x^2}{a^2} - \frac{y^2}{b^2}\right).$$
+
+**What is compared.** The case shows the semi-axes and the pressure at the centre. It scores others: submit the
+semi-axes and the pressure in time.
+
+**What to look at.** The pressure: methods that keep the shape to a per cent may be off by several times it.
+*/
+#include <memory>
+
+#include "seiche/exact/stretching_drop.hpp"
+#include "validation/case/case.hpp"
+#include "validation/measures/reference_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+
+const std::string source = "Dirichlet (1860); Longuet-Higgins (1972)";
+
+exact::StretchingDrop drop_of(const Values& values) {
+  return {values.real("radius"), values.real("radius"), values.real("strain_rate"), values.real("density")};
+}
+
+std::vector<double> times_of(const Values& values) {
+  return evenly(0, values.real("time"), 101);
+}
+
+void run(Run& run) {
+  const exact::StretchingDrop drop = drop_of(run.values());
+  claim_identities(run.record, drop.self_test(), drop.uncertainty(), source);
+  const std::vector<double> times = times_of(run.values());
+  std::vector<double> along;
+  std::vector<double> across;
+  std::vector<double> pressure;
+  for (const double t : times) {
+    along.push_back(drop.semi_axis(t));
+    across.push_back(drop.other_axis(t));
+    pressure.push_back(drop.at(t).central_pressure);
+  }
+  auto& figure = run.record.figure("drop", "Semi-axes and pressure", "Along and across the stretching; at the centre.");
+  auto& axes = figure.panel({.x = "t [s]", .y = "semi-axis [m]"});
+  axes.line("along x", times, along, Role::exact);
+  axes.line("along y", times, across, Role::guide);
+  figure.panel({.x = "t [s]", .y = "pressure [Pa]"}).line("centre", times, pressure, Role::exact);
+}
+
+std::vector<WantedTable> wanted(const Values& values) {
+  const auto drop = std::make_shared<const exact::StretchingDrop>(drop_of(values));
+  const auto close = [&](const std::string& text) {
+    return std::vector<Requirement>{within_tolerance(Measure::relative_l2, values, text, source)};
+  };
+  return {{.name = "drop",
+           .kind = WantedTable::Kind::series,
+           .abscissa = Column{"t", "s", "time"},
+           .quantities = {{.column = {"a", "m", "semi-axis along x"},
+                           .reference = [drop](Place p) { return drop->semi_axis(p.abscissa); },
+                           .requirements = close("The semi-axis along x is the exact one.")},
+                          {.column = {"b", "m", "semi-axis along y"},
+                           .reference = [drop](Place p) { return drop->other_axis(p.abscissa); },
+                           .requirements = close("The semi-axis along y is the exact one.")},
+                          {.column = {"pressure", "Pa", "pressure at the centre"},
+                           .reference = [drop](Place p) { return drop->at(p.abscissa).central_pressure; },
+                           .requirements = close("The pressure at the centre is the exact one.")}},
+           .points = [times = times_of(values)](double) { return times; }}};
+}
+
+}  // namespace
+
+Case stretching_drop() {
+  Case c;
+  c.title = "A free liquid drop is stretched into an ellipse";
+  c.source =
+      "P. G. L. Dirichlet, Abh. Kgl. Ges. Wiss. Goettingen 8 (1860) 3; M. S. Longuet-Higgins, J. Fluid Mech. 55 (1972) "
+      "529";
+  c.parameters = {
+      real("radius", 1.0, "m", {1e-9, 1e6}, "radius at t = 0"),
+      real("strain_rate", 1.0, "1/s", {1e-9, 1e6}, "strain rate at t = 0"),
+      real("density", 1000.0, "kg/m^3", {1e-9, 1e9}, "density"),
+      real("time", 2.0, "s", {1e-9, 1e6}, "end of the series that is asked for"),
+      tolerance_parameter(),
+  };
+  c.run = run;
+  c.submission = {.tables = wanted};
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,33 @@
+/// What cases share that show an exact solution and judge others by it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reports/evidence/record.hpp"
+#include "seiche/exact/reference_solution.hpp"
+#include "validation/case/parameter.hpp"
+#include "validation/case/submission.hpp"
+
+namespace seiche::validation {
+
+/// One claim per identity of the solution, and its uncertainty among the measurements.
+void claim_identities(evidence::Record& record, const exact::SelfTest& identities, double uncertainty,
+                      const std::string& source);
+
+/// "tolerance": the relative error that still passes a submitted result.
+Parameter tolerance_parameter();
+
+/// A measure that must be within the tolerance of zero (errors) or, with `expected` given, of that relative to it.
+Requirement within_tolerance(Measure measure, const Values& values, const std::string& text, const std::string& source,
+                             double expected = 0);
+
+/// A number that must be the reference's, to the tolerance.
+WantedQuantity wanted_number(const Column& column, double reference, const Values& values, const std::string& text,
+                             const std::string& source);
+
+/// `count` numbers from first to last, both included.
+std::vector<double> evenly(double first, double last, int count);
+
+}  // namespace seiche::validation

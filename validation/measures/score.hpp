@@ -1,0 +1,37 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reports/evidence/record.hpp"
+#include "validation/case/submission.hpp"
+
+namespace seiche::validation {
+
+/// A standard uncertainty that the submitter states of a quantity, or of an abscissa.
+struct StatedUncertainty {
+  double value = 0;
+  /// Of the largest absolute value of the reference (for an abscissa: of the range of the reference points), instead of
+  /// in the wanted unit.
+  bool relative = false;
+};
+
+/// "0.01" in the wanted unit or "1%" relative. @throws std::invalid_argument naming the quantity
+StatedUncertainty uncertainty_from(const std::string& quantity, const std::string& text);
+
+/// Measures submitted tables by agreement(), applies the requirements, and adds measurements, tables, figures and
+/// claims to the record.
+///
+/// A stated uncertainty u of a quantity makes that of its measures: of value, largest error and peak u; of a relative
+/// norm u over the same norm of a curve of ones times the reference's (triangle inequality, errors fully correlated: an
+/// upper bound); of the amplitude ratio sqrt(2) u over the reference's range; of shifts and arrivals the u stated of
+/// the abscissa; of the skill 0. Without a statement u is 0: the strictest reading, and the claim says so.
+void score(const std::vector<WantedTable>& wanted, const Submitted& submitted,
+           const std::map<std::string, StatedUncertainty>& uncertainty, evidence::Record& record);
+
+/// The same measurements of a result of our own, without claims, table and figure: so that a page shows the same
+/// numbers for all solvers.
+void measure_own(const std::vector<WantedTable>& wanted, const Submitted& own, evidence::Record& record);
+
+}  // namespace seiche::validation

@@ -1,0 +1,100 @@
+/*
+A steep periodic wave of the full Euler equations travels over a flat bottom, or over deep water, without changing its
+shape. Surface, phase speed and velocities are known to round-off up to waves that almost break, from the conformal
+solution of `seiche exact stokes`.
+
+**What is compared.** The case shows the wave and the identity $2 T = c I$. It scores others: start from the exact
+surface and velocities with a crest at $x = 0$, in a periodic domain of one wavelength, and submit the surface at the
+times asked for and the phase speed.
+
+**What to look at.** Near the limiting steepness the crest sharpens towards 120 degrees and the speed falls again:
+particle methods round it off, spectral ones ring.
+*/
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "seiche/exact/stokes_wave.hpp"
+#include "validation/case/case.hpp"
+#include "validation/measures/reference_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+
+const std::string source = "Schwartz (1974); Cokelet (1977); Longuet-Higgins (1975)";
+
+exact::StokesWave wave_of(const Values& values) {
+  const double depth = values.real("depth");
+  return {0.5 * values.real("height"), values.real("wavelength"), depth > 0 ? depth : exact::StokesWave::deep,
+          values.real("gravity")};
+}
+
+void run(Run& run) {
+  const exact::StokesWave wave = wave_of(run.values());
+  claim_identities(run.record, wave.self_test(), wave.uncertainty(), source);
+  run.record.measure("phase_speed", wave.phase_speed());
+  run.record.measure("crest_elevation", wave.crest_elevation());
+  run.record.measure("trough_elevation", wave.trough_elevation());
+  run.record.measure("crest_velocity", wave.crest_velocity());
+
+  const std::vector<double> x = evenly(-wave.wavelength(), wave.wavelength(), 401);
+  std::vector<double> surface;
+  std::vector<double> linear;
+  std::vector<double> velocity;
+  for (const double at : x) {
+    surface.push_back(wave.elevation(at));
+    linear.push_back(wave.amplitude() * std::cos(wave.wavenumber() * at));
+    velocity.push_back(wave.velocity(at, surface.back()).u);
+  }
+  auto& figure = run.record.figure("wave", "Two wavelengths of the wave",
+                                   "Surface beside a cosine of the same height; horizontal velocity of the surface.");
+  auto& profile = figure.panel({.x = "x [m]", .y = "elevation [m]"});
+  profile.line("Euler", x, surface, Role::exact);
+  profile.line("cosine", x, linear, Role::guide);
+  figure.panel({.x = "x [m]", .y = "u at the surface [m/s]"}).line("Euler", x, velocity, Role::exact);
+}
+
+std::vector<WantedTable> wanted(const Values& values) {
+  const auto wave = std::make_shared<const exact::StokesWave>(wave_of(values));
+  const double period = wave->wavelength() / wave->phase_speed();
+  const double last = values.real("periods") * period;
+  return {{.name = "surface",
+           .kind = WantedTable::Kind::profile,
+           .group = Column{"t", "s", "time since a crest was at x = 0"},
+           .abscissa = Column{"x", "m", "position, over one wavelength"},
+           .quantities = {{.column = {"eta", "m", "surface elevation above the mean level"},
+                           .reference = [wave](Place p) { return wave->elevation(p.abscissa, p.group); },
+                           .requirements = {within_tolerance(Measure::relative_l2, values,
+                                                             "The surface is that of the exact wave.", source),
+                                            within_tolerance(Measure::amplitude_ratio, values,
+                                                             "The wave keeps its height.", source, 1)}}},
+           .groups = {0.5 * last, last},
+           .points = [wave](double) { return evenly(0, wave->wavelength(), 129); }},
+          {.name = "numbers",
+           .quantities = {wanted_number({"phase_speed", "m/s", "phase speed, mean velocity at depth zero"},
+                                        wave->phase_speed(), values, "The wave travels at the exact phase speed.",
+                                        source)}}};
+}
+
+}  // namespace
+
+Case stokes_wave() {
+  Case c;
+  c.title = "A steep periodic wave of the Euler equations keeps its shape";
+  c.source = "L. W. Schwartz, J. Fluid Mech. 62 (1974) 553; E. D. Cokelet, Phil. Trans. R. Soc. A 286 (1977) 183";
+  c.parameters = {
+      real("height", 0.6, "m", {1e-6, 1e6}, "from trough to crest"),
+      real("wavelength", 2 * std::numbers::pi, "m", {1e-6, 1e6}, "wavelength"),
+      real("depth", 0.0, "m", {0, 1e6}, "mean depth; 0 is infinitely deep water"),
+      real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
+      real("periods", 10.0, "1", {1e-3, 1e6}, "periods until the last surface that is asked for"),
+      tolerance_parameter(),
+  };
+  c.run = run;
+  c.submission = {.tables = wanted};
+  return c;
+}
+
+}  // namespace seiche::validation::cases

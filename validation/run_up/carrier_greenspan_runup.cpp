@@ -1,0 +1,107 @@
+/*
+A solitary wave of height $a$ on water of depth $d$ climbs a plane beach of slope $1 : \cot\beta$. While it does not
+break, the shallow-water equations have an exact solution: Carrier and Greenspan's transformation makes them linear, and
+its extremes of the shoreline are those of the linear theory,
+
+$$R(\tau) = \int \Phi(k)\,\frac{2 e^{-ik\tau}}{J_0(2 k X_0) - i J_1(2 k X_0)}\,dk, \qquad X_0 = \cot\beta,$$
+
+in units of $d$ and $\sqrt{d/g}$. For long beaches its maximum is Synolakis' run-up law
+$\mathcal R/d = 2.831 \sqrt{\cot\beta}\,(a/d)^{5/4}$.
+
+**What is compared.** The case itself computes the integral and its own identities, and shows the shoreline. It scores
+others: `seiche score carrier_greenspan_runup` takes the largest run-up, and the elevation of the shoreline in time.
+
+**What to look at.** Run-down is steeper than run-up: a wave that climbs smoothly may still break on its way back.
+*/
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/solitary_runup.hpp"
+#include "validation/case/case.hpp"
+#include "validation/measures/reference_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+
+exact::SolitaryRunup wave_of(const Values& values) {
+  return {values.real("gravity"), values.real("depth"), values.real("amplitude"), values.real("cot_slope")};
+}
+
+/// From the crest's arrival at the toe until the wave has left the beach, or breaks.
+std::vector<double> times_of(const Values& values, const exact::SolitaryRunup& wave) {
+  const double beach =
+      values.real("depth") * values.real("cot_slope") / std::sqrt(values.real("gravity") * values.real("depth"));
+  const double end = std::min(4 * beach, 0.999 * wave.breaking_time());
+  std::vector<double> times;
+  for (int k = 0; k <= 200; ++k) times.push_back(end * k / 200);
+  return times;
+}
+
+void run(Run& run) {
+  const exact::SolitaryRunup wave = wave_of(run.values());
+  run.record.measure("runup_value", wave.highest().elevation);
+  run.record.measure("runup_time", wave.highest().time);
+  run.record.measure("law", wave.law());
+  run.record.measure("breaking_amplitude", wave.breaking_amplitude());
+  claim_identities(run.record, wave.self_test(), wave.uncertainty(), "Synolakis (1987)");
+  const std::vector<double> times = times_of(run.values(), wave);
+  std::vector<double> elevation;
+  for (const double t : times) elevation.push_back(wave.shoreline(t).elevation);
+  auto& panel = run.record
+                    .figure("shoreline", "The shoreline",
+                            "Elevation of the shoreline; the crest is at the toe of the beach at t = 0.")
+                    .panel({.x = "t [s]", .y = "elevation [m]"});
+  panel.line("exact", times, elevation, Role::exact);
+  const std::vector<double> ends{times.front(), times.back()};
+  panel.line("run-up law", ends, std::vector<double>(2, wave.law()), Role::guide);
+}
+
+std::vector<WantedTable> wanted(const Values& values) {
+  const exact::SolitaryRunup wave = wave_of(values);
+  const double runup = wave.highest().elevation;
+  const std::vector<double> times = times_of(values, wave);
+  const std::string source = "Synolakis (1987)";
+  return {{.name = "scalars",
+           .quantities = {{.column = {"runup", "m", "largest height of the shoreline above still water"},
+                           .reference = [runup](Place) { return runup; },
+                           .requirements = {{.measure = Measure::value,
+                                             .criterion =
+                                                 evidence::Bound{
+                                                     .limit = 0.05,
+                                                     .reason = "tolerance of analytical benchmarks for tsunami models, "
+                                                               "Synolakis et al., NOAA Tech. Memo. OAR PMEL-135 (2007)",
+                                                     .expected = runup,
+                                                     .relative = true},
+                                             .text = "The run-up is that of the exact solution.",
+                                             .source = source}}}}},
+          {.name = "shoreline",
+           .kind = WantedTable::Kind::series,
+           .abscissa = Column{"t", "s", "time since the crest was at the toe"},
+           .quantities = {{.column = {"eta", "m", "elevation of the shoreline"},
+                           .reference = [wave](Place p) { return wave.shoreline(p.abscissa).elevation; }}},
+           .points = [times](double) { return times; }}};
+}
+
+}  // namespace
+
+Case carrier_greenspan_runup() {
+  Case c;
+  c.title = "A solitary wave climbs a plane beach: the exact solution";
+  c.source =
+      "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523; G. F. Carrier, H. P. Greenspan, "
+      "J. Fluid Mech. 4 (1958) 97";
+  c.parameters = {
+      real("amplitude", 0.019, "m", {1e-9, 1e6}, "crest height of the incident wave"),
+      real("depth", 1.0, "m", {1e-6, 1e6}, "depth before the beach"),
+      real("cot_slope", 19.85, "1", {0.1, 1e3}, "cotangent of the beach's angle"),
+      real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
+  };
+  c.run = run;
+  c.submission = {.tables = wanted};
+  return c;
+}
+
+}  // namespace seiche::validation::cases

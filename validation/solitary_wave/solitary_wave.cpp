@@ -1,0 +1,106 @@
+/*
+A solitary wave of the full Euler equations travels over a flat bottom without changing its shape. Its surface, its
+speed and the velocities below it are known to round-off at every amplitude up to the limiting one, from the conformal
+solution of `seiche exact solitary`.
+
+**What is compared.** The case shows the wave and the identities between its integrals,
+$2 T = F (I - C)$ and $3 V = (F^2 - 1) M$. It scores others: start a solver from the exact surface and velocities
+(`seiche exact solitary --grid ...`) with the crest at $x = 0$, run it, and submit the surface at the times asked for
+and the speed of the crest.
+
+**What to look at.** A solver that is too dissipative loses amplitude; one that is too dispersive, or that solves
+Boussinesq-type equations, has the wrong speed: the shift at the last time tells it to many digits.
+*/
+#include <memory>
+
+#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/exact/solitary_wave.hpp"
+#include "validation/case/case.hpp"
+#include "validation/measures/reference_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+
+const std::string source = "Longuet-Higgins and Fenton (1974); Dutykh and Clamond (2014)";
+
+exact::SolitaryWave wave_of(const Values& values) {
+  return exact::SolitaryWave(values.real("amplitude"), values.real("depth"), values.real("gravity"));
+}
+
+void run(Run& run) {
+  const exact::SolitaryWave wave = wave_of(run.values());
+  claim_identities(run.record, wave.self_test(), wave.uncertainty(), source);
+  run.record.measure("speed", wave.speed());
+  run.record.measure("mass", wave.mass());
+  run.record.measure("kinetic_energy", wave.kinetic_energy());
+  run.record.measure("potential_energy", wave.potential_energy());
+
+  const double depth = wave.depth();
+  const std::vector<double> x = evenly(-8 * depth, 8 * depth, 401);
+  std::vector<double> surface;
+  std::vector<double> serre;
+  const exact::SerreSolitary model(wave.amplitude(), depth, wave.gravity());
+  for (const double at : x) {
+    surface.push_back(wave.elevation(at));
+    serre.push_back(model.elevation(at));
+  }
+  auto& figure = run.record.figure("wave", "The solitary wave",
+                                   "Surface beside Rayleigh's (exact for Serre's equations), and horizontal velocity "
+                                   "over the depth at three sections.");
+  auto& profile = figure.panel({.x = "x [m]", .y = "elevation [m]"});
+  profile.line("Euler", x, surface, Role::exact);
+  profile.line("Rayleigh, Serre", x, serre, Role::guide);
+  auto& velocity = figure.panel({.x = "u [m/s]", .y = "y [m]"});
+  for (const double at : {0.0, 1.0, 2.0}) {
+    std::vector<double> u;
+    const std::vector<double> y = evenly(-depth, wave.elevation(at * depth), 81);
+    for (const double level : y) u.push_back(wave.velocity(at * depth, level).u);
+    velocity.line(at == 0 ? "x = 0" : at == 1 ? "x = depth" : "x = 2 depth", u, y, Role::exact);
+  }
+}
+
+std::vector<WantedTable> wanted(const Values& values) {
+  const auto wave = std::make_shared<const exact::SolitaryWave>(wave_of(values));
+  const double time = values.real("time");
+  const double reach = 6 * wave->depth();
+  return {
+      {.name = "surface",
+       .kind = WantedTable::Kind::profile,
+       .group = Column{"t", "s", "time since the crest was at x = 0"},
+       .abscissa = Column{"x", "m", "position"},
+       .quantities = {{.column = {"eta", "m", "surface elevation above still water"},
+                       .reference = [wave](Place p) { return wave->elevation(p.abscissa, p.group); },
+                       .requirements = {within_tolerance(Measure::relative_l2, values,
+                                                         "The surface is that of the exact wave.", source),
+                                        within_tolerance(Measure::amplitude_ratio, values, "The wave keeps its height.",
+                                                         source, 1)}}},
+       .groups = {0.5 * time, time},
+       .points = [wave, reach](double t) { return evenly(wave->speed() * t - reach, wave->speed() * t + reach, 121); }},
+      {.name = "numbers",
+       .quantities = {wanted_number({"speed", "m/s", "speed of the crest"}, wave->speed(), values,
+                                    "The crest travels at the speed of the exact wave.", source)}}};
+}
+
+}  // namespace
+
+Case solitary_wave() {
+  Case c;
+  c.title = "A solitary wave of the Euler equations keeps its shape";
+  c.source =
+      "M. S. Longuet-Higgins, J. D. Fenton, Proc. R. Soc. A 340 (1974) 471; D. Dutykh, D. Clamond, Wave Motion 51 "
+      "(2014) 86";
+  c.parameters = {
+      real("amplitude", 0.3, "m", {1e-6, 1e6}, "crest above still water, up to 0.8331 depth"),
+      real("depth", 1.0, "m", {1e-6, 1e6}, "depth"),
+      real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
+      real("time", 10.0, "s", {1e-6, 1e6}, "last time at which a surface is asked for"),
+      tolerance_parameter(),
+  };
+  c.run = run;
+  c.submission = {.tables = wanted};
+  return c;
+}
+
+}  // namespace seiche::validation::cases

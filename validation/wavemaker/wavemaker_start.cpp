@@ -1,0 +1,103 @@
+/*
+A piston or a flap hinged at the bottom starts to oscillate in water at rest. Linear theory has the exact transient: an
+integral over wavenumbers that tends to the progressive wave of the wavemaker's transfer function, with a near field
+that decays from the paddle.
+
+**What is compared.** The case shows the elevation at a gauge and the settled wave. It scores others: submit the
+elevation at the gauge, `seiche score wavemaker_start`.
+
+**What to look at.** The first waves at a gauge a wavelength away are nothing like the settled one: the front
+disperses, the second crest is too low and the third too high. A comparison over a few periods must be made with the
+transient.
+*/
+#include <memory>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/wavemaker_transient.hpp"
+#include "validation/case/case.hpp"
+#include "validation/measures/reference_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+
+const std::string source = "Havelock (1929); Dean and Dalrymple (1991), ch. 6";
+
+exact::WavemakerTransient start_of(const Values& values) {
+  return exact::WavemakerTransient::with_period(
+      values.text("paddle") == "piston" ? exact::Paddle::piston : exact::Paddle::flap, values.real("gravity"),
+      values.real("depth"), values.real("period"), values.real("stroke"));
+}
+
+double gauge_of(const Values& values) {
+  const double gauge = values.real("gauge");
+  return gauge > 0 ? gauge : start_of(values).steady().wavelength();
+}
+
+std::vector<double> times_of(const Values& values) {
+  const double end = values.real("periods") * values.real("period");
+  return evenly(0, end, 40 * static_cast<int>(values.real("periods")) + 1);
+}
+
+void run(Run& run) {
+  const exact::WavemakerTransient start = start_of(run.values());
+  claim_identities(run.record, start.self_test(), start.uncertainty(), source);
+  const double gauge = gauge_of(run.values());
+  run.record.measure("wave_height", start.steady().wave_height());
+  run.record.measure("wavelength", start.steady().wavelength());
+  const std::vector<double> times = times_of(run.values());
+  std::vector<double> elevation;
+  std::vector<double> settled;
+  for (const double t : times) {
+    elevation.push_back(start.elevation(gauge, t));
+    settled.push_back(start.steady().elevation(gauge, t));
+  }
+  auto& panel = run.record
+                    .figure("gauge", "Elevation at the gauge",
+                            fmt::format("{:.4g} m from the paddle: the start from rest, and the settled wave.", gauge))
+                    .panel({.x = "t [s]", .y = "elevation [m]"});
+  panel.line("start from rest", times, elevation, Role::exact);
+  panel.line("settled", times, settled, Role::guide);
+}
+
+std::vector<WantedTable> wanted(const Values& values) {
+  const auto start = std::make_shared<const exact::WavemakerTransient>(start_of(values));
+  const double gauge = gauge_of(values);
+  return {{.name = "gauge",
+           .kind = WantedTable::Kind::series,
+           .abscissa = Column{"t", "s", "time since the start from rest"},
+           .quantities = {{.column = {"eta", "m", fmt::format("surface elevation at x = {:.6g} m", gauge)},
+                           .reference = [start, gauge](Place p) { return start->elevation(gauge, p.abscissa); },
+                           .requirements = {within_tolerance(Measure::relative_l2, values,
+                                                             "The elevation at the gauge is that of linear theory.",
+                                                             source)}}},
+           .points = [times = times_of(values)](double) { return times; }}};
+}
+
+}  // namespace
+
+Case wavemaker_start() {
+  Case c;
+  c.title = "A wavemaker starts from rest";
+  c.source =
+      "T. H. Havelock, Phil. Mag. 8 (1929) 569; R. G. Dean, R. A. Dalrymple, Water Wave Mechanics for Engineers and "
+      "Scientists, 1991, ch. 6";
+  c.parameters = {
+      choice("paddle", std::string("flap"), {"piston", "flap"}, "motion of the paddle"),
+      real("depth", 4.0, "m", {1e-6, 1e6}, "depth"),
+      real("period", 4.7, "s", {1e-6, 1e6}, "period of the paddle"),
+      real("stroke", 0.1, "m", {1e-12, 1e6}, "stroke at the still-water level; linear theory wants it small"),
+      real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
+      real("gauge", 0.0, "m", {0, 1e6}, "distance of the gauge from the paddle; 0 is one wavelength"),
+      real("periods", 6.0, "1", {1, 1e3}, "periods that are asked for"),
+      tolerance_parameter(),
+  };
+  c.run = run;
+  c.submission = {.tables = wanted};
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,111 @@
+// The measures that others are scored by, on curves whose measures are known.
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "validation/measures/agreement.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::validation;
+using seiche::evidence::Bound;
+using seiche::evidence::Claim;
+using seiche::evidence::Roundoff;
+using seiche::verification::Check;
+
+constexpr double pi = std::numbers::pi;
+
+struct Points {
+  std::vector<double> x;
+  std::vector<double> y;
+  [[nodiscard]] Curve curve() const { return {x, y}; }
+};
+
+template <class Function>
+Points sampled(double from, double to, int intervals, Function f) {
+  Points points;
+  for (int k = 0; k <= intervals; ++k) {
+    points.x.push_back(std::lerp(from, to, static_cast<double>(k) / intervals));
+    points.y.push_back(f(points.x.back()));
+  }
+  return points;
+}
+
+Claim named(const std::string& id, const std::string& text, const std::string& quantity) {
+  return {.id = id, .text = text, .quantity = quantity, .source = "definition of the measure"};
+}
+
+}  // namespace
+
+TEST_CASE("measures of agreement have their known values", "[evidence]") {
+  Check check("measures_of_agreement", "Measures of agreement",
+              "The measures that `seiche score` takes, on curves for which they follow by hand.");
+  const auto sine = [](double x) { return std::sin(x); };
+  const Points reference = sampled(0, 4 * pi, 400, sine);
+
+  // s = 1.1 r: every relative norm is 0.1, the amplitude 1.1, and nothing is shifted.
+  const Agreement high =
+      agreement(sampled(0, 4 * pi, 400, [&](double x) { return 1.1 * sine(x); }).curve(), reference.curve());
+  const auto exactly = [&](const std::string& id, double value, double expected) {
+    check.that(named(id, "A curve a tenth too high.", id), {.value = value},
+               Roundoff{.operations = 4 * 401, .scale = 1, .reason = "sums over 401 points", .expected = expected});
+  };
+  exactly("relative-l1", high.relative_l1, 0.1);
+  exactly("relative-l2", high.relative_l2, 0.1);
+  exactly("relative-linf", high.relative_linf, 0.1);
+  exactly("amplitude-ratio", high.amplitude_ratio, 1.1);
+  exactly("coverage", high.coverage, 1.0);
+  exactly("largest-error", high.largest_error, 0.1);
+  exactly("peak", high.peak - high.reference_peak, 0.1);
+  // sum (s - r)^2 = 0.01 S and sum (|s| + |r|)^2 = 4.41 S for a reference of mean 0.
+  exactly("skill", high.skill, 1 - 0.01 / 4.41);
+
+  // The parabola's error is of second order in the spacing over the wave's length: d^2/3 of a spacing at most, where d
+  // is the spacing in radians; and one of a sample's interpolation.
+  const double spacing = 4 * pi / 400;
+  for (const double lag : {0.1, -0.25, 0.7}) {
+    const Points late = sampled(0, 4 * pi, 400, [&](double x) { return std::sin(x - lag); });
+    check.that(named("shift", "The shift of a sine is found to within a hundredth of the spacing.", "error of shift"),
+               {.value = agreement(late.curve(), reference.curve()).shift - lag},
+               Bound{.limit = 0.01 * spacing, .reason = "a parabola through the maximum of a smooth correlation"});
+  }
+  // Of two waves a period apart the nearer shift is taken.
+  const Points same = sampled(0, 4 * pi, 400, sine);
+  check.that(named("no-shift", "A periodic curve is not shifted against itself.", "shift"),
+             {.value = agreement(same.curve(), reference.curve()).shift},
+             Bound{.limit = 1e-12, .reason = "symmetric correlation, round-off of three sums"});
+
+  // Seventeen points a period: the next period's lag falls on a multiple of the spacing more closely than the true one.
+  const auto wave = [](double t) { return std::cos(2 * pi * t / 16.67); };
+  const Points gauge = sampled(0, 100, 100, wave);
+  const Points late_gauge = sampled(0, 100, 100, [&](double t) { return wave(t - 0.5); });
+  check.that(named("nearest", "Of several lags at which periodic curves agree the nearest is taken.", "error of shift"),
+             {.value = agreement(late_gauge.curve(), gauge.curve()).shift - 0.5},
+             Bound{.limit = 0.05, .reason = "a parabola through three of seventeen points a period"});
+
+  // Half as many points: the straight lines between them are second-order accurate, d^2/8 of the amplitude.
+  const Points coarse = sampled(0, 4 * pi, 40, sine);
+  const double step = 4 * pi / 40;
+  check.that(named("interpolation", "Between the points a submitted curve is joined by straight lines.",
+                   "largest error of a sine on coarse points"),
+             {.value = agreement(coarse.curve(), reference.curve()).largest_error},
+             Bound{.limit = step * step / 8, .reason = "error of linear interpolation, largest second derivative 1"});
+
+  // A curve on half the range covers half of the points, and is compared there alone.
+  const Points half = sampled(0, 2 * pi, 200, sine);
+  const Agreement part = agreement(half.curve(), reference.curve());
+  check.that(named("part", "Nothing is extrapolated.", "coverage by half the range"), {.value = part.coverage},
+             Bound{.limit = 1.0 / 401, .reason = "one of 401 points", .expected = 0.5});
+  check.that(named("part-error", "What is not covered does not count.", "relative L2"), {.value = part.relative_l2},
+             Roundoff{.operations = 201, .scale = 1, .reason = "sum over 201 points"});
+  CHECK_THROWS_AS(agreement(sampled(20, 30, 4, sine).curve(), reference.curve()), std::invalid_argument);
+
+  // A ramp 0, 1, 2, ... reaches 2.5 half-way between its points.
+  const Points ramp = sampled(0, 10, 10, [](double x) { return x; });
+  check.that(named("arrival", "Arrival is found between the points.", "first crossing of 2.5"),
+             {.value = first_crossing(ramp.curve(), 2.5)},
+             Roundoff{.operations = 4, .scale = 10, .reason = "one interpolation", .expected = 2.5});
+  CHECK(std::isnan(first_crossing(ramp.curve(), 11)));
+}

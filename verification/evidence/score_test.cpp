@@ -1,0 +1,136 @@
+// Scoring by declaration: profiles at several times, and single numbers with uncertainties.
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "seiche/io/csv_table.hpp"
+#include "validation/case/submitted.hpp"
+#include "validation/measures/score.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::validation;
+using evidence::Bound;
+using evidence::Qualitative;
+using evidence::Roundoff;
+using verification::Check;
+
+/// A wave sin(x - t) at two times, and one measured height 2.0 +- 0.1 m.
+std::vector<WantedTable> wanted_tables() {
+  std::vector<double> x;
+  for (int k = 0; k <= 50; ++k) x.push_back(0.2 * k);
+  return {{.name = "profiles",
+           .kind = WantedTable::Kind::profile,
+           .group = Column{"t", "s", "time"},
+           .abscissa = Column{"x", "m", "position"},
+           .quantities = {{.column = {"eta", "m", "elevation"},
+                           .reference = [](Place p) { return std::sin(p.abscissa - p.group); },
+                           .requirements = {{.measure = Measure::relative_l2,
+                                             .criterion = Bound{.limit = 0.05, .reason = "of this test"},
+                                             .text = "The wave is the exact one.",
+                                             .source = "this test"}}}},
+           .groups = {1, 2},
+           .points = [x](double) { return x; }},
+          {.name = "heights",
+           .quantities = {{.column = {"runup", "m", "run-up"},
+                           .reference = [](Place) { return 2.0; },
+                           .requirements = {{.measure = Measure::value,
+                                             .criterion = evidence::Uncertainty{.expected = 2.0,
+                                                                                .data = 0.1,
+                                                                                .useful = 0.5,
+                                                                                .reason = "gauge's stated uncertainty"},
+                                             .text = "The run-up is the measured one.",
+                                             .source = "this test"}}}}}};
+}
+
+io::Table table(const std::string& text, const std::string& name) {
+  std::istringstream in(text);
+  return io::read_csv(in, name);
+}
+
+std::string profiles(double error_at_two) {
+  std::string text = "t [s],x [m],eta [m]\n";
+  for (const double t : {0.0, 1.0, 2.0}) {  // the first is not asked for
+    for (int k = 0; k <= 50; ++k) {
+      const double factor = t == 2 ? 1 + error_at_two : 1;
+      text += fmt::format("{},{:.17g},{:.17g}\n", t, 0.2 * k, factor * std::sin(0.2 * k - t));
+    }
+  }
+  return text;
+}
+
+evidence::Record scored(const std::vector<io::Table>& files, const std::string& uncertainty = "") {
+  evidence::Record record;
+  record.name = "scored";
+  std::map<std::string, StatedUncertainty> stated;
+  if (!uncertainty.empty()) stated["runup"] = uncertainty_from("runup", uncertainty);
+  const std::vector<WantedTable> wanted = wanted_tables();
+  score(wanted, submitted_from(files, wanted, {}), stated, record);
+  return record;
+}
+
+std::string verdict(const evidence::Record& record, const std::string& id) {
+  for (const evidence::JudgedClaim& claim : record.claims()) {
+    if (claim.claim.id == id) return std::string(evidence::name(claim.judgement.verdict));
+  }
+  return "no such claim";
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    scored({table(text, "mine.csv")});
+  } catch (const std::invalid_argument& refused) {
+    return refused.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a declared submission is measured and judged in every group", "[evidence]") {
+  Check check("declared_submission", "Scoring by declaration",
+              "A case that only declares what it wants gets templates, measures, claims and errors. Here: profiles at "
+              "two times and a measured number.");
+  const auto is = [&](const std::string& id, const std::string& text, const std::string& got,
+                      const std::string& expected) {
+    INFO(got << " / " << expected);
+    check.that({.id = id, .text = text, .quantity = "as stated", .source = "interface of score()"},
+               {.value = got.find(expected) != std::string::npos ? 1.0 : 0.0},
+               Qualitative{"\"" + expected + "\"", "stated in the interface"});
+  };
+  const evidence::Record good = scored({table(profiles(0), "p.csv"), table("runup\n2.05\n", "r.csv")});
+  is("good", "Exact profiles pass.", verdict(good, "eta-relative_l2"), "pass");
+  const evidence::Record bad = scored({table(profiles(0.1), "p.csv")});
+  is("worst", "One time of two that is wrong fails the claim.", verdict(bad, "eta-relative_l2"), "fail");
+  is("absent", "A table that is not submitted is not judged.", verdict(bad, "runup-value"), "no such claim");
+  check.that({.id = "second",
+              .text = "Each time is measured by itself.",
+              .quantity = "relative L2 at t = 2 s",
+              .source = "interface of score()"},
+             {.value = bad.measurements().at("eta_relative_l2_t_2")},
+             Roundoff{.operations = 4 * 51, .scale = 1, .reason = "sums over 51 points", .expected = 0.1});
+
+  // |E| = 0.25 beside u_data = 0.1: fails alone, passes with u_num = 0.1 (2 sqrt(0.02) = 0.283), and says nothing where
+  // u_num = 0.5 makes the expanded uncertainty 1.02 > 0.5.
+  const std::string run_up = "runup [m]\n2.25\n";
+  is("unstated", "Without a stated uncertainty it counts as 0.", verdict(scored({table(run_up, "r")}), "runup-value"),
+     "fail");
+  is("absolute", "A stated one counts.", verdict(scored({table(run_up, "r")}, "0.1"), "runup-value"), "pass");
+  is("relative", "So does a relative one.", verdict(scored({table(run_up, "r")}, "5%"), "runup-value"), "pass");
+  is("excessive", "One that is too large to tell buys no pass.",
+     verdict(scored({table(run_up, "r")}, "0.5"), "runup-value"), "inconclusive");
+
+  is("group", "A missing time is named.", refusal("t,x,eta\n1,0,0\n1,1,0\n"), "mine.csv: column t: 0 rows for t = 2 s");
+  is("order", "Disorder within a time is named with its line.", refusal("t,x,eta\n1,1,0\n2,0,0\n1,0,0\n2,1,0\n"),
+     "mine.csv: line 4: column x: 0 follows 1 for t = 1 s");
+  is("single", "Several rows of single numbers are refused.", refusal("runup\n1\n2\n"),
+     "mine.csv: column runup: 2 rows, must be exactly one");
+  is("foreign", "A file that holds nothing wanted is refused.", refusal("a,b\n1,2\n"), "column t is missing");
+  is("template", "The template has a row per point and time.", template_of(wanted_tables().front(), "# opening\n"),
+     "t [s],x [m],eta [m]\n1,0,\n1,0.2");
+}

@@ -1,0 +1,146 @@
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "seiche/exact/stretching_drop.hpp"
+#include "verification/exact/digits_table.hpp"
+#include "verification/exact/self_test_claims.hpp"
+
+using namespace seiche;
+using exact::AffineDrop;
+using exact::DropInstant;
+using exact::OutsideFluid;
+using exact::StretchingDrop;
+using verification::check_table;
+using verification::Role;
+
+namespace {
+
+const std::string source = "Dirichlet (1860); Longuet-Higgins, J. Fluid Mech. 55 (1972) 529";
+
+/// A tilted ellipse that is strained and turns.
+AffineDrop turning_drop() {
+  Eigen::Matrix2d shape;
+  shape << 1, 0.2, -0.1, 0.7;
+  Eigen::Matrix2d gradient;
+  gradient << 0.5, 1.1, -0.3, -0.5;
+  return {shape, gradient, 1000};
+}
+
+/// Largest difference between the acceleration of a particle, by fourth-order differences of its path, and -grad p/rho.
+double momentum_residual(const AffineDrop& drop, double density, double time, double span) {
+  const DropInstant now = drop.at(time);
+  double largest = 0;
+  for (const double angle : {0.1, 1.3, 2.9, 4.4}) {
+    const Eigen::Vector2d start =
+        drop.at(0).deformation * Eigen::Vector2d(0.8 * std::cos(angle), 0.8 * std::sin(angle));
+    const auto path = [&](double steps) { return drop.carried(start.x(), start.y(), time + steps * span); };
+    const Eigen::Vector2d here = path(0);
+    const Eigen::Vector2d acceleration =
+        (-path(2) + 16 * path(1) - 30 * here + 16 * path(-1) - path(-2)) / (12 * span * span);
+    // The pressure is quadratic: central differences of any width are exact.
+    const double width = 0.01;
+    const Eigen::Vector2d gradient(
+        (now.pressure(here.x() + width, here.y()) - now.pressure(here.x() - width, here.y())) / (2 * width),
+        (now.pressure(here.x(), here.y() + width) - now.pressure(here.x(), here.y() - width)) / (2 * width));
+    largest = std::max(largest, (acceleration + gradient / density).norm());
+  }
+  return largest;
+}
+
+void draw_outline(evidence::Panel& panel, const std::string& label, const DropInstant& instant, Role role) {
+  std::vector<double> x;
+  std::vector<double> y;
+  for (int i = 0; i <= 120; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 120;
+    const Eigen::Vector2d point = instant.deformation * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    x.push_back(point.x());
+    y.push_back(point.y());
+  }
+  panel.line(label, x, y, role);
+}
+
+}  // namespace
+
+TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "[exact]") {
+  verification::Check check(
+      "exact_affine_drop", "Free liquid ellipse",
+      "A drop without gravity whose velocity is linear in the coordinates. Its axes against tables (circle of radius "
+      "1, "
+      "rate 1), the invariants, the way back, the momentum equation along particle paths, the pressure on the surface. "
+      "The quadrature of the symmetric case and the integration of the general one check each other.");
+  const StretchingDrop circle(1, 1, 1);
+  check_table(check, "axes", "times of the semi-axes 2 and 3, semi-axes at times 1 and 2",
+              {{circle.time_of(2), "0.80050879402276008"},
+               {circle.time_of(3), "1.5178911205854936"},
+               {circle.semi_axis(1), "2.2755159797861098"},
+               {circle.semi_axis(2), "3.6789853237385371"}},
+              source);
+  check_table(check, "patch", "semi-axis at 0.5, 1, 1.5 and 2",
+              {{circle.semi_axis(0.5), "1.594763"},
+               {circle.semi_axis(1), "2.275516"},
+               {circle.semi_axis(1.5), "2.974855"},
+               {circle.semi_axis(2), "3.678985"}},
+              "Monaghan, J. Comput. Phys. 110 (1994) 399");
+  claim_self_test(check, "circle", circle, source);
+  claim_self_test(check, "long", StretchingDrop(3, 0.2, -2.5, 1000), source);
+  const AffineDrop turning = turning_drop();
+  claim_self_test(check, "turning", turning, source);
+
+  std::vector<double> spans;
+  std::vector<double> residuals;
+  for (double span = 0.16; span > 0.015; span /= 2) {
+    spans.push_back(span);
+    residuals.push_back(momentum_residual(turning, 1000, 1, span));
+  }
+  check.that({.id = "momentum",
+              .text = "Particles accelerate by the pressure gradient: the residual is that of the time differences.",
+              .quantity = "order of the residual in the time difference",
+              .source = source},
+             evidence::observed_order(spans, residuals, 1e-11),
+             evidence::Order{4, 0.3, "fourth-order differences of a smooth path"});
+
+  double surface = 0;
+  for (const double t : {-1.0, 0.0, 0.7, 2.0}) {
+    const DropInstant instant = turning.at(t);
+    for (double angle = 0; angle < 6.3; angle += 0.3) {
+      const Eigen::Vector2d point = instant.deformation * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+      surface = std::max(surface, std::abs(instant.pressure(point.x(), point.y()) / instant.central_pressure));
+    }
+  }
+  check.that({.id = "surface",
+              .text = "The pressure vanishes on the surface.",
+              .quantity = "pressure there over the pressure in the centre",
+              .source = source},
+             {.value = surface},
+             evidence::Roundoff{.operations = 16,
+                                .scale = 16,
+                                .reason = "two products with A and its inverse; condition number of A up to 16"});
+
+  auto& figure = check.figure("outline", "Outline of the drop", "A circle stretched, and a drop that also turns.");
+  auto& stretched = figure.panel({.x = "x [m]", .y = "y [m]", .title = "Stretched circle", .equal_aspect = true});
+  auto& turned = figure.panel({.x = "x [m]", .y = "y [m]", .title = "Turning drop", .equal_aspect = true});
+  for (const double t : {0.0, 0.5, 1.0, 2.0}) {
+    const std::string label = "t = " + std::to_string(t).substr(0, 3) + " s";
+    draw_outline(stretched, label, circle.at(t), t == 0 ? Role::guide : Role::exact);
+    draw_outline(turned, label, turning.at(t), t == 0 ? Role::guide : Role::exact);
+  }
+}
+
+TEST_CASE("points outside the drop and impossible drops are refused", "[exact]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const DropInstant ellipse = StretchingDrop(2, 0.5, 1).at(0);
+  CHECK(ellipse.contains(2, 0));
+  CHECK_FALSE(ellipse.contains(2.01, 0));
+  CHECK_NOTHROW(ellipse.velocity(1.99, 0));
+  CHECK_THROWS_AS(ellipse.velocity(2.01, 0), OutsideFluid);
+  CHECK_THROWS_WITH(ellipse.pressure(0, 0.75), Catch::Contains("y = 0.75"));
+  CHECK_THROWS_AS(ellipse.pressure(nan, 0), std::invalid_argument);
+  CHECK_THROWS_AS(StretchingDrop(2, 0.5, 1).carried(0, 0.6, 1), OutsideFluid);
+  CHECK_THROWS_AS(StretchingDrop(0, 1, 1), std::invalid_argument);
+  CHECK_THROWS_AS(StretchingDrop(1, 1, 0), std::invalid_argument);
+  CHECK_THROWS_AS(StretchingDrop(1, 1, 1).time_of(-1), std::invalid_argument);
+  Eigen::Matrix2d growing = Eigen::Matrix2d::Identity();
+  CHECK_THROWS_AS(AffineDrop(Eigen::Matrix2d::Identity(), growing), std::invalid_argument);
+  CHECK_THROWS_AS(AffineDrop(Eigen::Vector2d(1, -1).asDiagonal(), Eigen::Matrix2d::Zero()), std::invalid_argument);
+}

@@ -1,0 +1,55 @@
+/// Comparison with a table of printed numbers: one claim for the whole table.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "verification/check.hpp"
+
+namespace seiche::verification {
+
+/// One computed value and the number it should have, as printed.
+struct Printed {
+  double value = 0;
+  std::string printed;
+};
+
+/// Half a unit of the last digit printed: "0.0123" -> 0.5e-4, "1e-5" is not a printed number.
+inline double half_unit(const std::string& printed) {
+  const std::size_t point = printed.find('.');
+  const auto decimals = point == std::string::npos ? 0 : printed.size() - point - 1;
+  return 0.5 * std::pow(10.0, -static_cast<double>(decimals));
+}
+
+/// How well the numbers of a table are known, relative to each, apart from their digits.
+struct Accuracy {
+  double relative = 1e-14;
+  std::string reason = "1e-14 of the value, 45 roundings";
+};
+
+/// Passes when every value is within half a unit of the last decimal printed or within the accuracy, whichever is
+/// larger; the measured number is the worst deviation in units of that.
+inline void check_table(Check& check, const std::string& id, const std::string& quantity,
+                        const std::vector<Printed>& rows, const std::string& source, const Accuracy& accuracy = {}) {
+  double worst = 0;
+  for (const Printed& row : rows) {
+    const double expected = std::stod(row.printed);
+    const double limit = std::max(half_unit(row.printed), accuracy.relative * std::abs(expected));
+    const double deviation = std::abs(row.value - expected) / limit;
+    INFO(quantity << ": " << row.value << " for " << row.printed);
+    CHECK(deviation <= 1);
+    worst = std::max(worst, deviation);
+  }
+  check.that(
+      {.id = id,
+       .text = "All " + std::to_string(rows.size()) + " numbers have every digit of the reference: " + quantity + ".",
+       .quantity = "largest deviation, in units of what the printed digits allow",
+       .source = source},
+      {.value = worst},
+      evidence::Bound{.limit = 1,
+                      .reason = "half a unit of the last digit printed or, where larger, " + accuracy.reason});
+}
+
+}  // namespace seiche::verification

@@ -1,0 +1,276 @@
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "seiche/exact/frank_dispersion.hpp"
+#include "seiche/exact/linear_wave.hpp"
+#include "verification/exact/digits_table.hpp"
+#include "verification/exact/self_test_claims.hpp"
+
+using namespace seiche;
+using exact::AiryDispersion;
+using exact::FrankDispersion;
+using exact::RationalDispersion;
+using exact::TimeScheme;
+using verification::check_table;
+using verification::Role;
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+const std::string laws_source = "Airy (1845); Green and Naghdi (1976); Madsen and Sorensen (1992); Nwogu (1993)";
+const std::string frank_source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, formula (13)";
+
+const AiryDispersion airy(1, 1);
+
+/// Relative error against Airy of the frequency of the one-step scheme.
+double error_in_time(const FrankDispersion& law, double k, double time_step) {
+  return exact::discrete_frequency(law.frequency(k), time_step, TimeScheme::one_step) / airy.frequency(k) - 1;
+}
+
+std::vector<double> range(double from, double to, int points) {
+  std::vector<double> values;
+  for (int i = 0; i < points; ++i) values.push_back(from + (to - from) * i / (points - 1));
+  return values;
+}
+
+template <class F>
+std::vector<double> map(const std::vector<double>& x, const F& f) {
+  std::vector<double> values;
+  for (const double v : x) values.push_back(f(v));
+  return values;
+}
+
+void draw_laws(verification::Check& check) {
+  auto& figure = check.figure("phase-speed", "Phase speed of the models",
+                              "Long waves agree; the error against Airy grows as $(kH)^4$ for Green-Naghdi and as "
+                              "$(kH)^6$ for the equations tuned to him.");
+  const auto k = range(0.05, 6, 240);
+  auto& speed = figure.panel({.x = "k H", .y = "phase speed/sqrt(g H)", .title = "Phase speed", .y_min = 0});
+  auto& error = figure.panel({.x = "k H",
+                              .y = "|omega/omega_Airy - 1|",
+                              .title = "Error against Airy",
+                              .log_x = true,
+                              .log_y = true,
+                              .y_min = 1e-10});
+  speed.line("Airy", k, map(k, [](double q) { return airy.phase_speed(q); }), Role::exact);
+  const auto add = [&](const std::string& name, const auto& law, Role role) {
+    speed.line(name, k, map(k, [&](double q) { return law.phase_speed(q); }), role);
+    error.line(name, k, map(k, [&](double q) { return std::abs(law.phase_speed(q) / airy.phase_speed(q) - 1); }), role);
+  };
+  add("Green-Naghdi, Serre, Peregrine", RationalDispersion::green_naghdi(1, 1), Role::computed);
+  add("Nwogu", RationalDispersion::nwogu(1, 1), Role::peer);
+  add("Madsen-Sorensen", RationalDispersion::madsen_sorensen(1, 1), Role::peer);
+  add("tuned markers, h = 0.25", FrankDispersion::tuned(1, 1, 0.25, 0), Role::computed);
+}
+
+void draw_formula_13(verification::Check& check) {
+  auto& figure = check.figure("formula-13", "Formula (13) for several spacings",
+                              "The discrete model follows Green-Naghdi to second order in the spacing $s$ and slows "
+                              "the waves that the markers barely resolve; the curves end at $k s = \\pi$.",
+                              {"frank-formula-13"});
+  auto& speed = figure.panel({.x = "k H", .y = "phase speed/sqrt(g H)", .title = "Phase speed", .y_min = 0});
+  const auto k = range(0.02, 6, 300);
+  const auto limit = RationalDispersion::green_naghdi(1, 1);
+  speed.line("Airy", k, map(k, [](double q) { return airy.phase_speed(q); }), Role::exact);
+  speed.line("Green-Naghdi", k, map(k, [&](double q) { return limit.phase_speed(q); }), Role::guide);
+  auto& error = figure.panel({.x = "s/H",
+                              .y = "|omega/omega_GN - 1|",
+                              .title = "Distance from Green-Naghdi at k H = 1",
+                              .log_x = true,
+                              .log_y = true});
+  for (const double s : {0.25, 0.5, 1.0, 2.0}) {
+    const FrankDispersion law(1, 1, s);
+    const auto resolved = range(0.02, std::min(6.0, 0.999 * std::numbers::pi / s), 300);
+    speed.line("s/H = " + std::to_string(s).substr(0, 4), resolved,
+               map(resolved, [&](double q) { return law.phase_speed(q); }));
+  }
+  const std::vector<double> spacings{0.0625, 0.125, 0.25, 0.5, 1, 2};
+  error.points("formula (13)", spacings, map(spacings, [&](double s) {
+                 return std::abs(FrankDispersion(1, 1, s).frequency(1) / limit.frequency(1) - 1);
+               }));
+  error.line("(s/H)^2/48", spacings, map(spacings, [](double s) { return s * s / 48; }), Role::guide);
+}
+
+}  // namespace
+
+TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[exact]") {
+  verification::Check check(
+      "exact_dispersion", "Dispersion of small waves",
+      "Frequencies of Airy's wave and of the Boussinesq-type models at $kH = 0.1, 1, 3$; the order "
+      "in $kH$ at which each leaves Airy's; the identities of each law.");
+  const auto gn = RationalDispersion::green_naghdi(1, 1);
+  const auto ms = RationalDispersion::madsen_sorensen(1, 1);
+  const auto nwogu = RationalDispersion::nwogu(1, 1);
+  check_table(check, "digits", "frequencies at k H = 0.1, 1, 3",
+              {{airy.frequency(0.1), "0.099833859298814957"},
+               {airy.frequency(1), "0.87269362089782969"},
+               {airy.frequency(3), "1.7277627907384136"},
+               {gn.frequency(0.1), "0.099833748845958268"},
+               {gn.frequency(1), "0.86602540378443865"},
+               {gn.frequency(3), "1.5"},
+               {ms.frequency(0.1), "0.099833859330346939"},
+               {ms.frequency(1), "0.87287156094396953"},
+               {ms.frequency(3), "1.7693034738587656"},
+               {nwogu.frequency(0.1), "0.09983384276705112"},
+               {nwogu.frequency(1), "0.87188981329224267"},
+               {nwogu.frequency(3), "1.7358870266815552"}},
+              laws_source);
+  const auto leaves_airy = [&](const std::string& id, const std::string& name, const auto& law, double order) {
+    std::vector<double> k;
+    std::vector<double> errors;
+    for (double q = 0.4; q > 0.04; q /= std::numbers::sqrt2) {
+      k.push_back(q);
+      errors.push_back(std::abs(law.frequency(q) / airy.frequency(q) - 1));
+    }
+    check.that(
+        {.id = id,
+         .text = name + " leaves Airy's law with the power of kH that it was built for.",
+         .quantity = "order in k H of the relative error of omega",
+         .source = laws_source},
+        evidence::observed_order(k, errors, 1e-14),
+        evidence::Order{order, 0.1, "first term of the expansions that differs; the next is (kH)^2 <= 0.16 of it"});
+  };
+  leaves_airy("order-green-naghdi", "Green-Naghdi", gn, 4);
+  leaves_airy("order-nwogu", "Nwogu's law", nwogu, 4);
+  leaves_airy("order-madsen-sorensen", "Madsen and Sorensen's law", ms, 6);
+  claim_self_test(check, "airy", AiryDispersion(9.81, 3), laws_source);
+  claim_self_test(check, "airy-deep", AiryDispersion(9.81, infinite), laws_source);
+  claim_self_test(check, "rational", RationalDispersion::nwogu(9.81, 3), laws_source);
+  claim_self_test(check, "wave", exact::AiryWave(0.1, 12, 3, 9.81), laws_source);
+  claim_self_test(check, "wave-deep", exact::AiryWave(0.1, 12, infinite, 9.81), laws_source);
+  draw_laws(check);
+  CHECK(std::abs(AiryDispersion(9.81, 1e3).wavenumber(2) - 4 / 9.81) < 1e-15);
+  CHECK_THROWS_AS(airy.frequency(0), std::invalid_argument);
+  CHECK_THROWS_AS(airy.wavenumber(-1), std::invalid_argument);
+  CHECK_THROWS_AS(airy.wavenumber(std::nan("")), std::invalid_argument);
+  CHECK_THROWS_AS(AiryDispersion(1, 0), std::invalid_argument);
+  CHECK_THROWS_AS(gn.wavenumber(gn.highest_frequency()), std::invalid_argument);
+  CHECK_THROWS_AS(RationalDispersion::nwogu(1, 1, -0.2), std::invalid_argument);
+  CHECK_THROWS_AS(exact::AiryWave(1, 10, 1, 9.81), std::invalid_argument);
+  CHECK_THROWS_AS(exact::AiryWave(0.1, 10, 1, 9.81).velocity(0, -1.01, 0), exact::OutsideFluid);
+  CHECK_THROWS_AS(exact::AiryWave(0.1, 10, 1, 9.81).pressure(0, 0.11, 0), exact::OutsideFluid);
+}
+
+TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tuned to Airy", "[exact]") {
+  verification::Check check(
+      "exact_frank_dispersion", "Dispersion of a chain of markers",
+      "Formula (13) to the digits known; second order in the spacing against Green-Naghdi, with its leading "
+      "term; the frequencies of the two time schemes; the pair $(\\alpha, \\gamma)$ that follows "
+      "Airy's law through $(kH)^4$ at a given spacing and time step.");
+  const FrankDispersion fine(1, 1, 0.1);
+  const FrankDispersion coarse(1, 1, 1);
+  check_table(check, "digits", "formula (13) at k H = 0.1, 1, 3 for s/H = 0.1 and 1",
+              {{fine.frequency(0.1), "0.09983374608682577"},
+               {fine.frequency(1), "0.86584520374319161"},
+               {fine.frequency(3), "1.4915852732807367"},
+               {coarse.frequency(0.1), "0.099833520640118504"},
+               {coarse.frequency(1), "0.85035988107245914"},
+               {coarse.frequency(3), "1.0031013836455749"}},
+              frank_source);
+  const double first = FrankDispersion(1, 1, std::numbers::pi / 31).frequency(1);
+  const double second = FrankDispersion(1, 1, std::numbers::pi / 12).frequency(2);
+  check_table(check, "time-digits", "frequencies of the two time schemes",
+              {{exact::discrete_frequency(first, 0.2, TimeScheme::one_step), "0.8669258459166"},
+               {exact::discrete_frequency(first, 0.2, TimeScheme::conservative), "0.8636863467075"},
+               {exact::discrete_frequency(second, 0.1, TimeScheme::one_step), "1.2932667849638"},
+               {exact::discrete_frequency(second, 0.1, TimeScheme::conservative), "1.2905714326633"}},
+              frank_source,
+              {.relative = 1e-13,
+               .reason = "1e-13, to which the frequencies were measured in standing waves of an independent "
+                         "implementation, extrapolated to zero amplitude"});
+  const auto half = FrankDispersion::tuned(1, 1, 0.5, 0.25);
+  const auto quarter = FrankDispersion::tuned(1, 1, 0.25, 0.125);
+  const auto tenth = FrankDispersion::tuned(1, 1, 0.1, 0.05);
+  check_table(check, "tuned-digits", "alpha and gamma of the tuned pair",
+              {{half.parameters().alpha, "0.450922"},
+               {half.parameters().gamma, "0.112380"},
+               {quarter.parameters().alpha, "0.412556"},
+               {quarter.parameters().gamma, "0.077920"},
+               {tenth.parameters().alpha, "0.402001"},
+               {tenth.parameters().gamma, "0.068460"}},
+              frank_source);
+  const FrankDispersion plain(1, 1, 0.5);
+  const FrankDispersion pade(1, 1, 0.5, {.alpha = 0.4, .beta = 1.0 / 3, .gamma = 1.0 / 15});
+  const auto gn = plain.limit();
+  check_table(check, "error-digits", "relative errors against Airy at s/H = 0.5, time step 0.25 sqrt(H/g)",
+              {{error_in_time(plain, 0.5, 0.25), "-0.00041"},
+               {error_in_time(plain, 1, 0.25), "-0.0107"},
+               {error_in_time(plain, 2, 0.25), "-0.097"},
+               {error_in_time(plain, 3, 0.25), "-0.24"},
+               {error_in_time(pade, 0.5, 0.25), "0.00019"},
+               {error_in_time(pade, 1, 0.25), "-0.0030"},
+               {error_in_time(pade, 2, 0.25), "-0.031"},
+               {error_in_time(pade, 3, 0.25), "-0.077"},
+               {error_in_time(half, 0.5, 0.25), "0.0000003"},
+               {error_in_time(half, 1, 0.25), "0.000011"},
+               {error_in_time(half, 2, 0.25), "-0.00015"},
+               {error_in_time(half, 3, 0.25), "-0.0037"},
+               {gn.frequency(0.5) / airy.frequency(0.5) - 1, "-0.00063"},
+               {gn.frequency(1) / airy.frequency(1) - 1, "-0.0076"},
+               {gn.frequency(2) / airy.frequency(2) - 1, "-0.057"},
+               {gn.frequency(3) / airy.frequency(3) - 1, "-0.13"}},
+              frank_source);
+
+  std::vector<double> spacings;
+  std::vector<double> distances;
+  double leading = 0;
+  for (double s = 0.25; s > 0.005; s /= 2) {
+    const FrankDispersion law(1, 1, s);
+    spacings.push_back(s);
+    distances.push_back(std::abs(law.frequency(1) / gn.frequency(1) - 1));
+    leading = (law.frequency(1) / gn.frequency(1) - 1) / (s * s);
+  }
+  check.that({.id = "order-spacing",
+              .text = "Formula (13) tends to Green-Naghdi with the square of the spacing.",
+              .quantity = "order in s/H at k H = 1",
+              .source = frank_source},
+             evidence::observed_order(spacings, distances),
+             evidence::Order{2, 0.02, "expansion of (13): omega = omega_GN (1 + O(s^2)), next term s^4"});
+  check.that({.id = "leading-term",
+              .text = "The distance is -alpha (kH)^4 (s/H)^2/(12 (1 + alpha (kH)^2)) to leading order.",
+              .quantity = "(omega/omega_GN - 1)/h^2 at k H = 1, s/H = 1/128",
+              .source = frank_source},
+             {.value = leading},
+             evidence::Bound{.limit = 1.0 / 16384,
+                             .reason = "the next term of the expansion is of relative size h^2 = 1/16384",
+                             .expected = -1.0 / 48,
+                             .relative = true});
+  std::vector<double> k;
+  std::vector<double> tuned;
+  for (double q = 0.6; q > 0.1; q /= std::numbers::sqrt2) {
+    k.push_back(q);
+    tuned.push_back(std::abs(error_in_time(quarter, q, 0.125)));
+  }
+  check.that(
+      {.id = "order-tuned",
+       .text = "The tuned pair follows Airy's law through (kH)^4: the first error is (kH)^6.",
+       .quantity = "order in k H of the relative error of Omega, s/H = 0.25, tau = 0.125 sqrt(H/g)",
+       .source = frank_source + "; pair derived from its expansion"},
+      evidence::observed_order(k, tuned, 1e-14),
+      evidence::Order{6, 0.3, "two coefficients of the expansion in (kH)^2 are matched; next term (kH)^2 of it"});
+  for (const auto scheme : {TimeScheme::one_step, TimeScheme::conservative}) {
+    const bool one_step = scheme == TimeScheme::one_step;
+    check.that({.id = one_step ? "time-one-step" : "time-conservative",
+                .text = one_step ? "The one-step scheme raises the frequency by omega^2 tau^2/24."
+                                 : "The conservative scheme lowers the frequency by omega^2 tau^2/12.",
+                .quantity = "(Omega/omega - 1)/(omega tau)^2 at omega tau = 0.02",
+                .source = "Hairer, Lubich and Wanner, Geometric numerical integration (2006), I.5"},
+               {.value = (exact::discrete_frequency(2, 0.01, scheme) / 2 - 1) / 4e-4},
+               evidence::Bound{.limit = 4e-4,
+                               .reason = "the next term of the series is (omega tau)^2 = 4e-4 of it",
+                               .expected = one_step ? 1.0 / 24 : -1.0 / 12,
+                               .relative = true});
+  }
+  claim_self_test(check, "plain", FrankDispersion(9.81, 3, 0.8), frank_source);
+  claim_self_test(check, "tuned", quarter, frank_source);
+  draw_formula_13(check);
+  CHECK_THROWS_AS(fine.frequency(0), std::invalid_argument);
+  CHECK_THROWS_AS(fine.frequency(10 * std::numbers::pi), std::invalid_argument);
+  CHECK_THROWS_AS(FrankDispersion(1, 1, 0), std::invalid_argument);
+  CHECK_THROWS_AS(FrankDispersion(1, 1, 1, {.alpha = 1.0 / 3, .beta = 0.6, .gamma = 0}), std::invalid_argument);
+  CHECK_THROWS_AS(exact::discrete_frequency(2.01, 1, TimeScheme::one_step), std::invalid_argument);
+  CHECK_THROWS_AS(exact::discrete_frequency(0, 1, TimeScheme::conservative), std::invalid_argument);
+  CHECK_NOTHROW(exact::discrete_frequency(5, 1, TimeScheme::conservative));
+  CHECK(std::abs(FrankDispersion(9.81, 2, 0.2).frequency(0.5) / (std::sqrt(9.81 / 2) * fine.frequency(1)) - 1) < 2e-15);
+}

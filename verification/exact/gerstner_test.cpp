@@ -1,0 +1,166 @@
+#include <cmath>
+#include <numbers>
+
+#include "seiche/exact/gerstner.hpp"
+#include "verification/exact/digits_table.hpp"
+#include "verification/exact/self_test_claims.hpp"
+
+using namespace seiche;
+using exact::GerstnerWave;
+using verification::Role;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+const std::string source = "Gerstner, Theorie der Wellen (1804); Lamb, Hydrodynamics (1932), section 251";
+
+/// f'(0) by fourth-order central differences of half-width `span`.
+template <class F>
+double difference(const F& f, double span) {
+  return (8 * (f(0.5 * span) - f(-0.5 * span)) - (f(span) - f(-span))) / (6 * span);
+}
+
+/// Largest residual of continuity, of Euler's equations and of the vorticity in space-fixed coordinates: velocity and
+/// pressure at a place are those of the particle found there.
+double euler_residual(const GerstnerWave& wave, double gravity, double x, double y, double t, double span) {
+  const auto flow = [&](double dx, double dy, double dt) {
+    return wave.velocity(wave.label(x + dx, y + dy, t + dt), t + dt);
+  };
+  const auto pressure = [&](double dx, double dy) { return wave.pressure(wave.label(x + dx, y + dy, t)); };
+  const auto [u, v] = flow(0, 0, 0);
+  const double u_x = difference([&](double d) { return flow(d, 0, 0).u; }, span);
+  const double u_y = difference([&](double d) { return flow(0, d, 0).u; }, span);
+  const double u_t = difference([&](double d) { return flow(0, 0, d).u; }, span / wave.phase_speed());
+  const double v_x = difference([&](double d) { return flow(d, 0, 0).v; }, span);
+  const double v_y = difference([&](double d) { return flow(0, d, 0).v; }, span);
+  const double v_t = difference([&](double d) { return flow(0, 0, d).v; }, span / wave.phase_speed());
+  const double p_x = difference([&](double d) { return pressure(d, 0); }, span);
+  const double p_y = difference([&](double d) { return pressure(0, d); }, span);
+  return std::max({std::abs(u_x + v_y), std::abs(v_x - u_y - wave.vorticity(wave.label(x, y, t))),
+                   std::abs(u_t + u * u_x + v * u_y + p_x), std::abs(v_t + u * v_x + v * v_y + p_y + gravity)});
+}
+
+void draw(verification::Check& check) {
+  auto& figure =
+      check.figure("surface", "Gerstner's wave",
+                   "Surface for several labels of the top particles: trochoids up to the cusped cycloid. The orbit "
+                   "of a particle is an exact circle.");
+  auto& panel = figure.panel({.x = "k x", .y = "k y", .equal_aspect = true});
+  for (const double top : {0.0, -0.2, -0.7, -1.5}) {
+    const GerstnerWave wave(2 * pi, 1, top);
+    std::vector<double> x;
+    std::vector<double> y;
+    for (int i = -200; i <= 200; ++i) {
+      const auto place = wave.position({2 * pi * i / 200, top}, 0);
+      x.push_back(place.x);
+      y.push_back(place.y);
+    }
+    panel.line("k b0 = " + std::to_string(top).substr(0, 4), x, y, Role::exact);
+  }
+  const GerstnerWave wave(2 * pi, 1, -0.7);
+  std::vector<double> orbit_x;
+  std::vector<double> orbit_y;
+  for (int i = 0; i <= 60; ++i) {
+    const auto place = wave.position({pi, -0.7}, 2 * pi * i / 60);
+    orbit_x.push_back(place.x);
+    orbit_y.push_back(place.y);
+  }
+  panel.line("orbit for k b0 = -0.7", orbit_x, orbit_y, Role::guide);
+}
+
+}  // namespace
+
+TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
+  verification::Check check(
+      "exact_gerstner", "Gerstner's wave",
+      "Residual of continuity, momentum and vorticity in space-fixed coordinates, through the inversion from place to "
+      "particle; area of patches of particles; zero pressure at the surface; inversion.");
+  constexpr double gravity = 9.81;
+  const GerstnerWave wave(3, gravity, -0.1);
+  std::vector<double> spans;
+  std::vector<double> residuals;
+  for (double span = 0.04; span > 0.002; span /= 2) {
+    double largest = 0;
+    for (double x = 0; x < 3; x += 0.37) {
+      for (const double depth : {0.12, 0.4, 1.0}) {
+        const double t = 0.43;
+        largest = std::max(largest, euler_residual(wave, gravity, x, wave.elevation(x, t) - depth, t, span));
+      }
+    }
+    spans.push_back(span);
+    residuals.push_back(largest);
+  }
+  check.that({.id = "euler",
+              .text = "Continuity, Euler's equations and the vorticity hold at fixed places.",
+              .quantity = "order of the residual in the width of the differences",
+              .source = source},
+             evidence::observed_order(spans, residuals, 1e-11),
+             evidence::Order{4, 0.3, "fourth-order differences of a smooth solution"});
+  // J is the determinant of the derivatives of the place by the label.
+  std::vector<double> jacobian_errors;
+  for (const double span : spans) {
+    double largest = 0;
+    for (double a = 0; a < 3; a += 0.41) {
+      for (const double b : {-0.2, -0.6}) {
+        const auto place = [&](double da, double db) { return wave.position({a + da, b + db}, 0.7); };
+        const double x_a = difference([&](double d) { return place(d, 0).x; }, span);
+        const double x_b = difference([&](double d) { return place(0, d).x; }, span);
+        const double y_a = difference([&](double d) { return place(d, 0).y; }, span);
+        const double y_b = difference([&](double d) { return place(0, d).y; }, span);
+        largest = std::max(largest, std::abs(x_a * y_b - x_b * y_a - wave.area_factor({a, b})));
+      }
+    }
+    jacobian_errors.push_back(largest);
+  }
+  check.that({.id = "jacobian",
+              .text = "Areas change from labels to places by the factor J = 1 - e^{2kb}, at any time.",
+              .quantity = "order of the difference in the width of the differences",
+              .source = source},
+             evidence::observed_order(spans, jacobian_errors, 1e-13),
+             evidence::Order{4, 0.2, "fourth-order differences of an analytic function"});
+  double inversion = 0;
+  double surface = 0;
+  for (const double top : {-0.02, -0.1, -1.0}) {
+    const GerstnerWave one(3, gravity, top);
+    const double conditioning = -std::expm1(one.wavenumber() * top);
+    for (double a = -4; a < 5; a += 0.23) {
+      for (const double below : {0.0, 0.01, 0.3, 2.0}) {
+        const GerstnerWave::Label particle{a, top - below};
+        const auto place = one.position(particle, 1.9);
+        const auto found = one.label(place.x, place.y, 1.9);
+        inversion = std::max(inversion, std::hypot(found.a - a, found.b - particle.b) * conditioning);
+        if (below == 0) surface = std::max(surface, std::abs(one.elevation(place.x, 1.9) - place.y));
+      }
+    }
+    CHECK(one.pressure({0.3, top}) == 0);
+  }
+  check.that({.id = "inversion",
+              .text = "The particle found at a place is the one that is there.",
+              .quantity = "error of the label times its conditioning 1 - e^{k b0}",
+              .unit = "m",
+              .source = source},
+             {.value = inversion},
+             evidence::Roundoff{.operations = 30, .scale = 5, .reason = "30 roundings of labels and places up to 5 m"});
+  check.that(
+      {.id = "elevation",
+       .text = "The elevation passes through the particles of the surface.",
+       .quantity = "error of the elevation",
+       .unit = "m",
+       .source = source},
+      {.value = surface},
+      evidence::Roundoff{.operations = 30,
+                         .scale = 5 * 3.4,
+                         .reason = "30 roundings of x up to 5 m, times the steepest slope, 3.4 for b0 = -0.02 m"});
+  // The particle that starts at the crest.
+  const auto crest = wave.position({0, -0.1}, 0);
+  CHECK(std::abs(crest.y - wave.elevation(0, 0)) < 1e-15);
+  CHECK(std::abs(wave.height() - 2 * std::exp(-0.1 * wave.wavenumber()) / wave.wavenumber()) < 1e-15);
+  claim_self_test(check, "cusped", GerstnerWave(3, gravity), source);
+  claim_self_test(check, "trochoid", wave, source);
+  CHECK_THROWS_AS(wave.position({0, -0.09}, 0), exact::OutsideFluid);
+  CHECK_THROWS_AS(wave.label(0, wave.elevation(0, 0) + 1e-9, 0), exact::OutsideFluid);
+  CHECK_THROWS_AS(GerstnerWave(3, gravity, 0.1), std::invalid_argument);
+  CHECK_THROWS_AS(GerstnerWave(0, gravity), std::invalid_argument);
+  CHECK_THROWS_AS(GerstnerWave(3, std::nan("")), std::invalid_argument);
+  draw(check);
+}

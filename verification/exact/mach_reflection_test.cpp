@@ -1,0 +1,140 @@
+#include <cmath>
+#include <numbers>
+
+#include "seiche/exact/mach_reflection.hpp"
+#include "verification/exact/digits_table.hpp"
+#include "verification/exact/self_test_claims.hpp"
+
+using namespace seiche;
+using exact::MachReflection;
+using verification::Role;
+
+namespace {
+
+const std::string miles_source = "Miles, J. Fluid Mech. 79 (1977) 171";
+const std::string kodama_yeh_source = "Li, Yeh and Kodama, J. Fluid Mech. 672 (2011) 326";
+
+/// Amplitude at the wall over that of the incident wave in the two-soliton solution of the Kadomtsev-Petviashvili
+/// equation, u = 2 (ln tau)_xx, tau = cosh(p x) + sqrt(1 - kappa^-2) at y = t = 0 (incident amplitude p^2/2, p = 1), by
+/// fourth-order differences of width `span`.
+double two_soliton_peak(double kappa, double span) {
+  const double coupling = std::sqrt(1 - 1 / (kappa * kappa));
+  const auto log_tau = [&](double x) { return std::log(std::cosh(x) + coupling); };
+  const double second =
+      (16 * (log_tau(span) + log_tau(-span)) - (log_tau(2 * span) + log_tau(-2 * span)) - 30 * log_tau(0)) /
+      (12 * span * span);
+  return 2 * second / 0.5;
+}
+
+double degrees(double angle) {
+  return angle * std::numbers::pi / 180;
+}
+
+}  // namespace
+
+TEST_CASE("amplitudes of Mach and regular reflection have the digits known", "[exact]") {
+  verification::Check check(
+      "exact_mach_reflection", "Mach reflection of a solitary wave",
+      "Interaction parameter, amplitudes and angles of Miles and of Kodama and Yeh to the digits known; the resonance "
+      "condition of the three crests; the regular case against the peak of the two-soliton solution of the "
+      "Kadomtsev-Petviashvili equation, of which it is the closed form.");
+  const MachReflection steep(0.05, degrees(20));
+  const MachReflection steep_kp(0.05, degrees(20), MachReflection::Theory::kodama_yeh);
+  const MachReflection regular(0.05, degrees(30));
+  const MachReflection regular_kp(0.05, degrees(30), MachReflection::Theory::kodama_yeh);
+  const MachReflection high(0.1, degrees(25));
+  const MachReflection high_kp(0.1, degrees(25), MachReflection::Theory::kodama_yeh);
+  verification::check_table(check, "miles", "kappa, amplitude ratios and stem angle of Miles",
+                            {{steep.kappa(), "0.901284150216358"},
+                             {steep.reflected_ratio(), "0.812313119431223"},
+                             {steep.wall_ratio(), "3.61488141986394"},
+                             {steep.stem_angle(), "0.0127441614072919"},
+                             {regular.kappa(), "1.35192622532454"},
+                             {regular.wall_ratio(), "2.39098183528087"},
+                             {high.kappa(), "0.796630167992427"},
+                             {high.reflected_ratio(), "0.634619624555643"},
+                             {high.wall_ratio(), "3.2278799605405"},
+                             {high.stem_angle(), "0.0371300815021946"}},
+                            miles_source);
+  // At kappa = 1.00008 the wall amplitude has slope 160 in kappa.
+  verification::check_table(check, "kodama-yeh", "kappa and wall amplitude of Kodama and Yeh",
+                            {{steep_kp.kappa(), "1.00007926325898"},
+                             {regular_kp.kappa(), "1.72132593164774"},
+                             {regular_kp.wall_ratio(), "2.20514335045943"},
+                             {high_kp.kappa(), "0.939368967739625"},
+                             {high_kp.wall_ratio(), "3.76115199303146"}},
+                            kodama_yeh_source);
+  const double sensitivity = std::abs(
+      (MachReflection::wall_ratio(steep_kp.kappa() + 1e-9) - MachReflection::wall_ratio(steep_kp.kappa() - 1e-9)) /
+      2e-9);
+  check.that({.id = "near-one",
+              .text = "The wall amplitude is right next to kappa = 1, where its slope is largest.",
+              .quantity = "a_w/a_i at kappa = 1.00008",
+              .source = kodama_yeh_source},
+             {.value = steep_kp.wall_ratio()},
+             evidence::Roundoff{.operations = 8,
+                                .scale = sensitivity,
+                                .reason = "8 roundings of kappa = 1, times the slope of the amplitude there",
+                                .expected = 3.95026621549695});
+  std::vector<double> spans;
+  std::vector<double> errors;
+  for (double span = 0.2; span > 0.01; span /= 2) {
+    double worst = 0;
+    for (const double kappa : {1.01, 1.2, 2.0, 10.0}) {
+      worst = std::max(worst, std::abs(two_soliton_peak(kappa, span) - MachReflection::wall_ratio(kappa)));
+    }
+    spans.push_back(span);
+    errors.push_back(worst);
+  }
+  check.that({.id = "two-solitons",
+              .text = "4/(1 + sqrt(1 - kappa^-2)) is the peak of the two-soliton solution.",
+              .quantity = "order of the difference in the width of the differences",
+              .source = kodama_yeh_source},
+             evidence::observed_order(spans, errors, 1e-11),
+             evidence::Order{4, 0.2, "fourth-order differences of an analytic function, nothing else"});
+  claim_self_test(check, "mach", high, miles_source);
+  claim_self_test(check, "regular", regular, miles_source);
+  CHECK(MachReflection::wall_ratio(1) == 4);
+  CHECK(std::abs(MachReflection::wall_ratio(std::nextafter(1.0, 0.0)) - 4) < 1e-15);
+  CHECK(regular.reflected_angle() == degrees(30));
+  CHECK(regular.stem_angle() == 0);
+  CHECK_THROWS_AS(MachReflection(0, 0.3), std::invalid_argument);
+  CHECK_THROWS_AS(MachReflection(0.9, 0.3), std::invalid_argument);
+  CHECK_THROWS_AS(MachReflection(0.1, 0.5 * std::numbers::pi), std::invalid_argument);
+  CHECK_THROWS_AS(MachReflection(0.1, std::nan("")), std::invalid_argument);
+
+  auto& figure =
+      check.figure("amplitudes", "Amplitudes at the wall and of the reflected wave",
+                   "Below $\\kappa = 1$ a stem grows along the wall and the reflected wave is lower than the "
+                   "incident one; at $\\kappa = 1$ the run-up is fourfold, with infinite slope on the "
+                   "regular side. The linear limit is 2.");
+  auto& ratios = figure.panel({.x = "kappa", .y = "amplitude/incident amplitude", .y_min = 0});
+  std::vector<double> kappas;
+  std::vector<double> wall;
+  std::vector<double> reflected;
+  for (int i = 1; i <= 400; ++i) {
+    kappas.push_back(0.0075 * i);
+    wall.push_back(MachReflection::wall_ratio(kappas.back()));
+    reflected.push_back(MachReflection::reflected_ratio(kappas.back()));
+  }
+  ratios.line("wall, a_w/a_i", kappas, wall, Role::exact);
+  ratios.line("reflected, a_r/a_i", kappas, reflected, Role::peer);
+  ratios.vertical("kappa = 1", std::vector<double>{1});
+  auto& angles = figure.panel({.x = "angle of incidence [deg]",
+                               .y = "a_w/a_i",
+                               .title = "a_i = 0.05 and 0.2: Miles and Kodama-Yeh",
+                               .y_min = 0});
+  for (const double a : {0.05, 0.2}) {
+    for (const auto theory : {MachReflection::Theory::miles, MachReflection::Theory::kodama_yeh}) {
+      std::vector<double> psi;
+      std::vector<double> ratio;
+      for (double p = 1; p <= 70; p += 0.25) {
+        psi.push_back(p);
+        ratio.push_back(MachReflection(a, degrees(p), theory).wall_ratio());
+      }
+      const bool miles = theory == MachReflection::Theory::miles;
+      angles.line((miles ? "Miles, a = " : "Kodama-Yeh, a = ") + std::string(a < 0.1 ? "0.05" : "0.2"), psi, ratio,
+                  miles ? Role::exact : Role::peer);
+    }
+  }
+}

@@ -1,0 +1,306 @@
+#include "seiche/exact/solitary_wave.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "verification/check.hpp"
+#include "verification/exact/exact_wave_tables.hpp"
+#include "verification/exact/wave_extremum.hpp"
+
+using namespace seiche;
+using exact::Resolution;
+using exact::SolitaryWave;
+using verification::SolitaryRow;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+const std::string source =
+    "Longuet-Higgins & Fenton, Proc. R. Soc. A 340 (1974) 471; Hunter & Vanden-Broeck, J. Fluid Mech. 136 (1983) 63; "
+    "digits computed once by an independent implementation, two resolutions";
+
+/// Distance from the printed value over what printing and the reference's own uncertainty allow.
+double excess(double value, double printed, int decimals, double relative) {
+  return std::abs(value - printed) / (0.5 * std::pow(10.0, -decimals) + relative * std::abs(printed));
+}
+
+struct Column {
+  std::string id, quantity;
+  int decimals;
+  double relative;
+  std::function<double(const SolitaryWave&)> computed;
+  double SolitaryRow::*printed;
+};
+
+}  // namespace
+
+TEST_CASE("solitary waves have every digit of the reference table", "[exact]") {
+  verification::Check check(
+      "exact_solitary_wave_table", "Exact solitary wave: 21 amplitudes",
+      "Speed, crest speed, mass, energies, circulation, velocity at the crest and half-width of waves of amplitude "
+      "0.02 "
+      "to 0.83 against a table; the integral identities 2 T = F (I - C) and 3 V = (F^2 - 1) M (Longuet-Higgins 1974), "
+      "which need no outside data; and a second resolution, because identities alone under-report the error.");
+  const std::vector<Column> columns{
+      {"froude", "Froude number", 14, 5e-15, &SolitaryWave::froude, &SolitaryRow::froude},
+      {"crest-speed", "speed at the crest", 14, 2e-13, &SolitaryWave::crest_speed, &SolitaryRow::crest_speed},
+      {"mass", "mass", 13, 2e-13, &SolitaryWave::mass, &SolitaryRow::mass},
+      {"kinetic", "kinetic energy", 14, 2e-13, &SolitaryWave::kinetic_energy, &SolitaryRow::kinetic},
+      {"potential", "potential energy", 14, 2e-13, &SolitaryWave::potential_energy, &SolitaryRow::potential},
+      {"circulation", "circulation", 13, 2e-13, &SolitaryWave::circulation, &SolitaryRow::circulation},
+      {"crest-velocity", "velocity at the crest", 14, 2e-13, &SolitaryWave::crest_velocity,
+       &SolitaryRow::crest_velocity},
+      {"half-width", "half-width", 12, 2e-13, &SolitaryWave::half_width, &SolitaryRow::half_width}};
+  std::vector<double> worst(columns.size(), 0.0);
+  double kinetic = 0;
+  double potential = 0;
+  double speed = 0;
+  double velocity = 0;
+  double elevation = 0;
+  for (const SolitaryRow& row : verification::solitary_table) {
+    const SolitaryWave wave(row.amplitude);
+    // A long wave balances up to the square of its amplitude: in double precision, with about 1300 nodes at 0.02.
+    const double reference = std::sqrt(1300.0) * std::numeric_limits<double>::epsilon() / row.amplitude;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const Column& column = columns[k];
+      worst[k] = std::max(worst[k], excess(column.computed(wave), row.*column.printed, column.decimals,
+                                           k == 0 ? column.relative : std::max(column.relative, reference)));
+    }
+    const auto identities = wave.self_test();
+    kinetic = std::max(kinetic, identities[0].defect);
+    potential = std::max(potential, identities[1].defect);
+    for (const auto& identity : identities) {
+      INFO(identity.name << " at " << row.amplitude << ": " << identity.defect);
+      CHECK(identity.holds());
+    }
+    // Every third wave and the steep ones.
+    const auto place = &row - verification::solitary_table.data();
+    if (place % 3 != 0 && row.amplitude < 0.8) continue;
+    const SolitaryWave finer(row.amplitude, 1, 1, Resolution{1.2, 0.5});
+    speed = std::max(speed, std::abs(wave.froude() / finer.froude() - 1));
+    for (const double x : {0.0, 0.01, 0.3, 1.0, 2.0, 4.0}) {
+      const double surface = wave.elevation(x);
+      elevation = std::max(elevation, std::abs(surface - finer.elevation(x)));
+      for (const double depth : {1.0, 0.5, 0.01, 1e-6}) {
+        const double y = surface - depth * (1 + surface);
+        const auto a = wave.velocity(x, y);
+        const auto b = finer.velocity(x, y);
+        velocity = std::max(velocity, std::hypot(a.u - b.u, a.v - b.v));
+      }
+    }
+  }
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    check.that(
+        {.id = columns[k].id,
+         .text = "The " + columns[k].quantity + " of every wave has the digits of the table.",
+         .quantity = "largest distance over half a printed unit and the reference's uncertainty",
+         .source = source},
+        {.value = worst[k]},
+        evidence::Bound{.limit = 1,
+                        .reason = "half a unit of the last printed digit plus the agreement of the reference's "
+                                  "two resolutions, 5e-15 of the speed and 2e-13 of the others, or its rounding in "
+                                  "long waves, 36 eps/amplitude (4e-13 at 0.02)"});
+  }
+  const evidence::Bound identity{.limit = 5e-14,
+                                 .reason = "500 terms of values known to 1e-15, amplified by 1/amplitude"};
+  check.that({.id = "kinetic-identity",
+              .text = "2 T = F (I - C) holds at every amplitude.",
+              .quantity = "largest relative defect",
+              .source = "Longuet-Higgins, Proc. R. Soc. A 337 (1974) 1"},
+             {.value = kinetic}, identity);
+  check.that({.id = "potential-identity",
+              .text = "3 V = (F^2 - 1) M holds at every amplitude.",
+              .quantity = "largest relative defect",
+              .source = "Longuet-Higgins, Proc. R. Soc. A 337 (1974) 1"},
+             {.value = potential}, identity);
+  check.that({.id = "speed-resolution",
+              .text = "The speed does not depend on the resolution.",
+              .quantity = "largest relative difference of the speed",
+              .source = source},
+             {.value = speed}, evidence::Bound{.limit = 5e-15, .reason = "about 20 roundings of F^2"});
+  const evidence::Bound pointwise{.limit = 1e-14, .reason = "45 roundings of numbers of order 1 (depth, wave speed)"};
+  check.that({.id = "elevation-resolution",
+              .text = "The surface, also between the nodes, does not depend on the resolution.",
+              .quantity = "largest difference of the elevation over the depth",
+              .source = source},
+             {.value = elevation}, pointwise);
+  check.that({.id = "velocity-resolution",
+              .text = "Velocities inside, down to 1e-6 below the surface, do not depend on the resolution.",
+              .quantity = "largest difference of the velocity over sqrt(g h)",
+              .source = source},
+             {.value = velocity}, pointwise);
+}
+
+TEST_CASE("velocities inside solitary waves have the digits of the reference", "[exact]") {
+  verification::Check check("exact_solitary_wave_velocity", "Velocities inside the exact solitary wave",
+                            "Fourteen digits at points of waves 0.3 and 0.5 high; scaling with depth and gravity; the "
+                            "slope of the surface against its differences.");
+  struct Sample {
+    double amplitude, x, y, u, v;
+  };
+  const SolitaryWave gentle(0.3);
+  const SolitaryWave steep(0.5);
+  double worst = 0;
+  for (const Sample& s :
+       {Sample{0.3, 0, -1, 0.24313491159562, 0}, Sample{0.3, 0, 0, 0.27745021894607, 0},
+        Sample{0.3, 0, -0.5, 0.25121780819879, 0}, Sample{0.3, 1, -0.5, 0.21852316195712, 0.02812166968531},
+        Sample{0.3, 1, -1, 0.21375248309211, 0}, Sample{0.3, 2, -0.3, 0.14647494815177, 0.05078416903908},
+        Sample{0.3, 0, 0.3, 0.304481232945863, 0}, Sample{0.5, 0, -1, 0.35331289691723, 0},
+        Sample{0.5, 1, -0.5, 0.30625183481270, 0.05165086454446},
+        Sample{0.5, 2, -0.3, 0.17826626241227, 0.08206716509151}, Sample{0.5, 0, 0.5, 0.524317468471231, 0}}) {
+    const auto velocity = (s.amplitude == 0.3 ? gentle : steep).velocity(s.x, s.y);
+    worst = std::max(worst, std::hypot(velocity.u - s.u, velocity.v - s.v));
+    const auto mirrored = (s.amplitude == 0.3 ? gentle : steep).velocity(-s.x, s.y);
+    CHECK(mirrored.u == velocity.u);
+    CHECK(mirrored.v == -velocity.v);
+  }
+  check.that({.id = "digits",
+              .text = "Velocities have all fourteen digits; water rises ahead of the crest.",
+              .quantity = "largest error of the velocity over sqrt(g h)",
+              .source = source},
+             {.value = worst},
+             evidence::Bound{.limit = 1e-14 + 0.71e-14,
+                             .reason = "both components half a unit of the 14th decimal, and 45 roundings"});
+  const double depth = 0.4;
+  const double g = 9.81;
+  const SolitaryWave tank(0.3 * depth, depth, g);
+  const auto scaled = tank.velocity(depth, -0.5 * depth);
+  const auto unit = gentle.velocity(1, -0.5);
+  check.that(
+      {.id = "scaling",
+       .text = "Velocity scales with sqrt(gravity depth), energy with gravity depth^3.",
+       .quantity = "relative defect of the scaling",
+       .source = source},
+      {.value = std::max(std::abs(scaled.u / (unit.u * std::sqrt(g * depth)) - 1),
+                         std::abs(tank.kinetic_energy() / (g * std::pow(depth, 3) * gentle.kinetic_energy()) - 1))},
+      evidence::Roundoff{.operations = 40, .scale = 1, .reason = "amplitude/depth rounds differently: 40 roundings"});
+  double slope = 0;
+  constexpr double step = 2e-3;
+  for (double x = 0.2; x < 1.6; x += 0.001) {
+    const auto eta = [&](double offset) { return steep.elevation(x + offset * step); };
+    slope = std::max(slope, -(8 * (eta(1) - eta(-1)) - (eta(2) - eta(-2))) / (12 * step));
+  }
+  check.that({.id = "slope",
+              .text = "The largest slope is that of the surface's differences.",
+              .quantity = "difference of the slope angles",
+              .unit = "rad",
+              .source = source},
+             {.value = steep.maximum_slope() - std::atan(slope)},
+             evidence::Bound{.limit = 1e-6, .reason = "samples every 0.001 near a maximum of curvature of order 1"});
+  CHECK_THROWS_AS(gentle.velocity(0, 0.31), exact::OutsideFluid);
+  CHECK_THROWS_AS(gentle.velocity(1, -1.01), exact::OutsideFluid);
+  CHECK_THROWS_AS(SolitaryWave(0.8332), std::invalid_argument);
+  CHECK_THROWS_AS(SolitaryWave(0.0), std::invalid_argument);
+  CHECK_THROWS_AS(SolitaryWave(std::nan("")), std::invalid_argument);
+  CHECK_THROWS_AS(SolitaryWave(0.1, -1), std::invalid_argument);
+  CHECK_THROWS_AS(gentle.elevation(std::nan("")), std::invalid_argument);
+  CHECK_NOTHROW(gentle.velocity(0.7, gentle.elevation(0.7)));
+}
+
+TEST_CASE("speed, mass and energy of solitary waves are largest below the limiting height", "[exact]") {
+  verification::Check check("exact_solitary_wave_maxima", "Solitary waves: maxima of speed, mass and energy",
+                            "Speed, mass and kinetic energy along the family, their maxima by a polynomial through "
+                            "nine waves, and the wave whose crest moves at 0.99961 of the wave's speed.");
+  struct Maximum {
+    std::string id, quantity;
+    double (SolitaryWave::*value)() const;
+    double at;
+  };
+  double largest_speed = 0;
+  double fastest = 0;
+  for (const Maximum& maximum : {Maximum{"speed", "speed", &SolitaryWave::froude, 0.795908},
+                                 Maximum{"mass", "mass", &SolitaryWave::mass, 0.738847},
+                                 Maximum{"energy", "kinetic energy", &SolitaryWave::kinetic_energy, 0.782694}}) {
+    const auto of = [&](double amplitude) { return (SolitaryWave(amplitude).*maximum.value)(); };
+    const auto [at, largest] = verification::wave_maximum(of, std::round(1000 * maximum.at) / 1000, 0.001);
+    check.that({.id = maximum.id + "-place",
+                .text = "The " + maximum.quantity + " is largest at this amplitude.",
+                .quantity = "amplitude of the maximum over the depth",
+                .source = source},
+               {.value = at},
+               evidence::Bound{.limit = 1e-6, .reason = "one unit of the last printed digit", .expected = maximum.at});
+    check.that(
+        {.id = maximum.id + "-wave",
+         .text = "The polynomial's largest " + maximum.quantity + " is that of the wave solved there.",
+         .quantity = "relative difference",
+         .source = source},
+        {.value = largest / of(at) - 1},
+        evidence::Bound{.limit = 2e-13,
+                        .reason = "nine waves known to 1e-14, whose errors the polynomial sums, and its remainder, "
+                                  "(spacing/0.04)^9 of the bracketing variation, 1e-4: the singularity at the "
+                                  "limiting wave is 0.037 away"});
+    if (maximum.id != "speed") continue;
+    fastest = at;
+    largest_speed = largest;
+  }
+  check.that({.id = "speed-value",
+              .text = "The largest speed is 1.294211 sqrt(g h).",
+              .quantity = "Froude number",
+              .source = source},
+             {.value = largest_speed},
+             evidence::Bound{.limit = 0.5e-6, .reason = "half a unit of the last printed digit", .expected = 1.294211});
+  const auto limiting = SolitaryWave::from_crest_speed(3.9e-4);
+  const auto digits = [&](const std::string& id, const std::string& quantity, double value, double printed,
+                          double limit) {
+    check.that({.id = "limiting-" + id,
+                .text = "The almost limiting wave has the printed " + quantity + ".",
+                .quantity = quantity,
+                .source = source},
+               {.value = value},
+               evidence::Bound{.limit = limit,
+                               .reason = "one unit of the last digit; the crest speed 3.9e-4 is printed to two digits, "
+                                         "which moves the amplitude by F^2 q dq = 3e-9 and the others by less than "
+                                         "their printed digits",
+                               .expected = printed});
+  };
+  digits("amplitude", "amplitude", limiting.amplitude(), 0.83319895782988, 3.3e-9);
+  digits("froude", "Froude number", limiting.froude(), 1.29089045589427, 1e-10);
+  digits("mass", "mass", limiting.mass(), 1.970320660265, 1e-10);
+  digits("kinetic", "kinetic energy", limiting.kinetic_energy(), 0.535008836079, 1e-10);
+  digits("potential", "potential energy", limiting.potential_energy(), 0.437672693526, 1e-10);
+  check.that({.id = "limiting-slope",
+              .text = "The slope exceeds 30 degrees near the limiting wave.",
+              .quantity = "largest slope",
+              .unit = "deg",
+              .source = "Byatt-Smith & Longuet-Higgins, Proc. R. Soc. A 350 (1976) 175"},
+             {.value = limiting.maximum_slope() / degree},
+             evidence::Bound{.limit = 1e-3, .reason = "30.379 is printed for the limit", .expected = 30.379});
+
+  std::vector<double> amplitudes;
+  std::vector<double> speeds;
+  std::vector<double> masses;
+  std::vector<double> energies;
+  for (double amplitude = 0.03; amplitude < 0.8331; amplitude += amplitude < 0.69 ? 0.1 : 0.02) {
+    const SolitaryWave wave(amplitude);
+    amplitudes.push_back(amplitude);
+    speeds.push_back(wave.froude());
+    masses.push_back(wave.mass());
+    energies.push_back(wave.kinetic_energy());
+  }
+  auto& family = check.figure("family", "Family of solitary waves",
+                              "Speed, mass and kinetic energy against the height. All three fall before the limiting "
+                              "wave, 0.8332 high: two waves share a speed, the crest loses mass faster than it rises.");
+  auto& speed_panel = family.panel({.x = "amplitude / depth", .y = "speed / sqrt(g h)"});
+  speed_panel.line("F", amplitudes, speeds, evidence::Role::exact);
+  std::vector<double> marks{fastest};
+  speed_panel.vertical("largest speed", marks);
+  auto& mass_panel = family.panel({.x = "amplitude / depth", .y = "mass, kinetic energy"});
+  mass_panel.line("mass M", amplitudes, masses, evidence::Role::exact);
+  mass_panel.line("kinetic energy T", amplitudes, energies, evidence::Role::peer);
+  auto& profiles = check
+                       .figure("profiles", "Profiles of solitary waves",
+                               "Surface of four waves; the highest has a crest of almost 120 degrees.")
+                       .panel({.x = "x / depth", .y = "elevation / depth"});
+  for (const double amplitude : {0.2, 0.5, 0.7, 0.833}) {
+    const SolitaryWave wave(amplitude);
+    std::vector<double> x;
+    std::vector<double> y;
+    for (int k = -150; k <= 150; ++k) {
+      x.push_back(5 * std::pow(k / 150.0, 3));
+      y.push_back(wave.elevation(x.back()));
+    }
+    profiles.line("a = " + std::to_string(amplitude).substr(0, 5), x, y, evidence::Role::exact);
+  }
+}

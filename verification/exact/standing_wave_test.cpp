@@ -1,0 +1,203 @@
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "seiche/exact/standing_wave.hpp"
+#include "verification/exact/digits_table.hpp"
+#include "verification/exact/self_test_claims.hpp"
+
+using namespace seiche;
+using exact::StandingWave;
+using verification::Role;
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double pi = std::numbers::pi;
+const std::string source = "Tadjbakhsh and Keller, J. Fluid Mech. 8 (1960) 442";
+
+/// A nonlinear standing wave found by shooting for time-periodic solutions of the full equations.
+struct Exact {
+  double depth;
+  double e;
+  double frequency;
+  double second_harmonic;  ///< coefficient of cos 2x over e^2 when the surface is at rest
+};
+
+const std::vector<Exact> shallow{{0.8, 0.02, 0.8149617862391, 1.36302058}, {0.8, 0.04, 0.8151923676711, 1.36089734}};
+const std::vector<Exact> deep{{3, 0.02, 0.9974749289387, 0.50494069}, {3, 0.04, 0.9973266767598, 0.50476016}};
+
+double order_between(double coarse, double fine) {
+  return std::log2(std::abs(coarse / fine));
+}
+
+/// Wave with k = g = 1.
+StandingWave wave(double e, double depth) {
+  return {e, 2 * pi, depth, 1};
+}
+
+/// Largest residuals of eta_t + u eta_x - v and of the surface pressure over half a wave and a period.
+struct Residuals {
+  double kinematic = 0;
+  double dynamic = 0;
+};
+
+Residuals free_surface(const StandingWave& w) {
+  constexpr double span = 1e-2;
+  const auto difference = [&](const auto& f) {
+    return (8 * (f(span) - f(-span)) - (f(2 * span) - f(-2 * span))) / (12 * span);
+  };
+  Residuals worst;
+  for (int i = 0; i <= 12; ++i) {
+    for (int j = 0; j < 16; ++j) {
+      const double x = pi * i / 12;
+      const double t = w.period() * (j + 0.3) / 16;
+      const double eta = w.elevation(x, t);
+      const auto [u, v] = w.velocity(x, eta, t);
+      const double rise = difference([&](double d) { return w.elevation(x, t + d); });
+      const double slope = difference([&](double d) { return w.elevation(x + d, t); });
+      worst.kinematic = std::max(worst.kinematic, std::abs(rise + u * slope - v));
+      worst.dynamic = std::max(worst.dynamic, std::abs(w.pressure(x, eta, t)));
+    }
+  }
+  return worst;
+}
+
+void draw(verification::Check& check) {
+  auto& figure = check.figure("frequency", "Frequency of a standing wave against depth",
+                              "Amplitude raises the frequency in shallow water and lowers it in deep water; the sign "
+                              "changes at $kh = 1.0581$, a wavelength of 5.938 depths. Points: frequencies of the full "
+                              "equations, extrapolated to zero amplitude.");
+  auto& panel =
+      figure.panel({.x = "k h", .y = "omega_2", .title = "omega = w + e^2 omega_2/2", .y_min = -0.4, .y_max = 1});
+  std::vector<double> depths;
+  std::vector<double> corrections;
+  for (double h = 0.5; h <= 3.5; h += 0.0125) {
+    depths.push_back(h);
+    corrections.push_back(StandingWave::frequency_correction(h));
+  }
+  panel.line("Tadjbakhsh and Keller", depths, corrections, Role::exact);
+  const std::vector<double> ends{0.5, 3.5};
+  panel.line("infinite depth, -1/4", ends, std::vector<double>{-0.25, -0.25}, Role::guide);
+  panel.vertical("k h = 1.0581", std::vector<double>{StandingWave::critical_depth()});
+  const std::vector<double> measured_depths{0.8, 1.0577, 1.5, 3};
+  panel.points("full equations", measured_depths, std::vector<double>{0.386879, 0.000311, -0.174740, -0.246875},
+               Role::peer);
+
+  auto& shapes = check.figure("profiles", "Standing wave over a half-period",
+                              "Steep crests and flat troughs; the surface is nowhere flat in between.");
+  auto& surface = shapes.panel({.x = "k x/(2 pi)", .y = "k eta", .title = "k h = 1.5, e = 0.2"});
+  const StandingWave w = wave(0.2, 1.5);
+  for (int j = 0; j <= 4; ++j) {
+    std::vector<double> x;
+    std::vector<double> eta;
+    for (int i = 0; i <= 200; ++i) {
+      x.push_back(i / 200.0);
+      eta.push_back(w.elevation(2 * pi * i / 200, 0.125 * j * w.period()));
+    }
+    surface.line("t = " + std::to_string(j) + " T/8", x, eta, Role::exact);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the standing wave of Tadjbakhsh and Keller has the digits and frequencies known", "[exact]") {
+  verification::Check check(
+      "exact_standing_wave", "Standing wave of second order",
+      "Frequency correction at seven depths and the critical depth to the digits known. Residual of the two conditions "
+      "at "
+      "the free surface, evaluated at the displaced surface: third order in the steepness. Frequencies of the full "
+      "nonlinear equations (time-periodic solutions found by shooting with 32 surface nodes): the formula leaves them "
+      "with the fourth power of the steepness.");
+  verification::check_table(check, "omega-2", "omega_2 against depth, critical depth and wavelength",
+                            {{StandingWave::frequency_correction(0.5), "2.9258502961121526"},
+                             {StandingWave::frequency_correction(0.8), "0.38687702034848186"},
+                             {StandingWave::frequency_correction(1), "0.051889987684615252"},
+                             {StandingWave::frequency_correction(1.5), "-0.17474012081929466"},
+                             {StandingWave::frequency_correction(2), "-0.22553543940842111"},
+                             {StandingWave::frequency_correction(3), "-0.24687443219848214"},
+                             {StandingWave::frequency_correction(infinite), "-0.25"},
+                             {StandingWave::critical_depth(), "1.058092233937851"},
+                             {StandingWave::critical_wavelength(), "5.9382207955498905"}},
+                            source,
+                            {.relative = 1e-14, .reason = "1e-14 of the value; computed once in 30-digit arithmetic"});
+  for (const double depth : {0.8, 2.0, infinite}) {
+    std::vector<double> steepness;
+    std::vector<double> kinematic;
+    std::vector<double> dynamic;
+    for (double e = 0.04; e > 0.004; e /= 2) {
+      const Residuals residuals = free_surface(wave(e, depth));
+      steepness.push_back(e);
+      kinematic.push_back(residuals.kinematic);
+      dynamic.push_back(residuals.dynamic);
+    }
+    const std::string name = depth == infinite ? "infinite" : depth < 1 ? "0-8" : "2";
+    const evidence::Order third{3, 0.1, "first neglected order; the next is e <= 0.04 of it times numbers of order 1"};
+    check.that({.id = "kinematic-" + name,
+                .text = "The surface moves with the water to third order, k h = " + name + ".",
+                .quantity = "order in e of eta_t + u eta_x - v",
+                .source = source},
+               evidence::observed_order(steepness, kinematic, 1e-12), third);
+    check.that({.id = "dynamic-" + name,
+                .text = "The pressure at the surface is constant to third order, k h = " + name + ".",
+                .quantity = "order in e of the pressure at the surface",
+                .source = source},
+               evidence::observed_order(steepness, dynamic, 1e-12), third);
+  }
+  const std::string exact_source =
+      source + "; frequencies computed once by an independent implementation of the full equations";
+  for (const auto* cases : {&shallow, &deep}) {
+    const Exact& fine = cases->front();
+    const Exact& coarse = cases->back();
+    const std::string name = fine.depth < 1 ? "0-8" : "3";
+    const auto frequency_error = [](const Exact& c) { return c.frequency - wave(c.e, c.depth).frequency(); };
+    const auto harmonic_error = [](const Exact& c) {
+      return c.second_harmonic - StandingWave::second_harmonic(c.depth);
+    };
+    check.that(
+        {.id = "frequency-order-" + name,
+         .text = "The frequency leaves that of the full equations with the fourth power of e, k h = " + name + ".",
+         .quantity = "order between e = 0.04 and 0.02",
+         .source = exact_source},
+        {.value = order_between(frequency_error(coarse), frequency_error(fine))},
+        evidence::Bound{.limit = 0.1,
+                        .reason =
+                            "the next term is e^2 <= 0.0016 of it times a ratio of coefficients, which would have to "
+                            "exceed 40; frequencies known to 1e-13, 1e-5 of the difference",
+                        .expected = 4});
+    check.that({.id = "harmonic-order-" + name,
+                .text = "The second harmonic leaves that of the full equations with e^2 relative, k h = " + name + ".",
+                .quantity = "order between e = 0.04 and 0.02 of a_2/e^2 - B",
+                .source = exact_source},
+               {.value = order_between(harmonic_error(coarse), harmonic_error(fine))},
+               evidence::Bound{
+                   .limit = 0.1,
+                   .reason = "the next term is e^2 <= 0.0016 of it times a ratio of coefficients, which would have to "
+                             "exceed 40; a_2/e^2 known to 1e-8, 2e-4 of the difference",
+                   .expected = 2});
+  }
+  for (const Exact& c : {shallow.back(), Exact{1.5, 0.04, 0.9512527309968, 0.61850029}, deep.back()}) {
+    const double change = c.frequency - StandingWave::linear_frequency(c.depth);
+    const bool shallower = c.depth < StandingWave::critical_depth();
+    const bool agree = (change > 0) == shallower && (StandingWave::frequency_correction(c.depth) > 0) == shallower;
+    check.that({.id = "sign-" + std::string(shallower     ? "0-8"
+                                            : c.depth < 2 ? "1-5"
+                                                          : "3"),
+                .text = shallower ? "Amplitude raises the frequency in water shallower than the critical depth."
+                                  : "Amplitude lowers the frequency in water deeper than the critical depth.",
+                .quantity = "the full equations and omega_2 have that sign",
+                .source = exact_source},
+               {.value = agree ? 1.0 : 0.0},
+               evidence::Qualitative{.detector = "signs of the frequency change at e = 0.04 and of omega_2",
+                                     .reason = "the critical depth k h = 1.0581 lies between k h = 0.8 and 1.5"});
+  }
+  for (const double depth : {0.8, 3.0}) {
+    claim_self_test(check, depth < 1 ? "0-8" : "3", wave(0.05, depth), source);
+  }
+  draw(check);
+  CHECK_THROWS_AS(wave(0.6, 3), std::invalid_argument);
+  CHECK_THROWS_AS(wave(0.1, 0), std::invalid_argument);
+  CHECK_THROWS_AS(StandingWave(0.1, 6, 1, std::nan("")), std::invalid_argument);
+  CHECK_THROWS_AS(wave(0.1, 1).velocity(0, -1.01, 0), exact::OutsideFluid);
+  CHECK_THROWS_AS(wave(0.1, 1).potential(0, 0.3, 0), exact::OutsideFluid);
+}

@@ -1,0 +1,286 @@
+#include "seiche/exact/stokes_wave.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "verification/check.hpp"
+#include "verification/exact/exact_wave_tables.hpp"
+#include "verification/exact/wave_extremum.hpp"
+
+using namespace seiche;
+using exact::Resolution;
+using exact::StokesWave;
+using verification::StokesRow;
+
+namespace {
+
+constexpr double wavelength = 2 * std::numbers::pi;
+const std::string source =
+    "Cokelet, Phil. Trans. R. Soc. A 286 (1977) 183; digits computed once by an independent implementation, two "
+    "resolutions";
+
+struct Column {
+  std::string id, quantity;
+  std::function<double(const StokesWave&)> computed;
+  double StokesRow::*printed;
+};
+
+}  // namespace
+
+TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
+  verification::Check check(
+      "exact_stokes_wave_table", "Exact Stokes waves: deep and finite depth",
+      "Speed, Bernoulli's constant, impulse, energies, elevations and velocity at the crest of 27 waves against a "
+      "table; "
+      "2 T = c I, the flux through the crest section and the mean velocity below the troughs, which need no outside "
+      "data; a second resolution.");
+  const std::vector<Column> columns{
+      {"speed", "phase speed", &StokesWave::phase_speed, &StokesRow::speed},
+      {"bernoulli", "Bernoulli constant", &StokesWave::bernoulli_constant, &StokesRow::bernoulli},
+      {"impulse", "impulse", &StokesWave::impulse, &StokesRow::impulse},
+      {"kinetic", "kinetic energy", &StokesWave::kinetic_energy, &StokesRow::kinetic},
+      {"potential", "potential energy", &StokesWave::potential_energy, &StokesRow::potential},
+      {"crest", "crest elevation", &StokesWave::crest_elevation, &StokesRow::crest},
+      {"trough", "trough elevation", &StokesWave::trough_elevation, &StokesRow::trough},
+      {"crest-velocity", "velocity at the crest", &StokesWave::crest_velocity, &StokesRow::crest_velocity}};
+  std::vector<double> worst(columns.size(), 0.0);
+  double depth = 0;
+  double identity = 0;
+  double speed = 0;
+  double elevation = 0;
+  double velocity = 0;
+  for (const StokesRow& row : verification::stokes_table) {
+    const auto wave = StokesWave::from_conformal_depth(row.amplitude, wavelength, row.conformal_depth, 1);
+    // The reference solves the equation divided by 1/q^3: its rounding near the crest is eps/q^3; in the gentlest wave
+    // its speed is known to eps/amplitude.
+    const double reference =
+        std::numeric_limits<double>::epsilon() * std::max(1 / std::pow(wave.crest_speed(), 3), 1 / row.amplitude);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const double printed = row.*columns[k].printed;
+      const double limit = 0.5e-14 + 5e-15 * std::abs(printed) + reference;
+      worst[k] = std::max(worst[k], std::abs(columns[k].computed(wave) - printed) / limit);
+    }
+    if (std::isfinite(row.mean_depth)) {
+      if (row.mean_depth > 0) {
+        depth = std::max(depth, std::abs(wave.mean_depth() - row.mean_depth));
+        const StokesWave same(row.amplitude, wavelength, wave.mean_depth(), 1);
+        depth = std::max(depth, std::abs(same.conformal_depth() - row.conformal_depth));
+      } else {
+        CHECK(std::isinf(wave.mean_depth()));
+      }
+    }
+    const auto identities = wave.self_test();
+    for (const auto& held : identities) {
+      INFO(held.name << " at a = " << row.amplitude << ", d = " << row.conformal_depth << ": " << held.defect);
+      CHECK(held.holds());
+      identity = std::max(identity, held.defect);
+    }
+    const auto finer =
+        StokesWave::from_conformal_depth(row.amplitude, wavelength, row.conformal_depth, 1, Resolution{1.25, 0.5});
+    speed = std::max(speed, std::abs(wave.phase_speed() / finer.phase_speed() - 1));
+    for (const double x : {0.0, 0.01, 0.3, 1.0, 2.5, 3.1}) {
+      const double surface = wave.elevation(x);
+      elevation = std::max(elevation, std::abs(surface - finer.elevation(x)));
+      for (const double below : {0.45, 0.1, 1e-4}) {
+        const auto a = wave.velocity(x, surface - below);
+        const auto b = finer.velocity(x, surface - below);
+        velocity = std::max(velocity, std::hypot(a.u - b.u, a.v - b.v) / std::max(1.0, 0.5 / wave.crest_speed()));
+      }
+    }
+  }
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    check.that({.id = columns[k].id,
+                .text = "The " + columns[k].quantity + " of every wave has the digits of the table.",
+                .quantity = "largest distance over half a printed unit and the reference's uncertainty",
+                .source = source},
+               {.value = worst[k]},
+               evidence::Bound{.limit = 1,
+                               .reason = "half a unit of the 14th decimal, 5e-15 (agreement of the reference's two "
+                                         "resolutions), and the reference's rounding, eps/q^3 at the crest or "
+                                         "eps/amplitude"});
+  }
+  check.that({.id = "depth",
+              .text = "Mean and conformal depth lead to each other.",
+              .quantity = "largest difference of k depth",
+              .source = source},
+             {.value = depth}, evidence::Bound{.limit = 1e-14, .reason = "14 printed decimals and 20 roundings"});
+  check.that({.id = "identities",
+              .text = "2 T = c I, the volume flux and the zero mean velocity hold.",
+              .quantity = "largest relative defect",
+              .source = "Longuet-Higgins, Proc. R. Soc. A 342 (1975) 157"},
+             {.value = identity},
+             evidence::Bound{.limit = 2e-14, .reason = "sums of 100 to 500 values known to 1e-15"});
+  check.that({.id = "speed-resolution",
+              .text = "The speed does not depend on the resolution.",
+              .quantity = "largest relative difference of the speed",
+              .source = source},
+             {.value = speed}, evidence::Bound{.limit = 5e-15, .reason = "about 20 roundings of c^2"});
+  const evidence::Bound pointwise{.limit = 1e-14, .reason = "45 roundings of numbers of order 1 (1/k, wave speed)"};
+  check.that({.id = "elevation-resolution",
+              .text = "The surface, also between the nodes, does not depend on the resolution.",
+              .quantity = "largest difference of k elevation",
+              .source = source},
+             {.value = elevation}, pointwise);
+  check.that({.id = "velocity-resolution",
+              .text = "Velocities inside, down to 1e-4 below the surface, do not depend on the resolution.",
+              .quantity = "largest difference of the velocity over sqrt(g/k) max(1, 1/(2 q))",
+              .source = source},
+             {.value = velocity},
+             evidence::Bound{.limit = 1e-14,
+                             .reason = "45 roundings of numbers of order 1; under steep crests of q^2 = 2 (B - y)/c^2, "
+                                       "a difference, which divides them by 2 q"});
+}
+
+TEST_CASE("velocities inside Stokes waves have the digits of the reference", "[exact]") {
+  verification::Check check("exact_stokes_wave_velocity", "Velocities inside the exact Stokes wave",
+                            "Fourteen digits in the deep wave k a = 0.3; the speed of a gentle wave against Stokes's "
+                            "series; scaling with wavelength and gravity; bad input.");
+  const StokesWave wave(0.3, wavelength, StokesWave::deep, 1);
+  struct Sample {
+    double x, y, u, v;
+  };
+  double worst = 0;
+  for (const Sample& s : {Sample{0, -0.5, 0.17424121511936, 0}, Sample{1, -0.5, 0.09086834575626, 0.14664104284971},
+                          Sample{2, -0.3, -0.08948876534071, 0.18634440512388}, Sample{0, -1, 0.10486148245986, 0}}) {
+    const auto velocity = wave.velocity(s.x, s.y);
+    worst = std::max(worst, std::hypot(velocity.u - s.u, velocity.v - s.v));
+    const auto mirrored = wave.velocity(wavelength - s.x, s.y);
+    CHECK(std::abs(mirrored.u - velocity.u) < 1e-15);
+    CHECK(std::abs(mirrored.v + velocity.v) < 1e-15);
+  }
+  check.that({.id = "digits",
+              .text = "Velocities have all fourteen digits; water rises ahead of the crest.",
+              .quantity = "largest error of the velocity over sqrt(g/k)",
+              .source = source},
+             {.value = worst},
+             evidence::Bound{.limit = 1e-14 + 0.71e-14,
+                             .reason = "both components half a unit of the 14th decimal, and 45 roundings"});
+  const double a = 0.01;
+  check.that({.id = "series",
+              .text = "The speed of a gentle deep wave is that of Stokes's series.",
+              .quantity = "c^2 for k a = 0.01",
+              .source = "Schwartz, J. Fluid Mech. 62 (1974) 553"},
+             {.value = std::pow(StokesWave(a, wavelength, StokesWave::deep, 1).phase_speed(), 2)},
+             evidence::Bound{.limit = 2e-15,
+                             .reason = "10 roundings; the next term of the series is of order a^8 = 1e-16",
+                             .expected = 1 + a * a + std::pow(a, 4) / 2 + std::pow(a, 6) / 4});
+  const double length = 1.7;
+  const double g = 9.81;
+  const double k = wavelength / length;
+  const StokesWave tank(0.2 / k, length, 1.2 / k, g);
+  const StokesWave unit(0.2, wavelength, 1.2, 1);
+  check.that({.id = "scaling",
+              .text = "Velocity scales with sqrt(g/k), energy density with g/k^2.",
+              .quantity = "relative defect of the scaling",
+              .source = source},
+             {.value = std::max(
+                  std::abs(tank.velocity(0.3 / k, -0.5 / k).u / (unit.velocity(0.3, -0.5).u * std::sqrt(g / k)) - 1),
+                  std::abs(tank.kinetic_energy() / (g / (k * k) * unit.kinetic_energy()) - 1))},
+             evidence::Roundoff{.operations = 40, .scale = 1, .reason = "parameters round differently: 40 roundings"});
+  CHECK_THROWS_AS(wave.velocity(0, 0.36), exact::OutsideFluid);
+  CHECK_THROWS_AS(unit.velocity(1, -1.21), exact::OutsideFluid);
+  CHECK_NOTHROW(wave.velocity(0.7, wave.elevation(0.7)));
+  CHECK_THROWS_WITH(StokesWave(0.01, wavelength, 0.19, 1), Catch::Contains("SolitaryWave"));
+  CHECK_THROWS_WITH(StokesWave(0.4, wavelength, 1, 1), Catch::Contains("limiting"));
+  CHECK_THROWS_AS(StokesWave(std::nan(""), wavelength, 1, 1), std::invalid_argument);
+  CHECK_THROWS_AS(StokesWave(0.1, -1, 1, 1), std::invalid_argument);
+  CHECK_THROWS_AS(StokesWave(0.1, wavelength, std::nan(""), 1), std::invalid_argument);
+}
+
+TEST_CASE("deep Stokes waves are fastest below the limiting steepness", "[exact]") {
+  verification::Check check("exact_stokes_wave_maximum", "Stokes waves: the fastest and the limiting wave",
+                            "Speed against steepness with its maximum, and two almost limiting deep waves.");
+  const auto speed = [](double a) { return StokesWave(a, wavelength, StokesWave::deep, 1).phase_speed(); };
+  const auto [at, largest] = verification::wave_maximum(speed, 0.436, 0.0003);
+  check.that({.id = "place",
+              .text = "The speed is largest at k a = 0.436.",
+              .quantity = "k amplitude of the maximum",
+              .source = "Longuet-Higgins, Proc. R. Soc. A 342 (1975) 157"},
+             {.value = at}, evidence::Bound{.limit = 0.5e-3, .reason = "half a printed digit", .expected = 0.436});
+  check.that(
+      {.id = "wave",
+       .text = "The polynomial's largest speed is that of the wave solved there.",
+       .quantity = "relative difference",
+       .source = source},
+      {.value = largest / speed(at) - 1},
+      evidence::Bound{.limit = 2e-13,
+                      .reason = "nine waves known to 1e-14, whose errors the polynomial sums, and its remainder, "
+                                "(spacing/0.007)^9 of the bracketing variation, 1e-5: the singularity at the "
+                                "limiting wave is 0.007 away"});
+  const StokesWave steep(0.443144051862, wavelength, StokesWave::deep, 1);
+  const auto digits = [&](const std::string& id, const std::string& quantity, double value, double printed) {
+    check.that(
+        {.id = "steep-" + id,
+         .text = "The wave whose crest moves at 0.0082 c has the printed " + quantity + ".",
+         .quantity = quantity,
+         .source = source},
+        {.value = value},
+        evidence::Bound{.limit = 4e-10,
+                        .reason = "rounding of the reference under the crest, eps/q^3, where its twelve digits end",
+                        .expected = printed});
+  };
+  const StokesWave finer(0.443144051862, wavelength, StokesWave::deep, 1, Resolution{1.25, 0.5});
+  check.that({.id = "steep-resolution",
+              .text = "Its speed does not depend on the resolution.",
+              .quantity = "relative difference of the speed",
+              .source = source},
+             {.value = std::abs(steep.phase_speed() / finer.phase_speed() - 1)},
+             evidence::Bound{.limit = 5e-15, .reason = "about 20 roundings of c^2"});
+  digits("speed", "phase speed", steep.phase_speed(), 1.092285146069);
+  digits("kinetic", "kinetic energy", steep.kinetic_energy(), 0.038292247342);
+  digits("potential", "potential energy", steep.potential_energy(), 0.034568369516);
+  digits("impulse", "impulse", steep.impulse(), 0.070114012764);
+  const auto limiting = StokesWave::from_crest_speed(0.0019, wavelength, StokesWave::deep, 1);
+  check.that({.id = "limiting-amplitude",
+              .text = "The almost limiting wave has k a = 0.44316.",
+              .quantity = "k amplitude",
+              .source = "Schwartz, J. Fluid Mech. 62 (1974) 553"},
+             {.value = limiting.amplitude()},
+             evidence::Bound{.limit = 0.5e-5, .reason = "half a printed digit", .expected = 0.44316});
+  check.that({.id = "limiting-speed",
+              .text = "The almost limiting wave has c = 1.09228.",
+              .quantity = "c/sqrt(g/k)",
+              .source = "Longuet-Higgins, Proc. R. Soc. A 342 (1975) 157"},
+             {.value = limiting.phase_speed()},
+             evidence::Bound{
+                 .limit = 1e-5, .reason = "one printed digit: 1.09228 and 1.0923 are in print", .expected = 1.09228});
+  check.that(
+      {.id = "limiting-slope",
+       .text = "The slope exceeds 30 degrees near the limiting wave.",
+       .quantity = "largest slope",
+       .unit = "deg",
+       .source = "Longuet-Higgins & Fox, J. Fluid Mech. 80 (1977) 721"},
+      {.value = limiting.maximum_slope() * 180 / std::numbers::pi},
+      evidence::Bound{.limit = 1e-3, .reason = "one unit of the third decimal of the limit", .expected = 30.379});
+  std::vector<double> steepness;
+  std::vector<double> speeds;
+  std::vector<double> series;
+  for (double a = 0.02; a < 0.4431; a += a < 0.37 ? 0.05 : a < 0.439 ? 0.007 : 0.002) {
+    steepness.push_back(a);
+    speeds.push_back(speed(a));
+    series.push_back(std::sqrt(1 + a * a + std::pow(a, 4) / 2));
+  }
+  auto& speed_panel = check
+                          .figure("speed", "Speed of deep-water waves",
+                                  "Phase speed against steepness with its maximum near 0.436, below the limiting "
+                                  "0.4432; Stokes's fifth-order series for comparison.")
+                          .panel({.x = "k amplitude", .y = "c / sqrt(g/k)"});
+  speed_panel.line("exact", steepness, speeds, evidence::Role::exact);
+  speed_panel.line("1 + a^2 + a^4/2", steepness, series, evidence::Role::peer);
+  speed_panel.vertical("largest speed", std::vector<double>{at});
+  auto& profiles = check.figure("profiles", "Profiles of deep-water waves", "Surfaces over one wavelength.")
+                       .panel({.x = "k x", .y = "k elevation"});
+  for (const double a : {0.1, 0.3, 0.4, 0.4425}) {
+    const StokesWave wave(a, wavelength, StokesWave::deep, 1);
+    std::vector<double> x;
+    std::vector<double> y;
+    for (int j = -150; j <= 150; ++j) {
+      const double part = j / 150.0;
+      x.push_back(std::numbers::pi * (0.1 * part + 0.9 * part * part * part));
+      y.push_back(wave.elevation(x.back()));
+    }
+    profiles.line("k a = " + std::to_string(a).substr(0, 6), x, y, evidence::Role::exact);
+  }
+}

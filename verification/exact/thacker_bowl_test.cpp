@@ -1,0 +1,167 @@
+#include <cmath>
+
+#include "seiche/exact/thacker_bowl.hpp"
+#include "verification/exact/digits_table.hpp"
+#include "verification/exact/self_test_claims.hpp"
+
+using namespace seiche;
+using exact::BowlState;
+using exact::ThackerPlanarBowl;
+using exact::ThackerRadialBowl;
+using verification::Role;
+
+namespace {
+
+const std::string source = "Thacker, J. Fluid Mech. 107 (1981) 499; Delestre et al., SWASHES (2013), section 4.2.2";
+
+/// Largest residual of continuity and of both momentum equations at (x, y, t), g = 1, by fourth-order central
+/// differences of half-widths `span` in time and 0.02 in space.
+template <class Bowl>
+double residual(const Bowl& bowl, double x, double y, double t, double span) {
+  const auto difference = [](const auto& f, double s) {
+    return (8 * (f(0.5 * s) - f(-0.5 * s)) - (f(s) - f(-s))) / (6 * s);
+  };
+  constexpr double space = 0.02;
+  const auto along_x = [&](const auto& f) {
+    return difference([&](double d) { return f(bowl.at(x + d, y, t)); }, space);
+  };
+  const auto along_y = [&](const auto& f) {
+    return difference([&](double d) { return f(bowl.at(x, y + d, t)); }, space);
+  };
+  const auto in_time = [&](const auto& f) {
+    return difference([&](double d) { return f(bowl.at(x, y, t + d)); }, span);
+  };
+  const BowlState s = bowl.at(x, y, t);
+  const auto depth = [](const BowlState& q) { return q.depth; };
+  const auto u = [](const BowlState& q) { return q.u; };
+  const auto v = [](const BowlState& q) { return q.v; };
+  const auto flux_x = [](const BowlState& q) { return q.depth * q.u; };
+  const auto flux_y = [](const BowlState& q) { return q.depth * q.v; };
+  const double bed_x = difference([&](double d) { return bowl.bed(x + d, y); }, space);
+  const double bed_y = difference([&](double d) { return bowl.bed(x, y + d); }, space);
+  const double mass = in_time(depth) + along_x(flux_x) + along_y(flux_y);
+  const double momentum_x = in_time(u) + s.u * along_x(u) + s.v * along_y(u) + along_x(depth) + bed_x;
+  const double momentum_y = in_time(v) + s.u * along_x(v) + s.v * along_y(v) + along_y(depth) + bed_y;
+  return std::max({std::abs(mass), std::abs(momentum_x), std::abs(momentum_y)});
+}
+
+template <class Bowl>
+void claim_residual(verification::Check& check, const std::string& id, const Bowl& bowl) {
+  std::vector<double> spans;
+  std::vector<double> residuals;
+  for (double span = 1; span > 0.05; span /= 2) {
+    double largest = 0;
+    for (double t = 0.2; t < bowl.period(); t += 0.9) {
+      for (const double x : {-0.3, 0.1, 0.25}) {
+        for (const double y : {-0.2, 0.15}) largest = std::max(largest, residual(bowl, x, y, t, span));
+      }
+    }
+    spans.push_back(span);
+    residuals.push_back(largest);
+  }
+  check.that(
+      {.id = "residual-" + id,
+       .text = "Continuity and both momentum equations hold: the residual is that of the time differences alone.",
+       .quantity = "order of the residual in the time difference",
+       .source = source},
+      evidence::observed_order(spans, residuals, 1e-13),
+      evidence::Order{4, 0.2, "fourth-order differences; those in x and y are exact for the solution's polynomials"});
+}
+
+/// Largest distance between a particle carried by the closed form and one carried by Runge-Kutta with the velocity.
+template <class Bowl>
+double path_error(const Bowl& bowl, exact::PlanePoint start, double end, int steps) {
+  exact::PlanePoint p = start;
+  const double tau = end / steps;
+  for (int n = 0; n < steps; ++n) {
+    const double t = n * tau;
+    const BowlState a = bowl.at(p.x, p.y, t);
+    const BowlState b = bowl.at(p.x + 0.5 * tau * a.u, p.y + 0.5 * tau * a.v, t + 0.5 * tau);
+    const BowlState c = bowl.at(p.x + 0.5 * tau * b.u, p.y + 0.5 * tau * b.v, t + 0.5 * tau);
+    const BowlState d = bowl.at(p.x + tau * c.u, p.y + tau * c.v, t + tau);
+    p.x += tau / 6 * (a.u + 2 * b.u + 2 * c.u + d.u);
+    p.y += tau / 6 * (a.v + 2 * b.v + 2 * c.v + d.v);
+  }
+  const exact::PlanePoint there = bowl.carried(start, end);
+  return std::hypot(p.x - there.x, p.y - there.y);
+}
+
+template <class Bowl>
+void claim_paths(verification::Check& check, const std::string& id, const Bowl& bowl) {
+  std::vector<double> steps;
+  std::vector<double> errors;
+  for (int n = 40; n <= 640; n *= 2) {
+    steps.push_back(1.0 / n);
+    errors.push_back(path_error(bowl, {0.3, -0.2}, 0.8 * bowl.period(), n));
+  }
+  check.that({.id = "paths-" + id,
+              .text = "The closed form of the particle paths follows the velocity.",
+              .quantity = "order in the time step of Runge-Kutta paths against it",
+              .source = source},
+             evidence::observed_order(steps, errors, 1e-14),
+             evidence::Order{4, 0.2, "classical Runge-Kutta of a smooth velocity"});
+}
+
+template <class Bowl>
+void draw(evidence::Figure& figure, const Bowl& bowl, const std::string& title, int instants) {
+  auto& panel = figure.panel({.x = "x/a", .y = "elevation/a", .title = title});
+  std::vector<double> x;
+  std::vector<double> bed;
+  for (int i = -150; i <= 150; ++i) {
+    x.push_back(0.01 * i);
+    bed.push_back(bowl.bed(x.back(), 0));
+  }
+  panel.line("bed", x, bed, Role::bed);
+  for (int n = 0; n < instants; ++n) {
+    const double t = 0.5 * bowl.period() * n / (instants - 1);
+    std::vector<double> wet;
+    std::vector<double> eta;
+    for (const double p : x) {
+      if (!(bowl.at(p, 0, t).depth > 0)) continue;
+      wet.push_back(p);
+      eta.push_back(bowl.surface(p, 0, t));
+    }
+    panel.line("t/T = " + std::to_string(0.5 * n / (instants - 1)).substr(0, 5), wet, eta, Role::exact);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("water oscillates in a bowl in plan, radially and as a rotating disc", "[exact]") {
+  verification::Check check(
+      "exact_thacker_bowl", "Oscillations in a paraboloidal bowl",
+      "Elevation and velocity to the digits known; residual of continuity and momentum on the curved bed by "
+      "differences of "
+      "halving width; volume and energy; particle paths in closed form against the integrated velocity.");
+  const ThackerRadialBowl radial(1, 1, 0.1, 0.8);
+  const ThackerPlanarBowl planar(1, 1, 0.1, 0.5);
+  const BowlState flow = planar.at(0.3, 0.2, 0.7);
+  verification::check_table(check, "digits", "elevation and velocity at t = 0.7",
+                            {{radial.surface(0, 0, 0.7), "0.01866927700241944"},
+                             {radial.surface(0.4, 0, 0.7), "0.012137441315576311"},
+                             {radial.at(0.4, 0, 0.7).u, "0.027988825268326204"},
+                             {planar.surface(0.3, 0.2, 0.7), "0.00970119326736047"},
+                             {flow.u, "-0.0688622559456656"},
+                             {flow.v, "0.21273925285681"}},
+                            source);
+  claim_residual(check, "radial", radial);
+  claim_residual(check, "planar", planar);
+  claim_paths(check, "radial", radial);
+  claim_paths(check, "planar", planar);
+  claim_self_test(check, "radial", ThackerRadialBowl(9.81, 2, 0.3, 0.7), source);
+  claim_self_test(check, "planar", ThackerPlanarBowl(9.81, 2, 0.3, 0.7), source);
+  CHECK(std::abs(radial.shoreline(0) - std::sqrt(0.8)) < 1e-15);
+  CHECK(radial.at(0, radial.shoreline(0.7) + 1e-9, 0.7).depth == 0);
+  CHECK(planar.at(0.5 + 1 - 1e-9, 0, 0).depth > 0);
+  CHECK(planar.at(0.5 + 1 + 1e-9, 0, 0).depth == 0);
+  CHECK_THROWS_AS(ThackerRadialBowl(1, 1, 0.1, 1), std::invalid_argument);
+  CHECK_THROWS_AS(ThackerRadialBowl(1, 1, -0.1, 0.8), std::invalid_argument);
+  CHECK_THROWS_AS(ThackerPlanarBowl(1, 1, 0.1, 0), std::invalid_argument);
+  CHECK_THROWS_AS(planar.at(0, 0, std::nan("")), std::invalid_argument);
+  auto& figure =
+      check.figure("sections", "Section through the bowl over half a period",
+                   "Radial: the surface is a paraboloid, humped when the water is gathered and hollow when it "
+                   "is spread. Planar: the surface is a plane that turns with the water.");
+  draw(figure, radial, "radial, r0 = 0.8 a", 5);
+  draw(figure, planar, "planar, s = a/2", 5);
+}
