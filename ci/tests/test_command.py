@@ -230,6 +230,39 @@ class Command(unittest.TestCase):
         self.refused(seiche("exact", "riemann", "--set", "left_depth=-1", "--at", "x=0,t=1"), "left_depth")
         self.refused(seiche("exact", "nothing"), "nothing")
 
+    def test_exact_in_three_formats_says_the_same(self):
+        words = ("exact", "solitary", "--set", "amplitude=0.3", "gravity=1", "--at", "x=1,y=-0.5", "--integrals")
+        text = seiche(*words).stdout
+        row = [float(word) for word in text.splitlines()[-1].split(",")]
+        document = json.loads(seiche(*words, "--format", "json").stdout)
+        self.assertEqual(document["rows"], [row])
+        self.assertAlmostEqual(document["scalars"]["F"], 1.13752301663104, delta=1e-14)
+        file = self.out.parent / "wave.h5"
+        result = seiche(*words, "--format", "hdf5", "--out", file)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        import h5py
+
+        with h5py.File(file) as saved:
+            self.assertEqual([saved[name][0] for name in ("x", "y", "t", "eta", "u", "v")], row)
+            self.assertEqual(saved["scalars/F"][0], document["scalars"]["F"])
+
+    def test_exact_leaves_points_outside_the_fluid_to_the_user(self):
+        self.refused(seiche("exact", "solitary", "--at", "x=0,y=0.5"), "y", "0.5")
+        self.refused(seiche("exact", "solitary", "--at", "z=0"), "z", "x, y, t")
+        self.refused(seiche("exact", "solitary", "--set", "amplitude=0.9"), "amplitude", "0.833")
+        self.refused(seiche("exact", "wavemaker", "--set", "kind=plunger"), "piston", "flap")
+        grid = seiche("exact", "solitary", "--grid", "x=0:1:2,y=-0.5:0.5:2")
+        self.assertEqual(grid.returncode, 0, grid.stderr)
+        self.assertEqual(sum("nan" in line for line in grid.stdout.splitlines()), 2)
+
+    def test_exact_lists_and_tests_itself(self):
+        listing = seiche("exact", "list").stdout
+        for name in ("airy", "frank_dispersion", "solitary", "stokes", "standing", "overturning_wave", "wavemaker"):
+            self.assertIn(f"\n{name}: ", "\n" + listing)
+        result = seiche("exact", "solitary", "--self-test")
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertIn("3 V = (F^2 - 1) M", result.stdout)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -18,6 +18,7 @@ throws a thick jet near the crest.
 
 #include <fmt/format.h>
 
+#include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/overturning_wave.hpp"
 #include "validation/case/case.hpp"
 #include "validation/measures/agreement.hpp"
@@ -32,12 +33,16 @@ using exact::OverturningWave;
 const std::string source = "Longuet-Higgins and Cokelet (1976); Baker, Meiron and Orszag (1982)";
 
 OverturningWave wave_of(const Values& values) {
-  const double depth = values.real("depth");
+  const double depth = values.real("depth") > 0 ? values.real("depth") : std::numeric_limits<double>::infinity();
+  const double wavenumber = 2 * std::numbers::pi / values.real("wavelength");
+  const double period =
+      2 * std::numbers::pi / exact::AiryDispersion(values.real("gravity"), depth).frequency(wavenumber);
   return OverturningWave({.amplitude = values.real("amplitude"),
                           .wavelength = values.real("wavelength"),
-                          .depth = depth > 0 ? depth : std::numeric_limits<double>::infinity(),
+                          .depth = depth,
                           .gravity = values.real("gravity"),
-                          .markers = static_cast<std::size_t>(values.integer("markers"))});
+                          .markers = static_cast<std::size_t>(values.integer("markers")),
+                          .last_time = values.real("periods") * period});
 }
 
 /// Instants at which surfaces are drawn and asked for: steepening, near the vertical front, and with a jet.
@@ -117,6 +122,7 @@ Case overturning_wave() {
       real("wavelength", 2 * std::numbers::pi, "m", {1e-9, 1e6}, "wavelength"),
       real("depth", 0.0, "m", {0, 1e6}, "depth; 0 is infinitely deep water"),
       real("gravity", 1.0, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
+      real("periods", 0.7, "1", {1e-3, 1}, "periods of the linear wave that are computed"),
       integer("markers", {256, 512, 1024}, {64, 4096}, "markers per wavelength, even"),
       tolerance_parameter(),
   };

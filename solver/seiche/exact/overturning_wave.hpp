@@ -39,7 +39,7 @@ class OverturningWave {
     double depth = std::numeric_limits<double>::infinity();  ///< [m]; infinite for deep water
     double gravity = 1;                                      ///< [m/s^2]
     std::size_t markers = 512;                               ///< even, at least 64
-    double tolerance = 1e-10;                                ///< of a time step, in units of 1/k
+    double tolerance = 2e-11;                                ///< of a time step, in units of 1/k
     std::optional<double> last_time;                         ///< [s]; one period of the linear wave if not given
   };
 

@@ -58,12 +58,13 @@ WallRunup::WallRunup(double amplitude, double depth, std::size_t markers, double
   const auto rising = [&](const ow::Moment& moment) {
     return moment.time < 0.5 * crossing ? 1.0 : ow::view(moment.rate).y[wall];
   };
-  while (rising(motion.now()) > 0 && motion.now().time < 2 * crossing) {
-    motion.advance_to(motion.now().time + 0.02 * crossing);
-    if (motion.ending() != ow::Ending::none) {
-      throw Divergence(motion.ending_reason(), motion.now().time / std::sqrt(k),
-                       static_cast<long>(motion.moments().size() - 1), motion.ending_place() / k * depth);
-    }
+  motion.advance_to(0.9 * crossing);
+  while (motion.ending() == ow::Ending::none && rising(motion.now()) > 0 && motion.now().time < 2 * crossing) {
+    motion.advance_to(motion.now().time + 0.1 * crossing);
+  }
+  if (motion.ending() != ow::Ending::none) {
+    throw Divergence(motion.ending_reason(), motion.now().time / std::sqrt(k),
+                     static_cast<long>(motion.moments().size() - 1), motion.ending_place() / k * depth);
   }
   const ow::Moment highest = motion.at(motion.first_zero(rising, 1e-10).value());
   const auto surface = ow::view(highest.state);

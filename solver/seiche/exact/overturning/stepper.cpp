@@ -71,10 +71,10 @@ Stepper::Result Stepper::step(std::span<const Moment> past, double duration) {
   };
   State difference(from.state.size());
   pair_.do_step(system, from.state, from.rate, from.time, to.state, to.rate, duration, difference);
-  last_duration_ = duration;
   for (const double d : difference) {
     if (!(std::abs(d) <= result.error)) result.error = std::abs(d);  // keeps a NaN
   }
+  last_duration_ = std::isfinite(result.error) ? duration : 0;
   to.invariants = velocity_.invariants(view(std::as_const(to.state)), to.psi_s);
   return result;
 }

@@ -1,0 +1,78 @@
+// Whatever a case asks of others, its own reference must pass and a wrong result must not.
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "validation/case/job.hpp"
+#include "validation/case/registry.hpp"
+#include "validation/measures/score.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::validation;
+
+/// What a solver would submit whose every value is `factor` times the reference.
+Submitted submission(const std::vector<WantedTable>& wanted, double factor) {
+  Submitted submitted;
+  for (const WantedTable& table : wanted) {
+    for (const double group : table.groups.empty() ? std::vector<double>{0} : table.groups) {
+      SubmittedGroup one{.value = group, .abscissa = {}, .values = {}};
+      if (table.points) one.abscissa = table.points(group);
+      for (const WantedQuantity& quantity : table.quantities) {
+        std::vector<double>& values = one.values[quantity.column.name];
+        for (const double at : one.abscissa.empty() ? std::vector<double>{0} : one.abscissa) {
+          values.push_back(factor * quantity.reference({group, at}));
+        }
+      }
+      submitted[table.name].push_back(std::move(one));
+    }
+  }
+  return submitted;
+}
+
+long passed(const Case& one, const Values& values, double factor, long& claims) {
+  evidence::Record record = Job{&one, values}.blank_record();
+  const std::vector<WantedTable> wanted = one.submission.tables(values);
+  const Submitted submitted = submission(wanted, factor);
+  score(wanted, submitted, {}, record);
+  if (one.submission.judge) one.submission.judge(values, submitted, record);
+  claims = static_cast<long>(record.claims().size());
+  long passes = 0;
+  for (const evidence::JudgedClaim& claim : record.claims()) {
+    UNSCOPED_INFO(fmt::format("{} x {}: {} {}", one.name, factor, claim.claim.id, claim.judgement.measured));
+    if (claim.judgement.verdict == evidence::Verdict::pass) ++passes;
+  }
+  return passes;
+}
+
+}  // namespace
+
+TEST_CASE("every case that scores others passes its own reference and fails one that is half too large", "[evidence]") {
+  verification::Check check(
+      "submissions", "The references score perfectly, wrong results do not",
+      "For every case that takes others' results, its own reference is submitted, which must meet every claim, and the "
+      "reference times 1.5, which must fail at least one.");
+  for (const Case& one : all_cases()) {
+    if (!one.submission) continue;
+    const Values values(one.parameters, Tier::quick);
+    long claims = 0;
+    const long exact = passed(one, values, 1, claims);
+    check.that({.id = one.name + "-exact",
+                .text = fmt::format("{}: the reference meets all {} claims.", one.name, claims),
+                .quantity = "claims not met",
+                .source = "what scoring means"},
+               {.value = static_cast<double>(claims - exact)},
+               evidence::Bound{.limit = 0, .reason = "the reference is what is asked for"});
+    const long wrong = passed(one, values, 1.5, claims);
+    check.that({.id = one.name + "-wrong",
+                .text = fmt::format("{}: a result half too large fails.", one.name),
+                .quantity = "a claim is not met",
+                .source = "what scoring means"},
+               {.value = wrong < claims ? 1.0 : 0.0},
+               evidence::Qualitative{.detector = "fewer claims pass than there are",
+                                     .reason = "half too large is outside every tolerance asked for"});
+  }
+}
