@@ -123,7 +123,7 @@ Case overturning_wave() {
       real("depth", 0.0, "m", {0, 1e6}, "depth; 0 is infinitely deep water"),
       real("gravity", 1.0, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
       real("periods", 0.7, "1", {1e-3, 1}, "periods of the linear wave that are computed"),
-      integer("markers", {256, 512, 1024}, {64, 4096}, "markers per wavelength, even"),
+      integer("markers", {384, 512, 1024}, {64, 4096}, "markers per wavelength, even"),
       tolerance_parameter(),
   };
   c.run = run;

@@ -172,7 +172,7 @@ TEST_CASE("a steep wave over a bottom overturns and touches down as the referenc
   verification::Check check("exact_overturning_finite_depth", "Overturning wave over a flat bottom, up to touch-down",
                             "Depth and height 0.13 wavelengths; at $t = 0$ a cosine with the surface potential of the "
                             "linear wave. The surface "
-                            "is compared with an independent computation at ten times, up to 0.49 linear periods; "
+                            "is compared with an independent computation at seven times, up to 0.49 linear periods; "
                             "touch-down follows at 0.495. "
                             "Volume, energy and impulse are conserved by the motion. A second number of markers and a "
                             "second tolerance tell the "

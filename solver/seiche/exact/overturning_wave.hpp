@@ -40,7 +40,7 @@ class OverturningWave {
     double gravity = 1;                                      ///< [m/s^2]
     std::size_t markers = 512;                               ///< even, at least 64
     double tolerance = 2e-11;                                ///< of a time step, in units of 1/k
-    std::optional<double> last_time;                         ///< [s]; one period of the linear wave if not given
+    std::optional<double> last_time{};                       ///< [s]; one period of the linear wave if not given
   };
 
   /// Computes the motion until last_time or until it ends by itself.

@@ -10,11 +10,12 @@
 
 namespace seiche::exact {
 
-/// Something that holds exactly for the solution, evaluated with the numbers that the solution returns: no outside data.
+/// Something that holds exactly for the solution, evaluated with the numbers that the solution returns: no outside
+/// data.
 struct Identity {
-  std::string name;    ///< the identity in plain text, "2 T = F (I - C)"
-  double defect = 0;   ///< magnitude of what should be zero, relative to the largest term unless the name says otherwise
-  double limit = 0;    ///< the defect that round-off or the stated resolution explains
+  std::string name;   ///< the identity in plain text, "2 T = F (I - C)"
+  double defect = 0;  ///< magnitude of what should be zero, relative to the largest term unless the name says otherwise
+  double limit = 0;   ///< the defect that round-off or the stated resolution explains
   std::string reason;  ///< where the limit comes from
 
   [[nodiscard]] bool holds() const { return defect <= limit; }

@@ -35,6 +35,7 @@ ExactSolution overturning_wave_entry() {
                      depth_parameter(infinite, infinite),
                      gravity_parameter(1),
                      {"markers", "1", 512, 64, 4096, "markers per wavelength, even"},
+                     {"last_time", "s", 0, 0, 1e9, "end of the computation; 0: one period of the linear wave"},
                      {"points", "1", 0, 0, 1e6, "points of a profile, at equal arc length; 0: at the markers"}},
       .inputs = {time_t},
       .outputs = {{"x", "m", "along the surface, in the surface's order"},
@@ -50,12 +51,13 @@ ExactSolution overturning_wave_entry() {
       .factory =
           [](const Values& p) {
             const auto points = static_cast<std::size_t>(p.at("points"));
-            auto kept = std::make_shared<const OverturningWave>(
-                OverturningWave::Parameters{.amplitude = p.at("amplitude"),
-                                            .wavelength = p.at("wavelength"),
-                                            .depth = p.at("depth"),
-                                            .gravity = p.at("gravity"),
-                                            .markers = static_cast<std::size_t>(p.at("markers"))});
+            auto kept = std::make_shared<const OverturningWave>(OverturningWave::Parameters{
+                .amplitude = p.at("amplitude"),
+                .wavelength = p.at("wavelength"),
+                .depth = p.at("depth"),
+                .gravity = p.at("gravity"),
+                .markers = static_cast<std::size_t>(p.at("markers")),
+                .last_time = p.at("last_time") > 0 ? std::optional(p.at("last_time")) : std::nullopt});
             return Evaluator{
                 .eval = [kept, points](std::span<const double> at) { return rows_of(*kept, at[0], points).front(); },
                 .scalars =

@@ -38,8 +38,6 @@ class Evolution {
   /// Why the motion ended, where.
   [[nodiscard]] std::string ending_reason() const;
   [[nodiscard]] double ending_place() const;
-  [[nodiscard]] long solves() const { return stepper_.velocity().solves(); }
-  [[nodiscard]] long iterations() const { return stepper_.velocity().iterations(); }
 
   /// The moment at a time within the motion. Throws std::out_of_range outside it.
   [[nodiscard]] Moment at(double time) const;

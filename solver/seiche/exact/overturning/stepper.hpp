@@ -37,8 +37,6 @@ class Stepper {
   /// A step from the last of the moments, which are in the order of time.
   Result step(std::span<const Moment> past, double duration);
 
-  [[nodiscard]] const SurfaceVelocity& velocity() const { return velocity_; }
-
  private:
   void rate(const State& state, State& rate, Eigen::VectorXd& psi_s);
 
