@@ -1,0 +1,176 @@
+/// Fully conservative implicit variant of the one-step scheme: energy, constraints and momenta all to round-off.
+///
+///     u~ = projection of u^n + (tau/2) W F_d on J_d u~ = 0,   q^{n+1} = q^n + tau S u~,   u^{n+1} = 2 u~ - u^n
+///
+/// with discrete gradients over the segment q^n -> q^{n+1} (HasDiscreteGradients): for bilinear areas J_d is J at the
+/// middle, for a cubic potential F_d is Simpson's mean of F. Fixed point on q^{n+1}, started from the velocity
+/// extrapolated to the middle of the step; each sweep is one linearisation and one solve. It contracts like (omega
+/// tau)^2/4 or tau |grad u|, and stops when the velocity no longer changes.
+///
+/// Second order, reversible. Conservation is the benefit, not accuracy: the phase error of waves is twice that of
+/// OneStep and of opposite sign.
+///
+/// References: Frank (1994), chapter 1; McLachlan, Quispel & Robidoux, Geometric integration using discrete gradients,
+/// Phil. Trans. R. Soc. A 357 (1999) 1021; Quispel & McLaren, A new class of energy-preserving numerical integration
+/// methods, J. Phys. A 41 (2008) 045206.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "seiche/divergence.hpp"
+#include "seiche/mechanics/projection.hpp"
+#include "seiche/mechanics/state.hpp"
+
+namespace seiche::mechanics {
+
+template <ConstrainedModel Model>
+requires HasDiscreteGradients<Model>
+class ConservativeStep {
+ public:
+  struct Settings {
+    bool drift_feedback = false;  ///< removes even the round-off drift of the constraints
+    int most_sweeps = 60;
+    int fixed_sweeps = 0;  ///< if positive: exactly so many, converged or not
+  };
+
+  explicit ConservativeStep(Model& model, Settings settings = {})
+      : model_(model), settings_(settings), projection_(model) {
+    if (settings.drift_feedback && !HasConstraintValues<Model>) {
+      throw std::invalid_argument("drift_feedback = true; allowed only for models with constraint_values");
+    }
+  }
+
+  /// One step, tau > 0. Throws std::invalid_argument for tau; Divergence for rates that are not finite or sweeps that
+  /// do not converge: the state is then as before the step.
+  void step(State& state, double tau) {
+    require_step(tau);
+    substep(state, tau);
+    ++state.steps;
+  }
+
+  /// As step, for any sign of tau and without counting it: the stage of a composition.
+  void substep(State& state, double tau) {
+    const Interval when{state.time, tau};
+    extrapolate(state, tau);
+    next_.resize(state.q.size());
+    predict(model_, state.q, mean_, tau, next_);
+    impulse_.clear();
+    iterate(state, when);
+    previous_.assign(state.u.begin(), state.u.end());
+    previous_tau_ = tau;
+    state.q.swap(next_);
+    for (std::size_t i = 0; i < mean_.size(); ++i) state.u[i] = 2 * mean_[i] - entered_[i];
+    state.multipliers.swap(state.earlier_multipliers);
+    state.multipliers.resize(impulse_.size());
+    for (std::size_t s = 0; s < impulse_.size(); ++s) state.multipliers[s] = impulse_[s] * (2 / tau);
+    if constexpr (requires { model_.settle(when, Output(state.q), Output(state.u)); }) {
+      model_.settle(when, Output(state.q), Output(state.u));
+    }
+    state.time = when.end();
+    reached_.assign(state.u.begin(), state.u.end());
+  }
+
+  /// Sweeps of the last step and of all steps.
+  [[nodiscard]] int sweeps() const { return sweeps_; }
+  [[nodiscard]] long total_sweeps() const { return total_sweeps_; }
+  [[nodiscard]] Model& model() { return model_; }
+
+ private:
+  /// u at the middle of the step from the last two; from u alone when the state was changed in between.
+  void extrapolate(const State& state, double tau) {
+    mean_ = state.u;
+    if (state.u != reached_) return;
+    const double weight = tau / (2 * previous_tau_);
+    for (std::size_t i = 0; i < mean_.size(); ++i) mean_[i] += weight * (state.u[i] - previous_[i]);
+  }
+
+  void iterate(const State& state, Interval when) {
+    double change = std::numeric_limits<double>::infinity();
+    const int most = settings_.fixed_sweeps > 0 ? settings_.fixed_sweeps : settings_.most_sweeps;
+    for (sweeps_ = 0; sweeps_ < most;) {
+      const double previous_change = change;
+      sweep(state, when);
+      ++sweeps_;
+      double scale = 0;
+      change = 0;
+      for (std::size_t i = 0; i < mean_.size(); ++i) {
+        change = std::max(change, std::abs(candidate_[i] - mean_[i]));
+        scale = std::max(scale, std::abs(candidate_[i]));
+      }
+      mean_.swap(candidate_);
+      model_.advance(state.q, mean_, when.length, next_);
+      if (settings_.fixed_sweeps == 0 && converged(change, previous_change, scale)) break;
+    }
+    total_sweeps_ += sweeps_;
+    if (settings_.fixed_sweeps == 0 && sweeps_ == most && change > stagnation * largest(mean_)) {
+      throw Divergence("implicit step not converged in " + std::to_string(most) + " sweeps: velocity changes by " +
+                           std::to_string(change / largest(mean_)) + " of its largest",
+                       state.time, state.steps, 0);
+    }
+  }
+
+  void sweep(const State& state, Interval when) {
+    model_.linearise_between(when, state.q, next_, sweeps_);
+    entered_.assign(state.u.begin(), state.u.end());
+    if constexpr (requires { model_.enter(Input(state.q), Output(entered_)); }) {
+      model_.enter(Input(state.q), Output(entered_));
+    }
+    candidate_ = entered_;
+    model_.kick(when.length / 2, candidate_);
+    const Input target = drift_target(state.q, when.length);
+    impulse_.resize(constraint_count(model_), 0.0);
+    if constexpr (ProjectsItself<Model>) {
+      projection_.project(candidate_, target, impulse_);
+    } else {
+      model_.react(impulse_, candidate_);
+      projection_.correct(candidate_, target, impulse_);
+    }
+    if (const std::size_t bad = first_not_finite(candidate_); bad < candidate_.size()) {
+      throw_not_finite(state, candidate_, place_of_rate(model_, bad));
+    }
+  }
+
+  /// Round-off reached: the change is two units in the last place, or small and no longer falling.
+  static bool converged(double change, double previous_change, double scale) {
+    return change <= 2 * std::numeric_limits<double>::epsilon() * scale ||
+           (change >= previous_change && change <= stagnation * scale);
+  }
+
+  static double largest(Input values) {
+    double most = 0;
+    for (const double v : values) most = std::max(most, std::abs(v));
+    return most;
+  }
+
+  Input drift_target([[maybe_unused]] Input q, [[maybe_unused]] double tau) {
+    if constexpr (HasConstraintValues<Model>) {
+      if (settings_.drift_feedback) {
+        target_.resize(constraint_count(model_));
+        model_.constraint_values(q, target_);
+        for (double& t : target_) t /= -tau;
+        return target_;
+      }
+    }
+    return {};
+  }
+
+  static constexpr double stagnation = 1e-11;  // above it a change that stops falling is divergence, not
+                                               // round-off
+
+  Model& model_;
+  Settings settings_;
+  Projection<Model> projection_;
+  int sweeps_ = 0;
+  long total_sweeps_ = 0;
+  double previous_tau_ = 1;
+  std::vector<double> next_, mean_, candidate_, entered_, target_, impulse_;
+  std::vector<double> previous_;  // u before the last step
+  std::vector<double> reached_;   // u after it, to notice a state changed from outside
+};
+
+}  // namespace seiche::mechanics

@@ -1,0 +1,122 @@
+/// A ledger of what must not change: mass, momenta, energy, volumes, with the defect of each step and of the whole run.
+///
+/// Works with anything that gives numbers; InvariantsWatch reads them off a mechanical model by itself. What enters
+/// through boundaries is booked and subtracted, summed with compensation so that the ledger adds no drift of its own.
+#pragma once
+
+#include <concepts>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "seiche/compensated_sum.hpp"
+#include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/state.hpp"
+
+namespace seiche::mechanics {
+
+class InvariantsLedger {
+ public:
+  struct Entry {
+    std::string name;
+    double initial = 0;
+    double value = 0;
+    double defect = 0;               ///< value - initial - booked
+    double step_defect = 0;          ///< change of the defect in the last step
+    double largest_defect = 0;       ///< max |defect| so far
+    double largest_step_defect = 0;  ///< max |step_defect| so far
+    CompensatedSum booked = {};
+  };
+
+  /// Starts to watch a quantity; returns its index.
+  std::size_t watch(std::string name, double initial);
+  /// What entered from outside since the last record: work, impulse, inflow.
+  void book(std::size_t index, double amount) { entries_.at(index).booked.add(amount); }
+  /// One value per entry, in the order of watch, after a step; the solver's residual beside them. Throws
+  /// std::invalid_argument when the number of values differs.
+  void record(Input values, double solver_residual = 0);
+
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  /// Throws std::invalid_argument listing the names there are.
+  [[nodiscard]] const Entry& entry(const std::string& name) const;
+  /// Largest over the entries whose name begins so: "momentum" covers momentum_x, momentum_y, ...
+  [[nodiscard]] double largest_defect(const std::string& begins) const;
+  [[nodiscard]] long records() const { return records_; }
+  [[nodiscard]] double solver_residual() const { return residual_; }
+  [[nodiscard]] double largest_solver_residual() const { return largest_residual_; }
+
+ private:
+  std::vector<Entry> entries_;
+  long records_ = 0;
+  double residual_ = 0;
+  double largest_residual_ = 0;
+};
+
+/// Largest magnitude and compensated sum of an array.
+struct Extent {
+  double largest = 0;
+  double sum = 0;
+};
+Extent extent(Input values);
+
+/// Watches of a model whatever it offers:
+///
+///     mass()                                      mass
+///     momentum(q, u), angular_momentum(q, u)      arrays: momentum_x, ...; angular_momentum_x, ... (a single one: _z)
+///     kinetic_energy(q, u), potential_energy(q)   energy
+///     constraint_values(q, f)                     volume_total = sum f, volume_worst = max |f|
+template <ConstrainedModel Model>
+class InvariantsWatch {
+ public:
+  /// Takes the state as the beginning.
+  InvariantsWatch(const Model& model, const State& state) : model_(model) {
+    observe(state, [&](const std::string& name, double value) {
+      ledger_.watch(name, name == "volume_worst" || name == "volume_total" ? 0.0 : value);
+    });
+  }
+
+  /// After a step. @param residual  J u~ of the step, if it was measured
+  void record(const State& state, Input residual = {}) {
+    values_.clear();
+    observe(state, [&](const std::string&, double value) { values_.push_back(value); });
+    ledger_.record(values_, extent(residual).largest);
+  }
+
+  [[nodiscard]] InvariantsLedger& ledger() { return ledger_; }
+  [[nodiscard]] const InvariantsLedger& ledger() const { return ledger_; }
+
+ private:
+  template <class Keep>
+  void observe(const State& state, const Keep& keep) {
+    const Input q = state.q;
+    const Input u = state.u;
+    if constexpr (requires { model_.mass(); }) keep("mass", model_.mass());
+    if constexpr (requires { model_.momentum(q, u); }) vector("momentum", model_.momentum(q, u), keep, 0);
+    if constexpr (requires { model_.angular_momentum(q, u); }) {
+      const auto moments = model_.angular_momentum(q, u);
+      vector("angular_momentum", moments, keep, moments.size() == 1 ? 2 : 0);
+    }
+    if constexpr (requires { model_.kinetic_energy(q, u) + model_.potential_energy(q); }) {
+      keep("energy", model_.kinetic_energy(q, u) + model_.potential_energy(q));
+    }
+    if constexpr (HasConstraintValues<Model>) {
+      constraints_.resize(constraint_count(model_));
+      model_.constraint_values(q, constraints_);
+      const Extent volumes = extent(constraints_);
+      keep("volume_total", volumes.sum);
+      keep("volume_worst", volumes.largest);
+    }
+  }
+
+  template <class Vector, class Keep>
+  static void vector(const std::string& name, const Vector& values, const Keep& keep, std::size_t first_axis) {
+    for (std::size_t i = 0; i < values.size(); ++i) keep(name + "_" + "xyz"[first_axis + i], values[i]);
+  }
+
+  const Model& model_;
+  InvariantsLedger ledger_;
+  std::vector<double> values_;
+  std::vector<double> constraints_;
+};
+
+}  // namespace seiche::mechanics

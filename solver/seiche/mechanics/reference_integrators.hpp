@@ -1,0 +1,141 @@
+/// Integrators to compare the one-step scheme with: midpoint and classical Runge-Kutta on the index-reduced form,
+/// RATTLE.
+///
+/// RungeKutta2 and RungeKutta4 keep no invariant: constraints and energy drift. RATTLE is symplectic and keeps the
+/// constraints and the momenta; energy is bounded and O(tau^2). Adaptive methods: adaptive_runge_kutta.hpp.
+///
+/// When not to use them: for computing. They are here to be measured against.
+///
+/// References: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 2nd ed. (1993), II.1; Andersen,
+/// Rattle: a velocity version of the Shake algorithm, J. Comput. Phys. 52 (1983) 24.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "seiche/divergence.hpp"
+#include "seiche/mechanics/index_reduced.hpp"
+#include "seiche/mechanics/projection.hpp"
+#include "seiche/mechanics/state.hpp"
+
+namespace seiche::mechanics {
+
+/// Explicit Runge-Kutta method whose stage i starts from the slope of stage i-1 alone.
+template <ConstrainedModel Model, std::size_t Stages>
+requires HasMultipliers<Model>
+class RungeKutta {
+ public:
+  explicit RungeKutta(Model& model) : form_(model) {}
+
+  void step(State& state, double tau) {
+    require_step(tau);
+    end_q_ = stage_q_ = state.q;
+    end_u_ = stage_u_ = state.u;
+    slope_.resize(state.u.size());
+    for (std::size_t i = 0; i < Stages; ++i) {
+      form_.acceleration(state.time + nodes[i] * tau, stage_q_, stage_u_, slope_);
+      form_.model().advance(end_q_, stage_u_, weights[i] * tau, end_q_);
+      for (std::size_t k = 0; k < slope_.size(); ++k) end_u_[k] += weights[i] * tau * slope_[k];
+      if (i + 1 == Stages) break;
+      form_.model().advance(state.q, stage_u_, nodes[i + 1] * tau, stage_q_);
+      for (std::size_t k = 0; k < slope_.size(); ++k) stage_u_[k] = state.u[k] + nodes[i + 1] * tau * slope_[k];
+    }
+    const std::size_t bad = first_not_finite(end_u_);
+    if (bad < end_u_.size()) throw_not_finite(state, end_u_, place_of_rate(form_.model(), bad));
+    state.q.swap(end_q_);
+    state.u.swap(end_u_);
+    state.time += tau;
+    ++state.steps;
+  }
+
+  [[nodiscard]] long solves() const { return form_.solves(); }
+
+ private:
+  static_assert(Stages == 2 || Stages == 4);
+  static constexpr auto nodes = [] {
+    if constexpr (Stages == 2) {
+      return std::array{0.0, 0.5};
+    } else {
+      return std::array{0.0, 0.5, 0.5, 1.0};
+    }
+  }();
+  static constexpr auto weights = [] {
+    if constexpr (Stages == 2) {
+      return std::array{0.0, 1.0};
+    } else {
+      return std::array{1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
+    }
+  }();
+
+  IndexReduced<Model> form_;
+  std::vector<double> end_q_, end_u_, stage_q_, stage_u_, slope_;
+};
+
+template <class Model>
+using RungeKutta2 = RungeKutta<Model, 2>;
+template <class Model>
+using RungeKutta4 = RungeKutta<Model, 4>;
+
+/// Positions satisfy f(q^{n+1}) = 0 by simplified Newton iteration with A at q^n, velocities J u = 0 by projection.
+template <ConstrainedModel Model>
+requires(HasMultipliers<Model>&& HasConstraintValues<Model>) class Rattle {
+ public:
+  explicit Rattle(Model& model) : model_(model), projection_(model) {}
+
+  /// Throws Divergence if the positions do not satisfy the constraints after 60 iterations.
+  void step(State& state, double tau) {
+    require_step(tau);
+    model_.linearise({state.time, 0}, state.q);
+    u_ = state.u;
+    model_.kick(tau / 2, u_);
+    satisfy_positions(state, tau);
+    model_.linearise({state.time + tau, 0}, q_);
+    model_.kick(tau / 2, u_);
+    impulse_.assign(model_.constraints(), 0.0);
+    projection_.project(u_, {}, impulse_);
+    ++solves_;
+    const std::size_t bad = first_not_finite(u_);
+    if (bad < u_.size()) throw_not_finite(state, u_, place_of_rate(model_, bad));
+    state.q.swap(q_);
+    state.u.swap(u_);
+    state.time += tau;
+    ++state.steps;
+  }
+
+  [[nodiscard]] long solves() const { return solves_; }
+
+ private:
+  void satisfy_positions(const State& state, double tau) {
+    constexpr int most = 60;
+    q_.resize(state.q.size());
+    values_.resize(model_.constraints());
+    impulse_.assign(model_.constraints(), 0.0);
+    double previous = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < most; ++k) {
+      model_.advance(state.q, u_, tau, q_);
+      model_.constraint_values(q_, values_);
+      double defect = 0;
+      for (const double f : values_) defect = std::max(defect, std::abs(f));
+      // Round-off: small and no longer falling.
+      if (defect <= 4 * std::numeric_limits<double>::epsilon() || (defect < 1e-11 && defect >= previous)) return;
+      previous = defect;
+      for (double& f : values_) f /= -tau;
+      model_.solve(values_, impulse_);
+      model_.react(impulse_, u_);
+      ++solves_;
+    }
+    throw Divergence("RATTLE: constraints not satisfied in " + std::to_string(most) + " iterations", state.time,
+                     state.steps, 0);
+  }
+
+  Model& model_;
+  Projection<Model> projection_;
+  std::vector<double> q_, u_, values_, impulse_;
+  long solves_ = 0;
+};
+
+}  // namespace seiche::mechanics

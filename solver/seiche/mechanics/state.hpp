@@ -1,0 +1,35 @@
+/// State of a constrained mechanical system between two steps.
+#pragma once
+
+#include <vector>
+
+#include "seiche/mechanics/constrained_model.hpp"
+
+namespace seiche::mechanics {
+
+struct State {
+  std::vector<double> q;  ///< configuration
+  std::vector<double> u;  ///< rates
+  double time = 0;
+  long steps = 0;  ///< whole steps completed
+  /// Multipliers of the last step, at its middle, and of the one before. Single values alternate by O(tau) about the
+  /// truth: print nodal_multipliers.
+  std::vector<double> multipliers = {};
+  std::vector<double> earlier_multipliers = {};
+
+  /// Mean of the last two multipliers: their value at the beginning of the last step, for equal steps. The last one
+  /// alone after the first step or a change of the constraints.
+  [[nodiscard]] std::vector<double> nodal_multipliers() const;
+};
+
+/// Sizes and finiteness; throws std::invalid_argument naming the array, the index and the value.
+void require_state(const State& state, std::size_t coordinates, std::size_t rates);
+/// A step must be finite and positive.
+void require_step(double tau);
+/// Throws Divergence at the first rate that is not finite.
+[[noreturn]] void throw_not_finite(const State& state, Input rates, double place);
+
+/// Index of the first entry that is not finite; size() if there is none. One vectorised pass when all are finite.
+std::size_t first_not_finite(Input values);
+
+}  // namespace seiche::mechanics

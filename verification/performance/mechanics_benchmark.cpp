@@ -1,0 +1,57 @@
+// Rows per second of the tridiagonal solvers, and marker-steps per second of the integrators on a flat channel.
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+#include "seiche/linear/tridiagonal.hpp"
+#include "seiche/mechanics/conservative_step.hpp"
+#include "seiche/mechanics/one_step.hpp"
+#include "seiche/mechanics/start.hpp"
+#include "verification/conservation/flat_channel.hpp"
+
+namespace {
+
+using namespace seiche;
+
+template <class Matrix>
+void factor_and_solve(benchmark::State& state) {
+  const auto n = static_cast<std::size_t>(state.range(0));
+  const std::vector<double> diagonal(n, 2.5);
+  const std::vector<double> off_diagonal(n, -1);
+  const std::vector<double> right_hand_side(n, 1);
+  std::vector<double> x(n);
+  Matrix matrix;
+  for (auto _ : state) {
+    matrix.factor({diagonal, off_diagonal});
+    matrix.solve(right_hand_side, x);
+    benchmark::DoNotOptimize(x.data());
+  }
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+template <template <class> class Stepper, class Matrix>
+void channel_steps(benchmark::State& state) {
+  using Channel = verification::FlatChannel<Matrix>;
+  const auto n = static_cast<std::size_t>(state.range(0));
+  const double length = 0.25 * static_cast<double>(n);
+  mechanics::State flow = verification::solitary_start(0.1, length, n, Channel::periodic);
+  Channel channel(flow.q, length);
+  mechanics::Start(channel).project(flow);
+  Stepper<Channel> stepper(channel);
+  for (auto _ : state) stepper.step(flow, 0.05);
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+  benchmark::DoNotOptimize(flow.q.data());
+}
+
+using Serial = linear::Tridiagonal;
+using TwoEnded = linear::TwoEndedTridiagonal;
+using Periodic = linear::PeriodicTridiagonal;
+
+BENCHMARK(factor_and_solve<Serial>)->Arg(1000)->Arg(10000)->Arg(1000000);
+BENCHMARK(factor_and_solve<TwoEnded>)->Arg(1000)->Arg(10000)->Arg(1000000);
+BENCHMARK(factor_and_solve<Periodic>)->Arg(1000)->Arg(10000)->Arg(1000000);
+BENCHMARK(channel_steps<mechanics::OneStep, Serial>)->Arg(1000)->Arg(10000)->Arg(1000000);
+BENCHMARK(channel_steps<mechanics::OneStep, TwoEnded>)->Arg(1000)->Arg(10000)->Arg(1000000);
+BENCHMARK(channel_steps<mechanics::ConservativeStep, TwoEnded>)->Arg(1000)->Arg(10000)->Arg(1000000);
+
+}  // namespace
