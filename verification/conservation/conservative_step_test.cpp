@@ -7,13 +7,14 @@
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/start.hpp"
+#include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/flat_channel.hpp"
-#include "verification/conservation/rigid_chain.hpp"
 
 namespace {
 
 using namespace seiche::mechanics;
+using namespace seiche::rigid_chain;
 using namespace seiche::verification;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;

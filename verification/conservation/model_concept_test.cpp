@@ -4,14 +4,16 @@
 
 #include <Eigen/Dense>
 
+#include "seiche/mechanics/index_reduced.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/one_step.hpp"
+#include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "verification/check.hpp"
-#include "verification/conservation/rigid_chain.hpp"
 
 namespace {
 
 using namespace seiche::mechanics;
+using namespace seiche::rigid_chain;
 using namespace seiche::verification;
 using seiche::evidence::Roundoff;
 

@@ -8,10 +8,11 @@
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/reference_integrators.hpp"
+#include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "verification/check.hpp"
-#include "verification/conservation/rigid_chain.hpp"
 
 using namespace seiche::mechanics;
+using namespace seiche::rigid_chain;
 using namespace seiche::verification;
 using Catch::Matchers::Contains;
 

@@ -124,9 +124,19 @@ double SerreSolitary::profile_area() const {
   return 2 * ratio() / decay();
 }
 
-double SerreSolitary::water_up_to(double x) const {
+double SerreSolitary::excess_up_to(double x) const {
   require_finite("x", x);
-  return depth() * (x + ratio() / decay() * depth() * std::tanh(decay() * x / depth()));
+  return depth() * depth() * ratio() / decay() * std::tanh(decay() * x / depth());
+}
+
+double SerreSolitary::elevation_slope(double x) const {
+  require_finite("x", x);
+  const double argument = decay() * x / depth();
+  return -2 * decay() * ratio() * std::tanh(argument) * sech_squared(argument);
+}
+
+double SerreSolitary::water_up_to(double x) const {
+  return depth() * x + excess_up_to(x);
 }
 
 double SerreSolitary::place_of(double water) const {

@@ -102,6 +102,9 @@ class SerreSolitary final : public AsymptoticSolitary {
   /// of it are particles of equal mass.
   [[nodiscard]] double water_up_to(double x) const;
   [[nodiscard]] double place_of(double water) const;
+  /// Integral of the elevation from the crest to x [m^2], and the elevation's derivative, crest at x = 0.
+  [[nodiscard]] double excess_up_to(double x) const;
+  [[nodiscard]] double elevation_slope(double x) const;
 
   static Provenance provenance();
 

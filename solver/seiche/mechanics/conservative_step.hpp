@@ -18,13 +18,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "seiche/divergence.hpp"
-#include "seiche/mechanics/projection.hpp"
-#include "seiche/mechanics/state.hpp"
+#include "seiche/mechanics/step_parts.hpp"
 
 namespace seiche::mechanics {
 
@@ -39,11 +37,7 @@ class ConservativeStep {
   };
 
   explicit ConservativeStep(Model& model, Settings settings = {})
-      : model_(model), settings_(settings), projection_(model) {
-    if (settings.drift_feedback && !HasConstraintValues<Model>) {
-      throw std::invalid_argument("drift_feedback = true; allowed only for models with constraint_values");
-    }
-  }
+      : model_(model), settings_(settings), parts_(model, settings.drift_feedback) {}
 
   /// One step, tau > 0. Throws std::invalid_argument for tau; Divergence for rates that are not finite or sweeps that
   /// do not converge: the state is then as before the step.
@@ -55,6 +49,16 @@ class ConservativeStep {
 
   /// As step, for any sign of tau and without counting it: the stage of a composition.
   void substep(State& state, double tau) {
+    parts_.guarded(state, [&] { take(state, tau); });
+  }
+
+  /// Sweeps of the last step and of all steps.
+  [[nodiscard]] int sweeps() const { return sweeps_; }
+  [[nodiscard]] long total_sweeps() const { return total_sweeps_; }
+  [[nodiscard]] Model& model() { return model_; }
+
+ private:
+  void take(State& state, double tau) {
     const Interval when{state.time, tau};
     extrapolate(state, tau);
     next_.resize(state.q.size());
@@ -65,22 +69,11 @@ class ConservativeStep {
     previous_tau_ = tau;
     state.q.swap(next_);
     for (std::size_t i = 0; i < mean_.size(); ++i) state.u[i] = 2 * mean_[i] - entered_[i];
-    state.multipliers.swap(state.earlier_multipliers);
-    state.multipliers.resize(impulse_.size());
-    for (std::size_t s = 0; s < impulse_.size(); ++s) state.multipliers[s] = impulse_[s] * (2 / tau);
-    if constexpr (requires { model_.settle(when, Output(state.q), Output(state.u)); }) {
-      model_.settle(when, Output(state.q), Output(state.u));
-    }
-    state.time = when.end();
+    parts_.keep_multipliers(state, impulse_, tau);
+    parts_.settle(state, when);
     reached_.assign(state.u.begin(), state.u.end());
   }
 
-  /// Sweeps of the last step and of all steps.
-  [[nodiscard]] int sweeps() const { return sweeps_; }
-  [[nodiscard]] long total_sweeps() const { return total_sweeps_; }
-  [[nodiscard]] Model& model() { return model_; }
-
- private:
   /// u at the middle of the step from the last two; from u alone when the state was changed in between.
   void extrapolate(const State& state, double tau) {
     mean_ = state.u;
@@ -116,23 +109,19 @@ class ConservativeStep {
 
   void sweep(const State& state, Interval when) {
     model_.linearise_between(when, state.q, next_, sweeps_);
-    entered_.assign(state.u.begin(), state.u.end());
-    if constexpr (requires { model_.enter(Input(state.q), Output(entered_)); }) {
-      model_.enter(Input(state.q), Output(entered_));
-    }
+    const Input before = parts_.entered(state);
+    entered_.assign(before.begin(), before.end());
     candidate_ = entered_;
     model_.kick(when.length / 2, candidate_);
-    const Input target = drift_target(state.q, when.length);
+    const Input target = parts_.drift_target(state.q, when.length);
     impulse_.resize(constraint_count(model_), 0.0);
     if constexpr (ProjectsItself<Model>) {
-      projection_.project(candidate_, target, impulse_);
+      parts_.projection().project(candidate_, target, impulse_);
     } else {
       model_.react(impulse_, candidate_);
-      projection_.correct(candidate_, target, impulse_);
+      parts_.projection().correct(candidate_, target, impulse_);
     }
-    if (const std::size_t bad = first_not_finite(candidate_); bad < candidate_.size()) {
-      throw_not_finite(state, candidate_, place_of_rate(model_, bad));
-    }
+    parts_.require_finite_rates(state, candidate_);
   }
 
   /// Round-off reached: the change is two units in the last place, or small and no longer falling.
@@ -147,28 +136,16 @@ class ConservativeStep {
     return most;
   }
 
-  Input drift_target([[maybe_unused]] Input q, [[maybe_unused]] double tau) {
-    if constexpr (HasConstraintValues<Model>) {
-      if (settings_.drift_feedback) {
-        target_.resize(constraint_count(model_));
-        model_.constraint_values(q, target_);
-        for (double& t : target_) t /= -tau;
-        return target_;
-      }
-    }
-    return {};
-  }
-
   static constexpr double stagnation = 1e-11;  // above it a change that stops falling is divergence, not
                                                // round-off
 
   Model& model_;
   Settings settings_;
-  Projection<Model> projection_;
+  StepParts<Model> parts_;
   int sweeps_ = 0;
   long total_sweeps_ = 0;
   double previous_tau_ = 1;
-  std::vector<double> next_, mean_, candidate_, entered_, target_, impulse_;
+  std::vector<double> next_, mean_, candidate_, entered_, impulse_;
   std::vector<double> previous_;  // u before the last step
   std::vector<double> reached_;   // u after it, to notice a state changed from outside
 };

@@ -14,7 +14,7 @@
 /// Required of every model, all at the configuration of the last linearise:
 ///
 ///     coordinates(), rates()     lengths of q and u
-///     linearise(Interval, q)     gradients, S, A and its factorisation at q
+///     linearise(Interval, q)     gradients, S, A and its factorisation at q; throws Infeasible
 ///     kick(h, u)                 u += h W F
 ///     advance(from, u, h, to)    to = from + h S u; from and to may be one array
 ///
@@ -37,6 +37,7 @@
 ///     constraint_values(q, f)    defects of the constraints themselves (drift feedback, RATTLE, invariants)
 ///     curvature(u, v, b)         b_s = u^T (Hessian of f_s) v; absent: by differences of J (index_reduced.hpp)
 ///     place(i)                   coordinate of rate i, for messages
+///     fused_step(Interval, q, u, target, mu)   the whole step in few passes, for speed alone (FusesStep)
 ///
 /// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 1.
 #pragma once
@@ -44,8 +45,22 @@
 #include <concepts>
 #include <cstddef>
 #include <span>
+#include <stdexcept>
+#include <string>
 
 namespace seiche::mechanics {
+
+/// Thrown by a model for a configuration in which it cannot be: crossed markers, no water, a matrix that is not
+/// positive definite. Integrators turn it into Divergence, to which they add time and step.
+class Infeasible : public std::runtime_error {
+ public:
+  /// @param quantity  what is wrong ("width of cell 12 is -0.1"). @param place  coordinate
+  Infeasible(const std::string& quantity, double place) : std::runtime_error(quantity), place_(place) {}
+  [[nodiscard]] double place() const { return place_; }
+
+ private:
+  double place_;
+};
 
 using Input = std::span<const double>;
 using Output = std::span<double>;
@@ -87,6 +102,15 @@ concept ConstrainedModel = requires(Model& model, const Model& fixed, Interval w
 template <class Model>
 concept HasDiscreteGradients = requires(Model& model, Interval when, Input q0, Input q1, int sweep) {
   model.linearise_between(when, q0, q1, sweep);
+};
+
+/// The whole of OneStep's step in a few passes over memory, for models whose solver goes through the unknowns in order.
+/// q, u: the state's, replaced; target: may be empty; mu: receives the impulses. It must do what the separate calls
+/// do, and leave q and u as they were when it throws. fuses_step() may depend on the settings of the model.
+template <class Model>
+concept FusesStep = requires(Model& model, const Model& fixed, Interval when, Input in, Output out) {
+  { fixed.fuses_step() } -> std::convertible_to<bool>;
+  model.fused_step(when, out, out, in, out);
 };
 
 template <class Model>

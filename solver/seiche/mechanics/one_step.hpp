@@ -20,8 +20,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "seiche/mechanics/projection.hpp"
-#include "seiche/mechanics/state.hpp"
+#include "seiche/mechanics/step_parts.hpp"
 
 namespace seiche::mechanics {
 
@@ -34,18 +33,16 @@ class OneStep {
   };
 
   /// @param model  must outlive the stepper
-  /// Throws std::invalid_argument when drift_feedback is asked of a model without constraint_values.
-  explicit OneStep(Model& model, Settings settings = {}) : model_(model), settings_(settings), projection_(model) {
-    if (settings.drift_feedback && !HasConstraintValues<Model>) {
-      throw std::invalid_argument("drift_feedback = true; allowed only for models with constraint_values");
-    }
+  /// Throws std::invalid_argument for settings that the model does not support.
+  explicit OneStep(Model& model, Settings settings = {})
+      : model_(model), settings_(settings), parts_(model, settings.drift_feedback) {
     if (settings.measure_residual && !HasMultipliers<Model>) {
       throw std::invalid_argument("measure_residual = true; allowed only for models with constraint_rates");
     }
   }
 
-  /// One step, tau > 0. Throws std::invalid_argument for tau, Divergence for rates that are not finite; the state is
-  /// then as before the step.
+  /// One step, tau > 0. Throws std::invalid_argument for tau, Divergence for infeasible configurations and rates that
+  /// are not finite; the state is then as before the step.
   void step(State& state, double tau) {
     require_step(tau);
     substep(state, tau);
@@ -54,62 +51,49 @@ class OneStep {
 
   /// As step, for any sign of tau and without counting it: the stage of a composition.
   void substep(State& state, double tau) {
+    parts_.guarded(state, [&] { take(state, tau); });
+  }
+
+  /// J u~ - target of the last step; empty unless measured.
+  [[nodiscard]] Input residual() const { return residual_; }
+  [[nodiscard]] Model& model() { return model_; }
+
+ private:
+  void take(State& state, double tau) {
     const Interval when{state.time, tau};
+    const Input target = parts_.drift_target(state.q, tau);
+    if constexpr (FusesStep<Model>) {
+      if (model_.fuses_step() && !settings_.measure_residual) {
+        impulse_.resize(constraint_count(model_));
+        model_.fused_step(when, state.q, state.u, target, impulse_);
+        finish(state, when);
+        return;
+      }
+    }
     middle_.resize(state.q.size());
     predict(model_, state.q, state.u, tau / 2, middle_);
     model_.linearise(when, middle_);
-    Input before = entered(state);
+    const Input before = parts_.entered(state);
     mean_.assign(before.begin(), before.end());
     model_.kick(tau / 2, mean_);
-    const Input target = drift_target(state.q, tau);
     impulse_.resize(constraint_count(model_));
     guess_impulse(state, tau);
-    projection_.project(mean_, target, impulse_);
-    if (const std::size_t bad = first_not_finite(mean_); bad < mean_.size()) {
-      throw_not_finite(state, mean_, place_of_rate(model_, bad));
-    }
+    parts_.projection().project(mean_, target, impulse_);
+    parts_.require_finite_rates(state, mean_);
     if constexpr (HasMultipliers<Model>) {
       if (settings_.measure_residual) {
-        const Input residual = projection_.residual(mean_, target);
+        const Input residual = parts_.projection().residual(mean_, target);
         residual_.assign(residual.begin(), residual.end());
       }
     }
     model_.advance(state.q, mean_, tau, state.q);
     for (std::size_t i = 0; i < mean_.size(); ++i) state.u[i] = 2 * mean_[i] - before[i];
-    keep_multipliers(state, tau);
-    if constexpr (requires { model_.settle(when, Output(state.q), Output(state.u)); }) {
-      model_.settle(when, Output(state.q), Output(state.u));
-    }
-    state.time = when.end();
+    finish(state, when);
   }
 
-  /// J u~ - target of the last step; empty unless measured.
-  [[nodiscard]] Input residual() const { return residual_; }
-  /// u~ of the last step, the velocity that satisfies the constraints.
-  [[nodiscard]] Input mean_rates() const { return mean_; }
-  [[nodiscard]] Model& model() { return model_; }
-
- private:
-  Input entered(const State& state) {
-    if constexpr (requires { model_.enter(Input(state.q), Output(entered_)); }) {
-      entered_.assign(state.u.begin(), state.u.end());
-      model_.enter(Input(state.q), Output(entered_));
-      return entered_;
-    } else {
-      return state.u;
-    }
-  }
-
-  Input drift_target([[maybe_unused]] Input q, [[maybe_unused]] double tau) {
-    if constexpr (HasConstraintValues<Model>) {
-      if (settings_.drift_feedback) {
-        target_.resize(constraint_count(model_));
-        model_.constraint_values(q, target_);
-        for (double& t : target_) t /= -tau;
-        return target_;
-      }
-    }
-    return {};
+  void finish(State& state, Interval when) {
+    parts_.keep_multipliers(state, impulse_, when.length);
+    parts_.settle(state, when);
   }
 
   /// The mean of two steps: single multipliers alternate.
@@ -122,19 +106,11 @@ class OneStep {
     }
   }
 
-  void keep_multipliers(State& state, double tau) {
-    state.multipliers.swap(state.earlier_multipliers);
-    state.multipliers.resize(impulse_.size());
-    for (std::size_t s = 0; s < impulse_.size(); ++s) state.multipliers[s] = impulse_[s] * (2 / tau);
-  }
-
   Model& model_;
   Settings settings_;
-  Projection<Model> projection_;
+  StepParts<Model> parts_;
   std::vector<double> middle_;
   std::vector<double> mean_;
-  std::vector<double> entered_;
-  std::vector<double> target_;
   std::vector<double> impulse_;
   std::vector<double> residual_;
 };

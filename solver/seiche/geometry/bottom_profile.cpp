@@ -1,0 +1,184 @@
+#include "seiche/geometry/bottom_profile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include "seiche/require.hpp"
+
+namespace seiche {
+
+OutsideBottom::OutsideBottom(double place, double begin, double end)
+    : std::runtime_error(fmt::format("x = {:.6g} is outside the bottom profile [{:.6g}, {:.6g}]", place, begin, end)),
+      place_(place) {}
+
+double BottomProfile::elevation(double x) const {
+  std::array<double, 1> b{}, s{};
+  sample(std::array{x}, b, s);
+  return b[0];
+}
+
+double BottomProfile::slope(double x) const {
+  std::array<double, 1> b{}, s{};
+  sample(std::array{x}, b, s);
+  return s[0];
+}
+
+LevelBottom::LevelBottom(double depth) : elevation_(-depth) {
+  require_positive("depth", depth);
+}
+
+void LevelBottom::sample(std::span<const double>, std::span<double> elevation, std::span<double> slope) const {
+  std::ranges::fill(elevation, elevation_);
+  std::ranges::fill(slope, 0.0);
+}
+
+PiecewiseLinearBottom::PiecewiseLinearBottom(std::vector<double> x, std::vector<double> elevation)
+    : x_(std::move(x)), b_(std::move(elevation)) {
+  if (x_.size() < 2 || x_.size() != b_.size()) {
+    throw std::invalid_argument(
+        fmt::format("bottom: {} places and {} elevations; needed: at least 2 of each, as many of one as of the other",
+                    x_.size(), b_.size()));
+  }
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    require_finite(fmt::format("bottom x[{}]", k), x_[k]);
+    require_finite(fmt::format("bottom elevation[{}]", k), b_[k]);
+    if (k > 0 && !(x_[k] > x_[k - 1])) {
+      throw std::invalid_argument(
+          fmt::format("bottom x[{}] = {:.17g}; allowed: above x[{}] = {:.17g}", k, x_[k], k - 1, x_[k - 1]));
+    }
+  }
+  for (std::size_t k = 0; k + 1 < x_.size(); ++k) slope_.push_back((b_[k + 1] - b_[k]) / (x_[k + 1] - x_[k]));
+}
+
+std::size_t PiecewiseLinearBottom::piece(double x) const {
+  if (!(x >= x_.front() && x <= x_.back())) throw OutsideBottom(x, x_.front(), x_.back());
+  const auto above = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
+  return static_cast<std::size_t>(above - x_.begin()) - 1;
+}
+
+void PiecewiseLinearBottom::sample(std::span<const double> x, std::span<double> elevation,
+                                   std::span<double> slope) const {
+  for (std::size_t i = 0; i < x.size();) {
+    const std::size_t k = piece(x[i]);
+    const bool last = k + 1 == slope_.size();
+    const double reach = x_[k + 1];
+    std::size_t stop = i + 1;
+    while (stop < x.size() && x[stop] >= x_[k] && (x[stop] < reach || (last && x[stop] <= reach))) ++stop;
+    for (; i < stop; ++i) {
+      elevation[i] = on_piece(k, x[i]);
+      slope[i] = slope_[k];
+    }
+  }
+}
+
+template <class Integrand>
+double PiecewiseLinearBottom::mean_of(double from, double to, const Integrand& integrand) const {
+  const double left = std::min(from, to);
+  const double right = std::max(from, to);
+  const std::size_t first = piece(left);
+  const std::size_t last = piece(right);
+  if (first == last) return integrand(on_piece(first, left), on_piece(first, right));
+  double sum = 0;
+  for (std::size_t k = first; k <= last; ++k) {
+    const double a = std::max(left, x_[k]);
+    const double b = std::min(right, x_[k + 1]);
+    sum += (b - a) * integrand(on_piece(k, a), on_piece(k, b));
+  }
+  return sum / (right - left);
+}
+
+double PiecewiseLinearBottom::mean(double from, double to) const {
+  return mean_of(from, to, [](double a, double b) { return 0.5 * (a + b); });
+}
+
+double PiecewiseLinearBottom::mean_square(double from, double to) const {
+  return mean_of(from, to, [](double a, double b) { return (a * a + a * b + b * b) / 3; });
+}
+
+std::optional<double> PiecewiseLinearBottom::uniform_slope(double from, double to) const {
+  const std::size_t k = piece(std::min(from, to));
+  const bool last = k + 1 == slope_.size();
+  const double right = std::max(from, to);
+  if (right < x_[k + 1] || (last && right <= x_[k + 1])) return slope_[k];
+  return std::nullopt;
+}
+
+CosineBottom::CosineBottom(double depth, double amplitude, double wavenumber, double phase)
+    : depth_(depth), amplitude_(amplitude), wavenumber_(wavenumber), phase_(phase) {
+  require_positive("depth", depth);
+  require_finite("amplitude", amplitude);
+  require_positive("wavenumber", wavenumber);
+  require_finite("phase", phase);
+}
+
+void CosineBottom::sample(std::span<const double> x, std::span<double> elevation, std::span<double> slope) const {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double angle = wavenumber_ * x[i] + phase_;
+    elevation[i] = -depth_ + amplitude_ * std::cos(angle);
+    slope[i] = -amplitude_ * wavenumber_ * std::sin(angle);
+  }
+}
+
+namespace {
+
+/// Mean of cos over an interval of the angle: cos at its middle times sin(h)/h, h half its length.
+double mean_cosine(double middle, double half) {
+  const double sinc = std::abs(half) < 1e-4 ? 1 - half * half / 6 : std::sin(half) / half;
+  return std::cos(middle) * sinc;
+}
+
+}  // namespace
+
+double CosineBottom::mean(double from, double to) const {
+  const double middle = wavenumber_ * (0.5 * (from + to)) + phase_;
+  return -depth_ + amplitude_ * mean_cosine(middle, 0.5 * wavenumber_ * (to - from));
+}
+
+double CosineBottom::mean_square(double from, double to) const {
+  const double middle = wavenumber_ * (0.5 * (from + to)) + phase_;
+  const double half = 0.5 * wavenumber_ * (to - from);
+  const double square = 0.5 * (1 + mean_cosine(2 * middle, 2 * half));  // of the cosine
+  return depth_ * depth_ - 2 * depth_ * amplitude_ * mean_cosine(middle, half) + amplitude_ * amplitude_ * square;
+}
+
+SmoothBottom::SmoothBottom(std::function<double(double)> elevation, std::function<double(double)> slope, double begin,
+                           double end)
+    : elevation_(std::move(elevation)), slope_(std::move(slope)), begin_(begin), end_(end) {
+  if (!elevation_ || !slope_) throw std::invalid_argument("bottom: elevation and slope must both be given");
+  if (!(begin < end))
+    throw std::invalid_argument(fmt::format("bottom: begin = {}; allowed: below end = {}", begin, end));
+}
+
+void SmoothBottom::sample(std::span<const double> x, std::span<double> elevation, std::span<double> slope) const {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!(x[i] >= begin_ && x[i] <= end_)) throw OutsideBottom(x[i], begin_, end_);
+    elevation[i] = elevation_(x[i]);
+    slope[i] = slope_(x[i]);
+  }
+}
+
+namespace {
+
+template <class Function>
+double gauss_mean(const Function& f, double from, double to) {
+  const double middle = 0.5 * (from + to);
+  const double half = 0.5 * (to - from);
+  return 0.5 * boost::math::quadrature::gauss<double, 10>::integrate([&](double s) { return f(middle + half * s); },
+                                                                     -1.0, 1.0);
+}
+
+}  // namespace
+
+double SmoothBottom::mean(double from, double to) const {
+  return gauss_mean(elevation_, from, to);
+}
+
+double SmoothBottom::mean_square(double from, double to) const {
+  return gauss_mean([this](double x) { return elevation_(x) * elevation_(x); }, from, to);
+}
+
+}  // namespace seiche

@@ -1,0 +1,92 @@
+/// What every step of a constrained model shares: its settings, the entry into the linearised configuration, the
+/// feedback of drifted constraints, and failure.
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "seiche/divergence.hpp"
+#include "seiche/mechanics/projection.hpp"
+#include "seiche/mechanics/state.hpp"
+
+namespace seiche::mechanics {
+
+template <ConstrainedModel Model>
+class StepParts {
+ public:
+  /// Throws std::invalid_argument when drift_feedback is asked of a model without constraint_values.
+  StepParts(Model& model, bool drift_feedback) : model_(model), drift_feedback_(drift_feedback), projection_(model) {
+    if (drift_feedback && !HasConstraintValues<Model>) {
+      throw std::invalid_argument("drift_feedback = true; allowed only for models with constraint_values");
+    }
+  }
+
+  /// The state's rates brought to the linearised configuration; valid until the next call.
+  Input entered(const State& state) {
+    if constexpr (requires { model_.enter(Input(state.q), Output(entered_)); }) {
+      entered_.assign(state.u.begin(), state.u.end());
+      model_.enter(Input(state.q), Output(entered_));
+      return entered_;
+    } else {
+      return state.u;
+    }
+  }
+
+  /// -f(q)/tau with drift feedback, empty without.
+  Input drift_target([[maybe_unused]] Input q, [[maybe_unused]] double tau) {
+    if constexpr (HasConstraintValues<Model>) {
+      if (drift_feedback_) {
+        target_.resize(constraint_count(model_));
+        model_.constraint_values(q, target_);
+        for (double& t : target_) t /= -tau;
+        return target_;
+      }
+    }
+    return {};
+  }
+
+  /// The end of the step: walls, tips, frames, and the time.
+  void settle(State& state, Interval when) {
+    if constexpr (requires { model_.settle(when, Output(state.q), Output(state.u)); }) {
+      model_.settle(when, Output(state.q), Output(state.u));
+    }
+    state.time = when.end();
+  }
+
+  /// Multipliers of a step of length tau from their impulses.
+  static void keep_multipliers(State& state, Input impulse, double tau) {
+    state.multipliers.swap(state.earlier_multipliers);
+    state.multipliers.resize(impulse.size());
+    for (std::size_t s = 0; s < impulse.size(); ++s) state.multipliers[s] = impulse[s] * (2 / tau);
+  }
+
+  void require_finite_rates(const State& state, Input rates) const {
+    if (const std::size_t bad = first_not_finite(rates); bad < rates.size()) {
+      throw_not_finite(state, rates, place_of_rate(model_, bad));
+    }
+  }
+
+  /// Runs `work`; what the model finds infeasible becomes Divergence with the state's time and step.
+  template <class Work>
+  static void guarded(const State& state, Work&& work) {
+    try {
+      std::forward<Work>(work)();
+    } catch (const Infeasible& failure) {
+      throw Divergence(failure.what(), state.time, state.steps, failure.place());
+    }
+  }
+
+  [[nodiscard]] Model& model() const { return model_; }
+  [[nodiscard]] Projection<Model>& projection() { return projection_; }
+
+ private:
+  Model& model_;
+  bool drift_feedback_;
+  Projection<Model> projection_;
+  std::vector<double> entered_;
+  std::vector<double> target_;
+};
+
+}  // namespace seiche::mechanics

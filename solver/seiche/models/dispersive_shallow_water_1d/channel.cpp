@@ -1,0 +1,25 @@
+#include "seiche/models/dispersive_shallow_water_1d/channel.hpp"
+
+#include "seiche/require.hpp"
+
+namespace seiche::dispersive_shallow_water_1d {
+
+void Channel::validate() const {
+  if (!bottom) throw std::invalid_argument("channel without a bottom: set Channel::bottom");
+  require_not_negative("period", period);
+  require_positive("gravity", gravity);
+  require_positive("density", density);
+  require_positive("alpha", alpha);
+  require_finite("slope_energy", slope_energy);
+  require_not_negative("gamma", gamma);
+  require_finite("depth_power", depth_power);
+  require_positive("reference_depth", reference_depth);
+  require_not_negative("breaking", breaking);
+  if (kinetics == Kinetics::green_naghdi && alpha < 0.25) {
+    throw std::invalid_argument(
+        "kinetics = green_naghdi needs alpha >= 1/4: the kinetic energy over steep slopes "
+        "would not be positive");
+  }
+}
+
+}  // namespace seiche::dispersive_shallow_water_1d

@@ -1,0 +1,57 @@
+/// What a channel is: its bottom, its ends, and the constants of the model.
+#pragma once
+
+#include <memory>
+
+#include "seiche/geometry/bottom_profile.hpp"
+
+namespace seiche::dispersive_shallow_water_1d {
+
+/// free: an end cell without anything beyond it, a vertical face under no pressure. wall: a vertical wall, the marker
+/// slides up and down. tip: the shoreline, a marker that slides on the bottom.
+enum class End { free, wall, tip };
+
+/// Kinetic energy of a particle over a sloping bottom. They agree where the bottom is level.
+///
+///     frank           m (p^2 + alpha r^2)/2, p and r the rates along the bottom's tangent and normal (Frank 1994, 11)
+///     green_naghdi    the exact one of a column whose vertical velocity is linear between bed and surface,
+///                     m (u^2 + alpha (v - b'u)^2 + b'u (v - b'u) + b'^2 u^2)/2
+///
+/// The second becomes m (p^2 + alpha r^2)/2 as well, with  p = u sqrt(1 + mu b'^2),  r = v + kappa b'u,
+/// kappa = (1 - 2 alpha)/(2 alpha),  mu = alpha - alpha kappa^2  (alpha = 1/3: 1/2 and 1/4). As p and r are then rates
+/// of coordinates, of x stretched by the slope and of y + kappa b, nothing else changes.
+enum class Kinetics { frank, green_naghdi };
+
+/// Mass of a shoreline marker, whose cell is a triangle of volume V.
+///
+///     elementary    V/4, the water nearer to it than to its neighbour (Frank 1994)
+///     consistent    V/6, with which a plane surface over a plane slope accelerates as it should; converges much faster
+enum class TipMass { elementary, consistent };
+
+struct Channel {
+  std::shared_ptr<const BottomProfile> bottom;
+  End left = End::wall;
+  End right = End::wall;
+  double period = 0;   ///< [m] if positive, the channel is periodic and has no ends
+  double gravity = 1;  ///< [m/s^2]
+  double density = 1;  ///< [kg/m^3]
+  Kinetics kinetics = Kinetics::frank;
+  TipMass tip_mass = TipMass::elementary;
+
+  double alpha = 1.0 / 3;         ///< factor of the vertical kinetic energy
+  double slope_energy = 1.0 / 3;  ///< beta: factor of a cell's slope in its potential energy; 1/3 is the polygon's own
+
+  /// Improved dispersion: energy (g gamma/2) sum V^s H0^(2-s) (dy)^2/dx^(1+s), to be used with alpha = 1/3 + gamma.
+  double gamma = 0;
+  double depth_power = 2;      ///< s
+  double reference_depth = 1;  ///< H0 [m], without effect for s = 2
+
+  /// Breaking: a compressed cell resists with force breaking V |du|/dx times the difference of velocities; 0 is off.
+  double breaking = 0;
+
+  /// Throws std::invalid_argument.
+  void validate() const;
+  [[nodiscard]] bool periodic() const { return period > 0; }
+};
+
+}  // namespace seiche::dispersive_shallow_water_1d

@@ -1,0 +1,103 @@
+/// A flow of the discrete dispersive shallow-water model: a channel with markers, stepped by one of the schemes.
+///
+///     Channel channel{.bottom = std::make_shared<LevelBottom>(1.0), .period = 60};
+///     Flow flow(channel, solitary_markers(channel, 0, 60, 0.25, {.amplitude = 0.3, .crest = 20}));
+///     while (flow.time() < 20) flow.advance(0.1);
+///
+/// The first velocities are projected on constant volumes. Throws std::invalid_argument for bad input and Divergence,
+/// with time, step and place, when markers cross, the water is gone, a marker leaves the bottom profile, or a value is
+/// not finite.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/model.hpp"
+
+namespace seiche::dispersive_shallow_water_1d {
+
+/// one_step: Frank's scheme, one solve per step (A). one_step_feedback: volumes do not drift (B). conservative: energy
+/// and volumes to round-off, several solves per step (C).
+enum class Stepping { one_step, one_step_feedback, conservative };
+/// Of order four in time from the stepping of order two.
+enum class TimeComposition { none, triple_jump, suzuki };
+
+struct Scheme {
+  Stepping stepping = Stepping::one_step;
+  TimeComposition composition = TimeComposition::none;
+  int fixed_sweeps = 0;         ///< of the conservative stepping; 0: until they no longer change
+  bool drift_feedback = false;  ///< in the conservative stepping: removes the round-off drift of volumes too
+};
+
+class Flow {
+ public:
+  Flow(Channel channel, const Markers& initial, Scheme scheme = {}, Forcing forcing = {});
+  ~Flow();
+  Flow(Flow&&) noexcept;
+  Flow& operator=(Flow&&) noexcept;
+
+  /// One step of length tau > 0.
+  void advance(double tau);
+  /// Steps of min(tau, courant * stable_step()) until `time`, which is hit exactly; after_step is called after each.
+  void advance_to(double time, double tau, const std::function<void()>& after_step = {}, double courant = 0.3);
+
+  /// Longest stable step of the one-step scheme: 2/omega of the fastest mode, 2 sqrt(alpha H/g) with the smallest depth
+  /// H (over markers that are not tips) seen in the last step. Conservative steps are stable beyond it but may not
+  /// converge.
+  [[nodiscard]] double stable_step() const;
+  /// Steps that were longer than that: a warning, not an error.
+  [[nodiscard]] long steps_beyond_stability() const { return beyond_stability_; }
+
+  [[nodiscard]] double time() const { return state_.time; }
+  [[nodiscard]] long steps() const { return state_.steps; }
+  /// Tridiagonal solves so far.
+  [[nodiscard]] long solves() const;
+  [[nodiscard]] const Model& model() const { return *model_; }
+  [[nodiscard]] const mechanics::State& state() const { return state_; }
+
+  [[nodiscard]] std::span<const double> x() const { return {state_.q.data(), model_->size()}; }
+  [[nodiscard]] std::span<const double> y() const { return {state_.q.data() + model_->size(), model_->size()}; }
+  /// Rates along the bottom and normal to it.
+  [[nodiscard]] std::span<const double> p() const { return {state_.u.data(), model_->size()}; }
+  [[nodiscard]] std::span<const double> r() const { return {state_.u.data() + model_->size(), model_->size()}; }
+  /// Velocities of the markers.
+  [[nodiscard]] std::vector<double> u() const;
+  [[nodiscard]] std::vector<double> v() const;
+  /// Pressure multipliers of the cells at the middle of the last step [Pa], lambda = rho g y + dynamic pressure.
+  [[nodiscard]] std::span<const double> multipliers() const { return state_.multipliers; }
+
+  /// Surface elevation at places, linear between markers; the bottom beyond a tip, NaN beyond other ends.
+  [[nodiscard]] std::vector<double> elevation_at(std::span<const double> places) const;
+  /// Highest point of the parabola through the highest marker and its neighbours (of markers that are not ends).
+  struct Crest {
+    double place = 0;
+    double elevation = 0;
+  };
+  [[nodiscard]] Crest crest() const;
+
+  [[nodiscard]] double energy() const;  ///< kinetic and potential, zero for still water [J/m]
+  /// Mass, momentum, energy, volumes since the beginning. Costs several passes: `observe` takes a record.
+  void observe();
+  [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_->ledger(); }
+
+ private:
+  class Stepper;
+  template <class Base>
+  class StepperOf;
+
+  std::unique_ptr<Model> model_;
+  mechanics::State state_;
+  std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;
+  long beyond_stability_ = 0;
+};
+
+Stepping stepping_named(std::string_view name);
+TimeComposition composition_named(std::string_view name);
+
+}  // namespace seiche::dispersive_shallow_water_1d

@@ -1,0 +1,155 @@
+/// Discrete nonlinear-dispersive shallow water in one dimension (Frank 1994, ch. 3, formulas 8-14).
+///
+/// Particles i of mass m_i move along the bottom (rate p_i) and normal to it (rate r_i); markers (x_i, y_i) trace the
+/// surface; the volume between neighbouring markers, over the bottom b(x), is constant:
+///
+///     T  = sum m (p^2 + alpha r^2)/2,   alpha = 1/3                                                            (8)
+///     Pi = rho g/2 sum dx (y_j^2 + y_j y_{j+1} + y_{j+1}^2)/3 - rho g/2 int b^2                                (9)
+///     V_j = dx ((y_j + y_{j+1})/2 - mean of b over the cell) = const                                          (10)
+///     x' = p c - r s,  y' = p s + r c,   c, s of the bottom's slope at x (channel.hpp: other frames)          (11)
+///     m p' = F_x c + F_y s,  alpha m r' = -F_x s + F_y c,   F = grad(sum lambda V - Pi)                       (12)
+///
+/// In the limit of fine cells over a level bottom these are Serre's (Green and Naghdi's) equations (14). y counts from
+/// the still-water level, so that a lake at rest has lambda = 0 and stays at rest exactly.
+///
+/// The class is what mechanics::OneStep (scheme A), OneStep with drift feedback (B) and ConservativeStep (C) step:
+/// q = (x, y), u = (p, r). It is rarely used alone: see flow.hpp.
+///
+/// Conserves mass and, on a level bottom without walls, momentum to round-off with every scheme; energy and volumes to
+/// O(tau^2) with A, to round-off with C. A wall marker has one rate, its vertical velocity r (p = 0); a tip has one, p.
+///
+/// When not to use it: waves shorter than about two depths (see exact/frank_dispersion.hpp, and gamma in channel.hpp);
+/// backwash bores, which a conservative model cannot carry; overturning.
+///
+/// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "seiche/linear/tridiagonal.hpp"
+#include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/state.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/channel.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/markers.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/rows.hpp"
+
+namespace seiche::dispersive_shallow_water_1d {
+
+using mechanics::Input;
+using mechanics::Interval;
+using mechanics::Output;
+
+/// What acts on the water besides gravity.
+struct Forcing {
+  /// Pressure on the surface [Pa] at place x and time t; empty for none.
+  std::function<double(double x, double time)> surface_pressure = {};
+  /// Forces per unit mass along p and r of every particle, at `time`, added to the two arrays; empty for none.
+  std::function<void(double time, std::span<double> along, std::span<double> across)> body_force = {};
+};
+
+class Model {
+ public:
+  /// Masses and rest volumes from the polygon through the markers. Throws std::invalid_argument.
+  Model(Channel channel, const Markers& initial, Forcing forcing = {});
+
+  /// The state of these markers; the rates are not yet projected on constant volumes (mechanics/start.hpp).
+  [[nodiscard]] mechanics::State state_of(const Markers& markers) const;
+
+  // What mechanics/constrained_model.hpp asks for.
+  [[nodiscard]] std::size_t coordinates() const { return 2 * n_; }
+  [[nodiscard]] std::size_t rates() const { return 2 * n_; }
+  [[nodiscard]] std::size_t constraints() const { return cells_; }
+  /// Throws Divergence where markers cross, the water is gone, or a marker left the bottom profile.
+  void linearise(Interval when, Input q);
+  /// Discrete gradients. The frames are held from the fourth sweep on: at a corner of the bottom they might flip for
+  /// ever, and conservation does not depend on them.
+  void linearise_between(Interval when, Input q0, Input q1, int sweep);
+  void predict(Input from, Input u, double h, Output to) const;
+  void advance(Input from, Input u, double h, Output to) const;
+  void kick(double h, Output u) const;
+  void constraint_rates(Input u, Output w) const;
+  void react(Input mu, Output u) const;
+  void solve(Input right_hand_side, Output mu);
+  void settle(Interval when, Output q, Output u) const;
+  void constraint_values(Input q, Output f) const;
+  [[nodiscard]] double place(std::size_t rate) const;
+
+  [[nodiscard]] double mass() const;                                     ///< [kg/m]
+  [[nodiscard]] std::array<double, 1> momentum(Input q, Input u) const;  ///< horizontal [kg/s]
+  [[nodiscard]] double kinetic_energy(Input q, Input u) const;           ///< [J/m]
+  [[nodiscard]] double potential_energy(Input q) const;                  ///< [J/m], zero for water at rest
+
+  [[nodiscard]] std::size_t size() const { return n_; }
+  [[nodiscard]] const Channel& channel() const { return channel_; }
+  [[nodiscard]] std::span<const double> masses() const { return mass_; }
+  [[nodiscard]] std::span<const double> rest_volumes() const { return rest_volume_; }
+  /// Velocities (u, v) of the markers from their rates, frames taken at q.
+  void velocities(Input q, Input rates, Output u, Output v) const;
+  /// Smallest depth over the markers that are not tips, at the last linearised configuration [m].
+  [[nodiscard]] double smallest_depth() const { return smallest_depth_; }
+  /// Tridiagonal solves so far.
+  [[nodiscard]] long solves() const { return solves_; }
+
+ private:
+  static constexpr std::ptrdiff_t block_size = 256;
+  static constexpr int sweeps_with_new_frames = 3;
+
+  [[nodiscard]] std::ptrdiff_t blocks() const { return (size_ + block_size - 1) / block_size; }
+  [[nodiscard]] Range markers_of(std::ptrdiff_t block) const;
+  /// Cells that begin at the block's markers, and whether both markers of each are in level blocks.
+  [[nodiscard]] Range cells_of(std::ptrdiff_t block) const;
+  [[nodiscard]] bool level_cells(std::ptrdiff_t block) const;
+  [[nodiscard]] bool level(std::ptrdiff_t block) const { return level_[static_cast<std::size_t>(block)] != 0; }
+
+  void weigh(const Markers& initial);
+  [[nodiscard]] double cell_width(Input q, std::size_t j) const;
+  [[nodiscard]] double dispersion_energy_factor(std::size_t cell) const;
+
+  /// Elevation and frames of a block at places x; returns whether it is level. Throws mechanics::Infeasible.
+  bool sample(std::ptrdiff_t block, const double* x, Bed& bed) const;
+  void mean_bed(std::ptrdiff_t block, Input q0, Input q1, bool new_frames);
+  [[nodiscard]] Frame end_frame(End end, Frame frame, double slope) const;
+  Bed& bed_elsewhere() const;
+
+  void close();
+  void bound_ends(double left_square, double right_square);
+  void measure();
+  void require_sound();
+  void assemble_and_factor();
+
+  void gather_forces(Interval when);
+  void add_dispersion_forces(Input q0, Input q1);
+  void add_pressure_forces(double time);
+  void break_up(double h, Output rates) const;
+  void add_cell_forces();
+
+  Channel channel_;
+  Forcing forcing_;
+  std::size_t n_;
+  std::size_t cells_;
+  std::ptrdiff_t size_;  // n_ as loops count
+  Rows rows_;
+  std::vector<char> level_;  // of blocks
+  Weights weights_;
+  std::vector<double> mass_, rest_volume_;
+  std::vector<double> inertia_p_, inertia_r_;  // m and alpha m; 0 where an end allows no motion
+  std::vector<double> dispersion_weight_;      // of cells, with density and gravity
+  std::vector<double> along_, across_;         // body forces per unit mass
+  mutable std::vector<double> breaking_u_, breaking_v_;
+  GhostedArray push_x_, push_y_;  // of a cell on its right marker, and reversed on its left one
+  mutable Bed other_bed_;         // of configurations that are not linearised
+  mutable GhostedArray p_, r_, impulse_;
+  mutable std::vector<double> slope_;
+  linear::TwoEndedTridiagonal open_matrix_;
+  linear::PeriodicTridiagonal periodic_matrix_;
+  double shore_left_ = 0;  // initial places of the ends, where the rest energy of their bottom is counted from
+  double shore_right_ = 0;
+  double smallest_depth_ = 0;
+  long solves_ = 0;
+};
+
+}  // namespace seiche::dispersive_shallow_water_1d

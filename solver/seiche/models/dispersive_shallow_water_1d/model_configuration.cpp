@@ -1,0 +1,292 @@
+// Configurations: bottom and frames under the markers, gradients, the matrix; motion along the frames.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "seiche/models/dispersive_shallow_water_1d/model.hpp"
+
+namespace seiche::dispersive_shallow_water_1d {
+
+Range Model::markers_of(std::ptrdiff_t block) const {
+  return {block * block_size, std::min(size_, (block + 1) * block_size)};
+}
+
+Range Model::cells_of(std::ptrdiff_t block) const {
+  const auto cells = static_cast<std::ptrdiff_t>(cells_);
+  return {block * block_size, std::min(cells, (block + 1) * block_size)};
+}
+
+bool Model::level_cells(std::ptrdiff_t block) const {
+  return level(block) && level((block + 1) % blocks());
+}
+
+Frame Model::end_frame(End end, Frame frame, double slope) const {
+  if (end == End::wall) return {.xp = 0, .xr = 0, .yp = 0, .yr = 1};
+  if (end == End::tip) return frame_on(Kinetics::frank, channel_.alpha, slope);
+  return frame;
+}
+
+bool Model::sample(std::ptrdiff_t block, const double* x, Bed& bed) const {
+  const Range range = markers_of(block);
+  const auto first = static_cast<std::size_t>(range.first);
+  const auto count = static_cast<std::size_t>(range.last - range.first);
+  const std::span places(x + first, count);
+  double* const elevation = bed.elevation.row();
+  const BottomProfile& bottom = *channel_.bottom;
+  try {
+    if (bottom.uniform_slope(places.front(), places.back()) == 0.0) {
+      std::fill(elevation + range.first, elevation + range.last, bottom.elevation(places.front()));
+      bed.set_frame(range.first, {});  // read by the cell that begins in a tilted block before this one
+      return true;
+    }
+    bottom.sample(places, {elevation + first, count}, slope_);
+  } catch (const OutsideBottom& outside) {
+    throw mechanics::Infeasible(outside.what(), outside.place());
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    bed.set_frame(range.first + static_cast<std::ptrdiff_t>(i), frame_on(channel_.kinetics, channel_.alpha, slope_[i]));
+  }
+  if (!channel_.periodic()) {
+    if (range.first == 0) bed.set_frame(0, end_frame(channel_.left, bed.frame(0), slope_[0]));
+    if (range.last == size_) {
+      bed.set_frame(size_ - 1, end_frame(channel_.right, bed.frame(size_ - 1), slope_[count - 1]));
+    }
+  }
+  return false;
+}
+
+Bed& Model::bed_elsewhere() const {
+  if (other_bed_.size() != n_) other_bed_.resize(n_);
+  return other_bed_;
+}
+
+/// Ghosts: images in a periodic channel; empty cells at ends, whose mean depth is that of what lies beyond the end.
+void Model::close() {
+  double* const x = rows_.x.row();
+  double* const y = rows_.y.row();
+  const std::ptrdiff_t n = size_;
+  const bool periodic = channel_.periodic();
+  x[-1] = periodic ? x[n - 1] - channel_.period : x[0];
+  x[n] = periodic ? x[0] + channel_.period : x[n - 1];
+  y[-1] = periodic ? y[n - 1] : y[0];
+  y[n] = periodic ? y[0] : y[n - 1];
+  double* const bed = rows_.bed.elevation.row();
+  bed[-1] = bed[periodic ? n - 1 : 0];
+  bed[n] = bed[periodic ? 0 : n - 1];
+  if (periodic) {
+    rows_.bed.set_frame(-1, level(blocks() - 1) ? Frame{} : rows_.bed.frame(n - 1));
+    rows_.bed.set_frame(n, level(0) ? Frame{} : rows_.bed.frame(0));
+  }
+}
+
+/// The water beyond an end pushes back with g b^2/2, without which still water would not be at rest there.
+void Model::bound_ends(double left_square, double right_square) {
+  rows_.mean.row()[-1] = std::sqrt(left_square);
+  rows_.mean.row()[size_ - 1] = std::sqrt(right_square);
+}
+
+void Model::require_sound() {
+  const double* const width = rows_.width.row();
+  const double* const y = rows_.y.row();
+  const double* const bed = rows_.bed.elevation.row();
+  const auto cells = static_cast<std::ptrdiff_t>(cells_);
+  double narrowest = std::numeric_limits<double>::infinity();
+  for (std::ptrdiff_t j = 0; j < cells; ++j) narrowest = std::min(narrowest, width[j]);
+  const std::ptrdiff_t first = !channel_.periodic() && channel_.left == End::tip ? 1 : 0;
+  const std::ptrdiff_t last = !channel_.periodic() && channel_.right == End::tip ? size_ - 1 : size_;
+  double shallowest = std::numeric_limits<double>::infinity();
+  for (std::ptrdiff_t i = first; i < last; ++i) shallowest = std::min(shallowest, y[i] - bed[i]);
+  smallest_depth_ = shallowest;
+  if (narrowest > 0 && shallowest > 0) return;
+  for (std::ptrdiff_t j = 0; j < cells; ++j) {
+    if (!(width[j] > 0)) {
+      throw mechanics::Infeasible(fmt::format("markers cross: width of cell {} is {:.6g}", j, width[j]),
+                                  rows_.x.row()[j]);
+    }
+  }
+  for (std::ptrdiff_t i = first; i < last; ++i) {
+    if (!(y[i] - bed[i] > 0)) {
+      throw mechanics::Infeasible(fmt::format("no water: depth under marker {} is {:.6g}", i, y[i] - bed[i]),
+                                  rows_.x.row()[i]);
+    }
+  }
+}
+
+void Model::measure() {
+  const auto cells = static_cast<std::ptrdiff_t>(cells_);
+  close();
+  measure_cells(rows_, {channel_.periodic() ? -1 : 0, cells});
+  if (!channel_.periodic()) {
+    rows_.width.row()[-1] = rows_.width.row()[cells] = 0;
+    const double left = rows_.bed.elevation.row()[0];
+    const double right = rows_.bed.elevation.row()[size_ - 1];
+    bound_ends(left * left, right * right);
+  }
+  require_sound();
+}
+
+void Model::assemble_and_factor() {
+  for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
+    assemble(rows_, level_cells(block), cells_of(block));
+    couple(rows_, level(block), markers_of(block));
+  }
+  const std::span<const double> diagonal(rows_.diagonal.row(), cells_);
+  try {
+    if (channel_.periodic()) {
+      rows_.coupling.row()[size_ - 1] = rows_.coupling.row()[-1];
+      periodic_matrix_.factor({diagonal, {rows_.coupling.row(), cells_}});
+    } else {
+      open_matrix_.factor({diagonal, {rows_.coupling.row(), cells_}});
+    }
+  } catch (const linear::NotPositiveDefinite& failure) {
+    throw mechanics::Infeasible(failure.what(), rows_.x.row()[failure.row()]);
+  }
+}
+
+void Model::linearise(Interval when, Input q) {
+  std::copy_n(q.data(), n_, rows_.x.row());
+  std::copy_n(q.data() + n_, n_, rows_.y.row());
+  for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
+    level_[static_cast<std::size_t>(block)] = sample(block, rows_.x.row(), rows_.bed);
+  }
+  measure();
+  gather_forces(when);
+  if (channel_.gamma > 0) add_dispersion_forces(q, q);
+  assemble_and_factor();
+}
+
+void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
+  double* const x = rows_.x.row();
+  double* const y = rows_.y.row();
+  double* const dx = rows_.step_x.row();
+  double* const dy = rows_.step_y.row();
+  for (std::size_t i = 0; i < n_; ++i) {
+    x[i] = 0.5 * (q0[i] + q1[i]);
+    y[i] = 0.5 * (q0[n_ + i] + q1[n_ + i]);
+    dx[i] = q1[i] - q0[i];
+    dy[i] = q1[n_ + i] - q0[n_ + i];
+  }
+  const bool periodic = channel_.periodic();
+  dx[-1] = dx[periodic ? n_ - 1 : 0];
+  dy[-1] = dy[periodic ? n_ - 1 : 0];
+  dx[n_] = dx[periodic ? 0 : n_ - 1];
+  dy[n_] = dy[periodic ? 0 : n_ - 1];
+  const BottomProfile& bottom = *channel_.bottom;
+  for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
+    mean_bed(block, q0, q1, sweep < sweeps_with_new_frames);
+  }
+  measure();
+  if (!periodic) {
+    bound_ends(bottom.mean_square(q0[0], q1[0]), bottom.mean_square(q0[n_ - 1], q1[n_ - 1]));
+  }
+  gather_forces(when);
+  add_increment_forces(rows_, {0, size_}, weights_);
+  if (!periodic) {  // ghost cells have no extent, but the loop saw the end's motion in them
+    rows_.force_x.row()[0] += weights_.gravity / 24 * dy[0] * dy[0];
+    rows_.force_x.row()[size_ - 1] -= weights_.gravity / 24 * dy[n_ - 1] * dy[n_ - 1];
+  }
+  if (channel_.gamma > 0) add_dispersion_forces(q0, q1);
+  assemble_and_factor();
+}
+
+/// Frames at the middle of the step, but of the elevation its mean over the step, which makes volumes exact.
+void Model::mean_bed(std::ptrdiff_t block, Input q0, Input q1, bool new_frames) {
+  const Range range = markers_of(block);
+  const auto first = static_cast<std::size_t>(range.first);
+  const auto last = static_cast<std::size_t>(range.last);
+  const BottomProfile& bottom = *channel_.bottom;
+  char& level = level_[static_cast<std::size_t>(block)];
+  if (new_frames) level = sample(block, rows_.x.row(), rows_.bed);
+  double* const bed = rows_.bed.elevation.row();
+  try {
+    const auto [left, right] = std::minmax({q0[first], q1[first], q0[last - 1], q1[last - 1]});
+    if (level != 0 && bottom.uniform_slope(left, right) == 0.0) return;
+    for (std::size_t i = first; i < last; ++i) bed[i] = bottom.mean(q0[i], q1[i]);
+  } catch (const OutsideBottom& outside) {
+    throw mechanics::Infeasible(outside.what(), outside.place());
+  }
+}
+
+void Model::predict(Input from, Input u, double h, Output to) const {
+  for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
+    const bool level = sample(block, from.data(), bed_elsewhere());
+    advance_rows(other_bed_, level, markers_of(block), from.data(), from.data() + n_, u.data(), u.data() + n_, h,
+                 to.data(), to.data() + n_);
+  }
+}
+
+void Model::advance(Input from, Input u, double h, Output to) const {
+  for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
+    advance_rows(rows_.bed, level(block), markers_of(block), from.data(), from.data() + n_, u.data(), u.data() + n_, h,
+                 to.data(), to.data() + n_);
+  }
+}
+
+void Model::kick(double h, Output u) const {
+  if (channel_.breaking > 0) break_up(h, u);
+  for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
+    kick_rows(rows_, level(block), markers_of(block), h, u.data(), u.data() + n_);
+  }
+  if (!forcing_.body_force) return;
+  for (std::size_t i = 0; i < n_; ++i) {
+    const auto k = static_cast<std::ptrdiff_t>(i);
+    u[i] += h * rows_.mobility_p.row()[k] * mass_[i] * along_[i];
+    u[n_ + i] += h * rows_.mobility_r.row()[k] * mass_[i] * across_[i];
+  }
+}
+
+void Model::constraint_rates(Input u, Output w) const {
+  const double* p = u.data();
+  const double* r = u.data() + n_;
+  if (channel_.periodic()) {  // the last cell needs the first marker's rates
+    std::copy_n(p, n_, p_.row());
+    std::copy_n(r, n_, r_.row());
+    p_.row()[size_] = u[0];
+    r_.row()[size_] = u[n_];
+    p = p_.row();
+    r = r_.row();
+  }
+  for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
+    rates_of_cells(rows_, level_cells(block), cells_of(block), p, r, w.data());
+  }
+}
+
+void Model::react(Input mu, Output u) const {
+  double* const impulse = impulse_.row();
+  std::copy_n(mu.data(), cells_, impulse);
+  impulse[-1] = channel_.periodic() ? mu[cells_ - 1] : 0.0;
+  if (!channel_.periodic()) impulse[size_ - 1] = 0;
+  for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
+    react_rows(rows_, level(block), markers_of(block), impulse, u.data(), u.data() + n_);
+  }
+}
+
+void Model::solve(Input right_hand_side, Output mu) {
+  ++solves_;
+  if (channel_.periodic()) {
+    periodic_matrix_.solve(right_hand_side, mu);
+  } else {
+    open_matrix_.solve(right_hand_side, mu);
+  }
+}
+
+void Model::settle(Interval, Output q, Output u) const {
+  if (channel_.periodic()) return;
+  const auto end = [&](End kind, std::size_t i) {
+    if (kind == End::tip) {
+      u[n_ + i] = 0;
+      try {
+        q[n_ + i] = channel_.bottom->elevation(q[i]);
+      } catch (const OutsideBottom& outside) {
+        throw mechanics::Infeasible(outside.what(), outside.place());
+      }
+    }
+    if (kind == End::wall) u[i] = 0;
+  };
+  end(channel_.left, 0);
+  end(channel_.right, n_ - 1);
+}
+
+}  // namespace seiche::dispersive_shallow_water_1d

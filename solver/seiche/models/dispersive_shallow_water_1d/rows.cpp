@@ -1,0 +1,302 @@
+#include "seiche/models/dispersive_shallow_water_1d/rows.hpp"
+
+#include <cmath>
+
+#include "seiche/simd_clones.hpp"
+
+namespace seiche::dispersive_shallow_water_1d {
+
+Frame frame_on(Kinetics kinetics, double alpha, double slope) {
+  if (kinetics == Kinetics::frank) {
+    const double c = 1 / std::sqrt(1 + slope * slope);
+    const double s = slope * c;
+    return {.xp = c, .xr = -s, .yp = s, .yr = c};
+  }
+  const double kappa = (1 - 2 * alpha) / (2 * alpha);
+  const double mu = alpha - alpha * kappa * kappa;
+  const double along = 1 / std::sqrt(1 + mu * slope * slope);
+  return {.xp = along, .xr = 0, .yp = -kappa * slope * along, .yr = 1};
+}
+
+void Rows::resize(std::size_t markers) {
+  for (GhostedArray* array : {&x, &y, &step_x, &step_y, &force_x, &force_y, &mobility_p, &mobility_r, &width, &mean,
+                              &impulse, &diagonal, &coupling, &defect}) {
+    array->resize(markers);
+  }
+  bed.resize(markers);
+}
+
+void Bed::resize(std::size_t markers) {
+  for (GhostedArray* array : {&elevation, &xp, &xr, &yp, &yr}) array->resize(markers);
+}
+
+void Bed::set_frame(std::ptrdiff_t marker, Frame frame) {
+  xp.row()[marker] = frame.xp;
+  xr.row()[marker] = frame.xr;
+  yp.row()[marker] = frame.yp;
+  yr.row()[marker] = frame.yr;
+}
+
+Frame Bed::frame(std::ptrdiff_t marker) const {
+  return {xp.row()[marker], xr.row()[marker], yp.row()[marker], yr.row()[marker]};
+}
+
+namespace {
+
+/// Frames of a block: the identity, or read.
+template <bool level>
+struct Frames {
+  const double *xp, *xr, *yp, *yr;
+  explicit Frames(const Bed& bed) : xp(bed.xp.row()), xr(bed.xr.row()), yp(bed.yp.row()), yr(bed.yr.row()) {}
+  [[nodiscard]] Frame at(std::ptrdiff_t i) const {
+    if constexpr (level) {
+      return {};
+    } else {
+      return {xp[i], xr[i], yp[i], yr[i]};
+    }
+  }
+};
+
+/// S W S^T of a marker, symmetric.
+struct Mobility {
+  double xx, xy, yy;
+};
+
+template <bool level>
+struct Mobilities {
+  Frames<level> frames;
+  const double *wp, *wr;
+  explicit Mobilities(const Rows& rows) : frames(rows.bed), wp(rows.mobility_p.row()), wr(rows.mobility_r.row()) {}
+  [[nodiscard]] Mobility at(std::ptrdiff_t i) const {
+    if constexpr (level) {
+      return {wp[i], 0, wr[i]};
+    } else {
+      const Frame f = frames.at(i);
+      return {wp[i] * f.xp * f.xp + wr[i] * f.xr * f.xr, wp[i] * f.xp * f.yp + wr[i] * f.xr * f.yr,
+              wp[i] * f.yp * f.yp + wr[i] * f.yr * f.yr};
+    }
+  }
+};
+
+template <bool level>
+[[gnu::always_inline]] inline void assemble_body(Rows& rows, Range cells) {
+  const Mobilities<level> mobility(rows);
+  const double* const width = rows.width.row();
+  const double* const mean = rows.mean.row();
+  const double* const bed = rows.bed.elevation.row();
+  double* const diagonal = rows.diagonal.row();
+#pragma omp simd
+  for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) {
+    const Mobility a = mobility.at(j);
+    const Mobility b = mobility.at(j + 1);
+    const double left = bed[j] - mean[j];       // dV/dx of the left marker
+    const double right = mean[j] - bed[j + 1];  // and of the right one
+    const double up = 0.5 * width[j];           // dV/dy of both
+    diagonal[j] = left * left * a.xx + right * right * b.xx + up * up * (a.yy + b.yy);
+    if constexpr (!level) diagonal[j] += 2 * up * (left * a.xy + right * b.xy);
+  }
+}
+
+template <bool level>
+[[gnu::always_inline]] inline void couple_body(Rows& rows, Range markers) {
+  const Mobilities<level> mobility(rows);
+  const double* const width = rows.width.row();
+  const double* const mean = rows.mean.row();
+  const double* const bed = rows.bed.elevation.row();
+  double* const coupling = rows.coupling.row();
+#pragma omp simd
+  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
+    const Mobility k = mobility.at(i);
+    const double before = mean[i - 1] - bed[i];  // dV/dx of the cell before the marker, and of the one after it
+    const double after = bed[i] - mean[i];
+    coupling[i - 1] = before * after * k.xx + 0.25 * width[i - 1] * width[i] * k.yy;
+    if constexpr (!level) coupling[i - 1] += 0.5 * (before * width[i] + after * width[i - 1]) * k.xy;
+  }
+}
+
+template <bool level>
+[[gnu::always_inline]] inline void rates_body(const Rows& rows, Range cells, const double* p, const double* r,
+                                              double* w) {
+  const Frames<level> frames(rows.bed);
+  const double* const width = rows.width.row();
+  const double* const mean = rows.mean.row();
+  const double* const bed = rows.bed.elevation.row();
+#pragma omp simd
+  for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) {
+    const Frame a = frames.at(j);
+    const Frame b = frames.at(j + 1);
+    const double u_a = a.xp * p[j] + a.xr * r[j];
+    const double v_a = a.yp * p[j] + a.yr * r[j];
+    const double u_b = b.xp * p[j + 1] + b.xr * r[j + 1];
+    const double v_b = b.yp * p[j + 1] + b.yr * r[j + 1];
+    w[j] = (mean[j] - bed[j + 1]) * u_b - (mean[j] - bed[j]) * u_a + 0.5 * width[j] * (v_a + v_b);
+  }
+}
+
+template <bool level>
+[[gnu::always_inline]] inline void kick_body(const Rows& rows, Range markers, double h, double* p, double* r) {
+  const Frames<level> frames(rows.bed);
+  const double* const fx = rows.force_x.row();
+  const double* const fy = rows.force_y.row();
+  const double* const wp = rows.mobility_p.row();
+  const double* const wr = rows.mobility_r.row();
+#pragma omp simd
+  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
+    const Frame f = frames.at(i);
+    p[i] += h * wp[i] * (f.xp * fx[i] + f.yp * fy[i]);
+    r[i] += h * wr[i] * (f.xr * fx[i] + f.yr * fy[i]);
+  }
+}
+
+template <bool level>
+[[gnu::always_inline]] inline void react_body(const Rows& rows, Range markers, const double* mu, double* p, double* r) {
+  const Frames<level> frames(rows.bed);
+  const double* const width = rows.width.row();
+  const double* const mean = rows.mean.row();
+  const double* const bed = rows.bed.elevation.row();
+  const double* const wp = rows.mobility_p.row();
+  const double* const wr = rows.mobility_r.row();
+#pragma omp simd
+  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
+    const Frame f = frames.at(i);
+    const double ix = mu[i - 1] * (mean[i - 1] - bed[i]) - mu[i] * (mean[i] - bed[i]);
+    const double iy = 0.5 * (mu[i - 1] * width[i - 1] + mu[i] * width[i]);
+    p[i] += wp[i] * (f.xp * ix + f.yp * iy);
+    r[i] += wr[i] * (f.xr * ix + f.yr * iy);
+  }
+}
+
+template <bool level>
+[[gnu::always_inline]] inline void advance_body(const Bed& bed, Range markers, const double* x, const double* y,
+                                                const double* p, const double* r, double h, double* to_x,
+                                                double* to_y) {
+  const Frames<level> frames(bed);
+#pragma omp simd
+  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
+    const Frame f = frames.at(i);
+    const double u = f.xp * p[i] + f.xr * r[i];
+    const double v = f.yp * p[i] + f.yr * r[i];
+    to_x[i] = x[i] + h * u;
+    to_y[i] = y[i] + h * v;
+  }
+}
+
+SEICHE_SIMD_CLONES void assemble_level(Rows& rows, Range cells) {
+  assemble_body<true>(rows, cells);
+}
+SEICHE_SIMD_CLONES void assemble_tilted(Rows& rows, Range cells) {
+  assemble_body<false>(rows, cells);
+}
+SEICHE_SIMD_CLONES void couple_level(Rows& rows, Range markers) {
+  couple_body<true>(rows, markers);
+}
+SEICHE_SIMD_CLONES void couple_tilted(Rows& rows, Range markers) {
+  couple_body<false>(rows, markers);
+}
+SEICHE_SIMD_CLONES void rates_level(const Rows& rows, Range cells, const double* p, const double* r, double* w) {
+  rates_body<true>(rows, cells, p, r, w);
+}
+SEICHE_SIMD_CLONES void rates_tilted(const Rows& rows, Range cells, const double* p, const double* r, double* w) {
+  rates_body<false>(rows, cells, p, r, w);
+}
+SEICHE_SIMD_CLONES void kick_level(const Rows& rows, Range markers, double h, double* p, double* r) {
+  kick_body<true>(rows, markers, h, p, r);
+}
+SEICHE_SIMD_CLONES void kick_tilted(const Rows& rows, Range markers, double h, double* p, double* r) {
+  kick_body<false>(rows, markers, h, p, r);
+}
+SEICHE_SIMD_CLONES void react_level(const Rows& rows, Range markers, const double* mu, double* p, double* r) {
+  react_body<true>(rows, markers, mu, p, r);
+}
+SEICHE_SIMD_CLONES void react_tilted(const Rows& rows, Range markers, const double* mu, double* p, double* r) {
+  react_body<false>(rows, markers, mu, p, r);
+}
+SEICHE_SIMD_CLONES void advance_level(const Bed& bed, Range markers, const double* x, const double* y, const double* p,
+                                      const double* r, double h, double* to_x, double* to_y) {
+  advance_body<true>(bed, markers, x, y, p, r, h, to_x, to_y);
+}
+SEICHE_SIMD_CLONES void advance_tilted(const Bed& bed, Range markers, const double* x, const double* y, const double* p,
+                                       const double* r, double h, double* to_x, double* to_y) {
+  advance_body<false>(bed, markers, x, y, p, r, h, to_x, to_y);
+}
+
+}  // namespace
+
+SEICHE_SIMD_CLONES void measure_cells(Rows& rows, Range cells) {
+  const double* const x = rows.x.row();
+  const double* const y = rows.y.row();
+  double* const width = rows.width.row();
+  double* const mean = rows.mean.row();
+#pragma omp simd
+  for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) {
+    width[j] = x[j + 1] - x[j];
+    mean[j] = 0.5 * (y[j] + y[j + 1]);
+  }
+}
+
+SEICHE_SIMD_CLONES void gravity_forces(Rows& rows, Range markers, Weights weights) {
+  const double half = 0.5 * weights.gravity;
+  const double beta = weights.slope_energy;
+  const double* const y = rows.y.row();
+  const double* const width = rows.width.row();
+  const double* const mean = rows.mean.row();
+  double* const fx = rows.force_x.row();
+  double* const fy = rows.force_y.row();
+#pragma omp simd
+  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
+    const double before = y[i] - y[i - 1];
+    const double after = y[i + 1] - y[i];
+    const double pushed = mean[i - 1] * mean[i - 1] + 0.25 * beta * before * before;
+    const double pushing = mean[i] * mean[i] + 0.25 * beta * after * after;
+    fx[i] = half * (pushing - pushed);
+    fy[i] = -half * (width[i - 1] * (mean[i - 1] + 0.5 * beta * before) + width[i] * (mean[i] - 0.5 * beta * after));
+  }
+}
+
+void assemble(Rows& rows, bool level, Range cells) {
+  level ? assemble_level(rows, cells) : assemble_tilted(rows, cells);
+}
+
+void couple(Rows& rows, bool level, Range markers) {
+  level ? couple_level(rows, markers) : couple_tilted(rows, markers);
+}
+
+void rates_of_cells(const Rows& rows, bool level, Range cells, const double* p, const double* r, double* w) {
+  level ? rates_level(rows, cells, p, r, w) : rates_tilted(rows, cells, p, r, w);
+}
+
+void kick_rows(const Rows& rows, bool level, Range markers, double h, double* p, double* r) {
+  level ? kick_level(rows, markers, h, p, r) : kick_tilted(rows, markers, h, p, r);
+}
+
+void react_rows(const Rows& rows, bool level, Range markers, const double* mu, double* p, double* r) {
+  level ? react_level(rows, markers, mu, p, r) : react_tilted(rows, markers, mu, p, r);
+}
+
+void advance_rows(const Bed& bed, bool level, Range markers, const double* x, const double* y, const double* p,
+                  const double* r, double h, double* to_x, double* to_y) {
+  level ? advance_level(bed, markers, x, y, p, r, h, to_x, to_y)
+        : advance_tilted(bed, markers, x, y, p, r, h, to_x, to_y);
+}
+
+SEICHE_SIMD_CLONES void add_increment_forces(Rows& rows, Range markers, Weights weights) {
+  const double part = weights.gravity / 24;
+  const double beta = weights.slope_energy;
+  const double* const dx = rows.step_x.row();
+  const double* const dy = rows.step_y.row();
+  double* const fx = rows.force_x.row();
+  double* const fy = rows.force_y.row();
+#pragma omp simd
+  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
+    const double before = dy[i] - dy[i - 1];
+    const double after = dy[i + 1] - dy[i];
+    const double mean_before = 0.5 * (dy[i] + dy[i - 1]);
+    const double mean_after = 0.5 * (dy[i + 1] + dy[i]);
+    fx[i] +=
+        part * (mean_after * mean_after - mean_before * mean_before + 0.25 * beta * (after * after - before * before));
+    fy[i] -= part * ((dx[i] - dx[i - 1]) * (mean_before + 0.5 * beta * before) +
+                     (dx[i + 1] - dx[i]) * (mean_after - 0.5 * beta * after));
+  }
+}
+
+}  // namespace seiche::dispersive_shallow_water_1d

@@ -1,0 +1,205 @@
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "seiche/exact/dispersive_standing_wave.hpp"
+#include "seiche/exact/standing_wave.hpp"
+#include "verification/exact/digits_table.hpp"
+#include "verification/exact/self_test_claims.hpp"
+
+using namespace seiche;
+using exact::DispersiveStandingWave;
+using exact::StandingWave;
+using verification::Role;
+using Parameters = DispersiveStandingWave::Parameters;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3; averaged Lagrangian";
+
+/// The stated Lagrangian, unexpanded, made stationary over sums of harmonics c sin(m k a) cos(n theta): g = H = 1.
+class HarmonicBalance {
+ public:
+  HarmonicBalance(double kh, const Parameters& parameters) : k_(kh), parameters_(parameters) {
+    for (int m = 1; m <= highest; ++m) {
+      for (int n = m % 2; n <= highest; n += 2) add(m, n);
+    }
+  }
+
+  /// Frequency with the first harmonic of the displacement e/k: Newton's method.
+  [[nodiscard]] double frequency(double e) const {
+    const Eigen::Index count = rate_.cols();
+    // The frequency stands in the place of the first harmonic's coefficient.
+    Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(count);
+    unknowns[0] = k_ * std::sqrt((1 + parameters_.gamma * k_ * k_) / (1 + parameters_.alpha * k_ * k_));
+    for (int iteration = 0; iteration < 6; ++iteration) {
+      Eigen::MatrixXd slope(count, count);
+      for (Eigen::Index j = 0; j < count; ++j) {
+        const Eigen::VectorXd span = 1e-6 * Eigen::VectorXd::Unit(count, j);
+        slope.col(j) = (defect(e, unknowns + span) - defect(e, unknowns - span)) / 2e-6;
+      }
+      unknowns -= slope.partialPivLu().solve(defect(e, unknowns));
+    }
+    return unknowns[0];
+  }
+
+ private:
+  static constexpr int highest = 6;
+  static constexpr int points = 24;
+
+  /// Values of a harmonic, and of its derivatives by theta and a, over half a wave and half a period.
+  void add(int m, int n) {
+    const Eigen::Index column = rate_.cols();
+    for (auto* field : {&rate_, &strain_, &strain_rate_, &strain_slope_}) {
+      field->conservativeResize(points * points, column + 1);
+    }
+    for (int i = 0; i < points * points; ++i) {
+      const double ka = m * pi * (i / points + 0.5) / points;
+      const double theta = n * pi * (i % points + 0.5) / points;
+      rate_(i, column) = -n * std::sin(ka) * std::sin(theta);
+      strain_(i, column) = m * k_ * std::cos(ka) * std::cos(theta);
+      strain_rate_(i, column) = -m * k_ * n * std::cos(ka) * std::sin(theta);
+      strain_slope_(i, column) = -m * k_ * m * k_ * std::sin(ka) * std::cos(theta);
+    }
+  }
+
+  /// Derivative of the mean Lagrangian by each coefficient.
+  [[nodiscard]] Eigen::VectorXd defect(double e, const Eigen::VectorXd& unknowns) const {
+    const auto& [alpha, gamma, exponent] = parameters_;
+    const double w = unknowns[0];
+    Eigen::VectorXd c = unknowns;
+    c[0] = -e / k_;
+    const Eigen::ArrayXd jacobian = 1 + (strain_ * c).array();
+    const Eigen::ArrayXd strain_rate = w * (strain_rate_ * c).array();
+    const Eigen::ArrayXd slope = (strain_slope_ * c).array();
+    const Eigen::ArrayXd stiffness = gamma * jacobian.pow(-exponent - 5);
+    const Eigen::ArrayXd by_strain = -2 * alpha * strain_rate.square() / jacobian.pow(5) + 0.5 / jacobian.square() +
+                                     0.5 * (exponent + 5) * stiffness * slope.square() / jacobian;
+    return (w * w * rate_.transpose() * (rate_ * c) + strain_.transpose() * by_strain.matrix() +
+            w * strain_rate_.transpose() * (alpha * strain_rate / jacobian.pow(4)).matrix() -
+            strain_slope_.transpose() * (stiffness * slope).matrix()) /
+           (points * points);
+  }
+
+  double k_;
+  Parameters parameters_;
+  Eigen::MatrixXd rate_, strain_, strain_rate_, strain_slope_;
+};
+
+/// Relative change of frequency over (amplitude/depth)^2 in water.
+double in_water(double kh) {
+  return kh * kh * StandingWave::frequency_correction(kh) / (2 * StandingWave::linear_frequency(kh));
+}
+
+const Parameters improved{.alpha = 0.4, .gamma = 1.0 / 15};
+
+Parameters weighted(double exponent) {
+  return {improved.alpha, improved.gamma, exponent};
+}
+
+void draw(verification::Check& check, double exponent) {
+  auto& figure = check.figure(
+      "frequency", "Change of a standing wave's frequency with amplitude",
+      "The model has the change of sign that water has, at a longer wave ($kH = 0.942$ instead of 1.058). An added "
+      "energy of slopes, which corrects the linear dispersion, removes it unless that energy is weighted with a power "
+      "of "
+      "the depth near 0.71.");
+  auto& panel =
+      figure.panel({.x = "k H", .y = "C", .title = "Omega = omega (1 + C (a/H)^2)", .y_min = -0.4, .y_max = 0.6});
+  std::vector<double> depths;
+  for (double kh = 0.4; kh <= 1.8; kh += 0.01) depths.push_back(kh);
+  const auto line = [&](const std::string& label, Role role, const auto& correction) {
+    std::vector<double> values;
+    for (const double kh : depths) values.push_back(correction(kh));
+    panel.line(label, depths, values, role);
+  };
+  line("Tadjbakhsh and Keller", Role::exact, in_water);
+  const auto model = [](const Parameters& parameters) {
+    return [parameters](double kh) { return DispersiveStandingWave::frequency_correction(kh, parameters); };
+  };
+  line("gamma = 0", Role::computed, model({}));
+  line("gamma = 1/15, s = 2", Role::peer, model(weighted(2)));
+  line("gamma = 1/15, s = 0", Role::guide, model(weighted(0)));
+  line("gamma = 1/15, s = 0.71", Role::data, model(weighted(exponent)));
+}
+
+}  // namespace
+
+TEST_CASE("the frequency of a standing wave of the dispersive model follows from harmonic balance", "[exact]") {
+  verification::Check check(
+      "exact_dispersive_standing_wave", "Standing wave of the dispersive shallow-water model",
+      "Third-order frequency against frequencies of the unexpanded Lagrangian, made stationary over 21 harmonics: the "
+      "formula leaves them with the fourth power of the amplitude. The numbers printed for the model without and with "
+      "an "
+      "added energy of slopes, the wave at which the change of frequency vanishes, and the weight of that energy that "
+      "puts it where water has it.");
+  const auto correction = [](double kh, const Parameters& parameters) {
+    return DispersiveStandingWave::frequency_correction(kh, parameters);
+  };
+  verification::check_table(check, "corrections", "C against k H without and with gamma, critical k H and wavelength",
+                            {{correction(0.6, {}), "0.29783"},
+                             {correction(1.0581, {}), "-0.0601"},
+                             {correction(1.4, {}), "-0.2014"},
+                             {std::pow(*DispersiveStandingWave::critical_depth({}), 2) / 3, "0.29573"},
+                             {*DispersiveStandingWave::critical_depth({}), "0.941904"},
+                             {*DispersiveStandingWave::critical_wavelength({}), "6.6707"},
+                             {correction(1.3, weighted(2)), "0.034"},
+                             {correction(1.058, weighted(0)), "-0.035"},
+                             {correction(1.058, weighted(1)), "0.016"}},
+                            source + "; computed once by an independent derivation in label coordinates");
+  struct Case {
+    std::string id;
+    double kh;
+    Parameters parameters;
+  };
+  for (const Case& c : {Case{"plain-0-6", 0.6, {}}, Case{"plain-1-4", 1.4, {}}, Case{"s2-1-3", 1.3, weighted(2)},
+                        Case{"s0-1-058", 1.058, weighted(0)}, Case{"s-fraction", 0.8, {0.45, 0.11, 0.7}}}) {
+    const HarmonicBalance balance(c.kh, c.parameters);
+    std::vector<double> amplitudes;
+    std::vector<double> errors;
+    for (double e = 0.08; e > 0.008; e /= 2) {
+      const DispersiveStandingWave wave(e, 2 * pi / c.kh, 1, 1, c.parameters);
+      amplitudes.push_back(e);
+      errors.push_back(std::abs(balance.frequency(e) - wave.frequency()));
+    }
+    check.that(
+        {.id = "order-" + c.id,
+         .text = "The frequency leaves that of the unexpanded Lagrangian with the fourth power of the amplitude.",
+         .quantity = "order in e of the frequency error",
+         .source = source},
+        evidence::observed_order(amplitudes, errors, 1e-13),
+        evidence::Order{4, 0.1,
+                        "first neglected order; the next is e^2 <= 0.0064 of it times a ratio of "
+                        "coefficients of order 1 to 10"});
+  }
+  const double water = StandingWave::critical_depth();
+  const auto exponent = DispersiveStandingWave::exponent_for_critical_depth(water, improved.alpha, improved.gamma);
+  REQUIRE(exponent.has_value());
+  check.measure("exponent s with the critical depth of water, gamma = 1/15", *exponent);
+  check.that(
+      {.id = "critical-depth-of-water",
+       .text = "With that exponent the frequency is independent of amplitude at the same wavelength as in water.",
+       .quantity = "critical k H",
+       .source = "Tadjbakhsh and Keller, J. Fluid Mech. 8 (1960) 442"},
+      {.value = DispersiveStandingWave::critical_depth(weighted(*exponent)).value_or(0)},
+      evidence::Bound{
+          .limit = 1e-13, .reason = "terms up to 1 rounded 60 times, over a slope of 0.5 in k H", .expected = water});
+  check.that({.id = "long-waves",
+              .text = "In long waves the change of frequency is that of water.",
+              .quantity = "C over that of Tadjbakhsh and Keller at k H = 0.01",
+              .source = "Tadjbakhsh and Keller, J. Fluid Mech. 8 (1960) 442"},
+             {.value = correction(0.01, {}) / in_water(0.01)},
+             evidence::Bound{.limit = 1e-3, .reason = "relative rest of order (k H)^2 = 1e-4", .expected = 1});
+  for (const Parameters& parameters : {Parameters{}, weighted(0), weighted(2)}) {
+    const std::string id = parameters.gamma == 0 ? "plain" : parameters.weight_exponent == 0 ? "s0" : "s2";
+    claim_self_test(check, id, DispersiveStandingWave(0.1, 2, 0.4, 9.81, parameters), source);
+  }
+  draw(check, *exponent);
+  CHECK_FALSE(DispersiveStandingWave::critical_depth(weighted(2)).has_value());
+  CHECK_THROWS_AS(DispersiveStandingWave(0.95, 6, 1, 1), std::invalid_argument);
+  CHECK_THROWS_AS(DispersiveStandingWave(0.1, 6, 1, 1, {.alpha = 0.3, .gamma = 0.3}), std::invalid_argument);
+  CHECK_THROWS_AS(correction(-1, {}), std::invalid_argument);
+}
