@@ -30,14 +30,14 @@ void measure(WorkPrecision& result, const ChainProblem& problem, const State& tr
   result.error.push_back(distance(state, truth));
   result.solves.push_back(static_cast<double>(chain.solves() - before));
   double shortest = std::numeric_limits<double>::infinity();
-  for (int batch = 0; batch < 3; ++batch) {
+  for (int batch = 0; batch < 5; ++batch) {
     int runs = 0;
     const double begin = processor_seconds();
     do {
       state = problem.start;
       run(chain, state);
       ++runs;
-    } while (processor_seconds() - begin < 0.005);
+    } while (processor_seconds() - begin < 0.003);
     shortest = std::min(shortest, (processor_seconds() - begin) / runs);
   }
   result.cpu.push_back(shortest);
@@ -123,11 +123,13 @@ KeptInvariants kept_invariants(const ChainProblem& problem, mechanics::Integrato
   modified.record(state);
   const mechanics::StepFunction step = make_integrator(integrator, chain);
   const mechanics::InvariantsLedger& ledger = watch.ledger();
+  rigid_chain::Scales scales;
   const auto keep = [&] {
     result.time.push_back(state.time);
     result.energy.push_back(ledger.largest_defect("energy"));
     result.momentum.push_back(ledger.largest_defect("momentum"));
     result.angular_momentum.push_back(ledger.largest_defect(pinned ? "angular_momentum_z" : "angular_momentum"));
+    result.scales.push_back(scales);
     result.links.push_back(ledger.largest_defect("volume_worst"));
   };
   const double growth = std::pow(10.0, 0.05);
@@ -137,7 +139,7 @@ KeptInvariants kept_invariants(const ChainProblem& problem, mechanics::Integrato
       step(state, tau);
       watch.record(state);
       modified.record(state);
-      result.scales.include(scales_of(chain, state));
+      scales.include(scales_of(chain, state));
       if (static_cast<double>(n) < next && n < steps) continue;
       keep();
       next = std::max(next + 1, next * growth);

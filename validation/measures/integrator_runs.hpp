@@ -28,7 +28,7 @@ struct WorkPrecision {
   std::vector<double> tau;
   std::vector<double> error;   ///< largest coordinate error at the end
   std::vector<double> solves;  ///< with A = J M^-1 J^T
-  std::vector<double> cpu;     ///< s, shortest mean of three batches of runs that fill 5 ms
+  std::vector<double> cpu;     ///< s, shortest mean of five batches of runs that fill 3 ms
 };
 /// Steps of constant length, `steps` of them.
 WorkPrecision work_and_precision(const ChainProblem& problem, mechanics::Integrator integrator,
@@ -43,12 +43,12 @@ double error_at(const WorkPrecision& curve, double solves);
 struct KeptInvariants {
   std::vector<double> time;
   std::vector<double> energy;
-  std::vector<double> momentum;          ///< largest component
-  std::vector<double> angular_momentum;  ///< of a pinned chain the vertical component, else the largest
-  std::vector<double> links;             ///< |f_s|
-  double modified_links = 0;             ///< largest change of f_s - (tau^2/8) u.f_s''u
-  rigid_chain::Scales scales;            ///< largest magnitudes of what is rounded
-  std::string broken_down;               ///< why the run ended early; empty if it did not
+  std::vector<double> momentum;             ///< largest component
+  std::vector<double> angular_momentum;     ///< of a pinned chain the vertical component, else the largest
+  std::vector<double> links;                ///< |f_s|
+  double modified_links = 0;                ///< largest change of f_s - (tau^2/8) u.f_s''u
+  std::vector<rigid_chain::Scales> scales;  ///< largest magnitudes so far of what is rounded
+  std::string broken_down;                  ///< why the run ended early; empty if it did not
 };
 KeptInvariants kept_invariants(const ChainProblem& problem, mechanics::Integrator integrator, double tau, long steps,
                                bool pinned, const std::function<void(double)>& progress);

@@ -92,6 +92,7 @@ class Instant {
 struct LongRun {
   std::vector<double> time;
   std::vector<double> parasite;  ///< every 1000 steps, before the reprojection
+  std::vector<double> early;     ///< 100 steps after that
   double jump = 0;               ///< of the multipliers from step to step
   double excess = 0;             ///< of the jump over the change of the motion's own multipliers
   double energy = 0;
@@ -125,6 +126,7 @@ LongRun free_chain_run(long every, long steps, double tau) {
     }
     before = std::move(now);
     now = after;
+    if (n % 1000 == 100) run.early.push_back(instant.parasite(state, tau));
     if (n % 1000 == 0) {
       run.time.push_back(state.time);
       run.parasite.push_back(instant.parasite(state, tau));
@@ -138,10 +140,24 @@ LongRun free_chain_run(long every, long steps, double tau) {
   return run;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+/// Mean logarithm of `b` less that of `a` in standard errors, for samples that are far apart in time.
+double growth(Input a, Input b) {
+  struct Logarithms {
+    double mean = 0;
+    double variance_of_mean = 0;
+  };
+  const auto logarithms = [](Input values) {
+    const auto count = static_cast<double>(values.size());
+    Logarithms result;
+    for (const double v : values) result.mean += std::log(v) / count;
+    for (const double v : values) {
+      result.variance_of_mean += std::pow(std::log(v) - result.mean, 2) / (count * (count - 1));
+    }
+    return result;
+  };
+  const Logarithms of_a = logarithms(a);
+  const Logarithms of_b = logarithms(b);
+  return (of_b.mean - of_a.mean) / std::sqrt(of_a.variance_of_mean + of_b.variance_of_mean);
 }
 
 }  // namespace
@@ -227,30 +243,42 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
               .source = digits + ": jump 5e-3 at the start, 1e2 after 1e6 steps"},
              {.value = wild.parasite.back() > 10 ? 1.0 : 0.0, .resolution = resolution},
              seiche::evidence::Qualitative{"amplitude of the alternation > 10", "the multipliers are of order 1"});
+  check.that({.id = "wild-energy",
+              .text = "Even so the energy stays, but for the work of such multipliers on the rounding of the rates.",
+              .quantity = "largest energy defect over 1e6 steps",
+              .source = digits + ": 8e-11"},
+             {.value = wild.energy, .resolution = resolution},
+             Bound{1e-10, "the 8e-11 found there, rounded up: a chaotic run of its own rounding"});
   check.that({.id = "cure",
               .text = "With reprojection every 1000 steps the multipliers jump by no more than the motion makes them.",
               .quantity = "largest excess of a jump over the change of the motion's multipliers",
               .source = digits + ": jumps up to 0.05 for reprojection every 1 to 1000 steps"},
              {.value = cured.excess, .resolution = resolution}, Bound{0.05, "jump found there"});
-  const std::size_t quarter = cured.parasite.size() / 4;
-  const double first = median({cured.parasite.begin(), cured.parasite.begin() + static_cast<std::ptrdiff_t>(quarter)});
-  const double last = median({cured.parasite.end() - static_cast<std::ptrdiff_t>(quarter), cured.parasite.end()});
+  check.known_failure({.id = "jump",
+                       .text = "With reprojection every 1000 steps no jump exceeds 0.05, the motion's own included.",
+                       .quantity = "largest jump of a multiplier from step to step",
+                       .source = digits + ": jumps up to 0.05 for reprojection every 1 to 1000 steps"},
+                      {.value = cured.jump, .resolution = resolution}, Bound{0.05, "jump found there"},
+                      "When the chain whips its multipliers change so much within a step: with reprojection after "
+                      "every step, where nothing can have grown, jumps are as large. That number must stem from single "
+                      "instants; their mean is 0.02.");
+  const Input parasite = cured.parasite;
+  const std::size_t quarter = parasite.size() / 4;
+  const std::string quantity = "mean logarithm of the alternation, difference in standard errors: ";
   check.that({.id = "no-growth",
               .text = "The alternation does not grow in the course of the cured run.",
-              .quantity = "median over the last quarter / median over the first, before reprojections",
+              .quantity = quantity + "last quarter less first",
               .source = source},
-             {.value = last / first, .resolution = resolution},
-             Bound{1.5,
-                   "medians of 250 values that scatter by a factor of 3 (standard deviation of the logarithm 1.1): "
-                   "their ratio by a factor of 1.13, three deviations 1.5"});
+             {.value = growth(parasite.first(quarter), parasite.last(quarter)), .resolution = resolution},
+             Bound{3, "no growth at three standard errors; samples are 1000 steps apart"});
   check.that({.id = "no-regrowth",
               .text = "Nor does it grow between two reprojections.",
-              .quantity = "median before reprojections every 1000 steps / every step",
+              .quantity = quantity + "1000 steps after a reprojection less 100 steps after",
               .source = source},
-             {.value = median(cured.parasite) / median(often.parasite), .resolution = resolution},
-             Bound{1.5,
-                   "medians of 1000 and of 100 values that scatter by a factor of 3: their ratio by a factor of 1.15, "
-                   "three deviations 1.5"});
+             {.value = growth(cured.early, parasite), .resolution = resolution},
+             Bound{3, "no growth at three standard errors; samples are 1000 steps apart"});
+  check.measure("growth in the course of the run without cure, standard errors",
+                growth(Input(wild.parasite).first(quarter), Input(wild.parasite).last(quarter)));
   check.that(
       {.id = "cured-energy",
        .text = "Reprojection costs next to no energy.",
@@ -266,15 +294,12 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
       {.value = cured.momentum, .resolution = resolution},
       seiche::evidence::Roundoff{
           .operations = 1e6, .scale = cured.scales.momentum, .reason = "one rounded update of sum m|u| per step"});
-  check.measure("energy defect without cure", wild.energy);
   check.measure("momentum defect without cure", wild.momentum);
   check.measure("largest jump, with cure", cured.jump);
   check.measure("largest jump, reprojection every step", often.jump);
   check.measure("largest excess of a jump, without cure", wild.excess);
   check.measure("largest excess of a jump, reprojection every step", often.excess);
   check.measure("alternation before reprojections, largest", largest(cured.parasite));
-  check.measure("alternation before reprojections, median", median(cured.parasite));
-  check.measure("alternation before reprojections every step, median", median(often.parasite));
   check.measure("alternation at the end, without cure", wild.parasite.back());
   auto& figure = check.figure("parasitic", "Alternation of the multipliers", "Every 1000 steps, before reprojection.");
   auto& panel = figure.panel({.x = "time", .y = "amplitude of the alternation", .log_y = true});

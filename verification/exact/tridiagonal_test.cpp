@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include "seiche/linear/tridiagonal.hpp"
+#include "seiche/linear/two_ended_sweep.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -43,6 +44,30 @@ Problem random_problem(std::size_t n, bool periodic, double excess, unsigned see
   p.expected = dense.llt().solve(b);
   return p;
 }
+
+/// TwoEndedSweep in the shape of the others: rows become known and unknowns wanted in pieces of `piece` rows.
+template <std::ptrdiff_t piece>
+struct InPieces {
+  std::vector<double> diagonal, off_diagonal, multiplier;
+  void factor(TridiagonalMatrix a) {
+    diagonal.assign(a.diagonal.begin(), a.diagonal.end());
+    off_diagonal.assign(a.off_diagonal.begin(), a.off_diagonal.end());
+    multiplier.resize(diagonal.size());
+    std::vector<double> nothing(diagonal.size());
+    solve(nothing, nothing);  // a bad pivot is found here
+  }
+  void solve(std::span<const double> right_hand_side, std::span<double> x) {
+    const auto n = static_cast<std::ptrdiff_t>(diagonal.size());
+    std::vector<double> b(right_hand_side.begin(), right_hand_side.end());
+    TwoEndedSweep sweep;
+    sweep.begin({diagonal.data(), off_diagonal.data(), b.data(), multiplier.data(), x.data()}, n);
+    for (std::ptrdiff_t known = piece; known < n + piece; known += piece) sweep.eliminate(known, n - known);
+    sweep.join();
+    for (std::ptrdiff_t wanted = piece; wanted < n + piece; wanted += piece) {
+      sweep.substitute(std::max<std::ptrdiff_t>(n / 2 - wanted, 0), std::min(n / 2 + wanted, n));
+    }
+  }
+};
 
 template <class Solver>
 double largest_error(bool periodic) {
@@ -82,6 +107,8 @@ TEST_CASE("tridiagonal solvers agree with dense elimination", "[exact]") {
   };
   claim("serial", "Elimination from one end.", largest_error<Tridiagonal>(false));
   claim("two-ended", "Elimination from both ends.", largest_error<TwoEndedTridiagonal>(false));
+  claim("pieces-1", "Elimination from both ends, row by row.", largest_error<InPieces<1>>(false));
+  claim("pieces-7", "Elimination from both ends, seven rows at a time.", largest_error<InPieces<7>>(false));
   claim("periodic", "Periodic system.", largest_error<PeriodicTridiagonal>(true));
 }
 
@@ -101,6 +128,10 @@ TEMPLATE_TEST_CASE("a matrix that is not positive definite is refused with its r
     }
     bad[row] = std::nan("");
     CHECK_THROWS_AS(solver.factor({bad, off_diagonal}), NotPositiveDefinite);
+    InPieces<2> sweep;
+    CHECK_THROWS_AS(sweep.factor({bad, off_diagonal}), NotPositiveDefinite);
+    bad[row] = -5;
+    CHECK_THROWS_AS(sweep.factor({bad, off_diagonal}), NotPositiveDefinite);
   }
   CHECK_THROWS_AS(solver.factor({{}, off_diagonal}), std::invalid_argument);
   CHECK_THROWS_AS(solver.factor({diagonal, std::span(off_diagonal).first(7)}), std::invalid_argument);

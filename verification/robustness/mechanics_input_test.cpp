@@ -8,6 +8,7 @@
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/reference_integrators.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "verification/check.hpp"
 

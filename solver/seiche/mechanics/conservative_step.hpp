@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
+#include <sstream>
 #include <vector>
 
 #include "seiche/divergence.hpp"
@@ -65,55 +65,57 @@ class ConservativeStep {
     predict(model_, state.q, mean_, tau, next_);
     impulse_.clear();
     iterate(state, when);
-    previous_.assign(state.u.begin(), state.u.end());
-    previous_tau_ = tau;
     state.q.swap(next_);
-    for (std::size_t i = 0; i < mean_.size(); ++i) state.u[i] = 2 * mean_[i] - entered_[i];
+    previous_.swap(state.u);
+    const Input before = entered_.empty() ? Input(previous_) : Input(entered_);
+    state.u.resize(mean_.size());
+    for (std::size_t i = 0; i < mean_.size(); ++i) state.u[i] = 2 * mean_[i] - before[i];
     parts_.keep_multipliers(state, impulse_, tau);
     parts_.settle(state, when);
-    reached_.assign(state.u.begin(), state.u.end());
+    previous_tau_ = tau;
+    reached_ = state.time;
   }
 
-  /// u at the middle of the step from the last two; from u alone when the state was changed in between.
+  /// u at the middle of the step from the last two; from u alone when this step does not continue the last one.
   void extrapolate(const State& state, double tau) {
     mean_ = state.u;
-    if (state.u != reached_) return;
+    if (state.time != reached_ || previous_.size() != state.u.size()) return;
     const double weight = tau / (2 * previous_tau_);
     for (std::size_t i = 0; i < mean_.size(); ++i) mean_[i] += weight * (state.u[i] - previous_[i]);
   }
 
   void iterate(const State& state, Interval when) {
-    double change = std::numeric_limits<double>::infinity();
+    SweepChange change{std::numeric_limits<double>::infinity(), 0};
     const int most = settings_.fixed_sweeps > 0 ? settings_.fixed_sweeps : settings_.most_sweeps;
+    const Input target = parts_.drift_target(state.q, when.length);
     for (sweeps_ = 0; sweeps_ < most;) {
-      const double previous_change = change;
-      sweep(state, when);
+      const double previous_change = change.largest_change;
+      change = sweep(state, when, target);
       ++sweeps_;
-      double scale = 0;
-      change = 0;
-      for (std::size_t i = 0; i < mean_.size(); ++i) {
-        change = std::max(change, std::abs(candidate_[i] - mean_[i]));
-        scale = std::max(scale, std::abs(candidate_[i]));
-      }
-      mean_.swap(candidate_);
-      model_.advance(state.q, mean_, when.length, next_);
-      if (settings_.fixed_sweeps == 0 && converged(change, previous_change, scale)) break;
+      if (settings_.fixed_sweeps == 0 && converged(change, previous_change)) break;
     }
     total_sweeps_ += sweeps_;
-    if (settings_.fixed_sweeps == 0 && sweeps_ == most && change > stagnation * largest(mean_)) {
-      throw Divergence("implicit step not converged in " + std::to_string(most) + " sweeps: velocity changes by " +
-                           std::to_string(change / largest(mean_)) + " of its largest",
-                       state.time, state.steps, 0);
+    if (settings_.fixed_sweeps == 0 && sweeps_ == most && change.largest_change > stagnation * change.largest_rate) {
+      std::ostringstream message;
+      message << "implicit step not converged in " << most << " sweeps: velocity changes by "
+              << change.largest_change / change.largest_rate << " of its largest; take a shorter step";
+      throw Divergence(message.str(), state.time, state.steps, 0);
     }
   }
 
-  void sweep(const State& state, Interval when) {
+  SweepChange sweep(const State& state, Interval when, Input target) {
+    if constexpr (FusesSweep<Model>) {
+      if (model_.fuses_step()) {
+        impulse_.resize(constraint_count(model_));
+        entered_.clear();
+        return model_.fused_sweep(when, state.q, next_, state.u, mean_, target, impulse_, sweeps_);
+      }
+    }
     model_.linearise_between(when, state.q, next_, sweeps_);
     const Input before = parts_.entered(state);
     entered_.assign(before.begin(), before.end());
     candidate_ = entered_;
     model_.kick(when.length / 2, candidate_);
-    const Input target = parts_.drift_target(state.q, when.length);
     impulse_.resize(constraint_count(model_), 0.0);
     if constexpr (ProjectsItself<Model>) {
       parts_.projection().project(candidate_, target, impulse_);
@@ -122,18 +124,20 @@ class ConservativeStep {
       parts_.projection().correct(candidate_, target, impulse_);
     }
     parts_.require_finite_rates(state, candidate_);
+    SweepChange change;
+    for (std::size_t i = 0; i < mean_.size(); ++i) {
+      change.largest_change = std::max(change.largest_change, std::abs(candidate_[i] - mean_[i]));
+      change.largest_rate = std::max(change.largest_rate, std::abs(candidate_[i]));
+    }
+    mean_.swap(candidate_);
+    model_.advance(state.q, mean_, when.length, next_);
+    return change;
   }
 
   /// Round-off reached: the change is two units in the last place, or small and no longer falling.
-  static bool converged(double change, double previous_change, double scale) {
-    return change <= 2 * std::numeric_limits<double>::epsilon() * scale ||
-           (change >= previous_change && change <= stagnation * scale);
-  }
-
-  static double largest(Input values) {
-    double most = 0;
-    for (const double v : values) most = std::max(most, std::abs(v));
-    return most;
+  static bool converged(SweepChange now, double previous_change) {
+    return now.largest_change <= 2 * std::numeric_limits<double>::epsilon() * now.largest_rate ||
+           (now.largest_change >= previous_change && now.largest_change <= stagnation * now.largest_rate);
   }
 
   static constexpr double stagnation = 1e-11;  // above it a change that stops falling is divergence, not
@@ -145,9 +149,10 @@ class ConservativeStep {
   int sweeps_ = 0;
   long total_sweeps_ = 0;
   double previous_tau_ = 1;
-  std::vector<double> next_, mean_, candidate_, entered_, impulse_;
-  std::vector<double> previous_;  // u before the last step
-  std::vector<double> reached_;   // u after it, to notice a state changed from outside
+  double reached_ = std::numeric_limits<double>::quiet_NaN();  // time after the last step
+  std::vector<double> next_, mean_, candidate_, impulse_;
+  std::vector<double> entered_;   // rates brought to the linearised configuration; empty after fused sweeps
+  std::vector<double> previous_;  // rates before the last step
 };
 
 }  // namespace seiche::mechanics

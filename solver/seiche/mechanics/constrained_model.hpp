@@ -37,7 +37,8 @@
 ///     constraint_values(q, f)    defects of the constraints themselves (drift feedback, RATTLE, invariants)
 ///     curvature(u, v, b)         b_s = u^T (Hessian of f_s) v; absent: by differences of J (index_reduced.hpp)
 ///     place(i)                   coordinate of rate i, for messages
-///     fused_step(Interval, q, u, target, mu)   the whole step in few passes, for speed alone (FusesStep)
+///     fused_sweep(Interval, q0, q1, u0, mean, target, mu, sweep)   likewise (FusesSweep)
+///     fused_step(Interval, q, u, target, lambda)   the whole step in few passes, for speed alone (FusesStep)
 ///
 /// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 1.
 #pragma once
@@ -105,12 +106,25 @@ concept HasDiscreteGradients = requires(Model& model, Interval when, Input q0, I
 };
 
 /// The whole of OneStep's step in a few passes over memory, for models whose solver goes through the unknowns in order.
-/// q, u: the state's, replaced; target: may be empty; mu: receives the impulses. It must do what the separate calls
+/// q, u: the state's, replaced; target: may be empty; multipliers: receives lambda. It must do what the separate calls
 /// do, and leave q and u as they were when it throws. fuses_step() may depend on the settings of the model.
 template <class Model>
 concept FusesStep = requires(Model& model, const Model& fixed, Interval when, Input in, Output out) {
   { fixed.fuses_step() } -> std::convertible_to<bool>;
   model.fused_step(when, out, out, in, out);
+};
+
+/// Largest change of a rate in a sweep of ConservativeStep, and the largest rate after it.
+struct SweepChange {
+  double largest_change = 0;
+  double largest_rate = 0;
+};
+
+/// The same for a sweep of ConservativeStep: from the guesses q1 and mean (rates at the middle of the step) to better
+/// ones; u0: rates at the beginning; mu: receives the impulses.
+template <class Model>
+concept FusesSweep = FusesStep<Model> && requires(Model& model, Interval when, Input in, Output out, int sweep) {
+  { model.fused_sweep(when, in, out, in, out, in, out, sweep) } -> std::same_as<SweepChange>;
 };
 
 template <class Model>

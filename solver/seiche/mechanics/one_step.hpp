@@ -64,9 +64,11 @@ class OneStep {
     const Input target = parts_.drift_target(state.q, tau);
     if constexpr (FusesStep<Model>) {
       if (model_.fuses_step() && !settings_.measure_residual) {
-        impulse_.resize(constraint_count(model_));
-        model_.fused_step(when, state.q, state.u, target, impulse_);
-        finish(state, when);
+        fused_multipliers_.resize(constraint_count(model_));
+        model_.fused_step(when, state.q, state.u, target, fused_multipliers_);
+        state.multipliers.swap(state.earlier_multipliers);
+        state.multipliers.swap(fused_multipliers_);
+        parts_.settle(state, when);
         return;
       }
     }
@@ -88,11 +90,7 @@ class OneStep {
     }
     model_.advance(state.q, mean_, tau, state.q);
     for (std::size_t i = 0; i < mean_.size(); ++i) state.u[i] = 2 * mean_[i] - before[i];
-    finish(state, when);
-  }
-
-  void finish(State& state, Interval when) {
-    parts_.keep_multipliers(state, impulse_, when.length);
+    parts_.keep_multipliers(state, impulse_, tau);
     parts_.settle(state, when);
   }
 
@@ -113,6 +111,7 @@ class OneStep {
   std::vector<double> mean_;
   std::vector<double> impulse_;
   std::vector<double> residual_;
+  std::vector<double> fused_multipliers_;
 };
 
 }  // namespace seiche::mechanics

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "seiche/divergence.hpp"
+#include "seiche/flush_denormals.hpp"
+#include "seiche/linear/tridiagonal.hpp"
 #include "seiche/mechanics/projection.hpp"
 #include "seiche/mechanics/state.hpp"
 
@@ -68,13 +70,17 @@ class StepParts {
     }
   }
 
-  /// Runs `work`; what the model finds infeasible becomes Divergence with the state's time and step.
+  /// Runs `work` without denormal numbers; what the model finds infeasible becomes Divergence with the state's time and
+  /// step.
   template <class Work>
   static void guarded(const State& state, Work&& work) {
+    const FlushDenormals guard;
     try {
       std::forward<Work>(work)();
     } catch (const Infeasible& failure) {
       throw Divergence(failure.what(), state.time, state.steps, failure.place());
+    } catch (const linear::NotPositiveDefinite& failure) {
+      throw Divergence(failure.what(), state.time, state.steps, static_cast<double>(failure.row()));
     }
   }
 

@@ -31,6 +31,7 @@
 #include <vector>
 
 #include "seiche/linear/tridiagonal.hpp"
+#include "seiche/linear/two_ended_sweep.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/channel.hpp"
@@ -63,7 +64,7 @@ class Model {
   [[nodiscard]] std::size_t coordinates() const { return 2 * n_; }
   [[nodiscard]] std::size_t rates() const { return 2 * n_; }
   [[nodiscard]] std::size_t constraints() const { return cells_; }
-  /// Throws Divergence where markers cross, the water is gone, or a marker left the bottom profile.
+  /// Throws mechanics::Infeasible where markers cross, the water is gone, or a marker left the bottom profile.
   void linearise(Interval when, Input q);
   /// Discrete gradients. The frames are held from the fourth sweep on: at a corner of the bottom they might flip for
   /// ever, and conservation does not depend on them.
@@ -76,6 +77,12 @@ class Model {
   void solve(Input right_hand_side, Output mu);
   void settle(Interval when, Output q, Output u) const;
   void constraint_values(Input q, Output f) const;
+  /// Fused steps go through blocks of markers from both ends to the middle, assembling and eliminating, and back,
+  /// substituting and moving. Neither for periodic channels nor with forces besides gravity.
+  [[nodiscard]] bool fuses_step() const;
+  void fused_step(Interval when, Output q, Output u, Input target, Output multipliers);
+  mechanics::SweepChange fused_sweep(Interval when, Input q0, Output q1, Input u0, Output mean, Input target, Output mu,
+                                     int sweep);
   [[nodiscard]] double place(std::size_t rate) const;
 
   [[nodiscard]] double mass() const;                                     ///< [kg/m]
@@ -98,12 +105,32 @@ class Model {
   static constexpr std::ptrdiff_t block_size = 256;
   static constexpr int sweeps_with_new_frames = 3;
 
+  /// A step's motion, over which discrete gradients are taken.
+  struct Segment {
+    Input q0, q1;
+  };
+
   [[nodiscard]] std::ptrdiff_t blocks() const { return (size_ + block_size - 1) / block_size; }
   [[nodiscard]] Range markers_of(std::ptrdiff_t block) const;
-  /// Cells that begin at the block's markers, and whether both markers of each are in level blocks.
+  /// Cells that begin at the block's markers.
   [[nodiscard]] Range cells_of(std::ptrdiff_t block) const;
-  [[nodiscard]] bool level_cells(std::ptrdiff_t block) const;
   [[nodiscard]] bool level(std::ptrdiff_t block) const { return level_[static_cast<std::size_t>(block)] != 0; }
+
+  /// loop(level, cells) over the cells of a block.
+  template <class Loop>
+  void over_cells(std::ptrdiff_t block, const Loop& loop) const {
+    const Range cells = cells_of(block);
+    const bool last_open = block + 1 == blocks() && !channel_.periodic();
+    const bool next_level = last_open || level((block + 1) % blocks());
+    if (!level(block)) {
+      loop(false, cells);
+    } else if (next_level || cells.first == cells.last) {
+      loop(true, cells);
+    } else {  // the last cell ends at a marker that has a frame
+      loop(true, Range{cells.first, cells.last - 1});
+      loop(false, Range{cells.last - 1, cells.last});
+    }
+  }
 
   void weigh(const Markers& initial);
   [[nodiscard]] double cell_width(Input q, std::size_t j) const;
@@ -111,6 +138,8 @@ class Model {
 
   /// Elevation and frames of a block at places x; returns whether it is level. Throws mechanics::Infeasible.
   bool sample(std::ptrdiff_t block, const double* x, Bed& bed) const;
+  void place_between(std::ptrdiff_t block, Input q0, Input q1);
+  void release_end(std::ptrdiff_t marker, double sign);
   void mean_bed(std::ptrdiff_t block, Input q0, Input q1, bool new_frames);
   [[nodiscard]] Frame end_frame(End end, Frame frame, double slope) const;
   Bed& bed_elsewhere() const;
@@ -120,6 +149,13 @@ class Model {
   void measure();
   void require_sound();
   void assemble_and_factor();
+
+  template <class Prepare>
+  void assemble_from_both_ends(double h, Input rates, Input target, const Segment* segment, const Prepare& prepare);
+  template <class Use>
+  void substitute_from_the_middle(const Use& use);
+  void assemble_block(std::ptrdiff_t block, double h, Input rates, const double* target, const Segment* segment);
+  void bound_block(std::ptrdiff_t block, const Segment* segment);
 
   void gather_forces(Interval when);
   void add_dispersion_forces(Input q0, Input q1);
@@ -136,19 +172,24 @@ class Model {
   std::vector<char> level_;  // of blocks
   Weights weights_;
   std::vector<double> mass_, rest_volume_;
-  std::vector<double> inertia_p_, inertia_r_;  // m and alpha m; 0 where an end allows no motion
-  std::vector<double> dispersion_weight_;      // of cells, with density and gravity
-  std::vector<double> along_, across_;         // body forces per unit mass
+  std::vector<double> inertia_p_,
+      inertia_r_;                          // m and alpha m; 0 where an end allows no motion
+  std::vector<double> dispersion_weight_;  // of cells, with density and gravity
+  std::vector<double> along_, across_;     // body forces per unit mass
   mutable std::vector<double> breaking_u_, breaking_v_;
-  GhostedArray push_x_, push_y_;  // of a cell on its right marker, and reversed on its left one
-  mutable Bed other_bed_;         // of configurations that are not linearised
+  GhostedArray push_x_,
+      push_y_;             // of a cell on its right marker, and reversed on its left one
+  mutable Bed other_bed_;  // of configurations that are not linearised
   mutable GhostedArray p_, r_, impulse_;
   mutable std::vector<double> slope_;
   linear::TwoEndedTridiagonal open_matrix_;
   linear::PeriodicTridiagonal periodic_matrix_;
-  double shore_left_ = 0;  // initial places of the ends, where the rest energy of their bottom is counted from
+  linear::TwoEndedSweep sweep_;
+  double shore_left_ = 0;  // initial places of the ends, where the rest energy
+                           // of their bottom is counted from
   double shore_right_ = 0;
   double smallest_depth_ = 0;
+  double smallest_width_ = 0;
   long solves_ = 0;
 };
 

@@ -18,10 +18,6 @@ Range Model::cells_of(std::ptrdiff_t block) const {
   return {block * block_size, std::min(cells, (block + 1) * block_size)};
 }
 
-bool Model::level_cells(std::ptrdiff_t block) const {
-  return level(block) && level((block + 1) % blocks());
-}
-
 Frame Model::end_frame(End end, Frame frame, double slope) const {
   if (end == End::wall) return {.xp = 0, .xr = 0, .yp = 0, .yr = 1};
   if (end == End::tip) return frame_on(Kinetics::frank, channel_.alpha, slope);
@@ -38,7 +34,8 @@ bool Model::sample(std::ptrdiff_t block, const double* x, Bed& bed) const {
   try {
     if (bottom.uniform_slope(places.front(), places.back()) == 0.0) {
       std::fill(elevation + range.first, elevation + range.last, bottom.elevation(places.front()));
-      bed.set_frame(range.first, {});  // read by the cell that begins in a tilted block before this one
+      bed.set_frame(range.first, {});  // read by the cells that this block shares with tilted ones
+      bed.set_frame(range.last - 1, {});
       return true;
     }
     bottom.sample(places, {elevation + first, count}, slope_);
@@ -129,7 +126,7 @@ void Model::measure() {
 
 void Model::assemble_and_factor() {
   for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
-    assemble(rows_, level_cells(block), cells_of(block));
+    over_cells(block, [&](bool level_cells, Range cells) { assemble(rows_, level_cells, cells); });
     couple(rows_, level(block), markers_of(block));
   }
   const std::span<const double> diagonal(rows_.diagonal.row(), cells_);
@@ -157,35 +154,39 @@ void Model::linearise(Interval when, Input q) {
   assemble_and_factor();
 }
 
+/// Middle of the segment q0 -> q1, and the motion along it.
+void Model::place_between(std::ptrdiff_t block, Input q0, Input q1) {
+  const Range markers = markers_of(block);
+  middle_rows(markers, q0.data(), q1.data(), rows_.x.row(), rows_.step_x.row());
+  middle_rows(markers, q0.data() + n_, q1.data() + n_, rows_.y.row(), rows_.step_y.row());
+}
+
+/// Ghost cells have no extent, but the loop over increments saw an end's motion in them.
+void Model::release_end(std::ptrdiff_t marker, double sign) {
+  const double dy = rows_.step_y.row()[marker];
+  rows_.force_x.row()[marker] += sign * weights_.gravity / 24 * dy * dy;
+}
+
 void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
-  double* const x = rows_.x.row();
-  double* const y = rows_.y.row();
-  double* const dx = rows_.step_x.row();
-  double* const dy = rows_.step_y.row();
-  for (std::size_t i = 0; i < n_; ++i) {
-    x[i] = 0.5 * (q0[i] + q1[i]);
-    y[i] = 0.5 * (q0[n_ + i] + q1[n_ + i]);
-    dx[i] = q1[i] - q0[i];
-    dy[i] = q1[n_ + i] - q0[n_ + i];
+  for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
+    place_between(block, q0, q1);
+    mean_bed(block, q0, q1, sweep < sweeps_with_new_frames);
   }
   const bool periodic = channel_.periodic();
-  dx[-1] = dx[periodic ? n_ - 1 : 0];
-  dy[-1] = dy[periodic ? n_ - 1 : 0];
-  dx[n_] = dx[periodic ? 0 : n_ - 1];
-  dy[n_] = dy[periodic ? 0 : n_ - 1];
-  const BottomProfile& bottom = *channel_.bottom;
-  for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
-    mean_bed(block, q0, q1, sweep < sweeps_with_new_frames);
+  for (double* const row : {rows_.step_x.row(), rows_.step_y.row()}) {
+    row[-1] = row[periodic ? size_ - 1 : 0];
+    row[size_] = row[periodic ? 0 : size_ - 1];
   }
   measure();
   if (!periodic) {
+    const BottomProfile& bottom = *channel_.bottom;
     bound_ends(bottom.mean_square(q0[0], q1[0]), bottom.mean_square(q0[n_ - 1], q1[n_ - 1]));
   }
   gather_forces(when);
   add_increment_forces(rows_, {0, size_}, weights_);
-  if (!periodic) {  // ghost cells have no extent, but the loop saw the end's motion in them
-    rows_.force_x.row()[0] += weights_.gravity / 24 * dy[0] * dy[0];
-    rows_.force_x.row()[size_ - 1] -= weights_.gravity / 24 * dy[n_ - 1] * dy[n_ - 1];
+  if (!periodic) {
+    release_end(0, 1);
+    release_end(size_ - 1, -1);
   }
   if (channel_.gamma > 0) add_dispersion_forces(q0, q1);
   assemble_and_factor();
@@ -249,7 +250,8 @@ void Model::constraint_rates(Input u, Output w) const {
     r = r_.row();
   }
   for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
-    rates_of_cells(rows_, level_cells(block), cells_of(block), p, r, w.data());
+    over_cells(block,
+               [&](bool level_cells, Range cells) { rates_of_cells(rows_, level_cells, cells, p, r, w.data()); });
   }
 }
 

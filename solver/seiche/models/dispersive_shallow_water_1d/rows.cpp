@@ -1,6 +1,7 @@
 #include "seiche/models/dispersive_shallow_water_1d/rows.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "seiche/simd_clones.hpp"
 
@@ -18,12 +19,23 @@ Frame frame_on(Kinetics kinetics, double alpha, double slope) {
   return {.xp = along, .xr = 0, .yp = -kappa * slope * along, .yr = 1};
 }
 
+void GhostedArray::resize(std::size_t n, std::size_t shift) {
+  constexpr std::size_t doubles_per_line = 8;
+  first_ = shift * doubles_per_line + 1;
+  size_ = n;
+  values_.assign(first_ + n + 1, 0.0);
+}
+
 void Rows::resize(std::size_t markers) {
-  for (GhostedArray* array : {&x, &y, &step_x, &step_y, &force_x, &force_y, &mobility_p, &mobility_r, &width, &mean,
-                              &impulse, &diagonal, &coupling, &defect}) {
-    array->resize(markers);
+  constexpr std::size_t block_lines = 34;  // a block of markers and two more
+  std::size_t shift = 0;
+  for (GhostedArray* array :
+       {&x,          &y,      &step_x, &step_y,  &force_x,  &force_y,  &star_p, &star_r,     &mobility_p,
+        &mobility_r, &width,  &mean,   &impulse, &diagonal, &coupling, &defect, &multiplier, &bed.elevation,
+        &bed.xp,     &bed.xr, &bed.yp, &bed.yr}) {
+    array->resize(markers, shift);
+    shift += block_lines;
   }
-  bed.resize(markers);
 }
 
 void Bed::resize(std::size_t markers) {
@@ -279,6 +291,33 @@ void advance_rows(const Bed& bed, bool level, Range markers, const double* x, co
         : advance_tilted(bed, markers, x, y, p, r, h, to_x, to_y);
 }
 
+SEICHE_SIMD_CLONES Smallest smallest(const Rows& rows, Range cells, Range markers) {
+  const double* const width = rows.width.row();
+  const double* const y = rows.y.row();
+  const double* const bed = rows.bed.elevation.row();
+  double narrowest = std::numeric_limits<double>::infinity();
+  double shallowest = std::numeric_limits<double>::infinity();
+#pragma omp simd reduction(min : narrowest)
+  for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) narrowest = width[j] < narrowest ? width[j] : narrowest;
+#pragma omp simd reduction(min : shallowest)
+  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
+    const double depth = y[i] - bed[i];
+    shallowest = depth < shallowest ? depth : shallowest;
+  }
+  return {narrowest, shallowest};
+}
+
+SEICHE_SIMD_CLONES void aim(Rows& rows, Range cells, const double* target) {
+  double* const defect = rows.defect.row();
+  if (target == nullptr) {
+#pragma omp simd
+    for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) defect[j] = -defect[j];
+  } else {
+#pragma omp simd
+    for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) defect[j] = target[j] - defect[j];
+  }
+}
+
 SEICHE_SIMD_CLONES void add_increment_forces(Rows& rows, Range markers, Weights weights) {
   const double part = weights.gravity / 24;
   const double beta = weights.slope_energy;
@@ -297,6 +336,41 @@ SEICHE_SIMD_CLONES void add_increment_forces(Rows& rows, Range markers, Weights 
     fy[i] -= part * ((dx[i] - dx[i - 1]) * (mean_before + 0.5 * beta * before) +
                      (dx[i + 1] - dx[i]) * (mean_after - 0.5 * beta * after));
   }
+}
+
+SEICHE_SIMD_CLONES void reflect_rows(Range markers, const double* mean_p, const double* mean_r, double* p, double* r) {
+#pragma omp simd
+  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
+    p[i] = 2 * mean_p[i] - p[i];
+    r[i] = 2 * mean_r[i] - r[i];
+  }
+}
+
+SEICHE_SIMD_CLONES void scale_row(Range cells, double factor, const double* from, double* to) {
+#pragma omp simd
+  for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) to[j] = factor * from[j];
+}
+
+SEICHE_SIMD_CLONES void middle_rows(Range markers, const double* a, const double* b, double* middle, double* step) {
+#pragma omp simd
+  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
+    middle[i] = 0.5 * (a[i] + b[i]);
+    step[i] = b[i] - a[i];
+  }
+}
+
+SEICHE_SIMD_CLONES RowChange replace_row(Range markers, const double* from, double* to) {
+  double change = 0;
+  double value = 0;
+#pragma omp simd reduction(max : change, value)
+  for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
+    const double by = std::abs(from[i] - to[i]);
+    const double size = std::abs(from[i]);
+    change = by > change ? by : change;
+    value = size > value ? size : value;
+    to[i] = from[i];
+  }
+  return {change, value};
 }
 
 }  // namespace seiche::dispersive_shallow_water_1d

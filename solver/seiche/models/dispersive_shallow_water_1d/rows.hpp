@@ -19,13 +19,17 @@ namespace seiche::dispersive_shallow_water_1d {
 /// n values and a ghost on either side: index -1..n.
 class GhostedArray {
  public:
-  void resize(std::size_t n) { values_.assign(n + 2, 0.0); }
-  [[nodiscard]] std::size_t size() const { return values_.empty() ? 0 : values_.size() - 2; }
-  [[nodiscard]] double* row() { return values_.data() + 1; }
-  [[nodiscard]] const double* row() const { return values_.data() + 1; }
+  /// @param shift  cache lines by which the array is moved: large arrays begin at pages, and if all began at the same
+  ///               place in them, the loops' many streams would evict each other from the caches
+  void resize(std::size_t n, std::size_t shift = 0);
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] double* row() { return values_.data() + first_; }
+  [[nodiscard]] const double* row() const { return values_.data() + first_; }
 
  private:
   std::vector<double> values_;
+  std::size_t size_ = 0;
+  std::size_t first_ = 0;
 };
 
 /// u = xp p + xr r,  v = yp p + yr r.
@@ -57,12 +61,16 @@ struct Rows {
   Bed bed;
   GhostedArray step_x, step_y;          // motion over the step, for discrete gradients
   GhostedArray force_x, force_y;        // -grad Pi and what else acts
-  GhostedArray mobility_p, mobility_r;  // 1/m and 1/(alpha m), 0 where an end allows no motion; constant
+  GhostedArray star_p, star_r;          // rates after the kick, in fused steps
+  GhostedArray mobility_p, mobility_r;  // 1/m and 1/(alpha m), 0 where an end
+                                        // allows no motion; constant
 
   // Of cells.
-  GhostedArray width, mean;                 // dx and (y_j + y_{j+1})/2
-  GhostedArray impulse;                     // of the multipliers, 0 in ghosts
-  GhostedArray diagonal, coupling, defect;  // of A mu = defect; coupling[j] between cells j and j+1
+  GhostedArray width, mean;  // dx and (y_j + y_{j+1})/2
+  GhostedArray impulse;      // of the multipliers, 0 in ghosts
+  GhostedArray diagonal, coupling,
+      defect;               // of A mu = defect; coupling[j] between cells j and j+1
+  GhostedArray multiplier;  // of the elimination, in fused steps
 
   void resize(std::size_t markers);
 };
@@ -82,6 +90,13 @@ void add_increment_forces(Rows& rows, Range markers, Weights weights);
 /// diagonal of cells; coupling of cells i-1 and i for the markers i of the range.
 void assemble(Rows& rows, bool level, Range cells);
 void couple(Rows& rows, bool level, Range markers);
+/// Smallest width of cells and smallest depth over markers.
+struct Smallest {
+  double width, depth;
+};
+Smallest smallest(const Rows& rows, Range cells, Range markers);
+/// defect = -defect and, if there is a target, + target.
+void aim(Rows& rows, Range cells, const double* target);
 /// w = J u for cells.
 void rates_of_cells(const Rows& rows, bool level, Range cells, const double* p, const double* r, double* w);
 /// u += h W F, u += W J^T mu for markers; mu has ghosts.
@@ -90,5 +105,17 @@ void react_rows(const Rows& rows, bool level, Range markers, const double* mu, d
 /// to = from + h S u for markers.
 void advance_rows(const Bed& bed, bool level, Range markers, const double* x, const double* y, const double* p,
                   const double* r, double h, double* to_x, double* to_y);
+/// u = 2 mean - u.
+void reflect_rows(Range markers, const double* mean_p, const double* mean_r, double* p, double* r);
+/// to = factor from.
+void scale_row(Range cells, double factor, const double* from, double* to);
+
+/// middle = (a + b)/2 and step = b - a.
+void middle_rows(Range markers, const double* a, const double* b, double* middle, double* step);
+/// to = from; the largest change and the largest magnitude.
+struct RowChange {
+  double change, value;
+};
+RowChange replace_row(Range markers, const double* from, double* to);
 
 }  // namespace seiche::dispersive_shallow_water_1d

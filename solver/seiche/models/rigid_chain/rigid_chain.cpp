@@ -135,22 +135,15 @@ void Scales::include(const Scales& other) {
   energy = std::max(energy, other.energy);
   momentum = std::max(momentum, other.momentum);
   angular_momentum = std::max(angular_momentum, other.angular_momentum);
-  power = std::max(power, other.power);
 }
 
 Scales scales_of(const RigidChain& chain, const mechanics::State& state) {
   Scales scales{.energy = chain.kinetic_energy(state.q, state.u) + std::abs(chain.potential_energy(state.q))};
-  const std::size_t count = chain.masses().size();
-  std::vector<double> speed(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    speed[k] = std::hypot(state.u[3 * k], state.u[3 * k + 1], state.u[3 * k + 2]);
-    const double momentum = chain.masses()[k] * speed[k];
+  for (std::size_t k = 0; k < chain.masses().size(); ++k) {
+    const double speed = std::hypot(state.u[3 * k], state.u[3 * k + 1], state.u[3 * k + 2]);
+    const double momentum = chain.masses()[k] * speed;
     scales.momentum += momentum;
     scales.angular_momentum += momentum * std::hypot(state.q[3 * k], state.q[3 * k + 1], state.q[3 * k + 2]);
-  }
-  for (std::size_t s = 0; s < state.multipliers.size(); ++s) {
-    const std::size_t b = count - state.multipliers.size() + s;
-    scales.power += std::abs(state.multipliers[s]) * (speed[b] + (b > 0 ? speed[b - 1] : 0.0));
   }
   return scales;
 }

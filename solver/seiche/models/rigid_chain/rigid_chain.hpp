@@ -89,7 +89,6 @@ struct Scales {
   double energy = 0;
   double momentum = 0;
   double angular_momentum = 0;
-  double power = 0;  ///< of the multipliers on the masses at both ends of their links
 
   void include(const Scales& other);
 };
