@@ -68,7 +68,7 @@ void draw_formula_13(verification::Check& check) {
   auto& figure = check.figure("formula-13", "Formula (13) for several spacings",
                               "The discrete model follows Green-Naghdi to second order in the spacing $s$ and slows "
                               "the waves that the markers barely resolve; the curves end at $k s = \\pi$.",
-                              {"frank-formula-13"});
+                              {});
   auto& speed = figure.panel({.x = "k H", .y = "phase speed/sqrt(g H)", .title = "Phase speed", .y_min = 0});
   const auto k = range(0.02, 6, 300);
   const auto limit = RationalDispersion::green_naghdi(1, 1);

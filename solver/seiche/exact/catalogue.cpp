@@ -54,6 +54,7 @@ const std::vector<ExactSolution>& catalogue() {
       solitary_entry(),
       stokes_entry(),
       standing_entry(),
+      dispersive_standing_entry(),
       gerstner_entry(),
       overturning_wave_entry(),
       solitary_runup_entry(),

@@ -4,8 +4,8 @@
 ///
 ///     nu = (1 - beta (1 - cos k s) + 4 gamma sin^2 theta/h^2) 4 tan^2 theta/(4 alpha tan^2 theta + h^2),  k s < pi.
 ///
-/// alpha multiplies the vertical kinetic energy, beta the potential energy of a cell's slope, gamma an added potential
-/// energy of slopes. alpha = beta = 1/3, gamma = 0 is formula (13) of the source,
+/// alpha multiplies the vertical kinetic energy; 1 - 2 beta, the potential energy of a cell's slope; gamma is an added
+/// potential energy of slopes. alpha = beta = 1/3, gamma = 0 is formula (13) of the source,
 /// nu = (2 + cos k s)/3 * 4 t^2/(h^2 + 4 alpha t^2), t = tan theta. As s -> 0 it is kappa^2 (1 + gamma kappa^2)/
 /// (1 + alpha kappa^2), with relative error O(s^2) (for beta = 1/3 the leading one is -alpha kappa^4 h^2/12 in omega).
 ///

@@ -19,6 +19,7 @@ ExactSolution solitary_asymptotic_entry();
 ExactSolution solitary_entry();
 ExactSolution stokes_entry();
 ExactSolution standing_entry();
+ExactSolution dispersive_standing_entry();
 ExactSolution gerstner_entry();
 ExactSolution affine_drop_entry();
 ExactSolution mach_reflection_entry();

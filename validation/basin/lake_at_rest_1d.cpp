@@ -1,0 +1,239 @@
+/*
+Still water over any bottom is an equilibrium. A model may keep it up to a truncation error, up to round-off, or
+exactly. The dispersive shallow-water model counts heights from the still-water level, so that at rest every force,
+every multiplier and every velocity is not small but zero.
+
+**Set-up.** Two lakes with markers at random distances. One lies over a broken bottom, from a wall to a shoreline, with
+corners at random places inside the cells; the other over a bottom like a cosine, between walls, and once more in a
+periodic channel. Each is left alone until `time`, with every scheme, with compositions of fourth order, and with both
+kinetic energies.
+
+**What is compared.** The largest velocity, the largest elevation and the largest displacement of any marker, at any
+step, with zero: not one bit may differ.
+
+**What to look at.** The picture: the bottom is as rough as `roughness` says, and the lake does not mind.
+*/
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "validation/case/case.hpp"
+#include "validation/measures/reference_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Bound;
+using evidence::Role;
+namespace model = dispersive_shallow_water_1d;
+
+constexpr double length = 20;
+
+class Random {
+ public:
+  explicit Random(long seed) : engine_(static_cast<std::minstd_rand::result_type>(seed)) {}
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+
+ private:
+  std::minstd_rand engine_;
+};
+
+/// Ascending places from `begin` to `end` whose distances vary by a factor of five about `mean`.
+std::vector<double> random_places(Random& random, double begin, double end, double mean) {
+  std::vector<double> places = {begin};
+  while (places.back() + 1.8 * mean < end) places.push_back(places.back() + mean * random.between(1.0 / 3, 5.0 / 3));
+  places.push_back(end);
+  return places;
+}
+
+struct Lake {
+  std::string id;
+  std::string name;
+  model::Channel channel;
+  std::vector<double> markers;
+};
+
+Lake broken_lake(Random& random, double spacing, double roughness) {
+  std::vector<double> knots = random_places(random, -length, -2, 0.7);
+  std::vector<double> elevation;
+  for (std::size_t k = 0; k < knots.size(); ++k) elevation.push_back(-1 + roughness * random.between(-1, 1));
+  knots.insert(knots.end(), {0, 5});  // the shore is a knot, so that the tip is where the bottom is 0 exactly
+  elevation.insert(elevation.end(), {0, 1});
+  return {"broken",
+          "broken bottom, wall and shoreline",
+          {.bottom = std::make_shared<PiecewiseLinearBottom>(knots, elevation), .right = model::End::tip},
+          random_places(random, -length, 0, spacing)};
+}
+
+Lake smooth_lake(Random& random, double spacing, double roughness, bool periodic) {
+  Lake lake{periodic ? "periodic" : "smooth",
+            periodic ? "cosine bottom, periodic" : "cosine bottom, walls",
+            {.bottom = std::make_shared<CosineBottom>(1, roughness, 6 * std::numbers::pi / length, 0.3)},
+            random_places(random, -length, 0, spacing)};
+  if (periodic) {
+    lake.channel.period = length;
+    lake.markers.pop_back();
+  }
+  return lake;
+}
+
+std::vector<Lake> lakes(const Run& run) {
+  Random random(run.integer("seed"));
+  const double h = run.real("h");
+  const double roughness = run.real("roughness");
+  return {broken_lake(random, h, roughness), smooth_lake(random, h, roughness, false),
+          smooth_lake(random, h, roughness, true)};
+}
+
+struct NamedScheme {
+  std::string name;
+  model::Scheme scheme;
+};
+
+std::vector<NamedScheme> schemes(const std::string& chosen) {
+  std::vector<NamedScheme> result;
+  for (const std::string stepping : {"one_step", "one_step_feedback", "conservative"}) {
+    if (chosen != "all" && chosen != stepping) continue;
+    for (const std::string composition : {"none", "triple_jump", "suzuki"}) {
+      result.push_back(
+          {composition == "none" ? stepping : stepping + ", " + composition,
+           {.stepping = model::stepping_named(stepping), .composition = model::composition_named(composition)}});
+    }
+  }
+  return result;
+}
+
+struct Unrest {
+  double velocity = 0;
+  double elevation = 0;
+  double displacement = 0;
+  long steps = 0;
+
+  void include(const Unrest& other) {
+    velocity = std::max(velocity, other.velocity);
+    elevation = std::max(elevation, other.elevation);
+    displacement = std::max(displacement, other.displacement);
+    steps = std::max(steps, other.steps);
+  }
+};
+
+double largest(std::span<const double> values) {
+  double result = 0;
+  for (const double value : values) result = std::max(result, std::abs(value));
+  return result;
+}
+
+Unrest watch(const Lake& lake, model::Kinetics kinetics, const model::Scheme& scheme, double time, double tau) {
+  model::Channel channel = lake.channel;
+  channel.kinetics = kinetics;
+  model::Flow flow(channel, model::still_markers(channel, lake.markers), scheme);
+  Unrest unrest;
+  flow.advance_to(time, tau, [&] {
+    unrest.velocity = std::max({unrest.velocity, largest(flow.p()), largest(flow.r())});
+    unrest.elevation = std::max(unrest.elevation, largest(flow.y()));
+    for (std::size_t i = 0; i < lake.markers.size(); ++i) {
+      unrest.displacement = std::max(unrest.displacement, std::abs(flow.x()[i] - lake.markers[i]));
+    }
+  });
+  unrest.steps = flow.steps();
+  return unrest;
+}
+
+void draw(evidence::Record& record, const std::vector<Lake>& lakes) {
+  auto& figure = record.figure("lakes", "The lakes", "Bottoms, still water, and the markers on its surface.");
+  for (const Lake& lake : lakes) {
+    if (lake.channel.periodic()) continue;
+    const bool shore = lake.channel.right == model::End::tip;
+    const std::vector<double> x = evenly(-length, shore ? 2 : 0, 881);
+    std::vector<double> bed;
+    std::vector<double> surface;
+    for (const double at : x) {
+      bed.push_back(lake.channel.bottom->elevation(at));
+      surface.push_back(std::max(0.0, bed.back()));
+    }
+    auto& panel = figure.panel({.x = "x", .y = "elevation", .title = lake.name});
+    panel.fill("water", x, surface, Role::water);
+    panel.fill("bottom", x, bed, Role::bed);
+    panel.points("markers", lake.markers, std::vector<double>(lake.markers.size(), 0.0), Role::computed);
+  }
+}
+
+void run(Run& run) {
+  const std::vector<Lake> all = lakes(run);
+  const std::vector<NamedScheme> named = schemes(run.text("scheme"));
+  const double time = run.real("time");
+  const double parts = static_cast<double>(all.size() * named.size());
+  double done = 0;
+  evidence::Table table{.id = "unrest",
+                        .title = "Largest values at any step",
+                        .caption = "Of all markers and both kinetic energies.",
+                        .columns = {{"lake", ""},
+                                    {"scheme", ""},
+                                    {"steps", "1"},
+                                    {"velocity", "(g H)^(1/2)"},
+                                    {"elevation", "H"},
+                                    {"displacement", "H"}}};
+  Unrest worst;
+  for (const Lake& lake : all) {
+    Unrest of_lake;
+    for (const auto& [name, scheme] : named) {
+      Unrest unrest;
+      for (const auto kinetics : {model::Kinetics::frank, model::Kinetics::green_naghdi}) {
+        unrest.include(watch(lake, kinetics, scheme, time, run.real("h") / 2));
+      }
+      table.rows.push_back(
+          {lake.name, name, static_cast<double>(unrest.steps), unrest.velocity, unrest.elevation, unrest.displacement});
+      of_lake.include(unrest);
+      run.progress(++done / parts);
+    }
+    const std::string resolution = fmt::format("{} markers, {} steps", lake.markers.size(), of_lake.steps);
+    const auto exactly_zero = [&](const std::string& id, const std::string& text, const std::string& quantity,
+                                  const std::string& unit, double value) {
+      run.record.check({.id = lake.id + "-" + id,
+                        .text = fmt::format("{} ({})", text, lake.name),
+                        .quantity = quantity,
+                        .unit = unit,
+                        .source = "heights counted from the still-water level"},
+                       {.value = value, .resolution = resolution},
+                       Bound{0, "every force is a product with an elevation, which is zero"});
+    };
+    exactly_zero("velocity", "Water at rest has no velocity.", "largest rate", "(g H)^(1/2)", of_lake.velocity);
+    exactly_zero("elevation", "Its surface stays level.", "largest elevation", "H", of_lake.elevation);
+    exactly_zero("displacement", "No marker moves.", "largest displacement", "H", of_lake.displacement);
+    worst.include(of_lake);
+  }
+  run.record.measure("max_velocity", worst.velocity);
+  run.record.measure("max_elevation", worst.elevation);
+  run.record.measure("max_displacement", worst.displacement);
+  run.record.table(std::move(table));
+  draw(run.record, all);
+}
+
+}  // namespace
+
+Case lake_at_rest_1d() {
+  Case c;
+  c.title = "A lake at rest under the dispersive model stays so to the last bit";
+  c.source =
+      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3; E. Audusse et al., "
+      "SIAM "
+      "J. Sci. Comput. 25 (2004) 2050";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {
+      real("h", 0.25, "H", {0.02, 2}, "mean distance of markers"),
+      real("roughness", 0.8, "H", {0, 0.95}, "largest deviation of the bottom from its mean depth 1"),
+      integer("seed", 1L, {1, 1e9}, "of the random bottom and markers"),
+      real("time", {100, 1000, 10000}, "(H/g)^(1/2)", {1, 1e6}, "length of the run"),
+      choice("scheme", std::string("all"), {"all", "one_step", "one_step_feedback", "conservative"},
+             "stepping, alone and in compositions"),
+  };
+  c.run = run;
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,82 @@
+/// A solitary wave climbs a plane slope or a wall: set-up and run-up by the discrete dispersive shallow-water model.
+///
+/// Units: the depth before the slope and gravity are 1. The slope's toe is at x = -cot, still water ends at x = 0;
+/// water that is to climb a vertical wall ends there at a depth of 1 (cot = 0). Serre's wave starts where all but 1e-4
+/// of its height is before the toe, with as much room behind it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reports/evidence/record.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "validation/case/parameter.hpp"
+
+namespace seiche::validation {
+
+namespace dispersive = dispersive_shallow_water_1d;
+
+struct SolitaryClimb {
+  double cot_slope = 10;  ///< 0 is a vertical wall
+  double amplitude = 0.03;
+  double spacing = 0.25;  ///< of markers at rest
+  double tau_over_spacing = 0.25;
+  dispersive::TipMass tip_mass = dispersive::TipMass::elementary;
+  dispersive::Kinetics kinetics = dispersive::Kinetics::frank;
+  dispersive::Scheme scheme = {};
+  double breaking = 0;
+
+  /// Distance from the crest at which the wave has fallen to `fraction` of its height, by Boussinesq's profile
+  /// sech^2(sqrt(3A/4) x), as experimenters count it.
+  [[nodiscard]] double reach(double fraction) const;
+  /// Place of the crest at the start.
+  [[nodiscard]] double crest() const;
+  /// From the start until the crest of the undisturbed wave is at x.
+  [[nodiscard]] double time_to(double x) const;
+  [[nodiscard]] dispersive::Flow start() const;
+  /// The next step: tau_over_spacing * spacing, or less where the water is shallow.
+  [[nodiscard]] double step(const dispersive::Flow& flow) const;
+  /// Steps until `time`, which is hit exactly.
+  void advance_to(dispersive::Flow& flow, double time) const;
+  /// "h = 0.25, tau = h/4".
+  [[nodiscard]] std::string resolution() const;
+};
+
+struct RunUp {
+  double height = 0;  ///< highest the water's edge gets before it falls again
+  double time = 0;    ///< since the start
+  long steps = 0;
+  std::size_t markers = 0;
+  mechanics::InvariantsLedger ledger;  ///< empty unless it was asked for
+};
+
+struct Watch {
+  bool ledger = false;  ///< costs as much as the run itself
+  std::function<void(const dispersive::Flow&)> after_step = {};
+  double latest = 1e4;  ///< the run ends then at the latest
+};
+
+/// Runs until the water's edge has fallen to 0.9 of its highest. Throws Divergence.
+RunUp run_up(const SolitaryClimb& climb, const Watch& watch = {});
+
+/// Claim that energy is kept: to round-off by the conservative scheme, to O(tau^2) by the others. Needs the ledger.
+void claim_energy(evidence::Record& record, const SolitaryClimb& climb, const RunUp& run);
+
+/// Parameters that choose the method: spacing and, of the steps, tau_over_spacing and scheme; over slopes tip_mass and
+/// kinetics.
+std::vector<Parameter> climb_parameters(ByTier<double> spacing);
+std::vector<Parameter> step_parameters();
+std::vector<Parameter> slope_parameters();
+/// A climb with those of them that the case has.
+SolitaryClimb climb_from(const Values& values, double cot_slope, double amplitude);
+
+/// Joins lists of parameters.
+std::vector<Parameter> joined(std::vector<std::vector<Parameter>> lists);
+
+/// Synolakis (1987): run-up law 2.831 sqrt(cot) A^(5/4), and the amplitude above which the water breaks as it runs
+/// back, 0.479 cot^(-10/9).
+double runup_law(double cot_slope, double amplitude);
+double backwash_limit(double cot_slope);
+
+}  // namespace seiche::validation

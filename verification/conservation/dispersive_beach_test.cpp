@@ -1,0 +1,145 @@
+// Run-up and run-down on plane slopes: what each scheme of the dispersive shallow-water model conserves there.
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "verification/check.hpp"
+#include "verification/conservation/dispersive_defects.hpp"
+
+namespace {
+
+using namespace seiche::dispersive_shallow_water_1d;
+using namespace seiche::verification;
+using seiche::evidence::Bound;
+using seiche::evidence::observed_order;
+using seiche::evidence::Order;
+using seiche::evidence::Roundoff;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 3";
+const std::string digits = "computed once by an independent implementation";
+
+struct Beach {
+  double cotangent, amplitude, spacing, end;
+};
+
+/// A solitary wave on its way to a plane slope; the crest starts where the wave's front reaches the toe (Synolakis, J.
+/// Fluid Mech. 185 (1987) 523), between a wall and the shore at x = 0.
+Flow beach_flow(const Beach& beach, const Scheme& scheme) {
+  const double front = std::acosh(std::sqrt(20.0)) / std::sqrt(0.75 * beach.amplitude);
+  const double crest = -beach.cotangent - front;
+  const double wall = crest - front - 5;
+  const Channel channel{
+      .bottom = std::make_shared<seiche::PiecewiseLinearBottom>(
+          std::vector{wall - 10, -beach.cotangent, 10 * beach.cotangent}, std::vector{-1.0, -1.0, 10.0}),
+      .left = End::wall,
+      .right = End::tip};
+  return Flow(channel,
+              solitary_markers(channel, wall, 0, beach.spacing, {.amplitude = beach.amplitude, .crest = crest}),
+              scheme);
+}
+
+constexpr Beach synolakis{.cotangent = 19.85, .amplitude = 0.0185, .spacing = 0.25, .end = 75};
+
+/// `refine` divides the longest step and the Courant number.
+Defects synolakis_defects(const Scheme& scheme, double refine = 1) {
+  Flow flow = beach_flow(synolakis, scheme);
+  return defects_until(flow, synolakis.end, synolakis.spacing / 4 / refine, 0.3 / refine);
+}
+
+void check_round_off(Check& check, const std::string& id, const std::string& text, const Defects& defects,
+                     double length) {
+  const auto steps = static_cast<double>(defects.steps);
+  check.that({.id = id + "-energy",
+              .text = text + ": energy to round-off.",
+              .quantity = "largest relative energy defect",
+              .source = source},
+             {.value = defects.energy, .resolution = fmt::format("{} steps", defects.steps)},
+             Roundoff{.operations = steps, .scale = 1, .reason = "one rounded energy per step"});
+  check.that({.id = id + "-volume",
+              .text = text + ": the volume of every cell to round-off.",
+              .quantity = "largest volume defect",
+              .unit = "depth^2",
+              .source = source},
+             {.value = defects.volume, .resolution = fmt::format("{} steps", defects.steps)},
+             Roundoff{.operations = steps,
+                      .scale = length,
+                      .reason = "one place, up to the channel's length, rounded per step, times the depth"});
+}
+
+}  // namespace
+
+TEST_CASE("run-up and full run-down on a mild slope: what each scheme conserves", "[conservation]") {
+  Check check("dispersive_beach_conservation", "Dispersive shallow water: conservation on a beach",
+              "Solitary wave of 0.0185 depths on a slope 1:19.85, run-up and run-down until $t = 75$; cells of 0.25, "
+              "steps of at most 1/16 and 0.3 of the longest stable one. The one-step scheme's errors are made at the "
+              "largest draw-down, $67 < t < 70$, where a thin layer runs back under a steep front; until then its "
+              "energy errs by $1.4\\times10^{-6}$. The independent implementation had the same start and steps.");
+  constexpr Scheme one_step{};
+  constexpr Scheme feedback{.stepping = Stepping::one_step_feedback};
+  const auto known = [&](const std::string& id, const std::string& text, double value, double printed,
+                         const std::string& unit) {
+    check.that({.id = id, .text = text, .quantity = "largest defect", .unit = unit, .source = digits}, {.value = value},
+               Bound{.limit = 1e-3,
+                     .reason = "one unit of the fourth printed digit of a number that begins with 1",
+                     .expected = printed,
+                     .relative = true});
+  };
+  const std::array<double, 4> refinement{1, 2, 4, 8};
+  std::vector<double> steps;
+  std::vector<double> energy_a, volume_a, energy_b, volume_b;
+  for (const double refine : refinement) {
+    const Defects a = synolakis_defects(one_step, refine);
+    const Defects b = synolakis_defects(feedback, refine);
+    if (refine == 1) {
+      known("one-step-energy", "One-step: relative energy defect.", a.energy, 1.642e-5, "1");
+      known("one-step-volume", "One-step: defect of the worst cell's volume.", a.volume, 1.0615e-6, "depth^2");
+      known("feedback-energy", "With feedback: relative energy defect.", b.energy, 1.0379e-5, "1");
+      known("feedback-volume", "With feedback: defect of the worst cell's volume.", b.volume, 3.930e-7, "depth^2");
+    }
+    steps.push_back(synolakis.spacing / 4 / refine);
+    energy_a.push_back(a.energy);
+    volume_a.push_back(a.volume);
+    energy_b.push_back(b.energy);
+    volume_b.push_back(b.volume);
+  }
+  const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors,
+                         double theory) {
+    check.that({.id = id, .text = text, .quantity = "order of the largest defect", .source = source},
+               observed_order(steps, errors), Order{theory, 0.1, "four halvings of all steps"});
+  };
+  order("one-step-energy-order", "One-step: the energy defect is of second order.", energy_a, 2);
+  order("one-step-volume-order", "One-step: the volume defect is of second order.", volume_a, 2);
+  order("feedback-energy-order", "With feedback: the energy defect is of second order.", energy_b, 2);
+  order("feedback-volume-order", "With feedback: the volume defect is of third order.", volume_b, 3);
+  auto& panel = check.figure("defects", "Defects against the step", "Largest defects until t = 75.")
+                    .panel({.x = "longest step", .y = "defect", .log_x = true, .log_y = true});
+  panel.line("energy, one-step", steps, energy_a);
+  panel.line("volume, one-step", steps, volume_a);
+  panel.line("energy, with feedback", steps, energy_b, Role::peer);
+  panel.line("volume, with feedback", steps, volume_b, Role::peer);
+  check_round_off(check, "conservative", "Fully conservative", synolakis_defects({.stepping = Stepping::conservative}),
+                  82);
+}
+
+TEST_CASE("markers that cross the toe of a slope do not spoil conservation", "[conservation]") {
+  Check check(
+      "dispersive_corner_conservation", "Dispersive shallow water: markers that cross a corner of the bottom",
+      "Steep slopes: markers near the toe go back and forth over it, and the frame of a marker in the middle of "
+      "its step may flip from one sweep of the implicit step to the next. The frames are held from the fourth "
+      "sweep on. Energy and volumes do not depend on them, and stay exact.");
+  for (const Beach& beach :
+       {Beach{1, 0.5, 0.25, 40}, Beach{1, 0.5, 0.125, 40}, Beach{3.732, 0.1, 0.25, 40}, Beach{3.732, 0.1, 0.125, 40}}) {
+    Flow flow = beach_flow(beach, {.stepping = Stepping::conservative});
+    const double length = flow.x().back() - flow.x().front();
+    const Defects defects = defects_until(flow, beach.end, beach.spacing / 4);
+    const std::string id = fmt::format("cot-{:.0f}-cells-{:.0f}", beach.cotangent, 1 / beach.spacing);
+    const std::string text =
+        fmt::format("cot {:g}, amplitude {:g}, cells of {:g}", beach.cotangent, beach.amplitude, beach.spacing);
+    check_round_off(check, id, text, defects, length);
+    check.measure("solves per step, " + text, defects.solves);
+  }
+}

@@ -1,0 +1,175 @@
+// Compositions of the dispersive shallow-water model's steps: fourth order in time, with the invariants of the base.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/mechanics/composition.hpp"
+#include "seiche/mechanics/conservative_step.hpp"
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/one_step.hpp"
+#include "seiche/mechanics/start.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/model.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::mechanics;
+using seiche::evidence::Bound;
+using seiche::evidence::Order;
+using seiche::evidence::Roundoff;
+using seiche::verification::Check;
+using Model = seiche::dispersive_shallow_water_1d::Model;
+
+const std::string source = "Yoshida (1990), Suzuki (1990); Hairer, Lubich & Wanner (2006), II.4";
+const std::string digits = "computed once by an independent implementation";
+constexpr double amplitude = 0.3;
+constexpr double length = 60;
+constexpr double end_time = 20;
+constexpr std::size_t cells = 240;
+
+/// Solitary wave in a periodic level channel, cells of equal volume.
+seiche::dispersive_shallow_water_1d::Markers solitary_wave(
+    const seiche::dispersive_shallow_water_1d::Channel& channel) {
+  const seiche::exact::SerreSolitary wave(amplitude);
+  constexpr double crest = 20;
+  const double excess = wave.excess_up_to(length - crest) - wave.excess_up_to(-crest);
+  return solitary_markers(channel, 0, length, (length + excess) / cells, {.amplitude = amplitude, .crest = crest});
+}
+
+struct Result {
+  std::vector<double> x;
+  double energy = 0;  ///< largest defect, relative to the wave's
+  double volume = 0;  ///< largest defect of a cell [depth^2]
+  long solves = 0;
+};
+
+template <template <class> class Base>
+Result run(double tau, const std::vector<double>& stages) {
+  const seiche::dispersive_shallow_water_1d::Channel channel{.bottom = std::make_shared<seiche::LevelBottom>(1.0),
+                                                             .period = length};
+  const auto markers = solitary_wave(channel);
+  Model model(channel, markers);
+  State state = model.state_of(markers);
+  Start(model).project(state);
+  Base<Model> base(model);
+  Composition composed(base, stages);
+  InvariantsWatch watch(model, state);
+  const long steps = std::lround(end_time / tau);
+  for (long n = 0; n < steps; ++n) {
+    composed.step(state, end_time / static_cast<double>(steps));
+    watch.record(state);
+  }
+  return {{state.q.begin(), state.q.begin() + static_cast<std::ptrdiff_t>(model.size())},
+          watch.ledger().largest_defect("energy") / watch.ledger().entry("energy").initial,
+          watch.ledger().largest_defect("volume_worst"),
+          model.solves()};
+}
+
+struct Method {
+  std::string id;
+  std::string name;
+  Result (*run)(double tau, const std::vector<double>& stages);
+  std::vector<double> stages;
+  double theory;
+  std::vector<double> tau;
+  std::vector<double> expected;  ///< errors; empty where none are known
+};
+
+std::vector<Method> methods() {
+  const std::vector<double> small = {0.4, 0.2, 0.1, 0.05};
+  const std::vector<double> large = {0.8, 0.4, 0.2, 0.1};
+  const auto single = Stages::single;
+  return {
+      {"one-step", "one-step", run<OneStep>, {1.0}, 2, small, {6.9e-3, 1.7e-3, 4.3e-4, 1.1e-4}},
+      {"triple-jump",
+       "one-step, triple jump",
+       run<OneStep>,
+       triple_jump_weights(single),
+       4,
+       large,
+       {1.6e-2, 9.6e-4, 5.9e-5, 3.7e-6}},
+      {"suzuki", "one-step, Suzuki", run<OneStep>, suzuki_weights(single), 4, large, {1.6e-4, 1.1e-5, 6.8e-7, 4.3e-8}},
+      {"conservative-suzuki",
+       "conservative, Suzuki",
+       run<ConservativeStep>,
+       suzuki_weights(single),
+       4,
+       large,
+       {2.2e-4, 1.4e-5, 9.0e-7, 5.6e-8}},
+      {"triple-jump-paired", "one-step, triple jump of pairs", run<OneStep>, triple_jump_weights(), 4, small, {}},
+      {"suzuki-paired", "one-step, Suzuki of pairs", run<OneStep>, suzuki_weights(), 4, small, {}},
+  };
+}
+
+/// Last digit of a value given with two.
+double half_unit(double value) {
+  return 0.5 * std::pow(10, std::floor(std::log10(value)) - 1);
+}
+
+}  // namespace
+
+TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[conservation]") {
+  Check check("dispersive_composition", "Dispersive shallow water: compositions to fourth order in time",
+              "Solitary wave of amplitude 0.3 in a periodic level channel of length 60, cells of 0.25, $t = 20$. The "
+              "error is the largest of a marker's place against the limit of small steps on the same cells, so that it "
+              "is all of time. Suzuki's composition of the conservative scheme is of fourth order and keeps energy, "
+              "momentum and the volume of every cell to round-off.");
+  auto& panel = check.figure("orders", "Orders in time", "Largest error of a marker against the step.")
+                    .panel({.x = "tau", .y = "error", .log_x = true, .log_y = true});
+  const std::vector<double> limit = run<OneStep>(0.01, suzuki_weights()).x;
+  for (const Method& method : methods()) {
+    std::vector<double> error;
+    double energy = 0;
+    double volume = 0;
+    double solves = 0;
+    for (const double tau : method.tau) {
+      const Result result = method.run(tau, method.stages);
+      error.push_back(0);
+      for (std::size_t i = 0; i < limit.size(); ++i) {
+        error.back() = std::max(error.back(), std::abs(result.x[i] - limit[i]));
+      }
+      energy = std::max(energy, result.energy);
+      volume = std::max(volume, result.volume);
+      solves = std::max(solves, static_cast<double>(result.solves));
+    }
+    panel.line(method.name, method.tau, error, seiche::evidence::Role::computed);
+    check.that({.id = "order-" + method.id,
+                .text = method.name + (method.theory == 4 ? ": fourth order." : ": second order."),
+                .quantity = "observed order of the largest error of a marker",
+                .source = source},
+               seiche::evidence::observed_order(method.tau, error, 1e-12),
+               Order{method.theory, method.theory == 4 ? 0.2 : 0.1,
+                     "smooth motion on a level bottom; below 1e-12 the rounding of coordinates up to 60 counts"});
+    double deviation = 0;
+    for (std::size_t k = 0; k < method.expected.size(); ++k) {
+      deviation = std::max(deviation, std::abs(error[k] - method.expected[k]) / half_unit(method.expected[k]));
+    }
+    if (!method.expected.empty()) {
+      check.that({.id = "digits-" + method.id,
+                  .text = method.name + ": errors of an independent implementation.",
+                  .quantity = "largest deviation in half units of the last digit given",
+                  .source = digits},
+                 {.value = deviation, .resolution = "four steps"}, Bound{.limit = 1, .reason = "two digits are given"});
+    }
+    if (method.id != "conservative-suzuki") continue;
+    check.that({.id = "energy",
+                .text = "Suzuki's composition of the conservative scheme keeps the energy.",
+                .quantity = "largest relative defect",
+                .source = digits + ": 6e-15"},
+               {.value = energy, .resolution = "tau = 0.8 .. 0.1"},
+               Roundoff{.operations = solves, .scale = 1, .reason = "one rounded energy per solve"});
+    check.that({.id = "volume",
+                .text = "It keeps the volume of every cell.",
+                .quantity = "largest relative defect",
+                .source = digits + ": 8e-13"},
+               {.value = volume / (length / cells), .resolution = "tau = 0.8 .. 0.1"},
+               Roundoff{.operations = solves,
+                        .scale = cells,
+                        .reason = "one rounded coordinate, up to the channel's length, per solve and width of a cell"});
+    check.measure("energy_defect", energy);
+    check.measure("volume_defect", volume / (length / cells));
+  }
+}

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "seiche/models/dispersive_shallow_water_1d/model.hpp"
+#include "verification/check.hpp"
+
+using namespace seiche;
+using namespace seiche::dispersive_shallow_water_1d;
+using verification::Role;
+
+namespace {
+
+const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, figure 4 and formula (10)";
+
+struct Point {
+  double x, y;
+};
+
+/// Level bottom, a slope of 1 to 3, and a wave before it.
+struct Shore {
+  std::vector<double> knots{-9, -3, 6};
+  std::vector<double> levels{-1, -1, 2};
+  Channel channel{
+      .bottom = std::make_shared<PiecewiseLinearBottom>(knots, levels), .left = End::wall, .right = End::tip};
+  Markers markers;
+
+  Shore() {
+    const auto hump = [](double x) { return 0.4 / std::pow(std::cosh((x + 3.6) / 1.1), 2); };
+    const auto excess = [](double x) { return 0.44 * std::tanh((x + 3.6) / 1.1); };
+    const auto motion = [&](double x) { return SurfaceMotion{hump(x), 0, 0}; };
+    markers = moved_markers(channel, equal_labels(channel, -7.2, 0, 12), motion, excess, 0);
+  }
+
+  [[nodiscard]] double surface(double x) const {
+    const auto k =
+        static_cast<std::size_t>(std::upper_bound(markers.x.begin(), markers.x.end() - 1, x) - markers.x.begin());
+    const double share = (x - markers.x[k - 1]) / (markers.x[k] - markers.x[k - 1]);
+    return (1 - share) * markers.y[k - 1] + share * markers.y[k];
+  }
+
+  /// Outline of the water between two places: bottom from left to right, surface back.
+  [[nodiscard]] std::vector<Point> outline(double from, double to) const {
+    std::vector<Point> points{{from, channel.bottom->elevation(from)}};
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+      if (knots[i] > from && knots[i] < to) points.push_back({knots[i], levels[i]});
+    }
+    points.push_back({to, channel.bottom->elevation(to)});
+    points.push_back({to, surface(to)});
+    for (std::size_t i = markers.size(); i-- > 0;) {
+      if (markers.x[i] > from && markers.x[i] < to) points.push_back({markers.x[i], markers.y[i]});
+    }
+    points.push_back({from, surface(from)});
+    return points;
+  }
+
+  /// Ends of the elementary volumes: the ends of the water and the middles of the cells.
+  [[nodiscard]] std::vector<double> boundaries() const {
+    std::vector<double> x{markers.x.front()};
+    for (std::size_t j = 0; j + 1 < markers.size(); ++j) x.push_back(0.5 * (markers.x[j] + markers.x[j + 1]));
+    x.push_back(markers.x.back());
+    return x;
+  }
+};
+
+struct Shape {
+  double area = 0;
+  Point centre{};
+};
+
+/// Area and centroid of a polygon.
+Shape shape_of(const std::vector<Point>& outline) {
+  Shape shape;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point& a = outline[i];
+    const Point& b = outline[(i + 1) % outline.size()];
+    const double cross = a.x * b.y - b.x * a.y;
+    shape.area += 0.5 * cross;
+    shape.centre.x += cross * (a.x + b.x) / 6;
+    shape.centre.y += cross * (a.y + b.y) / 6;
+  }
+  shape.centre.x /= shape.area;
+  shape.centre.y /= shape.area;
+  return shape;
+}
+
+void draw(verification::Check& check, const Shore& shore, const std::vector<Shape>& volumes) {
+  auto& figure = check.figure(
+      "model", "The discrete shallow-water model on a slope",
+      "Markers on the surface; elementary volumes, bounded by verticals at the middle abscissas between markers; the "
+      "particle of each volume, of its mass, drawn at its centre of area. The last marker, the tip, is where the "
+      "surface "
+      "meets the bottom.",
+      {"frank-fig-4"});
+  auto& panel = figure.panel(
+      {.x = "x/H", .y = "y/H", .equal_aspect = true, .x_min = -7.2, .x_max = 0.8, .y_min = -1.25, .y_max = 0.6});
+  panel.fill("water", shore.markers.x, shore.markers.y, Role::water);
+  panel.fill("bottom", shore.knots, shore.levels, Role::bed);
+  for (const double x : shore.boundaries()) {
+    panel.line("elementary volumes", std::vector{x, x},
+               std::vector{shore.channel.bottom->elevation(x), shore.surface(x)}, Role::peer);
+  }
+  panel.line("surface", shore.markers.x, shore.markers.y, Role::exact);
+  panel.points("markers", shore.markers.x, shore.markers.y, Role::computed);
+  std::vector<double> x;
+  std::vector<double> y;
+  for (const Shape& volume : volumes) {
+    x.push_back(volume.centre.x);
+    y.push_back(volume.centre.y);
+  }
+  panel.points("particles", x, y, Role::data);
+}
+
+}  // namespace
+
+TEST_CASE("particles of the dispersive model have the mass of their elementary volumes", "[conservation]") {
+  verification::Check check(
+      "conservation_elementary_volumes", "Elementary volumes of the discrete shallow-water model",
+      "The water between the surface through the markers and the bottom is cut by verticals at the middles between "
+      "markers. A particle has the mass of its piece, constant in time. Here the pieces are measured as polygons, over "
+      "a bottom with a corner inside a cell.");
+  const Shore shore;
+  const Model model(shore.channel, shore.markers);
+  const std::vector<double> ends = shore.boundaries();
+  std::vector<Shape> volumes;
+  double worst_mass = 0;
+  double worst_cell = 0;
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    volumes.push_back(shape_of(shore.outline(ends[i], ends[i + 1])));
+    worst_mass = std::max(worst_mass, std::abs(model.masses()[i] - volumes.back().area));
+    if (i + 1 == model.size()) break;
+    const double cell = shape_of(shore.outline(shore.markers.x[i], shore.markers.x[i + 1])).area;
+    worst_cell = std::max(worst_cell, std::abs(model.rest_volumes()[i] - cell));
+  }
+  const double water = shape_of(shore.outline(shore.markers.x.front(), shore.markers.x.back())).area;
+  const auto claim = [&](const std::string& id, const std::string& text, double defect, double scale) {
+    check.that({.id = id, .text = text, .quantity = "largest defect", .unit = "H^2", .source = source},
+               {.value = defect},
+               evidence::Roundoff{.operations = 40,
+                                  .scale = scale,
+                                  .reason = "products x y of the polygon's corners, eight corners of five operations"});
+  };
+  claim("masses", "The masses are the areas of the elementary volumes.", worst_mass, 7.2);
+  claim("cells", "The constant volumes are the areas between neighbouring markers.", worst_cell, 7.2);
+  const std::span<const double> masses = model.masses();
+  claim("sum", "The elementary volumes fill the water.",
+        std::abs(std::accumulate(masses.begin(), masses.end(), 0.0) - water), 7.2 * std::sqrt(12));
+  const double triangle = model.rest_volumes().back();
+  check.that({.id = "tip",
+              .text = "The tip's particle has a quarter of its triangle.",
+              .quantity = "mass of the tip/area of the last cell",
+              .source = source},
+             {.value = model.masses().back() / triangle},
+             evidence::Roundoff{
+                 .operations = 10, .scale = 1, .reason = "two areas of five operations each", .expected = 0.25});
+  Channel consistent = shore.channel;
+  consistent.tip_mass = TipMass::consistent;
+  check.that({.id = "tip-consistent",
+              .text = "The consistent tip mass is a sixth of it.",
+              .quantity = "mass of the tip/area of the last cell",
+              .source = "rigid acceleration of a plane surface over a plane slope"},
+             {.value = Model(consistent, shore.markers).masses().back() / triangle},
+             evidence::Roundoff{.operations = 10, .scale = 1, .reason = "one division", .expected = 1.0 / 6});
+  draw(check, shore, volumes);
+}

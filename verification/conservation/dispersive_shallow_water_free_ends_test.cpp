@@ -1,0 +1,92 @@
+// A patch of water with two free ends: nothing acts on it from outside.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::dispersive_shallow_water_1d;
+using seiche::evidence::Role;
+using seiche::evidence::Roundoff;
+using seiche::verification::Check;
+
+constexpr double half_length = 5;
+constexpr std::size_t cells = 80;
+constexpr int steps = 250;
+constexpr double tau = 0.02;
+
+/// A heap of water, higher to the right, that moves to the right.
+Flow patch(Stepping stepping) {
+  const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0), .left = End::free, .right = End::free};
+  Markers markers = still_markers(channel, equal_labels(channel, -half_length, half_length, cells));
+  for (std::size_t i = 0; i < markers.size(); ++i) {
+    markers.y[i] = 0.3 * std::exp(-std::pow(markers.x[i] - 2, 2));
+    markers.u[i] = 0.2;
+  }
+  return Flow(channel, markers, {.stepping = stepping});
+}
+
+double largest_sum(const Flow& flow, double so_far) {
+  double sum = 0;
+  for (std::size_t i = 0; i < flow.p().size(); ++i) sum += flow.model().masses()[i] * std::abs(flow.p()[i]);
+  return std::max(so_far, sum);
+}
+
+}  // namespace
+
+TEST_CASE("a patch of water with free ends keeps momentum, and energy with the conservative stepping",
+          "[conservation]") {
+  Check check(
+      "dispersive_free_ends", "A free patch of water keeps what nothing acts on",
+      "Ten depths of water on a level bottom, ends that stand free like dams just broken, moving and heaped to "
+      "one side. It collapses to both sides. Forces between cells are opposite, so that momentum is kept by "
+      "any scheme; the centre of mass moves uniformly; the conservative stepping keeps energy and volumes too.");
+  auto& panel = check.figure("patch", "The patch collapses", "Surface by the conservative stepping, t = 0 to 5.")
+                    .panel({.x = "x", .y = "elevation"});
+  for (const Stepping stepping : {Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative}) {
+    const bool conservative = stepping == Stepping::conservative;
+    const std::string id = conservative ? "conservative" : stepping == Stepping::one_step ? "one-step" : "feedback";
+    Flow flow = patch(stepping);
+    const double energy = flow.energy();
+    const auto centre = [&] {
+      double moment = 0;
+      for (std::size_t i = 0; i < flow.x().size(); ++i) moment += flow.model().masses()[i] * flow.x()[i];
+      return moment / flow.model().mass();
+    };
+    const double start = centre();
+    const double speed = flow.model().momentum(flow.state().q, flow.state().u)[0] / flow.model().mass();
+    double scale = 0;
+    double off_course = 0;
+    for (int k = 0; k <= steps; ++k) {
+      if (k > 0) flow.advance(tau);
+      flow.observe();
+      scale = largest_sum(flow, scale);
+      off_course = std::max(off_course, std::abs(centre() - start - speed * flow.time()));
+      if (conservative && k % (steps / 5) == 0) panel.line(fmt::format("t = {:.0f}", flow.time()), flow.x(), flow.y());
+    }
+    const std::string resolution = fmt::format("{} cells, tau = {:g}, {} steps", cells, tau, steps);
+    const auto claim = [&](const std::string& what, const std::string& text, double value, double magnitude,
+                           const std::string& reason) {
+      check.that({.id = id + "-" + what,
+                  .text = text,
+                  .quantity = "largest defect",
+                  .source = "nothing acts on the patch from outside"},
+                 {.value = value, .resolution = resolution},
+                 Roundoff{.operations = steps, .scale = magnitude, .reason = reason + ", once per step"});
+    };
+    claim("momentum", "Momentum is kept.", flow.ledger().largest_defect("momentum"), scale, "rounding of sum m|u|");
+    claim("centre", "The centre of mass moves uniformly.", off_course, 2 * half_length, "rounding of a place");
+    if (!conservative) continue;
+    claim("energy", "Energy is kept.", flow.ledger().largest_defect("energy"), energy + flow.model().mass(),
+          "rounding of the energy, which counts the bottom's");
+    claim("volume", "Every cell keeps its volume.", flow.ledger().largest_defect("volume_worst"), 2 * half_length,
+          "rounding of a place");
+  }
+}

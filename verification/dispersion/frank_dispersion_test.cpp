@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "validation/measures/standing_mode.hpp"
+#include "verification/check.hpp"
+
+using namespace seiche;
+using namespace seiche::dispersive_shallow_water_1d;
+using validation::StandingBox;
+using verification::Role;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double limit = 1e-11;
+const std::string limit_reason = "positions of size 1 are rounded to 1e-16, that is 1e-11 of the amplitude 1e-5";
+const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, formula (13)";
+
+/// Numbers in [0, 1) that fill the cube of nine dimensions evenly: additive recurrence with powers of the root of
+/// x^10 = x + 1, which generalises the golden ratio.
+class EvenSequence {
+ public:
+  double operator()(std::size_t dimension, int index) const {
+    double whole = 0;
+    return std::modf(0.5 + index * std::pow(ratio, -static_cast<double>(dimension + 1)), &whole);
+  }
+
+ private:
+  static constexpr double ratio = 1.0757660660868371;
+};
+
+double highest_frequency(const StandingBox& box) {
+  const auto law = box.law();
+  double highest = 0;
+  for (int i = 1; i < 100; ++i) highest = std::max(highest, law.frequency(0.01 * i * pi / box.spacing()));
+  return highest;
+}
+
+StandingBox any_box(const EvenSequence& number, int index, Stepping stepping) {
+  StandingBox box;
+  const auto within = [&](std::size_t dimension, double low, double high) {
+    return low + (high - low) * number(dimension, index);
+  };
+  box.depth = within(0, 0.3, 4);
+  box.gravity = within(1, 1, 20);
+  box.cells = static_cast<std::size_t>(within(2, 3, 25));
+  box.half_waves = 1 + static_cast<std::size_t>(within(3, 0, static_cast<double>(box.cells - 1)));
+  // At ks = 2 pi/3 the markers see the second harmonic as the wave itself.
+  if (3 * box.half_waves == 2 * box.cells) --box.half_waves;
+  const double spacing = box.depth * within(4, 0.2, 1.2);
+  box.wavenumber = pi * static_cast<double>(box.half_waves) / (static_cast<double>(box.cells) * spacing);
+  box.gamma = within(5, 0, 0.1);
+  box.alpha = box.gamma + within(6, 0.2, 0.5);
+  box.slope_energy = within(7, 0.05, 1);
+  box.tau = within(8, 0.1, 0.6) * 2 / highest_frequency(box);
+  box.scheme.stepping = stepping;
+  return box;
+}
+
+/// A wave that travels through a periodic channel of one wavelength, started from its surface.
+double progressive_frequency(const StandingBox& box, double amplitude, double direction) {
+  Channel channel = box.channel();
+  channel.period = 2 * box.length();
+  const std::vector<double> labels = equal_labels(channel, 0, channel.period, 2 * box.cells);
+  const double k = box.wavenumber;
+  const double shift = 0.5 * box.spacing() / (box.depth * std::tan(0.5 * k * box.spacing()));
+  const double omega = direction * box.law().frequency(k);
+  Markers start;
+  for (const double x : labels) {
+    start.x.push_back(x - amplitude * shift * std::sin(k * x));
+    start.y.push_back(amplitude * std::cos(k * x));
+    start.u.push_back(amplitude * shift * omega * std::cos(k * x));
+    start.v.push_back(amplitude * omega * std::sin(k * x));
+  }
+  Flow flow(channel, start, box.scheme);
+  std::vector<double> samples;
+  const auto steps = static_cast<long>(20 * 2 * pi / (std::abs(omega) * box.tau));
+  for (long n = 0; n <= steps; ++n) {
+    if (n > 0) flow.advance(box.tau);
+    double sum = 0;
+    for (std::size_t i = 0; i < labels.size(); ++i) sum += flow.y()[i] * std::cos(k * labels[i]);
+    samples.push_back(sum / static_cast<double>(box.cells));
+  }
+  return validation::fit_oscillation(samples, box.tau).frequency;
+}
+
+}  // namespace
+
+TEST_CASE("small waves have the frequency of the discrete law for any parameters", "[dispersion]") {
+  verification::Check check(
+      "dispersion_frank", "Dispersion of the discrete dispersive shallow-water model",
+      "Standing waves between walls, for 60 sets of depth, gravity, spacing, wavenumber up to the shortest that "
+      "markers "
+      "resolve, time step, and factors alpha, beta, gamma of the energies, spread evenly over their ranges. The "
+      "frequency, fitted to the series and extrapolated to no amplitude, is that of the closed form.");
+  const EvenSequence number;
+  auto& figure = check.figure("deviation", "Deviation of measured frequencies from the law",
+                              "60 sets of parameters; a deviation of zero is drawn as $10^{-17}$.");
+  auto& panel = figure.panel({.x = "k s/pi", .y = "relative deviation", .log_y = true, .y_max = 1e-7});
+  const std::array<std::pair<Stepping, std::string>, 3> schemes = {
+      {{Stepping::one_step, "one-step"},
+       {Stepping::one_step_feedback, "one-step with volume feedback"},
+       {Stepping::conservative, "conservative"}}};
+  for (const auto& [stepping, label] : schemes) {
+    std::vector<double> resolution;
+    std::vector<double> deviation;
+    double worst = 0;
+    // Fed back volumes bring their own rounding into the velocities, divided by the time step.
+    const double amplitude = stepping == Stepping::one_step_feedback ? 1e-4 : 1e-5;
+    for (int index = 1; index <= 60; ++index) {
+      const StandingBox box = any_box(number, index, stepping);
+      const double measured = validation::smallest_wave_frequency(box, 12, amplitude);
+      const double relative = std::abs(measured / box.linear_frequency() - 1);
+      worst = std::max(worst, relative);
+      resolution.push_back(box.wavenumber * box.spacing() / pi);
+      deviation.push_back(std::max(relative, 1e-17));
+    }
+    panel.points(label, resolution, deviation);
+    check.that({.id = label == "conservative" || label == "one-step" ? label : "feedback",
+                .text = fmt::format("With the {} scheme the frequencies are those of the law.", label),
+                .quantity = "largest relative deviation of the frequency",
+                .source = source + "; general alpha, beta, gamma and the time steps derived"},
+               {.value = worst, .resolution = "60 sets of parameters"}, evidence::Bound{limit, limit_reason});
+  }
+  panel.line("limit", std::vector{0.0, 1.0}, std::vector{limit, limit}, Role::guide);
+}
+
+TEST_CASE("progressive waves have the frequency of standing waves", "[dispersion]") {
+  verification::Check check("dispersion_progressive", "Progressive waves in a periodic channel",
+                            "The matrix of a periodic channel is cyclic and there are no walls: another program path, "
+                            "the same law.");
+  for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
+    for (const double direction : {1.0, -1.0}) {
+      double worst = 0;
+      for (const double k : {0.6, 1.3, 2.9}) {
+        const StandingBox box{.wavenumber = k, .cells = 10, .tau = 0.15, .scheme = {.stepping = stepping}};
+        const double once = progressive_frequency(box, 1e-5, direction);
+        const double twice = progressive_frequency(box, 2e-5, direction);
+        worst = std::max(worst, std::abs((once + (once - twice) / 3) / box.linear_frequency() - 1));
+      }
+      check.that({.id = fmt::format("{}-{}", stepping == Stepping::one_step ? "one-step" : "conservative",
+                                    direction > 0 ? "right" : "left"),
+                  .text = "Waves that travel have the frequency of standing waves, in both directions.",
+                  .quantity = "largest relative deviation of the frequency",
+                  .source = source},
+                 {.value = worst, .resolution = "kH = 0.6, 1.3, 2.9; 20 cells per wavelength, tau = 0.15"},
+                 evidence::Bound{limit, limit_reason});
+    }
+  }
+}
+
+TEST_CASE("compositions approach the law of the continuous time with the fourth power of the step", "[dispersion]") {
+  verification::Check check("dispersion_compositions", "Frequencies of the fourth-order compositions",
+                            "Triple jump and Suzuki's composition, of both schemes: the frequency leaves that of "
+                            "continuous time with $\\tau^4$.");
+  for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
+    for (const TimeComposition composition : {TimeComposition::triple_jump, TimeComposition::suzuki}) {
+      std::vector<double> steps;
+      std::vector<double> errors;
+      for (double tau = 0.32; tau > 0.03; tau /= std::numbers::sqrt2) {
+        const StandingBox box{
+            .wavenumber = 1.5, .cells = 10, .tau = tau, .scheme = {.stepping = stepping, .composition = composition}};
+        steps.push_back(tau);
+        errors.push_back(std::abs(validation::smallest_wave_frequency(box, 12) / box.law().frequency(1.5) - 1));
+      }
+      check.that({.id = fmt::format("{}-{}", stepping == Stepping::one_step ? "one-step" : "conservative",
+                                    composition == TimeComposition::suzuki ? "suzuki" : "triple-jump"),
+                  .text = "The composition's frequency is of fourth order.",
+                  .quantity = "order in tau of the relative error of the frequency",
+                  .source = "Yoshida (1990); Suzuki (1990)"},
+                 evidence::observed_order(steps, errors, 1e-12),
+                 evidence::Order{4, 0.1, "errors in even powers: the next is (omega tau)^2 = 0.1 of it at most"});
+    }
+  }
+}

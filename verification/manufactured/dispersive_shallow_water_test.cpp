@@ -1,0 +1,272 @@
+// Dispersive shallow water over an uneven bottom against a manufactured motion: orders and digits.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/dispersive_manufactured.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::dispersive_shallow_water_1d;
+using namespace seiche::verification;
+using seiche::evidence::Bound;
+using seiche::evidence::observed_order;
+using seiche::evidence::Order;
+using seiche::exact::DispersiveManufactured;
+
+const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";
+const std::string digits = "computed once by an independent implementation";
+constexpr double end = 5;
+
+/// x, y, p, r, lambda
+constexpr std::size_t unknowns = 5;
+const std::array<std::string, unknowns> names{"x", "y", "p", "r", "lambda"};
+using Errors = std::array<double, unknowns>;
+using Fields = std::array<std::vector<double>, unknowns>;
+
+struct Named {
+  std::string id, text;
+  Stepping stepping;
+};
+const std::array<Named, 3> schemes{{{"A", "one-step", Stepping::one_step},
+                                    {"B", "one-step with feedback", Stepping::one_step_feedback},
+                                    {"C", "fully conservative", Stepping::conservative}}};
+
+struct Frames {
+  std::string id, text;
+  Kinetics kinetics;
+};
+const std::array<Frames, 2> frames{{{"frank", "Frank's energy", Kinetics::frank},
+                                    {"green_naghdi", "Green and Naghdi's energy", Kinetics::green_naghdi}}};
+
+/// Errors at the end; of lambda in the middle of the cells and of the last step.
+Fields errors_at_end(Kinetics kinetics, Stepping stepping, std::size_t n, long steps) {
+  const DispersiveManufactured exact({.green_naghdi = kinetics == Kinetics::green_naghdi});
+  const DispersiveManufactured::Parameters& parameters = exact.parameters();
+  const double length = parameters.length;
+  const Channel channel{
+      .bottom = std::make_shared<seiche::CosineBottom>(parameters.depth, parameters.bottom_amplitude,
+                                                       2 * std::numbers::pi * parameters.bottom_mode / length),
+      .period = length,
+      .gravity = parameters.gravity,
+      .kinetics = kinetics,
+      .alpha = parameters.alpha};
+  const std::vector<double> labels = equal_labels(channel, 0, length, n);
+  Markers start;
+  for (const double label : labels) {
+    const DispersiveManufactured::Sample s = exact.at(label, 0);
+    start.x.push_back(s.x);
+    start.y.push_back(s.y);
+  }
+  // The motion turns at t = 0.
+  start.u.assign(n, 0.0);
+  start.v.assign(n, 0.0);
+  Forcing forcing;
+  forcing.body_force = [&](double time, std::span<double> along, std::span<double> across) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const DispersiveManufactured::Sample s = exact.at(labels[i], time);
+      along[i] += s.source_p;
+      across[i] += s.source_r;
+    }
+  };
+  Flow flow(channel, start, {.stepping = stepping}, forcing);
+  const double tau = end / static_cast<double>(steps);
+  for (long step = 0; step < steps; ++step) flow.advance(tau);
+  Fields errors;
+  for (std::size_t i = 0; i < n; ++i) {
+    const DispersiveManufactured::Sample s = exact.at(labels[i], end);
+    const double lambda = exact.at(labels[i] + 0.5 * length / static_cast<double>(n), end - tau / 2).lambda;
+    const Errors error{flow.x()[i] - s.x, flow.y()[i] - s.y, flow.p()[i] - s.p, flow.r()[i] - s.r,
+                       flow.multipliers()[i] - lambda};
+    for (std::size_t k = 0; k < unknowns; ++k) errors[k].push_back(error[k]);
+  }
+  return errors;
+}
+
+Errors rms(const Fields& fields) {
+  Errors result{};
+  for (std::size_t k = 0; k < unknowns; ++k) {
+    for (const double e : fields[k]) result[k] += e * e;
+    result[k] = std::sqrt(result[k] / static_cast<double>(fields[k].size()));
+  }
+  return result;
+}
+
+/// n cells and steps of 2.5/n.
+Errors rms_errors(Kinetics kinetics, Stepping stepping, std::size_t n) {
+  return rms(errors_at_end(kinetics, stepping, n, static_cast<long>(2 * n)));
+}
+
+const std::array<std::size_t, 5> refinement{25, 50, 100, 200, 400};
+
+/// Difference from a number printed with three digits, in units of the last.
+double in_last_digits(double value, double printed) {
+  return std::abs(value - printed) / std::pow(10.0, std::floor(std::log10(printed)) - 2);
+}
+
+/// One claim per unknown over all resolutions of the table, and the table itself.
+void check_table(Check& check, const std::string& id, const Frames& frame, const Named& scheme,
+                 const std::vector<std::pair<std::size_t, Errors>>& printed) {
+  seiche::evidence::Table table{
+      .id = "digits_" + id,
+      .title = fmt::format("Errors, {}, {} scheme", frame.text, scheme.text),
+      .caption = "Root-mean-square errors at t = 5, each with the number of the independent implementation after it.",
+      .columns = {{"n", "1"}}};
+  for (const std::string& name : names) {
+    table.columns.push_back({name, ""});
+    table.columns.push_back({name + ", independent", ""});
+  }
+  Errors farthest{};
+  for (const auto& [n, expected] : printed) {
+    const Errors errors = rms_errors(frame.kinetics, scheme.stepping, n);
+    auto& row = table.rows.emplace_back();
+    row.emplace_back(static_cast<double>(n));
+    for (std::size_t k = 0; k < unknowns; ++k) {
+      row.emplace_back(errors[k]);
+      row.emplace_back(expected[k]);
+      farthest[k] = std::max(farthest[k], in_last_digits(errors[k], expected[k]));
+    }
+  }
+  check.table(table);
+  for (std::size_t k = 0; k < unknowns; ++k) {
+    check.that(
+        {.id = fmt::format("{}-{}", id, names[k]),
+         .text = fmt::format("{}, {} scheme: the error of {} has every digit of an independent implementation.",
+                             frame.text, scheme.text, names[k]),
+         .quantity = "largest difference in units of the third digit",
+         .source = digits},
+        {.value = farthest[k], .resolution = fmt::format("n = {} to {}", printed.front().first, printed.back().first)},
+        Bound{.limit = 0.5, .reason = "half a unit of the last printed digit"});
+  }
+}
+
+}  // namespace
+
+TEST_CASE("all unknowns of dispersive shallow water converge with second order over an uneven bottom",
+          "[manufactured]") {
+  Check check("dispersive_manufactured", "Dispersive shallow water: manufactured motion over an uneven bottom",
+              "Bottom $b = -1 + 0.2\\cos(2\\pi x/10)$, period 10. Markers are made to follow "
+              "$x = a + 0.3 \\sin(ka)\\cos(0.8t)$ with the dynamic pressure $0.05\\cos(2ka)\\sin(0.8t)$ by forces on "
+              "both rates of every particle. The bottom lies on the markers' path, so that frames, volumes and forces "
+              "all change. The step is $2.5/n$, the end $t = 5$. Positions, rates and the multipliers have to converge "
+              "with second order, for either kinetic energy and each scheme.");
+  for (const Frames& frame : frames) {
+    auto& figure = check.figure("convergence_" + frame.id, "Errors under refinement, " + frame.text,
+                                "Root-mean-square errors at t = 5 against the number of cells; the step shrinks with "
+                                "them. The grey line falls with second order.");
+    for (const Named& scheme : schemes) {
+      std::array<std::vector<double>, unknowns> errors;
+      std::vector<double> widths;
+      std::vector<double> cells;
+      for (const std::size_t n : refinement) {
+        const Errors e = rms_errors(frame.kinetics, scheme.stepping, n);
+        for (std::size_t k = 0; k < unknowns; ++k) errors[k].push_back(e[k]);
+        cells.push_back(static_cast<double>(n));
+        widths.push_back(10 / cells.back());
+      }
+      auto& panel = figure.panel({.x = "cells n", .y = "error", .title = scheme.text, .log_x = true, .log_y = true});
+      for (std::size_t k = 0; k < unknowns; ++k) {
+        panel.line(names[k], cells, errors[k]);
+        check.that({.id = fmt::format("order-{}-{}-{}", frame.id, scheme.id, names[k]),
+                    .text = fmt::format("{}, {} scheme: {} is of second order.", frame.text, scheme.text, names[k]),
+                    .quantity = "order of the root-mean-square error",
+                    .source = source},
+                   observed_order(widths, errors[k]),
+                   Order{2, 0.05, "smooth solution, five resolutions deep in the asymptotic range"});
+      }
+      std::vector<double> slope;
+      for (const double n : cells) slope.push_back(errors[0].front() * std::pow(cells.front() / n, 2) * 1.6);
+      panel.line("second order", cells, slope, Role::guide);
+    }
+  }
+}
+
+TEST_CASE("the errors of dispersive shallow water are those of an independent implementation", "[manufactured]") {
+  Check check("dispersive_manufactured_digits", "Dispersive shallow water: manufactured motion, digit by digit",
+              "An order shows that a scheme converges; digits show that it is the scheme it claims to be. Another "
+              "implementation, with dense matrices, ran the same problem.");
+  check_table(check, "frank", frames[0], schemes[0],
+              {{25, {1.87e-3, 7.82e-4, 7.53e-4, 1.15e-3, 1.11e-3}},
+               {50, {4.65e-4, 1.94e-4, 1.86e-4, 2.81e-4, 2.76e-4}},
+               {100, {1.16e-4, 4.85e-5, 4.64e-5, 6.99e-5, 6.89e-5}},
+               {200, {2.91e-5, 1.21e-5, 1.16e-5, 1.75e-5, 1.72e-5}},
+               {400, {7.26e-6, 3.03e-6, 2.90e-6, 4.36e-6, 4.29e-6}}});
+  check_table(check, "green_naghdi", frames[1], schemes[0],
+              {{25, {1.88e-3, 8.16e-4, 7.61e-4, 1.14e-3, 1.13e-3}},
+               {50, {4.68e-4, 2.03e-4, 1.88e-4, 2.80e-4, 2.81e-4}},
+               {100, {1.17e-4, 5.06e-5, 4.69e-5, 6.95e-5, 7.01e-5}}});
+  const Errors conservative = rms_errors(Kinetics::frank, Stepping::conservative, 400);
+  const auto printed = [&](std::size_t k, double expected) {
+    check.that({.id = "conservative-" + names[k],
+                .text = fmt::format("Frank's energy, fully conservative scheme: the error of {} has every digit of an "
+                                    "independent implementation.",
+                                    names[k]),
+                .quantity = "difference in units of the third digit",
+                .source = digits},
+               {.value = in_last_digits(conservative[k], expected), .resolution = "n = 400"},
+               Bound{.limit = 0.5, .reason = "half a unit of the last printed digit"});
+  };
+  printed(0, 6.64e-6);
+  printed(1, 3.26e-6);
+  printed(4, 4.46e-6);
+}
+
+TEST_CASE("the step alone is of second order over an uneven bottom", "[manufactured]") {
+  Check check("dispersive_manufactured_step", "Dispersive shallow water: manufactured motion, refinement of the step",
+              "Frank's energy, one-step scheme. On 400 cells the error of the cells is taken out marker by marker, as "
+              "that of a run with very short steps. On 1600 cells it is small beside the step's.");
+  const auto run = [](std::size_t n, double tau) {
+    return errors_at_end(Kinetics::frank, Stepping::one_step, n, std::lround(end / tau));
+  };
+  const std::vector<double> steps{0.1, 0.05, 0.025, 0.0125};
+  const Fields of_cells = run(400, steps.back() / 16);
+  std::array<std::vector<double>, unknowns> errors;
+  for (const double tau : steps) {
+    Fields fields = run(400, tau);
+    for (std::size_t k = 0; k < unknowns; ++k) {
+      for (std::size_t i = 0; i < fields[k].size(); ++i) fields[k][i] -= of_cells[k][i];
+    }
+    const Errors e = rms(fields);
+    for (std::size_t k = 0; k < unknowns; ++k) errors[k].push_back(e[k]);
+  }
+  auto& panel = check
+                    .figure("convergence", "Errors against the step",
+                            "Root-mean-square errors at t = 5 on 400 cells beyond those of very short steps; points "
+                            "are an independent implementation's on 1600 cells.")
+                    .panel({.x = "step", .y = "error", .log_x = true, .log_y = true});
+  for (std::size_t k = 0; k < unknowns; ++k) {
+    panel.line(names[k], steps, errors[k]);
+    check.that({.id = "order-" + names[k],
+                .text = "The step's error of " + names[k] + " is of second order.",
+                .quantity = "order of the root-mean-square error",
+                .source = source},
+               observed_order(steps, errors[k]),
+               Order{2, 0.05,
+                     "dispersive waves reach omega = 1.9 here: errors of fourth order, (omega tau)^2/4 of those of "
+                     "second, are 1 % at the longest step; the shortest step is 16 of the reference's, whose own error "
+                     "is 0.4 % of it"});
+  }
+  const std::vector<double> coarse{0.2, 0.1, 0.05};
+  const std::vector<double> expected{5.1e-4, 1.27e-4, 3.2e-5};
+  const std::vector<double> last_digit{1e-5, 1e-6, 1e-6};
+  panel.points("p, independent", coarse, expected, Role::peer);
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    check.that(
+        {.id = fmt::format("p-{}", i + 1),
+         .text = fmt::format("Error of p with steps of {:g}.", coarse[i]),
+         .quantity = "root-mean-square error of p",
+         .source = digits},
+        {.value = rms(run(1600, coarse[i]))[2], .resolution = fmt::format("n = 1600, tau = {:g}", coarse[i])},
+        Bound{.limit = last_digit[i] / 2, .reason = "half a unit of the last printed digit", .expected = expected[i]});
+  }
+}

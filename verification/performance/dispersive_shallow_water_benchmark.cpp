@@ -1,0 +1,112 @@
+// Marker-steps per second of the dispersive shallow-water model.
+//
+//   items_per_second     markers x steps / second
+//   bytes_per_step       least traffic of one step per marker: 8 bytes for each array of length N that the scheme has
+//   to
+//                        read or write once, whatever the code does beyond that.
+//   operations_per_step  floating-point operations of one step per marker in the formulas (+ - * / sqrt count one each)
+//
+// Channels: level between walls, level and periodic, and a plane beach with a shoreline at its end. Schemes: A
+// one-step, B one-step with feedback, C conservative with three sweeps.
+#include <benchmark/benchmark.h>
+
+#include <memory>
+#include <vector>
+
+#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::dispersive_shallow_water_1d;
+
+constexpr double spacing = 0.25;
+constexpr double tau = 0.05;
+constexpr int sweeps = 3;
+constexpr double toe = -20;  // of the beach, slope 1:20
+
+enum class Site { walls, periodic, beach };
+
+/// A solitary wave in water of depth 1 with n markers, still far from the beach.
+Flow start(Site site, std::size_t n, Scheme scheme) {
+  const SolitaryStart wave{.amplitude = 0.1, .crest = -50};
+  const double length = spacing * static_cast<double>(n);
+  if (site == Site::beach) {
+    const double begin = -spacing * static_cast<double>(n - 1);
+    const Channel channel{.bottom = std::make_shared<PiecewiseLinearBottom>(std::vector<double>{begin - 100, toe, -toe},
+                                                                            std::vector<double>{-1, -1, 1}),
+                          .left = End::wall,
+                          .right = End::tip};
+    return {channel, solitary_markers(channel, begin, 0, spacing, wave), scheme};
+  }
+  const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0), .period = site == Site::periodic ? length : 0};
+  return {channel, solitary_markers(channel, -length / 2, length / 2, spacing, wave), scheme};
+}
+
+struct Work {
+  double arrays;      // read or written once per step, of length N
+  double operations;  // per marker and step
+};
+
+/// Arrays of a step with A: x, y, p, r read and written, 1/m and 1/(alpha m) read, two rows of the elimination written
+/// and read again, multipliers written: 8 + 2 + 4 + 1. B also reads the rest volumes. A sweep of C: x, y, p, r read,
+/// their values at the end and at the middle read and written, the rest as before: 4 + 8 + 2 + 4 + 1; four more per
+/// step.
+///
+/// Operations on a level bottom: predictor 4, widths and means 3, gravity 20, diagonal 12, coupling 8, kick 6, rates of
+/// cells 11, elimination and substitution 9, reaction 13, reflection 4, advance 4. B: defects of volumes 5. A sweep of
+/// C: middle and motion 6, mean of the force over the motion 27, the rest without predictor and reflection: 119; 12
+/// more per step. On a slope, per solve: bottom and frames 16, mobilities 15, and 42 where gradients and rates are
+/// turned.
+Work work_of(Stepping stepping, double sloping) {
+  constexpr double turning = 16 + 15 + 42;
+  switch (stepping) {
+    case Stepping::one_step:
+      return {15, 94 + turning * sloping};
+    case Stepping::one_step_feedback:
+      return {16, 99 + turning * sloping};
+    case Stepping::conservative:
+      return {sweeps * 19 + 4, sweeps * (119 + turning * sloping) + 12};
+  }
+  return {};
+}
+
+void marker_steps(benchmark::State& state, Site site, Stepping stepping) {
+  const Scheme scheme{.stepping = stepping, .fixed_sweeps = stepping == Stepping::conservative ? sweeps : 0};
+  Flow flow = start(site, static_cast<std::size_t>(state.range(0)), scheme);
+  const auto markers = static_cast<double>(flow.x().size());
+  // A wave that reached the shore would change the work: begin again in time.
+  constexpr double longest_time = 20;
+  for (auto _ : state) {
+    flow.advance(tau);
+    if (flow.time() > longest_time) {
+      state.PauseTiming();
+      flow = start(site, static_cast<std::size_t>(state.range(0)), scheme);
+      state.ResumeTiming();
+    }
+  }
+  const Work work = work_of(stepping, site == Site::beach ? -toe / spacing / markers : 0);
+  state.SetItemsProcessed(static_cast<std::int64_t>(static_cast<double>(state.iterations()) * markers));
+  state.counters["bytes_per_step"] = 8 * work.arrays * markers;
+  state.counters["operations_per_step"] = work.operations * markers;
+  benchmark::DoNotOptimize(flow.x().data());
+}
+
+#define SEICHE_MARKER_STEPS(site, stepping)                                          \
+  BENCHMARK_CAPTURE(marker_steps, site##_##stepping, Site::site, Stepping::stepping) \
+      ->Arg(1000)                                                                    \
+      ->Arg(10000)                                                                   \
+      ->Arg(1000000)
+
+SEICHE_MARKER_STEPS(walls, one_step);
+SEICHE_MARKER_STEPS(walls, one_step_feedback);
+SEICHE_MARKER_STEPS(walls, conservative);
+SEICHE_MARKER_STEPS(periodic, one_step);
+SEICHE_MARKER_STEPS(periodic, one_step_feedback);
+SEICHE_MARKER_STEPS(periodic, conservative);
+SEICHE_MARKER_STEPS(beach, one_step);
+SEICHE_MARKER_STEPS(beach, one_step_feedback);
+SEICHE_MARKER_STEPS(beach, conservative);
+
+}  // namespace

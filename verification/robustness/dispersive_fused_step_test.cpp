@@ -1,0 +1,195 @@
+// The dispersive shallow-water model makes whole steps in two passes over memory, with an elimination from both ends.
+// They must do what the separate calls of the integrators do.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/mechanics/conservative_step.hpp"
+#include "seiche/mechanics/one_step.hpp"
+#include "seiche/mechanics/start.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/model.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::dispersive_shallow_water_1d;
+using namespace seiche::verification;
+using seiche::evidence::Roundoff;
+using seiche::mechanics::ConservativeStep;
+using seiche::mechanics::OneStep;
+using seiche::mechanics::State;
+
+constexpr double cotangent = 10;
+
+struct Basin {
+  std::string id, text;
+  Channel channel;
+};
+
+/// Water of `cells` cells of 0.25 up to x = 0; the beach ends there.
+std::vector<Basin> basins() {
+  const auto level = std::make_shared<seiche::LevelBottom>(1.0);
+  const auto beach = std::make_shared<seiche::PiecewiseLinearBottom>(std::vector{-1000.0, -cotangent, 10 * cotangent},
+                                                                     std::vector{-1.0, -1.0, 10.0});
+  const auto waves = std::make_shared<seiche::CosineBottom>(1.0, 0.2, 0.3);
+  return {{"level", "level, walls", {.bottom = level}},
+          {"beach", "wall and shore", {.bottom = beach, .right = End::tip}},
+          {"beach-gn",
+           "wall and shore, Green-Naghdi",
+           {.bottom = beach, .right = End::tip, .kinetics = Kinetics::green_naghdi}},
+          {"uneven", "uneven, walls", {.bottom = waves}}};
+}
+
+Markers pushed_water(const Channel& channel, std::size_t cells) {
+  const double begin = -0.25 * static_cast<double>(cells);
+  Markers markers = still_markers(channel, equal_labels(channel, begin, 0, cells));
+  const double middle = begin / 2;
+  for (std::size_t i = 0; i < markers.size(); ++i) {
+    const double s = (markers.x[i] - middle) / 4;
+    markers.u[i] = 0.1 * std::exp(-s * s);
+  }
+  return markers;
+}
+
+template <class Step>
+State run(Model& model, const Markers& markers, typename Step::Settings settings, double tau, int steps) {
+  State state = model.state_of(markers);
+  seiche::mechanics::Start(model).project(state);
+  Step scheme(model, settings);
+  for (int n = 0; n < steps; ++n) scheme.step(state, tau);
+  return state;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+double motion_difference(const State& a, const State& b) {
+  return std::max(largest_difference(a.q, b.q), largest_difference(a.u, b.u));
+}
+
+/// Of coordinates, rates and multipliers.
+double largest_difference(const State& a, const State& b) {
+  return std::max(motion_difference(a, b), largest_difference(a.multipliers, b.multipliers));
+}
+
+/// No force, but one that only the separate calls can take.
+Forcing nothing() {
+  Forcing forcing;
+  forcing.body_force = [](double, std::span<double>, std::span<double>) {};
+  return forcing;
+}
+
+constexpr double tau = 0.05;
+
+/// Rounding at the places, up to `length`, is carried along by waves that neither grow nor decay.
+Roundoff limit(int steps, double length) {
+  return {.operations = 2.0 * steps,
+          .scale = length,
+          .reason = "both ways round every place, up to the channel's length, once per step"};
+}
+
+/// The scheme reflects what feedback puts into the rates and never damps it.
+Roundoff fed_back(double scale) {
+  return {.operations = 2.0 * 1000,
+          .scale = scale,
+          .reason =
+              "feedback divides the rounding of places, up to 75, by tau in every step; impulses become "
+              "multipliers by 2/tau"};
+}
+
+/// Around the blocks of 256 markers, in which the passes go.
+const std::vector<std::size_t> sizes{60, 255, 256, 257, 511, 512, 700, 1024, 1300};
+
+}  // namespace
+
+TEST_CASE("fused one-step steps do what the separate calls do", "[robustness]") {
+  Check check(
+      "dispersive_fused_step", "Dispersive shallow water: fused and separate passes, one-step scheme",
+      "A pulse of velocity 0.1 in the middle of the water splits in two, 1000 steps of 0.05. Once with the fused "
+      "step, once with the separate calls, which also measure the residual of the constraints.");
+  const int steps = 1000;
+  for (const Basin& basin : basins()) {
+    const Markers markers = pushed_water(basin.channel, 300);
+    const auto both = [&](bool feedback) {
+      Model fused(basin.channel, markers);
+      Model separate(basin.channel, markers);
+      REQUIRE(fused.fuses_step());
+      return std::pair{
+          run<OneStep<Model>>(fused, markers, {.drift_feedback = feedback}, tau, steps),
+          run<OneStep<Model>>(separate, markers, {.drift_feedback = feedback, .measure_residual = true}, tau, steps)};
+    };
+    const std::string resolution = "300 cells, 1000 steps";
+    const auto [a, b] = both(false);
+    check.that({.id = basin.id,
+                .text = fmt::format("Fused and separate steps agree: {}.", basin.text),
+                .quantity = "largest difference of a coordinate, rate or multiplier",
+                .source = "the same scheme"},
+               {.value = largest_difference(a, b), .resolution = resolution}, limit(steps, 75));
+    const auto [c, d] = both(true);
+    check.that({.id = basin.id + "-feedback",
+                .text = fmt::format("Fused and separate steps with feedback agree: {}.", basin.text),
+                .quantity = "largest difference of a coordinate or rate",
+                .source = "the same scheme"},
+               {.value = motion_difference(c, d), .resolution = resolution}, fed_back(75 / tau));
+    check.that({.id = basin.id + "-feedback-multipliers",
+                .text = fmt::format("So do their multipliers: {}.", basin.text),
+                .quantity = "largest difference of a multiplier",
+                .source = "the same scheme"},
+               {.value = largest_difference(c.multipliers, d.multipliers), .resolution = resolution},
+               fed_back(75 / tau * 2 / tau));
+  }
+}
+
+TEST_CASE("fused sweeps of the conservative step do what the separate calls do", "[robustness]") {
+  Check check("dispersive_fused_sweep", "Dispersive shallow water: fused and separate passes, conservative scheme",
+              "As before with the fully conservative scheme, four sweeps per step, 1000 steps.");
+  const int steps = 1000;
+  for (const Basin& basin : basins()) {
+    const Markers markers = pushed_water(basin.channel, 300);
+    Model fused(basin.channel, markers);
+    Model separate(basin.channel, markers, nothing());
+    REQUIRE(!separate.fuses_step());
+    const State a = run<ConservativeStep<Model>>(fused, markers, {.fixed_sweeps = 4}, tau, steps);
+    const State b = run<ConservativeStep<Model>>(separate, markers, {.fixed_sweeps = 4}, tau, steps);
+    check.that({.id = basin.id,
+                .text = fmt::format("Fused and separate sweeps agree: {}.", basin.text),
+                .quantity = "largest difference of a coordinate, rate or multiplier",
+                .source = "the same scheme"},
+               {.value = largest_difference(a, b), .resolution = "300 cells, 1000 steps"}, limit(steps, 75));
+  }
+}
+
+TEST_CASE("fused steps agree with separate calls for any number of cells", "[robustness]") {
+  Check check("dispersive_fused_sizes", "Dispersive shallow water: fused passes at the borders of blocks",
+              "As before for numbers of cells around the blocks of 256 markers in which the passes go; 50 steps. One, "
+              "two, several blocks, blocks of a single marker.");
+  const int steps = 50;
+  for (const Basin& basin : basins()) {
+    double worst = 0;
+    for (const std::size_t cells : sizes) {
+      const Markers markers = pushed_water(basin.channel, cells);
+      Model fused(basin.channel, markers);
+      Model separate(basin.channel, markers, nothing());
+      worst = std::max(worst, largest_difference(run<OneStep<Model>>(fused, markers, {}, tau, steps),
+                                                 run<OneStep<Model>>(separate, markers, {}, tau, steps)));
+      worst = std::max(worst, largest_difference(run<ConservativeStep<Model>>(fused, markers, {}, tau, steps),
+                                                 run<ConservativeStep<Model>>(separate, markers, {}, tau, steps)));
+    }
+    check.that({.id = basin.id,
+                .text = fmt::format("Fused and separate steps agree for 60 to 1300 cells: {}.", basin.text),
+                .quantity = "largest difference of a coordinate, rate or multiplier",
+                .source = "the same scheme"},
+               {.value = worst, .resolution = "50 steps"}, limit(steps, 325));
+  }
+}

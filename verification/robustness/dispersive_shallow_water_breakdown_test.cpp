@@ -1,0 +1,166 @@
+// How the dispersive shallow-water model breaks down: with time, step and place, and the state of before.
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "seiche/divergence.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::dispersive_shallow_water_1d;
+using seiche::evidence::Qualitative;
+using seiche::verification::Check;
+
+const std::string source = "interface of the model";
+
+/// A run until it breaks down, and whether the failing step left the state as it was.
+struct Breakdown {
+  std::string message;
+  double time = std::numeric_limits<double>::quiet_NaN();
+  double place = std::numeric_limits<double>::quiet_NaN();
+  bool says_when = false;
+  bool kept = false;
+  double stable_step = 0;  ///< afterwards
+};
+
+Breakdown run_until_breakdown(Flow& flow, double tau, double end) {
+  Breakdown result;
+  while (flow.time() < end) {
+    const mechanics::State before = flow.state();
+    try {
+      flow.advance(std::min(tau, 0.9 * flow.stable_step()));
+    } catch (const Divergence& failure) {
+      const mechanics::State& after = flow.state();
+      result.message = failure.what();
+      result.time = failure.time();
+      result.place = failure.place();
+      result.says_when = failure.time() == before.time && failure.step() == before.steps;
+      result.kept = after.q == before.q && after.u == before.u && after.time == before.time &&
+                    after.steps == before.steps && after.multipliers == before.multipliers;
+      result.stable_step = flow.stable_step();
+      break;
+    }
+  }
+  return result;
+}
+
+void claim_breakdown(Check& check, const std::string& id, const Breakdown& breakdown, const std::string& word,
+                     double leftmost, double rightmost) {
+  INFO(id << ": " << breakdown.message);
+  const auto claim = [&](const std::string& what, const std::string& text, bool value, const std::string& detector,
+                         const std::string& reason) {
+    check.that({.id = id + "-" + what, .text = text, .quantity = what, .source = source}, {.value = value ? 1.0 : 0.0},
+               Qualitative{detector, reason});
+  };
+  claim("stops", "The run stops and says why.", breakdown.message.find(word) != std::string::npos,
+        "seiche::Divergence whose message contains \"" + word + "\"", "nothing may be computed from a broken state");
+  claim("when", "It says when.", breakdown.says_when, "time and steps of the state before the failing step",
+        "the message must lead to the cause");
+  claim("where", "It says where.", breakdown.place >= leftmost && breakdown.place <= rightmost,
+        "place where the failure is known to begin", "the message must lead to the cause");
+  claim("kept", "The state is that of before the failing step.", breakdown.kept,
+        "equal coordinates, rates, multipliers, time and number of steps", "a caller may go on with a shorter step");
+  claim("limit", "There still is a longest stable step.",
+        std::isfinite(breakdown.stable_step) && breakdown.stable_step > 0, "finite and positive after the failure",
+        "a caller may go on with a shorter step");
+}
+
+Channel beach(double cotangent, double wall, double table_end) {
+  return {.bottom = std::make_shared<PiecewiseLinearBottom>(std::vector<double>{wall - 1, -cotangent, 0, table_end},
+                                                            std::vector<double>{-1, -1, 0, table_end / cotangent}),
+          .right = End::tip};
+}
+
+const Stepping all_steppings[] = {Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative};
+const char* const stepping_names[] = {"one-step", "feedback", "conservative"};
+
+}  // namespace
+
+TEST_CASE("a backwash that a conservative model cannot carry stops with time, step and place", "[robustness]") {
+  Check check("dispersive_backwash", "A backwash bore stops the run where it forms",
+              "A solitary wave of height 0.05 runs up a slope of 1 in 10 and back. The backwash steepens into a bore, "
+              "which a model without dissipation cannot carry: markers cross or the water is gone.");
+  const Channel channel = beach(10, -45, 20);
+  Flow flow(channel, solitary_markers(channel, -40, 0, 0.125, {.amplitude = 0.05, .crest = -20}));
+  const Breakdown breakdown = run_until_breakdown(flow, 0.03, 80);
+  claim_breakdown(check, "backwash", breakdown, "marker", -10, 3);
+  check.measure("breakdown_time", breakdown.time);
+  check.measure("breakdown_place", breakdown.place);
+}
+
+TEST_CASE("a wave that runs off the table of the bottom stops with time, step and place", "[robustness]") {
+  Check check("dispersive_short_bottom", "A wave runs off the table of the bottom",
+              "The table of the bottom ends 0.3 above the still-water level's shore, below the run-up. The tip leaves "
+              "it, whatever the scheme; the state is that of before.");
+  for (std::size_t k = 0; k < std::size(all_steppings); ++k) {
+    const Channel channel = beach(2, -35, 0.3);
+    Flow flow(channel, solitary_markers(channel, -30, 0, 0.25, {.amplitude = 0.3, .crest = -10}),
+              {.stepping = all_steppings[k]});
+    claim_breakdown(check, stepping_names[k], run_until_breakdown(flow, 0.05, 40), "outside the bottom profile", 0.3,
+                    0.6);
+  }
+}
+
+TEST_CASE("a pressure that is not a number stops with time, step and place", "[robustness]") {
+  Check check("dispersive_bad_pressure", "A pressure that is not a number",
+              "A surface pressure that becomes NaN for x > 7 after some steps.");
+  for (std::size_t k = 0; k < std::size(all_steppings); ++k) {
+    Forcing forcing;
+    forcing.surface_pressure = [](double x, double t) {
+      return t > 0.3 && x > 7 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+    };
+    const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
+    Flow flow(channel, still_markers(channel, equal_labels(channel, 0, 10, 40)), {.stepping = all_steppings[k]},
+              forcing);
+    claim_breakdown(check, stepping_names[k], run_until_breakdown(flow, 0.1, 1), "not finite", 0, 10);
+  }
+}
+
+TEST_CASE("steps beyond the stability limit are counted, and too long ones stop", "[robustness]") {
+  Check check(
+      "dispersive_long_steps", "Steps beyond the stability limit",
+      "The limit is $2\\sqrt{\\alpha H/g}$, 1.155 on still water of depth 1. Longer steps are taken and counted; "
+      "a wave in steps of 20 depths' travel time makes markers cross or the iteration fail.");
+  const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
+  Flow still(channel, still_markers(channel, equal_labels(channel, 0, 10, 40)));
+  const double limit = still.stable_step();
+  check.that({.id = "limit",
+              .text = "The limit on still water is 2 (1/3)^(1/2).",
+              .quantity = "stable step",
+              .unit = "(H/g)^(1/2)",
+              .source = "frequencies of the discrete model are below (3 g/H)^(1/2)"},
+             {.value = limit},
+             evidence::Roundoff{
+                 .operations = 3, .scale = 2, .reason = "three rounded operations", .expected = 2 / std::sqrt(3.0)});
+  for (int k = 0; k < 3; ++k) still.advance(0.999 * limit);
+  const long below = still.steps_beyond_stability();
+  for (int k = 0; k < 2; ++k) still.advance(1.001 * limit);
+  check.that(
+      {.id = "counted", .text = "Longer steps are counted.", .quantity = "steps counted", .source = source},
+      {.value = static_cast<double>(still.steps_beyond_stability() - 10 * below), .resolution = "3 below, 2 above"},
+      evidence::Bound{.limit = 0, .reason = "two were longer", .expected = 2});
+  for (std::size_t k = 0; k < std::size(all_steppings); ++k) {
+    Flow flow(channel, solitary_markers(channel, 0, 60, 0.25, {.amplitude = 0.5, .crest = 30}),
+              {.stepping = all_steppings[k]});
+    const mechanics::State before = flow.state();
+    bool stopped = false;
+    for (int step = 0; step < 100 && !stopped; ++step) {
+      const mechanics::State last = flow.state();
+      try {
+        flow.advance(20);
+      } catch (const Divergence&) {
+        stopped = flow.state().q == last.q && flow.state().u == last.u;
+      }
+    }
+    check.that(
+        {.id = std::string("too-long-") + stepping_names[k],
+         .text = "A wave in far too long steps stops, and the state is that of before.",
+         .quantity = "stopped with the state kept",
+         .source = source},
+        {.value = stopped ? 1.0 : 0.0},
+        Qualitative{"seiche::Divergence within 100 steps, coordinates and rates as before", "as for any failure"});
+  }
+}
