@@ -101,7 +101,7 @@ std::vector<NamedScheme> schemes(const std::string& chosen) {
     if (chosen != "all" && chosen != stepping) continue;
     for (const std::string composition : {"none", "triple_jump", "suzuki"}) {
       result.push_back(
-          {composition == "none" ? stepping : stepping + ", " + composition,
+          {composition == "none" ? stepping : fmt::format("{}, {}", stepping, composition),
            {.stepping = model::stepping_named(stepping), .composition = model::composition_named(composition)}});
     }
   }
@@ -167,7 +167,7 @@ void run(Run& run) {
   const std::vector<Lake> all = lakes(run);
   const std::vector<NamedScheme> named = schemes(run.text("scheme"));
   const double time = run.real("time");
-  const double parts = static_cast<double>(all.size() * named.size());
+  const auto parts = static_cast<double>(all.size() * named.size());
   double done = 0;
   evidence::Table table{.id = "unrest",
                         .title = "Largest values at any step",

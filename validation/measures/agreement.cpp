@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "validation/measures/oscillation.hpp"
+
 namespace seiche::validation {
 namespace {
 
@@ -24,21 +26,6 @@ double range(std::span<const double> values) {
 
 double ratio(double numerator, double denominator) {
   return denominator > 0 ? numerator / denominator : unknown;
-}
-
-/// Pearson's correlation coefficient; NaN where either is constant.
-double correlation(std::span<const double> a, std::span<const double> b) {
-  const double mean_a = mean(a);
-  const double mean_b = mean(b);
-  double ab = 0;
-  double aa = 0;
-  double bb = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    ab += (a[i] - mean_a) * (b[i] - mean_b);
-    aa += (a[i] - mean_a) * (a[i] - mean_a);
-    bb += (b[i] - mean_b) * (b[i] - mean_b);
-  }
-  return ratio(ab, std::sqrt(aa) * std::sqrt(bb));
 }
 
 /// Correlation of s(x) with r(x - lag), lag in spacings.

@@ -81,7 +81,9 @@ evidence::Table table_of(const std::vector<Computed>& computed) {
                   {"highest ahead, ever", "H"},
                   {"period", "(H/g)^(1/2)"},
                   {"(period)", "(H/g)^(1/2)"}}};
-  for (const auto& [regime, waves] : computed) {
+  for (const Computed& one : computed) {
+    const PressureRegime& regime = one.regime;
+    const PressureWaves& waves = one.waves;
     const auto count = static_cast<double>(waves.forward_solitons(soliton_threshold).size());
     const auto period = [&](double value) {
       return regime.period ? std::variant<double, std::string>(value) : std::string("steady");

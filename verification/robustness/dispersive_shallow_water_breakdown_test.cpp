@@ -1,7 +1,11 @@
 // How the dispersive shallow-water model breaks down: with time, step and place, and the state of before.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "seiche/divergence.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
@@ -74,8 +78,8 @@ Channel beach(double cotangent, double wall, double table_end) {
           .right = End::tip};
 }
 
-const Stepping all_steppings[] = {Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative};
-const char* const stepping_names[] = {"one-step", "feedback", "conservative"};
+constexpr std::array all_steppings{Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative};
+constexpr std::array stepping_names{"one-step", "feedback", "conservative"};
 
 }  // namespace
 
@@ -95,7 +99,7 @@ TEST_CASE("a wave that runs off the table of the bottom stops with time, step an
   Check check("dispersive_short_bottom", "A wave runs off the table of the bottom",
               "The table of the bottom ends 0.3 above the still-water level's shore, below the run-up. The tip leaves "
               "it, whatever the scheme; the state is that of before.");
-  for (std::size_t k = 0; k < std::size(all_steppings); ++k) {
+  for (std::size_t k = 0; k < all_steppings.size(); ++k) {
     const Channel channel = beach(2, -35, 0.3);
     Flow flow(channel, solitary_markers(channel, -30, 0, 0.25, {.amplitude = 0.3, .crest = -10}),
               {.stepping = all_steppings[k]});
@@ -107,7 +111,7 @@ TEST_CASE("a wave that runs off the table of the bottom stops with time, step an
 TEST_CASE("a pressure that is not a number stops with time, step and place", "[robustness]") {
   Check check("dispersive_bad_pressure", "A pressure that is not a number",
               "A surface pressure that becomes NaN for x > 7 after some steps.");
-  for (std::size_t k = 0; k < std::size(all_steppings); ++k) {
+  for (std::size_t k = 0; k < all_steppings.size(); ++k) {
     Forcing forcing;
     forcing.surface_pressure = [](double x, double t) {
       return t > 0.3 && x > 7 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
@@ -142,10 +146,9 @@ TEST_CASE("steps beyond the stability limit are counted, and too long ones stop"
       {.id = "counted", .text = "Longer steps are counted.", .quantity = "steps counted", .source = source},
       {.value = static_cast<double>(still.steps_beyond_stability() - 10 * below), .resolution = "3 below, 2 above"},
       evidence::Bound{.limit = 0, .reason = "two were longer", .expected = 2});
-  for (std::size_t k = 0; k < std::size(all_steppings); ++k) {
+  for (std::size_t k = 0; k < all_steppings.size(); ++k) {
     Flow flow(channel, solitary_markers(channel, 0, 60, 0.25, {.amplitude = 0.5, .crest = 30}),
               {.stepping = all_steppings[k]});
-    const mechanics::State before = flow.state();
     bool stopped = false;
     for (int step = 0; step < 100 && !stopped; ++step) {
       const mechanics::State last = flow.state();

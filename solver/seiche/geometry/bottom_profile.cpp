@@ -77,10 +77,12 @@ void PiecewiseLinearBottom::sample(std::span<const double> x, std::span<double> 
 
 template <class Integrand>
 double PiecewiseLinearBottom::mean_of(double from, double to, const Integrand& integrand) const {
+  const std::size_t piece_from = piece(from);
+  const std::size_t piece_to = piece(to);
   const double left = std::min(from, to);
   const double right = std::max(from, to);
-  const std::size_t first = piece(left);
-  const std::size_t last = piece(right);
+  const std::size_t first = std::min(piece_from, piece_to);
+  const std::size_t last = std::max(piece_from, piece_to);
   if (first == last) return integrand(on_piece(first, left), on_piece(first, right));
   double sum = 0;
   for (std::size_t k = first; k <= last; ++k) {
@@ -100,10 +102,8 @@ double PiecewiseLinearBottom::mean_square(double from, double to) const {
 }
 
 std::optional<double> PiecewiseLinearBottom::uniform_slope(double from, double to) const {
-  const std::size_t k = piece(std::min(from, to));
-  const bool last = k + 1 == slope_.size();
-  const double right = std::max(from, to);
-  if (right < x_[k + 1] || (last && right <= x_[k + 1])) return slope_[k];
+  const std::size_t k = piece(from);
+  if (k == piece(to)) return slope_[k];
   return std::nullopt;
 }
 
@@ -155,7 +155,7 @@ SmoothBottom::SmoothBottom(std::function<double(double)> elevation, std::functio
 
 void SmoothBottom::sample(std::span<const double> x, std::span<double> elevation, std::span<double> slope) const {
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (!(x[i] >= begin_ && x[i] <= end_)) throw OutsideBottom(x[i], begin_, end_);
+    require_inside(x[i]);
     elevation[i] = elevation_(x[i]);
     slope[i] = slope_(x[i]);
   }
@@ -173,11 +173,26 @@ double gauss_mean(const Function& f, double from, double to) {
 
 }  // namespace
 
+std::optional<double> SmoothBottom::uniform_slope(double from, double to) const {
+  require_inside(from);
+  require_inside(to);
+  return std::nullopt;
+}
+
+void SmoothBottom::require_inside(double x) const {
+  if (!(x >= begin_ && x <= end_)) throw OutsideBottom(x, begin_, end_);
+}
+
 double SmoothBottom::mean(double from, double to) const {
+  require_inside(from);
+  require_inside(to);
+
   return gauss_mean(elevation_, from, to);
 }
 
 double SmoothBottom::mean_square(double from, double to) const {
+  require_inside(from);
+  require_inside(to);
   return gauss_mean([this](double x) { return elevation_(x) * elevation_(x); }, from, to);
 }
 

@@ -101,11 +101,13 @@ class SmoothBottom final : public BottomProfile {
   void sample(std::span<const double> x, std::span<double> elevation, std::span<double> slope) const override;
   [[nodiscard]] double mean(double from, double to) const override;
   [[nodiscard]] double mean_square(double from, double to) const override;
-  [[nodiscard]] std::optional<double> uniform_slope(double, double) const override { return std::nullopt; }
+  [[nodiscard]] std::optional<double> uniform_slope(double from, double to) const override;
   [[nodiscard]] double begin() const override { return begin_; }
   [[nodiscard]] double end() const override { return end_; }
 
  private:
+  void require_inside(double x) const;
+
   std::function<double(double)> elevation_, slope_;
   double begin_, end_;
 };

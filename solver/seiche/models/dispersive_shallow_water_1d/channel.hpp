@@ -38,7 +38,7 @@ struct Channel {
   Kinetics kinetics = Kinetics::frank;
   TipMass tip_mass = TipMass::elementary;
 
-  double alpha = 1.0 / 3;         ///< factor of the vertical kinetic energy
+  double alpha = 1.0 / 3;  ///< factor of the vertical kinetic energy
   /// Factor of a cell's slope in its potential energy, (mean of y)^2 + slope_energy (difference of y)^2/4; 1/3 is the
   /// polygon's own. The beta of exact/frank_dispersion.hpp is (1 - slope_energy)/2.
   double slope_energy = 1.0 / 3;

@@ -77,6 +77,10 @@ void Flow::advance(double tau) {
 void Flow::advance_to(double time, double tau, const std::function<void()>& after_step, double courant) {
   mechanics::require_step(tau);
   require_positive("courant", courant);
+  if (!(time >= state_.time && std::isfinite(time))) {
+    throw std::invalid_argument(
+        fmt::format("time = {:g}; allowed: finite, at least the present {:g}", time, state_.time));
+  }
   // Equal steps: the last one is not a sliver, which would also spoil the order of the scheme.
   while (state_.time < time) {
     const double rest = time - state_.time;

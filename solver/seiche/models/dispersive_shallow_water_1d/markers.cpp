@@ -10,7 +10,34 @@
 
 namespace seiche::dispersive_shallow_water_1d {
 
+namespace {
+
+/// A periodic channel needs a bottom that has its period, as far as the markers tell.
+void require_periodic_bottom(const Channel& channel, const std::vector<double>& x) {
+  const BottomProfile& bottom = *channel.bottom;
+  if (!(x.front() + channel.period <= bottom.end())) {
+    throw std::invalid_argument(
+        fmt::format("bottom ends at x = {:.6g}; allowed: at or beyond x[0] + period = {:.6g} in a periodic channel",
+                    bottom.end(), x.front() + channel.period));
+  }
+  for (const double place : x) {
+    const double image = place + channel.period;
+    if (image > bottom.end()) break;
+    const double here = bottom.elevation(place);
+    const double there = bottom.elevation(image);
+    constexpr double roundings = 1e-10;
+    if (!(std::abs(there - here) <= roundings * (1 + std::abs(here)))) {
+      throw std::invalid_argument(
+          fmt::format("bottom is {:.12g} at x = {:.6g} and {:.12g} one period = {:.6g} further; allowed: the same",
+                      here, place, there, channel.period));
+    }
+  }
+}
+
+}  // namespace
+
 void Markers::validate(const Channel& channel) const {
+  channel.validate();
   const std::size_t n = size();
   if (n < 3) throw std::invalid_argument(fmt::format("{} markers; allowed: at least 3", n));
   if (y.size() != n || u.size() != n || v.size() != n) {
@@ -30,11 +57,13 @@ void Markers::validate(const Channel& channel) const {
       throw std::invalid_argument(fmt::format("x[{}] = {:.6g}; allowed: [{:.6g}, {:.6g}], where the bottom is given", i,
                                               x[i], channel.bottom->begin(), channel.bottom->end()));
     }
+    require_finite(fmt::format("slope of the bottom at x[{}]", i), channel.bottom->slope(x[i]));
   }
   if (channel.periodic() && !(x.back() - x.front() < channel.period)) {
     throw std::invalid_argument(fmt::format("x[{}] = {:.17g}; allowed: below x[0] + period = {:.17g}", n - 1, x.back(),
                                             x.front() + channel.period));
   }
+  if (channel.periodic()) require_periodic_bottom(channel, x);
   for (std::size_t i = 0; i < n; ++i) {
     const double depth = y[i] - channel.bottom->elevation(x[i]);
     const bool tip =
@@ -91,6 +120,7 @@ double place_of_label(const BottomProfile& bottom, double label, const std::func
 Markers moved_markers(const Channel& channel, std::span<const double> labels,
                       const std::function<SurfaceMotion(double)>& motion, const std::function<double(double)>& excess,
                       double anchor) {
+  channel.validate();
   const BottomProfile& bottom = *channel.bottom;
   const double excess_at_anchor = excess(anchor);
   Markers markers;
@@ -117,6 +147,7 @@ Markers moved_markers(const Channel& channel, std::span<const double> labels,
 }
 
 Markers solitary_markers(const Channel& channel, double begin, double end, double spacing, SolitaryStart wave) {
+  channel.validate();
   require_positive("spacing", spacing);
   if (!(end - begin > 3 * spacing)) {
     throw std::invalid_argument(

@@ -51,7 +51,13 @@ void Model::weigh(const Markers& initial) {
     if (channel_.left == End::tip) volume.front() = rest_volume_.front() / 6;
     if (channel_.right == End::tip) volume.back() = rest_volume_.back() / 6;
   }
-  for (const double v : volume) mass_.push_back(channel_.density * v);
+  for (std::size_t i = 0; i < n_; ++i) {
+    mass_.push_back(channel_.density * volume[i]);
+    if (!(mass_[i] > 0)) {
+      throw std::invalid_argument(
+          fmt::format("mass of marker {} at x = {:.6g} is {:.6g}; allowed: > 0", i, initial.x[i], mass_[i]));
+    }
+  }
   inertia_p_ = mass_;
   inertia_r_ = mass_;
   for (double& m : inertia_r_) m *= channel_.alpha;

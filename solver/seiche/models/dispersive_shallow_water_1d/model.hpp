@@ -189,7 +189,7 @@ class Model {
                            // of their bottom is counted from
   double shore_right_ = 0;
   double smallest_depth_ = 0;
-  double smallest_width_ = 0;
+  Smallest found_{};  // so far in a fused step
   long solves_ = 0;
 };
 

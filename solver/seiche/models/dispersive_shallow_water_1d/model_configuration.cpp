@@ -95,8 +95,10 @@ void Model::require_sound() {
   const std::ptrdiff_t last = !channel_.periodic() && channel_.right == End::tip ? size_ - 1 : size_;
   double shallowest = std::numeric_limits<double>::infinity();
   for (std::ptrdiff_t i = first; i < last; ++i) shallowest = std::min(shallowest, y[i] - bed[i]);
-  smallest_depth_ = shallowest;
-  if (narrowest > 0 && shallowest > 0) return;
+  if (narrowest > 0 && shallowest > 0) {
+    smallest_depth_ = shallowest;
+    return;
+  }
   for (std::ptrdiff_t j = 0; j < cells; ++j) {
     if (!(width[j] > 0)) {
       throw mechanics::Infeasible(fmt::format("markers cross: width of cell {} is {:.6g}", j, width[j]),
@@ -276,14 +278,12 @@ void Model::solve(Input right_hand_side, Output mu) {
 
 void Model::settle(Interval, Output q, Output u) const {
   if (channel_.periodic()) return;
+  const BottomProfile& bottom = *channel_.bottom;
   const auto end = [&](End kind, std::size_t i) {
     if (kind == End::tip) {
       u[n_ + i] = 0;
-      try {
-        q[n_ + i] = channel_.bottom->elevation(q[i]);
-      } catch (const OutsideBottom& outside) {
-        throw mechanics::Infeasible(outside.what(), outside.place());
-      }
+      // A tip beyond the bottom profile stays where its motion brought it: the next step finds it there.
+      if (q[i] >= bottom.begin() && q[i] <= bottom.end()) q[n_ + i] = bottom.elevation(q[i]);
     }
     if (kind == End::wall) u[i] = 0;
   };

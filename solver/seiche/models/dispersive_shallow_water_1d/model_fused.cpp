@@ -65,15 +65,15 @@ void Model::assemble_block(std::ptrdiff_t block, double h, Input rates, const do
   const bool right_tip = markers.last == size_ && channel_.right == End::tip;
   const Smallest found =
       smallest(rows_, cells, {markers.first + (left_tip ? 1 : 0), markers.last - (right_tip ? 1 : 0)});
-  smallest_depth_ = std::min(smallest_depth_, found.depth);
-  smallest_width_ = std::min(smallest_width_, found.width);
+  found_.depth = std::min(found_.depth, found.depth);
+  found_.width = std::min(found_.width, found.width);
 }
 
 template <class Prepare>
 void Model::assemble_from_both_ends(double h, Input rates, Input target, const Segment* segment,
                                     const Prepare& prepare) {
   const std::ptrdiff_t last = blocks() - 1;
-  smallest_depth_ = smallest_width_ = std::numeric_limits<double>::infinity();
+  found_ = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   sweep_.begin({.diagonal = rows_.diagonal.row(),
                 .off_diagonal = rows_.coupling.row(),
                 .right_hand_side = rows_.defect.row(),
@@ -99,7 +99,7 @@ void Model::assemble_from_both_ends(double h, Input rates, Input target, const S
     }
   }
   ++solves_;
-  if (!(smallest_width_ > 0 && smallest_depth_ > 0)) require_sound();
+  if (!(found_.width > 0 && found_.depth > 0)) require_sound();
   try {
     sweep_.join();
   } catch (const linear::NotPositiveDefinite& failure) {
@@ -110,6 +110,7 @@ void Model::assemble_from_both_ends(double h, Input rates, Input target, const S
   if (!std::isfinite(rows_.impulse.row()[middle])) {
     throw mechanics::Infeasible("a velocity is not finite", rows_.x.row()[middle]);
   }
+  smallest_depth_ = found_.depth;
 }
 
 /// use(block) as soon as the impulses of all cells beside the block's markers are there.
