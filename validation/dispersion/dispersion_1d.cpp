@@ -59,7 +59,7 @@ Deviation deviation_of(const StandingBox& box, double periods) {
 void claim_own_wave(Run& run) {
   const double k = run.real("wavenumber");
   const StandingBox box{.wavenumber = k,
-                        .cells = StandingBox::cells_of(k, run.real("spacing")),
+                        .cells = StandingBox::cells_of(k, run.real("h")),
                         .tau = run.real("tau"),
                         .scheme = {.stepping = stepping_named(run.text("scheme"))},
                         .alpha = run.real("alpha"),
@@ -274,7 +274,7 @@ Case dispersion_1d() {
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3, formula (13)";
   c.parameters = {
       real("wavenumber", 1.0, "1/H", {1e-2, 100}, "of the wave; the walls are half a wavelength apart"),
-      real("spacing", std::numbers::pi / 31, "H", {1e-3, 10},
+      real("h", std::numbers::pi / 31, "H", {1e-3, 10},
            "of the markers; changed to fit a whole number of times between the walls"),
       real("tau", 0.2, "sqrt(H/g)", {1e-4, 2}, "time step"),
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),

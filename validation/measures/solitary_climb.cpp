@@ -107,14 +107,14 @@ void claim_energy(evidence::Record& record, const SolitaryClimb& climb, const Ru
 
 std::vector<Parameter> step_parameters() {
   return {
-      real("tau_over_spacing", 0.25, "1", {1e-3, 2}, "time step over the spacing; shorter steps in shallow water"),
+      real("tau_over_h", 0.25, "1", {1e-3, 2}, "time step over the spacing; shorter steps in shallow water"),
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"},
              "stepping; Frank's is the first"),
   };
 }
 
 std::vector<Parameter> climb_parameters(ByTier<double> spacing) {
-  return joined({{real("spacing", spacing, "depth", {1e-3, 1}, "distance of the markers at rest")}, step_parameters()});
+  return joined({{real("h", spacing, "depth", {1e-3, 1}, "distance of the markers at rest")}, step_parameters()});
 }
 
 std::vector<Parameter> slope_parameters() {
@@ -129,8 +129,8 @@ std::vector<Parameter> slope_parameters() {
 SolitaryClimb climb_from(const Values& values, double cot_slope, double amplitude) {
   SolitaryClimb climb{.cot_slope = cot_slope, .amplitude = amplitude};
   for (const Parameter& one : values.declared()) {
-    if (one.name == "spacing") climb.spacing = values.real(one.name);
-    if (one.name == "tau_over_spacing") climb.tau_over_spacing = values.real(one.name);
+    if (one.name == "h") climb.spacing = values.real(one.name);
+    if (one.name == "tau_over_h") climb.tau_over_spacing = values.real(one.name);
     if (one.name == "scheme") climb.scheme.stepping = dispersive::stepping_named(values.text(one.name));
     if (one.name == "tip_mass" && values.text(one.name) == "consistent") {
       climb.tip_mass = dispersive::TipMass::consistent;

@@ -62,7 +62,7 @@ SolitaryClimb climb_of(const Values& values, Wave wave, double spacing, double b
 
 std::vector<Told> tell(Run& run) {
   std::vector<Told> all;
-  const double spacing = run.real("spacing");
+  const double spacing = run.real("h");
   for (const double breaking : {0.0, run.real("breaking")}) {
     for (const double h : {spacing, spacing / 2}) {
       for (const Wave& wave : told) {
@@ -241,7 +241,7 @@ void draw_map(Run& run) {
       const Wave wave{cot_slope, ratio * backwash_limit(cot_slope)};
       run.progress(0.6 + 0.4 * ++done / static_cast<double>(slopes.size() * ratios.size()));
       if (wave.amplitude > highest) continue;
-      const RunDown fate = run_down(climb_of(run.values(), wave, run.real("spacing"), 0));
+      const RunDown fate = run_down(climb_of(run.values(), wave, run.real("h"), 0));
       const bool shot = fate.through() && fate.later > fate.runup;
       Marks& marks = !fate.through() ? stops : shot ? shoots : through;
       marks.cot_slope.push_back(cot_slope);
@@ -254,7 +254,7 @@ void draw_map(Run& run) {
                             "came.",
                     .quantity = "all do",
                     .source = source},
-                   {.value = all_below ? 1.0 : 0.0, .resolution = fmt::format("h = {:g}", run.real("spacing"))},
+                   {.value = all_below ? 1.0 : 0.0, .resolution = fmt::format("h = {:g}", run.real("h"))},
                    evidence::Qualitative{.detector = "no failure, no later height above the run-up",
                                          .reason = "below 0.479 cot^(-10/9) no bore forms"});
   auto& panel = run.record
@@ -280,7 +280,7 @@ void draw_map(Run& run) {
 
 void run(Run& run) {
   const std::vector<Told> all = tell(run);
-  const std::string resolution = fmt::format("h = {0:g} and {1:g}", run.real("spacing"), run.real("spacing") / 2);
+  const std::string resolution = fmt::format("h = {0:g} and {1:g}", run.real("h"), run.real("h") / 2);
   tabulate(run.record, all);
   for (const bool with : {false, true}) {
     run.record.measure(with ? "stopped_with_switch" : "stopped",

@@ -134,7 +134,7 @@ void claim_own_wave(Run& run) {
   const double kh = run.real("wavenumber");
   const double amplitude = run.real("amplitude");
   const StandingBox box{.wavenumber = kh,
-                        .cells = StandingBox::cells_of(kh, run.real("spacing")),
+                        .cells = StandingBox::cells_of(kh, run.real("h")),
                         .tau = run.real("tau"),
                         .scheme = {.stepping = stepping_named(run.text("scheme"))},
                         .alpha = run.real("alpha"),
@@ -334,7 +334,7 @@ Case standing_1d() {
   c.parameters = {
       real("wavenumber", 0.6, "1/H", {0.2, 6}, "of the wave; the walls are half a wavelength apart"),
       real("amplitude", 0.02, "H", {1e-3, 0.3}, "of the first harmonic of the elevation"),
-      real("spacing", 0.05, "H", {1e-3, 1}, "of the markers; changed to fit a whole number of times between the walls"),
+      real("h", 0.05, "H", {1e-3, 1}, "of the markers; changed to fit a whole number of times between the walls"),
       real("tau", 0.02, "sqrt(H/g)", {1e-4, 1}, "time step"),
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
       real("alpha", 1.0 / 3, "1", {1e-3, 10}, "factor of the vertical kinetic energy"),
