@@ -234,7 +234,7 @@ def _labels(panel):
     """Labelled series of a panel, each label and look once."""
     unique = {}
     for series in panel["series"]:
-        if series.get("label"):
+        if series.get("label", "").strip():
             unique.setdefault(Looks.key(series), series)
     return list(unique.values())
 
