@@ -1,9 +1,8 @@
 // Marker-steps per second of the dispersive shallow-water model.
 //
 //   items_per_second     markers x steps / second
-//   bytes_per_step       least traffic of one step per marker: 8 bytes for each array of length N that the scheme has
-//   to
-//                        read or write once, whatever the code does beyond that.
+//   bytes_per_step       least traffic of one step per marker: 8 bytes for each array of length N that the scheme
+//                        has to read or write once, whatever the code does beyond that
 //   operations_per_step  floating-point operations of one step per marker in the formulas (+ - * / sqrt count one each)
 //
 // Channels: level between walls, level and periodic, and a plane beach with a shoreline at its end. Schemes: A
