@@ -1,7 +1,7 @@
 /// Numbers below 2.2e-308 count as zero while an object of this class lives, in the thread that made it.
 ///
-/// Waves over still water decay geometrically into denormal numbers, which rounding then keeps alive (0.6 of the smallest
-/// one rounds to itself), and processors compute with them an order of magnitude slower.
+/// Waves over still water decay geometrically into denormal numbers, which rounding then keeps alive (0.6 of the
+/// smallest one rounds to itself), and processors compute with them an order of magnitude slower.
 #pragma once
 
 #if defined(__SSE2__)
@@ -13,8 +13,12 @@ namespace seiche {
 class FlushDenormals {
  public:
 #if defined(__SSE2__)
-  FlushDenormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | flush_to_zero | denormals_are_zero); }
-  ~FlushDenormals() { _mm_setcsr(before_); }
+  FlushDenormals() : before_(_mm_getcsr()) {
+    _mm_setcsr(before_ | flush_to_zero | denormals_are_zero);
+  }
+  ~FlushDenormals() {
+    _mm_setcsr(before_);
+  }
 #else
   FlushDenormals() = default;
 #endif
