@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <stdexcept>
 
@@ -12,17 +11,13 @@
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/require.hpp"
+#include "validation/measures/processor_time.hpp"
 
 namespace seiche::validation {
 namespace {
 
 namespace particles = shallow_water_particles;
 namespace cells = shallow_water_finite_volume;
-
-/// Processor time of this process [s].
-double processor_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 // ---- particles
 

@@ -1,12 +1,12 @@
 #include "validation/measures/frank_runup.hpp"
 
-#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "validation/case/reference_source.hpp"
 #include "validation/case/reference_table.hpp"
+#include "validation/measures/processor_time.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -64,7 +64,7 @@ double runup_spacing(std::size_t level) {
 }
 
 double compute_runups(std::vector<ComputedRunup>& rows, const Values& values, std::size_t variant, std::size_t level) {
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = processor_seconds();
   for (ComputedRunup& row : rows) {
     SolitaryClimb climb = climb_from(values, row.cot_slope, row.amplitude);
     climb.spacing = runup_spacing(level);
@@ -72,7 +72,7 @@ double compute_runups(std::vector<ComputedRunup>& rows, const Values& values, st
     climb.kinetics = runup_variants[variant].kinetics;
     row.computed[variant].push_back(run_up(climb).height);
   }
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return processor_seconds() - begin;
 }
 
 }  // namespace seiche::validation

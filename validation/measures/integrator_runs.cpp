@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 
 #include "seiche/divergence.hpp"
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/mechanics/invariants.hpp"
+#include "validation/measures/processor_time.hpp"
 
 namespace seiche::validation {
 
@@ -15,10 +15,6 @@ namespace {
 
 using mechanics::State;
 using rigid_chain::RigidChain;
-
-double processor_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 /// run(chain, state) from the start, once to measure the error, then for the time.
 template <class Run>

@@ -177,6 +177,18 @@ void claim_measurements(evidence::Record& record, const std::vector<Row>& rows) 
                        {.value = distance(consistent, true), .resolution = resolution}, measured,
                        "it stays below the measurements, the more the higher the wave, at last by a quarter, as the "
                        "thesis's own column does");
+  record.check({.id = "measurements-mild",
+                .text = "On milder slopes the model with the thesis's kinetic energy agrees with the measurements.",
+                .quantity = "rms of R/R_measured - 1",
+                .source = source},
+               {.value = distance(consistent, false), .resolution = resolution}, measured);
+  record.known_failure(
+      {.id = "measurements-mild-green-naghdi",
+       .text = "So it does with Green and Naghdi's kinetic energy.",
+       .quantity = "rms of R/R_measured - 1",
+       .source = source},
+      {.value = distance(green_naghdi, false), .resolution = resolution}, measured,
+      "it differs by a ninth, unexplained; the model has no friction, which acts longest on mild slopes");
   record.check({.id = "other-authors",
                 .text = "Over the whole table Green and Naghdi's kinetic energy brings the model nearer to the other "
                         "computations.",
