@@ -221,8 +221,7 @@ Case lake_at_rest_1d() {
   c.title = "A lake at rest under the dispersive model stays so to the last bit";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3; E. Audusse et al., "
-      "SIAM "
-      "J. Sci. Comput. 25 (2004) 2050";
+      "SIAM J. Sci. Comput. 25 (2004) 2050";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("h", 0.25, "H", {0.02, 2}, "mean distance of markers"),

@@ -42,7 +42,7 @@ struct ComputedRunup : FrankRunup {
 
 std::vector<ComputedRunup> runup_rows(evidence::Record& record);
 double runup_spacing(std::size_t level);
-/// Appends a level to all rows of a variant, with the steps that the values say; returns the processor time it took [s].
+/// Appends a level to all rows of a variant, with the steps that the values say; returns the processor time used [s].
 double compute_runups(std::vector<ComputedRunup>& rows, const Values& values, std::size_t variant, std::size_t level);
 
 }  // namespace seiche::validation

@@ -179,8 +179,7 @@ void claim_profiles(evidence::Record& record, const std::string& resolution,
       evidence::Uncertainty{
           .data = gauge, .useful = 0.005, .reason = "gauge and repeatability, 5 % of the wave's height (assumed)"},
       "the exact solution of the shallow-water equations is as far off: the incident wave in the laboratory is not "
-      "quite "
-      "a solitary wave, and friction and surface tension hold the thin tongue back");
+      "quite a solitary wave, and friction and surface tension hold the thin tongue back");
 }
 
 /// The laboratory's distance from the model, and from the exact solution: that was tabulated for another wave and is

@@ -361,8 +361,7 @@ Case solitary_1d() {
   c.title = "Serre's solitary wave in the discrete shallow-water model";
   c.source =
       "F. Serre, La Houille Blanche 8 (1953) 374; A. M. Frank, Discrete models of incompressible fluid, doctoral "
-      "thesis "
-      "(1994), chapter 3";
+      "thesis (1994), chapter 3";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("amplitude", 0.2, "depth", {1e-4, 1}, "crest above still water"),

@@ -299,8 +299,7 @@ void run(Run& run) {
   auto& figure = run.record.figure(
       "coefficient", "How the frequency of standing waves depends on amplitude",
       "Coefficient of $(a/H)^2$ in the relative change of frequency, over the wavelength. Lines are theory, circles "
-      "are "
-      "measured, vertical lines the critical wavelengths, 5.938 depths in water and 6.671 in the model.",
+      "are measured, vertical lines the critical wavelengths, 5.938 depths in water and 6.671 in the model.",
       {"frank-standing"});
   const auto [deviation, smallest] = draw_coefficients(run, figure, limit, roots);
   draw_frequencies(run);

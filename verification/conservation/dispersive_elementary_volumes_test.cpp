@@ -90,8 +90,7 @@ void draw(verification::Check& check, const Shore& shore, const std::vector<Shap
       "model", "The discrete shallow-water model on a slope",
       "Markers on the surface; elementary volumes, bounded by verticals at the middle abscissas between markers; the "
       "particle of each volume, of its mass, drawn at its centre of area. The last marker, the tip, is where the "
-      "surface "
-      "meets the bottom.",
+      "surface meets the bottom.",
       {"frank-fig-4"});
   auto& panel = figure.panel(
       {.x = "x/H", .y = "y/H", .equal_aspect = true, .x_min = -7.2, .x_max = 0.8, .y_min = -1.25, .y_max = 0.6});

@@ -105,8 +105,7 @@ void draw(verification::Check& check, double exponent) {
       "frequency", "Change of a standing wave's frequency with amplitude",
       "The model has the change of sign that water has, at a longer wave ($kH = 0.942$ instead of 1.058). An added "
       "energy of slopes, which corrects the linear dispersion, removes it unless that energy is weighted with a power "
-      "of "
-      "the depth near 0.71.");
+      "of the depth near 0.71.");
   auto& panel =
       figure.panel({.x = "k H", .y = "C", .title = "Omega = omega (1 + C (a/H)^2)", .y_min = -0.4, .y_max = 0.6});
   std::vector<double> depths;
