@@ -49,6 +49,7 @@ const std::vector<ExactSolution>& catalogue() {
       airy_entry(),
       dispersion_entry(),
       frank_dispersion_entry(),
+      lagrangian_mesh_dispersion_entry(),
       serre_solitary_entry(),
       solitary_asymptotic_entry(),
       solitary_entry(),

@@ -6,6 +6,9 @@
 
 namespace seiche::linear {
 
+NotPositiveDefinite::NotPositiveDefinite(std::size_t row)
+    : std::runtime_error(fmt::format("matrix is not positive definite: row {}", row)), row_(row) {}
+
 NotPositiveDefinite::NotPositiveDefinite(std::size_t row, double pivot)
     : std::runtime_error(fmt::format("matrix is not positive definite: pivot {:.6g} in row {}", pivot, row)),
       row_(row) {}

@@ -28,7 +28,8 @@ namespace seiche::linear {
 
 class NotPositiveDefinite : public std::runtime_error {
  public:
-  explicit NotPositiveDefinite(std::size_t row, double pivot);
+  explicit NotPositiveDefinite(std::size_t row);
+  NotPositiveDefinite(std::size_t row, double pivot);
   [[nodiscard]] std::size_t row() const { return row_; }
 
  private:

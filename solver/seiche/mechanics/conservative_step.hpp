@@ -26,6 +26,9 @@
 
 namespace seiche::mechanics {
 
+/// Largest |after - before| and largest |after|.
+SweepChange change_between(Input before, Input after);
+
 template <ConstrainedModel Model>
 requires HasDiscreteGradients<Model>
 class ConservativeStep {
@@ -63,7 +66,7 @@ class ConservativeStep {
     extrapolate(state, tau);
     next_.resize(state.q.size());
     predict(model_, state.q, mean_, tau, next_);
-    impulse_.clear();
+    parts_.guess_impulse(state, tau, impulse_);
     iterate(state, when);
     state.q.swap(next_);
     previous_.swap(state.u);
@@ -116,7 +119,7 @@ class ConservativeStep {
     entered_.assign(before.begin(), before.end());
     candidate_ = entered_;
     model_.kick(when.length / 2, candidate_);
-    impulse_.resize(constraint_count(model_), 0.0);
+    if (sweeps_ == 0) kick_ = change_between(entered_, candidate_).largest_change;
     if constexpr (ProjectsItself<Model>) {
       parts_.projection().project(candidate_, target, impulse_);
     } else {
@@ -124,20 +127,30 @@ class ConservativeStep {
       parts_.projection().correct(candidate_, target, impulse_);
     }
     parts_.require_finite_rates(state, candidate_);
-    SweepChange change;
-    for (std::size_t i = 0; i < mean_.size(); ++i) {
-      change.largest_change = std::max(change.largest_change, std::abs(candidate_[i] - mean_[i]));
-      change.largest_rate = std::max(change.largest_rate, std::abs(candidate_[i]));
-    }
+    SweepChange change = change_between(mean_, candidate_);
+    // Water at rest under pressure: forces cancel, and what is left is their round-off.
+    change.largest_rate = std::max(change.largest_rate, kick_);
     mean_.swap(candidate_);
     model_.advance(state.q, mean_, when.length, next_);
     return change;
   }
 
-  /// Round-off reached: the change is two units in the last place, or small and no longer falling.
-  static bool converged(SweepChange now, double previous_change) {
-    return now.largest_change <= 2 * std::numeric_limits<double>::epsilon() * now.largest_rate ||
+  /// The next change, by the contraction seen so far, is a unit in the last place, or below the accuracy of an
+  /// iterative solver; or the change is small and no longer falling.
+  [[nodiscard]] bool converged(SweepChange now, double previous_change) const {
+    const double contraction =
+        std::isfinite(previous_change) ? std::min(1.0, now.largest_change / previous_change) : 1.0;
+    return now.largest_change * contraction <= accuracy() * now.largest_rate ||
            (now.largest_change >= previous_change && now.largest_change <= stagnation * now.largest_rate);
+  }
+
+  [[nodiscard]] double accuracy() const {
+    constexpr double roundoff = std::numeric_limits<double>::epsilon();
+    if constexpr (requires { model_.solver_accuracy(); }) {
+      return std::max(roundoff, model_.solver_accuracy());
+    } else {
+      return roundoff;
+    }
   }
 
   static constexpr double stagnation = 1e-11;  // above it a change that stops falling is divergence, not
@@ -148,6 +161,7 @@ class ConservativeStep {
   StepParts<Model> parts_;
   int sweeps_ = 0;
   long total_sweeps_ = 0;
+  double kick_ = 0;  // largest change of a rate by the forces alone
   double previous_tau_ = 1;
   double reached_ = std::numeric_limits<double>::quiet_NaN();  // time after the last step
   std::vector<double> next_, mean_, candidate_, impulse_;

@@ -36,6 +36,7 @@
 ///     linearise_between(Interval, q0, q1, sweep)   discrete gradients over the segment (conservative_step.hpp)
 ///     constraint_values(q, f)    defects of the constraints themselves (drift feedback, RATTLE, invariants)
 ///     curvature(u, v, b)         b_s = u^T (Hessian of f_s) v; absent: by differences of J (index_reduced.hpp)
+///     solver_accuracy()          relative accuracy of solve where it is iterative (conservative_step.hpp), else 0
 ///     place(i)                   coordinate of rate i, for messages
 ///     fused_sweep(Interval, q0, q1, u0, mean, target, mu, sweep)   likewise (FusesSweep)
 ///     fused_step(Interval, q, u, target, lambda)   the whole step in few passes, for speed alone (FusesStep)

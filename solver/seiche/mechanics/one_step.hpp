@@ -78,8 +78,7 @@ class OneStep {
     const Input before = parts_.entered(state);
     mean_.assign(before.begin(), before.end());
     model_.kick(tau / 2, mean_);
-    impulse_.resize(constraint_count(model_));
-    guess_impulse(state, tau);
+    parts_.guess_impulse(state, tau, impulse_);
     parts_.projection().project(mean_, target, impulse_);
     parts_.require_finite_rates(state, mean_);
     if constexpr (HasMultipliers<Model>) {
@@ -92,16 +91,6 @@ class OneStep {
     for (std::size_t i = 0; i < mean_.size(); ++i) state.u[i] = 2 * mean_[i] - before[i];
     parts_.keep_multipliers(state, impulse_, tau);
     parts_.settle(state, when);
-  }
-
-  /// The mean of two steps: single multipliers alternate.
-  void guess_impulse([[maybe_unused]] const State& state, [[maybe_unused]] double tau) {
-    if constexpr (requires { requires Model::warm_start; }) {
-      const std::vector<double> guess = state.nodal_multipliers();
-      for (std::size_t s = 0; s < impulse_.size(); ++s) {
-        impulse_[s] = guess.size() == impulse_.size() ? 0.5 * tau * guess[s] : 0.0;
-      }
-    }
   }
 
   Model& model_;

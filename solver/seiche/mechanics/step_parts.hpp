@@ -9,6 +9,7 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/flush_denormals.hpp"
+#include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/mechanics/projection.hpp"
 #include "seiche/mechanics/state.hpp"
@@ -57,6 +58,18 @@ class StepParts {
     state.time = when.end();
   }
 
+  /// Impulses for an iterative solver to start from: of the mean of the last two steps' multipliers, since single ones
+  /// alternate. Zero for other models.
+  void guess_impulse([[maybe_unused]] const State& state, [[maybe_unused]] double tau, std::vector<double>& impulse) {
+    impulse.assign(constraint_count(model_), 0.0);
+    if constexpr (requires { requires Model::warm_start; }) {
+      const std::vector<double>& last = state.multipliers;
+      const std::vector<double>& before = state.earlier_multipliers;
+      if (last.size() != impulse.size() || before.size() != impulse.size()) return;
+      for (std::size_t s = 0; s < impulse.size(); ++s) impulse[s] = 0.25 * tau * (last[s] + before[s]);
+    }
+  }
+
   /// Multipliers of a step of length tau from their impulses.
   static void keep_multipliers(State& state, Input impulse, double tau) {
     state.multipliers.swap(state.earlier_multipliers);
@@ -81,6 +94,10 @@ class StepParts {
       throw Divergence(failure.what(), state.time, state.steps, failure.place());
     } catch (const linear::NotPositiveDefinite& failure) {
       throw Divergence(failure.what(), state.time, state.steps, static_cast<double>(failure.row()));
+    } catch (const linear::NotConverged& failure) {
+      throw Divergence(failure.what(), state.time, state.steps, 0);
+    } catch (const linear::NotPositiveDirection& failure) {
+      throw Divergence(failure.what(), state.time, state.steps, 0);
     }
   }
 

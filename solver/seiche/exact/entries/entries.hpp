@@ -14,6 +14,7 @@ ExactSolution thacker_entry();
 ExactSolution airy_entry();
 ExactSolution dispersion_entry();
 ExactSolution frank_dispersion_entry();
+ExactSolution lagrangian_mesh_dispersion_entry();
 ExactSolution serre_solitary_entry();
 ExactSolution solitary_asymptotic_entry();
 ExactSolution solitary_entry();

@@ -2,65 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
-#include "seiche/mechanics/composition.hpp"
-#include "seiche/mechanics/conservative_step.hpp"
-#include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
 
-class Flow::Stepper {
- public:
-  virtual ~Stepper() = default;
-  virtual void step(mechanics::State& state, double tau) = 0;
-};
-
-template <class Base>
-class Flow::StepperOf final : public Flow::Stepper {
- public:
-  StepperOf(Model& model, typename Base::Settings settings, TimeComposition composition) : base_(model, settings) {
-    if (composition == TimeComposition::triple_jump) composed_.emplace(base_, mechanics::triple_jump_weights());
-    if (composition == TimeComposition::suzuki) composed_.emplace(base_, mechanics::suzuki_weights());
-  }
-  void step(mechanics::State& state, double tau) override {
-    if (composed_) {
-      composed_->step(state, tau);
-    } else {
-      base_.step(state, tau);
-    }
-  }
-
- private:
-  Base base_;
-  std::optional<mechanics::Composition<Base>> composed_;
-};
-
 Flow::Flow(Channel channel, const Markers& initial, Scheme scheme, Forcing forcing)
     : model_(std::make_unique<Model>(std::move(channel), initial, std::move(forcing))),
       state_(model_->state_of(initial)) {
-  require_not_negative("fixed_sweeps", scheme.fixed_sweeps);
   try {
     mechanics::Start(*model_).project(state_);
   } catch (const mechanics::Infeasible& failure) {
     throw Divergence(failure.what(), 0, 0, failure.place());
   }
-  if (scheme.stepping == Stepping::conservative) {
-    using Step = mechanics::ConservativeStep<Model>;
-    stepper_ = std::make_unique<StepperOf<Step>>(
-        *model_, Step::Settings{.drift_feedback = scheme.drift_feedback, .fixed_sweeps = scheme.fixed_sweeps},
-        scheme.composition);
-  } else {
-    using Step = mechanics::OneStep<Model>;
-    stepper_ = std::make_unique<StepperOf<Step>>(
-        *model_, Step::Settings{.drift_feedback = scheme.stepping == Stepping::one_step_feedback}, scheme.composition);
-  }
+  stepper_ = std::make_unique<mechanics::SchemeStepper<Model>>(*model_, scheme);
   watch_ = std::make_unique<mechanics::InvariantsWatch<Model>>(*model_, state_);
 }
 
@@ -166,20 +126,6 @@ double Flow::energy() const {
 
 void Flow::observe() {
   watch_->record(state_);
-}
-
-Stepping stepping_named(std::string_view name) {
-  if (name == "one_step") return Stepping::one_step;
-  if (name == "one_step_feedback") return Stepping::one_step_feedback;
-  if (name == "conservative") return Stepping::conservative;
-  throw std::invalid_argument(fmt::format("scheme = \"{}\"; allowed: one_step, one_step_feedback, conservative", name));
-}
-
-TimeComposition composition_named(std::string_view name) {
-  if (name == "none") return TimeComposition::none;
-  if (name == "triple_jump") return TimeComposition::triple_jump;
-  if (name == "suzuki") return TimeComposition::suzuki;
-  throw std::invalid_argument(fmt::format("composition = \"{}\"; allowed: none, triple_jump, suzuki", name));
 }
 
 }  // namespace seiche::dispersive_shallow_water_1d

@@ -13,26 +13,17 @@
 #include <limits>
 #include <memory>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/scheme.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
 
-/// one_step: Frank's scheme, one solve per step (A). one_step_feedback: volumes do not drift (B). conservative: energy
-/// and volumes to round-off, several solves per step (C).
-enum class Stepping { one_step, one_step_feedback, conservative };
-/// Of order four in time from the stepping of order two.
-enum class TimeComposition { none, triple_jump, suzuki };
-
-struct Scheme {
-  Stepping stepping = Stepping::one_step;
-  TimeComposition composition = TimeComposition::none;
-  int fixed_sweeps = 0;         ///< of the conservative stepping; 0: until they no longer change
-  bool drift_feedback = false;  ///< in the conservative stepping: removes the round-off drift of volumes too
-};
+using mechanics::Scheme;
+using mechanics::Stepping;
+using mechanics::TimeComposition;
 
 class Flow {
  public:
@@ -86,18 +77,14 @@ class Flow {
   [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_->ledger(); }
 
  private:
-  class Stepper;
-  template <class Base>
-  class StepperOf;
-
   std::unique_ptr<Model> model_;
   mechanics::State state_;
-  std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<mechanics::SchemeStepper<Model>> stepper_;
   std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;
   long beyond_stability_ = 0;
 };
 
-Stepping stepping_named(std::string_view name);
-TimeComposition composition_named(std::string_view name);
+using mechanics::composition_named;
+using mechanics::stepping_named;
 
 }  // namespace seiche::dispersive_shallow_water_1d

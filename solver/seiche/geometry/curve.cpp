@@ -1,0 +1,157 @@
+#include "seiche/geometry/curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include "seiche/require.hpp"
+
+namespace seiche {
+
+namespace {
+
+/// Mean of f over [from, to], in either order: exact to round-off for what a polynomial of degree 19 is in effect
+/// there.
+template <class Function>
+double mean(const Function& f, double from, double to) {
+  const double middle = 0.5 * (from + to);
+  const double half = 0.5 * (to - from);
+  return 0.5 *
+         boost::math::quadrature::gauss<double, 10>::integrate([&](double s) { return f(middle + half * s); }, -1, 1);
+}
+
+}  // namespace
+
+OutsideCurve::OutsideCurve(double arc_length, double begin, double end, Point end_point)
+    : std::runtime_error(
+          fmt::format("a node has left its curve: arc length {:g}; allowed: {:g} to {:g}", arc_length, begin, end)),
+      place_(end_point.x) {}
+
+Line::Line(Point origin, Point direction) : origin_(origin) {
+  for (const double value : {origin.x, origin.y, direction.x, direction.y}) require_finite("line", value);
+  const double length = std::hypot(direction.x, direction.y);
+  require_positive("length of the line's direction", length);
+  tangent_ = {direction.x / length, direction.y / length};
+}
+
+Point Line::position(double s) const {
+  return {origin_.x + s * tangent_.x, origin_.y + s * tangent_.y};
+}
+
+double Line::moment(double s) const {
+  return s * mean_moment_rate(0, s);
+}
+
+double Line::mean_moment_rate(double s0, double s1) const {
+  const double y0 = origin_.y + s0 * tangent_.y;
+  const double y1 = origin_.y + s1 * tangent_.y;
+  return tangent_.x * (y0 * y0 + y0 * y1 + y1 * y1) / 6;
+}
+
+double Line::arc_length_at(Point near) const {
+  return (near.x - origin_.x) * tangent_.x + (near.y - origin_.y) * tangent_.y;
+}
+
+GraphCurve::GraphCurve(Function elevation, Function slope, Function second_derivative, double begin, double end,
+                       std::size_t panels)
+    : elevation_(std::move(elevation)),
+      slope_(std::move(slope)),
+      second_derivative_(std::move(second_derivative)),
+      begin_(begin),
+      end_(end) {
+  if (!elevation_ || !slope_ || !second_derivative_) {
+    throw std::invalid_argument("elevation, slope and second_derivative of a curve must be functions");
+  }
+  require_finite("begin of the curve", begin);
+  require_finite("end of the curve", end);
+  require_positive("end - begin of the curve", end - begin);
+  require_at_least("panels", static_cast<long>(panels), 1);
+  width_ = (end - begin) / static_cast<double>(panels);
+  knots_.push_back(0);
+  moments_.push_back(0);
+  for (std::size_t k = 0; k < panels; ++k) {
+    const double from = panel_begin(k);
+    knots_.push_back(knots_.back() + width_ * mean_stretch(from, from + width_));
+    moments_.push_back(moments_.back() + width_ * mean_moment(from, from + width_));
+    require_finite("arc length of the curve", knots_.back());
+    require_finite("moment of the curve", moments_.back());
+  }
+}
+
+double GraphCurve::mean_stretch(double from, double to) const {
+  return mean([&](double x) { return std::hypot(1.0, slope_(x)); }, from, to);
+}
+
+double GraphCurve::mean_moment(double from, double to) const {
+  return mean([&](double x) { return 0.5 * elevation_(x) * elevation_(x); }, from, to);
+}
+
+std::size_t GraphCurve::panel(double x) const {
+  return static_cast<std::size_t>(std::min(std::floor((x - begin_) / width_), static_cast<double>(knots_.size() - 2)));
+}
+
+double GraphCurve::place(double s) const {
+  if (!(s >= 0 && s <= length())) {
+    const double x = s < 0 ? begin_ : end_;
+    throw OutsideCurve(s, 0, length(), {x, elevation_(x)});
+  }
+  const auto above = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, s);
+  const auto k = static_cast<std::size_t>(above - knots_.begin()) - 1;
+  const double from = panel_begin(k);
+  double x = from + width_ * (s - knots_[k]) / (knots_[k + 1] - knots_[k]);
+  constexpr int most = 20;
+  for (int i = 0; i < most; ++i) {
+    const double step = (s - knots_[k] - (x - from) * mean_stretch(from, x)) / std::hypot(1.0, slope_(x));
+    x += step;
+    if (std::abs(step) <= 1e-15 * (1 + std::abs(x))) break;
+  }
+  return x;
+}
+
+Point GraphCurve::position(double s) const {
+  const double x = place(s);
+  return {x, elevation_(x)};
+}
+
+Point GraphCurve::tangent(double s) const {
+  const double slope = slope_(place(s));
+  const double stretch = std::hypot(1.0, slope);
+  return {1 / stretch, slope / stretch};
+}
+
+Point GraphCurve::curvature(double s) const {
+  const double x = place(s);
+  const double slope = slope_(x);
+  const double square = 1 + slope * slope;
+  const double bend = second_derivative_(x) / (square * square);
+  return {-slope * bend, bend};
+}
+
+Point GraphCurve::mean_tangent(double s0, double s1) const {
+  const double from = place(s0);
+  const double to = place(s1);
+  const double stretch = mean_stretch(from, to);
+  return {1 / stretch, mean(slope_, from, to) / stretch};
+}
+
+double GraphCurve::moment(double s) const {
+  const double x = place(s);
+  const std::size_t k = panel(x);
+  return moments_[k] + (x - panel_begin(k)) * mean_moment(panel_begin(k), x);
+}
+
+double GraphCurve::mean_moment_rate(double s0, double s1) const {
+  const double from = place(s0);
+  const double to = place(s1);
+  return mean_moment(from, to) / mean_stretch(from, to);
+}
+
+double GraphCurve::arc_length_at(Point near) const {
+  const double x = std::clamp(near.x, begin_, end_);
+  const std::size_t k = panel(x);
+  return knots_[k] + (x - panel_begin(k)) * mean_stretch(panel_begin(k), x);
+}
+
+}  // namespace seiche

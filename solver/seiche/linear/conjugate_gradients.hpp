@@ -1,0 +1,101 @@
+/// Preconditioned conjugate gradients for A x = b, A symmetric positive definite.
+///
+/// With z = P r the preconditioned residual and p the direction, an iteration is
+///
+///     alpha = z.r / p.Ap,   x += alpha p,   r -= alpha Ap,   z = P r,   beta = z_new.(r_new - r) / z.r,   p = z_new +
+///     beta p
+///
+/// This beta (Polak-Ribiere; flexible conjugate gradients) bears a preconditioner that is symmetric only to single
+/// precision, which z_new.r_new / z.r does not. Here r_new - r = -alpha Ap, so that it costs no further vector.
+///
+/// The residual is followed by its recurrence. It leaves the true one, b - A x, by round-off: a few units in the last
+/// place of |A| |x|.
+///
+/// References: Hestenes & Stiefel, Methods of conjugate gradients for solving linear systems, J. Res. NBS 49 (1952)
+/// 409; Golub & Ye, Inexact preconditioned conjugate gradient method with inner-outer iteration, SIAM J. Sci. Comput.
+/// 21 (1999) 1305; Notay, Flexible conjugate gradients, SIAM J. Sci. Comput. 22 (2000) 1444.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/vector_operations.hpp"
+
+namespace seiche::linear {
+
+/// The tolerance was not reached.
+class NotConverged : public std::runtime_error {
+ public:
+  NotConverged(int iterations, double relative_residual, double tolerance);
+};
+
+/// A direction p or a residual r was found with p . A p or r . P r not positive: not positive definite, or not numbers.
+class NotPositiveDirection : public std::runtime_error {
+ public:
+  NotPositiveDirection(const char* form, double value, int iteration);
+};
+
+/// Keeps its work arrays from solution to solution.
+///
+/// @tparam Vector  copyable, with values() giving a span of the unknowns and whatever else Multiply needs around them
+template <class Vector = LatticeArray>
+class ConjugateGradients {
+ public:
+  struct Goal {
+    double tolerance = 1e-10;  ///< |r| <= tolerance |b|, Euclidean norms
+    int most_iterations = 200;
+  };
+  struct Result {
+    int iterations = 0;
+    double relative_residual = 0;  ///< |r|/|b| at the end
+  };
+
+  /// Starts from the x given. Throws NotConverged, NotPositiveDirection.
+  ///
+  /// @param multiply       multiply(const Vector& p, Vector& q) sets q = A p and returns p . q
+  /// @param precondition   precondition(span of r, span of z, magnitude) sets z = P r; magnitude: typical size of r
+  template <class Multiply, class Precondition>
+  Result solve(const Multiply& multiply, Precondition&& precondition, const Vector& b, Vector& x, Goal goal) {
+    const double b_norm = std::sqrt(dot(b.values(), b.values()));
+    if (b_norm == 0) {
+      for (double& value : x.values()) value = 0;
+      return {};
+    }
+    shape_like(b);
+    multiply(x, residual_);
+    double r_norm = std::sqrt(subtract_from(b.values(), residual_.values()));
+    double zr = 0;
+    double beta = 0;
+    double step = 0;
+    int iteration = 0;
+    for (; !(r_norm <= goal.tolerance * b_norm); ++iteration) {
+      if (iteration == goal.most_iterations) throw NotConverged(iteration, r_norm / b_norm, goal.tolerance);
+      precondition(residual_.values(), preconditioned_.values(), typical_size(r_norm));
+      const auto [zr_new, zq] = dots(preconditioned_.values(), residual_.values(), product_.values());
+      if (!(zr_new > 0)) throw NotPositiveDirection("r.Pr", zr_new, iteration);
+      if (iteration > 0) beta = -step * zq / zr;
+      zr = zr_new;
+      scale_and_add(preconditioned_.values(), beta, direction_.values());
+      const double curvature = multiply(direction_, product_);
+      if (!(curvature > 0)) throw NotPositiveDirection("p.Ap", curvature, iteration);
+      step = zr / curvature;
+      r_norm = std::sqrt(advance(step, direction_.values(), product_.values(), x.values(), residual_.values()));
+    }
+    return {iteration, r_norm / b_norm};
+  }
+
+ private:
+  void shape_like(const Vector& b) {
+    if (residual_.values().size() == b.values().size()) return;
+    residual_ = preconditioned_ = direction_ = product_ = b;
+  }
+  [[nodiscard]] double typical_size(double norm) const {
+    return norm / std::sqrt(static_cast<double>(residual_.values().size()));
+  }
+
+  Vector residual_, preconditioned_, direction_, product_;
+};
+
+}  // namespace seiche::linear

@@ -1,0 +1,91 @@
+/// Direct solver of nine-point systems on long lattices: block LDL^T inside the band, from both ends to the middle.
+///
+/// Cells are numbered along the shorter direction of the lattice, so that a cell of n = min(columns, rows) cells a line
+/// is coupled with the n + 1 cells after it. The numbering is cut into blocks of eight cells, whose pivots D_j are 8 x
+/// 8 matrices:
+///
+///     A = L D L^T,   U_ij = A_ij - sum_k L_ik U_jk^T,   D_j = U_jj,   L_ij = U_ij D_j^-1,   i >= j > k
+///
+/// Inverses of the pivots are formed by Gauss-Jordan sweeps, whose own pivots are those of Cholesky's method. The other
+/// end of the lattice is eliminated at the same time in the opposite order: two independent chains of operations, which
+/// one processor core overlaps. Work per factorisation about cells n^2 / 2 multiplications, per solution 2 cells n;
+/// memory about cells n numbers.
+///
+/// When not to use it: lattices more than about 100 cells across (SparseCholesky, or iteration).
+///
+/// References: Golub & Van Loan, Matrix Computations, 4th ed. (2013), 4.3, 4.5; Demmel, Higham & Schreiber, Stability
+/// of block LU factorization, Numer. Linear Algebra Appl. 2 (1995) 173; Goodnight, A tutorial on the SWEEP operator,
+/// Am. Statistician 33 (1979) 149.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "seiche/linear/dense_block.hpp"
+#include "seiche/linear/nine_point_matrix.hpp"
+
+namespace seiche::linear {
+
+class NinePointCholesky {
+ public:
+  /// At least one column and one row. Throws std::invalid_argument.
+  NinePointCholesky(std::size_t columns, std::size_t rows);
+
+  /// Throws std::invalid_argument for a matrix of another shape, NotPositiveDefinite with the index of the cell.
+  void factor(const NinePointMatrix& a);
+  /// Arrays of one number per cell, in the order of the lattice; they may be the same. One thread at a time.
+  void solve(std::span<const double> right_hand_side, std::span<double> x) const;
+
+  [[nodiscard]] std::size_t size() const { return columns_ * rows_; }
+
+ private:
+  using Block = dense_block::Block;
+  using Segment = dense_block::Segment;
+  static constexpr std::size_t couplings = 5;
+  /// Its blocks below the pivot are L_ij, i = j + 1, ..., j + reach, from `first` on.
+  struct BlockColumn {
+    std::size_t first;
+    std::size_t reach;
+    std::ptrdiff_t cell;  // its first cell, and the place of that in its line
+    std::size_t in_line;
+  };
+
+  /// Elimination from one end of the numbering. A coefficient that couples cell c with a later cell is found at c plus
+  /// its offset.
+  struct End {
+    bool reversed = false;
+    std::ptrdiff_t next = 0, behind = 0, across = 0, ahead = 0;
+    std::vector<BlockColumn> columns;
+    std::vector<Block> minus_inverse;  // -D^-1
+    std::vector<Block> lower;
+    std::vector<Block> recent;  // U of the last block columns
+    std::vector<Segment> x;
+  };
+  struct Kernels;
+
+  void lay_out(End& end, std::size_t cells, std::size_t blocks);
+  [[nodiscard]] Block* recent(End& end, std::size_t column) const {
+    return &end.recent[(column & ring_) * (most_reach_ + 2)];
+  }
+  [[nodiscard]] std::size_t cell(const End& end, std::size_t number) const;
+  template <class Action>
+  void for_each_cell(const Action& action) const;
+
+  std::size_t columns_;
+  std::size_t rows_;
+  std::size_t line_;            // cells of a line
+  std::size_t along_, across_;  // from a cell to the next of its line, and of its neighbour line
+  std::size_t most_reach_ = 0;
+  std::size_t ring_ = 0;         // columns of `recent`, a power of two, less one
+  std::size_t each_ = 0;         // block columns eliminated from each end before the middle
+  std::size_t front_cells_ = 0;  // with those of the middle, which is eliminated from the front
+  std::array<std::array<std::size_t, Block::n>, couplings>
+      place_{};                                     // of the coefficients of each cell of a block column
+  std::vector<std::array<std::size_t, 2>> mirror_;  // places in a pivot and across its diagonal
+  mutable End front_, back_;
+  std::vector<Block> middle_;  // what the back adds to the block columns of the middle
+};
+
+}  // namespace seiche::linear

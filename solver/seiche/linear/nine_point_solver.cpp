@@ -1,0 +1,132 @@
+#include "seiche/linear/nine_point_solver.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "seiche/linear/conjugate_gradients.hpp"
+#include "seiche/linear/nine_point_cholesky.hpp"
+#include "seiche/linear/nine_point_sparse.hpp"
+#include "seiche/require.hpp"
+
+namespace seiche::linear {
+
+namespace {
+
+constexpr std::array methods{std::pair{NinePointMethod::automatic, std::string_view("automatic")},
+                             std::pair{NinePointMethod::banded, std::string_view("banded")},
+                             std::pair{NinePointMethod::sparse, std::string_view("sparse")},
+                             std::pair{NinePointMethod::iterative, std::string_view("iterative")}};
+
+NinePointMethod fitting(std::size_t columns, std::size_t rows, bool has_lattice) {
+  if (std::min(columns, rows) <= (has_lattice ? 40U : 100U)) return NinePointMethod::banded;
+  return has_lattice ? NinePointMethod::iterative : NinePointMethod::sparse;
+}
+
+}  // namespace
+
+std::string_view name(NinePointMethod method) {
+  return std::find_if(methods.begin(), methods.end(), [&](const auto& m) { return m.first == method; })->second;
+}
+
+NinePointMethod nine_point_method_named(std::string_view name) {
+  for (const auto& [method, its_name] : methods) {
+    if (its_name == name) return method;
+  }
+  throw std::invalid_argument(fmt::format("solver = \"{}\"; allowed: automatic, banded, sparse, iterative", name));
+}
+
+class NinePointSolver::Implementation {
+ public:
+  virtual ~Implementation() = default;
+  virtual void factor(const NinePointMatrix& a) = 0;
+  /// Returns the iterations taken.
+  virtual int solve(std::span<const double> right_hand_side, std::span<double> x, double tolerance) = 0;
+};
+
+class NinePointSolver::Banded final : public Implementation {
+ public:
+  Banded(std::size_t columns, std::size_t rows) : cholesky_(columns, rows) {}
+  void factor(const NinePointMatrix& a) override { cholesky_.factor(a); }
+  int solve(std::span<const double> right_hand_side, std::span<double> x, double) override {
+    cholesky_.solve(right_hand_side, x);
+    return 0;
+  }
+
+ private:
+  NinePointCholesky cholesky_;
+};
+
+class NinePointSolver::Sparse final : public Implementation {
+ public:
+  Sparse(std::size_t columns, std::size_t rows) : cholesky_(columns, rows) {}
+  void factor(const NinePointMatrix& a) override { cholesky_.factor(a); }
+  int solve(std::span<const double> right_hand_side, std::span<double> x, double) override {
+    cholesky_.solve(right_hand_side, x);
+    return 0;
+  }
+
+ private:
+  NinePointSparse cholesky_;
+};
+
+class NinePointSolver::Iterative final : public Implementation {
+ public:
+  Iterative(std::size_t columns, std::size_t rows, const CosineLattice::LayerMatrix& undeformed)
+      : lattice_({.nx = columns, .nz = 1, .layers = rows}, undeformed), b_(columns, rows), x_(columns, rows) {}
+  void factor(const NinePointMatrix& a) override { matrix_ = &a; }
+  int solve(std::span<const double> right_hand_side, std::span<double> x, double tolerance) override {
+    std::copy(right_hand_side.begin(), right_hand_side.end(), b_.data());
+    std::copy(x.begin(), x.end(), x_.data());
+    const auto multiply = [this](const LatticeArray& p, LatticeArray& q) { return matrix_->multiply_and_dot(p, q); };
+    const auto precondition = [this](std::span<const double> r, std::span<double> z, double magnitude) {
+      lattice_.solve(r, z, magnitude);
+    };
+    const auto result = gradients_.solve(multiply, precondition, b_, x_, {.tolerance = tolerance});
+    std::copy(x_.values().begin(), x_.values().end(), x.begin());
+    return result.iterations;
+  }
+
+ private:
+  CosineLattice lattice_;
+  ConjugateGradients<LatticeArray> gradients_;
+  LatticeArray b_, x_;
+  const NinePointMatrix* matrix_ = nullptr;
+};
+
+NinePointSolver::NinePointSolver(std::size_t columns, std::size_t rows, NinePointMethod method,
+                                 CosineLattice::LayerMatrix undeformed, double tolerance)
+    : method_(method == NinePointMethod::automatic ? fitting(columns, rows, static_cast<bool>(undeformed)) : method),
+      tolerance_(tolerance) {
+  require_within("tolerance", tolerance, 1e-15, 1e-6);
+  if (method_ == NinePointMethod::iterative && !undeformed) {
+    throw std::invalid_argument("solver = \"iterative\"; allowed only for meshes between vertical walls, on a bottom");
+  }
+  if (method_ == NinePointMethod::banded) {
+    implementation_ = std::make_unique<Banded>(columns, rows);
+  } else if (method_ == NinePointMethod::sparse) {
+    implementation_ = std::make_unique<Sparse>(columns, rows);
+  } else {
+    implementation_ = std::make_unique<Iterative>(columns, rows, undeformed);
+  }
+}
+
+NinePointSolver::~NinePointSolver() = default;
+NinePointSolver::NinePointSolver(NinePointSolver&&) noexcept = default;
+NinePointSolver& NinePointSolver::operator=(NinePointSolver&&) noexcept = default;
+
+void NinePointSolver::factor(const NinePointMatrix& a) {
+  implementation_->factor(a);
+  ++factorisations_;
+}
+
+void NinePointSolver::solve(std::span<const double> right_hand_side, std::span<double> x, double tolerance) {
+  last_iterations_ = implementation_->solve(right_hand_side, x, tolerance > 0 ? tolerance : tolerance_);
+  iterations_ += last_iterations_;
+  ++solutions_;
+}
+
+}  // namespace seiche::linear

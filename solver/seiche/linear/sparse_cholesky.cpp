@@ -1,0 +1,133 @@
+#include "seiche/linear/sparse_cholesky.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include <cholmod.h>
+#include <fmt/format.h>
+
+#include "seiche/linear/tridiagonal.hpp"
+
+namespace seiche::linear {
+
+struct SparseCholesky::Cholmod {
+  explicit Cholmod(Eigen::SparseMatrix<double> matrix) : pattern(std::move(matrix)) {
+    cholmod_start(&common);
+    common.print = 0;
+    common.final_ll = 1;  // L D L^T would accept negative pivots
+    cholmod_sparse a = view();
+    factor = cholmod_analyze(&a, &common);
+    if (factor == nullptr) {
+      cholmod_finish(&common);
+      throw std::bad_alloc();
+    }
+  }
+  ~Cholmod() {
+    for (cholmod_dense** const dense : {&x, &y, &e}) cholmod_free_dense(dense, &common);
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+  Cholmod(const Cholmod&) = delete;
+  Cholmod& operator=(const Cholmod&) = delete;
+  Cholmod(Cholmod&&) = delete;
+  Cholmod& operator=(Cholmod&&) = delete;
+
+  /// The pattern with its values as CHOLMOD sees it.
+  cholmod_sparse view() {
+    cholmod_sparse a{};
+    a.nrow = a.ncol = static_cast<std::size_t>(pattern.cols());
+    a.nzmax = static_cast<std::size_t>(pattern.nonZeros());
+    a.p = pattern.outerIndexPtr();
+    a.i = pattern.innerIndexPtr();
+    a.x = pattern.valuePtr();
+    a.stype = -1;
+    a.itype = CHOLMOD_INT;
+    a.xtype = CHOLMOD_REAL;
+    a.dtype = CHOLMOD_DOUBLE;
+    a.sorted = 1;
+    a.packed = 1;
+    return a;
+  }
+
+  Eigen::SparseMatrix<double> pattern;
+  cholmod_common common{};
+  cholmod_factor* factor = nullptr;
+  cholmod_dense* x = nullptr;  // solution and work, kept from one solution to the next
+  cholmod_dense* y = nullptr;
+  cholmod_dense* e = nullptr;
+};
+
+namespace {
+
+void require_lower(const Eigen::SparseMatrix<double>& pattern) {
+  if (pattern.rows() != pattern.cols() || pattern.rows() == 0 || !pattern.isCompressed()) {
+    throw std::invalid_argument(fmt::format("pattern is {} x {}{}; allowed: square, not empty, compressed",
+                                            pattern.rows(), pattern.cols(),
+                                            pattern.isCompressed() ? "" : ", not compressed"));
+  }
+  for (int column = 0; column < pattern.cols(); ++column) {
+    const int begin = pattern.outerIndexPtr()[column];
+    const int end = pattern.outerIndexPtr()[column + 1];
+    if (begin == end || pattern.innerIndexPtr()[begin] != column) {
+      throw std::invalid_argument(
+          fmt::format("pattern: column {} does not begin with its diagonal; allowed: lower triangle", column));
+    }
+  }
+}
+
+}  // namespace
+
+SparseCholesky::SparseCholesky(Eigen::SparseMatrix<double> pattern) {
+  require_lower(pattern);
+  cholmod_ = std::make_unique<Cholmod>(std::move(pattern));
+}
+
+SparseCholesky::~SparseCholesky() = default;
+SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
+SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
+
+std::size_t SparseCholesky::size() const {
+  return cholmod_->factor->n;
+}
+
+void SparseCholesky::factor(std::span<const double> values) {
+  Cholmod& c = *cholmod_;
+  const auto count = static_cast<std::size_t>(c.pattern.nonZeros());
+  if (values.size() != count) {
+    throw std::invalid_argument(fmt::format("{} values; the pattern has {}", values.size(), count));
+  }
+  // CHOLMOD compares pivots with zero, which NaN and infinity pass.
+  const auto bad = std::find_if_not(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+  if (bad != values.end()) {
+    const int* const begin = c.pattern.outerIndexPtr();
+    const auto* const column = std::upper_bound(begin, begin + size() + 1, bad - values.begin()) - 1;
+    throw NotPositiveDefinite(static_cast<std::size_t>(column - begin), *bad);
+  }
+  std::copy(values.begin(), values.end(), c.pattern.valuePtr());
+  cholmod_sparse a = c.view();
+  cholmod_factorize(&a, c.factor, &c.common);
+  if (c.common.status == CHOLMOD_NOT_POSDEF) {
+    const auto row = static_cast<std::size_t>(static_cast<const int*>(c.factor->Perm)[c.factor->minor]);
+    throw NotPositiveDefinite(row);
+  }
+  if (c.common.status < CHOLMOD_OK) throw std::bad_alloc();
+}
+
+void SparseCholesky::solve(std::span<const double> right_hand_side, std::span<double> x) const {
+  Cholmod& c = *cholmod_;
+  cholmod_dense b{};
+  b.nrow = b.nzmax = b.d = size();
+  b.ncol = 1;
+  b.x = const_cast<double*>(right_hand_side.data());  // read only
+  b.xtype = CHOLMOD_REAL;
+  b.dtype = CHOLMOD_DOUBLE;
+  if (cholmod_solve2(CHOLMOD_A, c.factor, &b, nullptr, &c.x, nullptr, &c.y, &c.e, &c.common) == 0) {
+    throw std::bad_alloc();
+  }
+  std::copy_n(static_cast<const double*>(c.x->x), size(), x.data());
+}
+
+}  // namespace seiche::linear

@@ -1,0 +1,171 @@
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/divergence.hpp"
+#include "seiche/models/lagrangian_mesh_2d/stability.hpp"
+
+namespace seiche::lagrangian_mesh_2d {
+
+double WallLoad::pressure_at(double elevation) const {
+  if (!(elevation <= contact)) return std::numeric_limits<double>::quiet_NaN();
+  const std::size_t n = y.size();
+  const auto between = [&](double y0, double p0, double y1, double p1) {
+    return p0 + (p1 - p0) * (elevation - y0) / (y1 - y0);
+  };
+  if (elevation >= y[n - 1] || n == 1) return between(y[n - 1], pressure[n - 1], contact, 0);
+  const auto above = std::upper_bound(y.begin() + 1, y.end() - 1, elevation);
+  const auto k = static_cast<std::size_t>(above - y.begin());
+  return between(y[k - 1], pressure[k - 1], y[k], pressure[k]);
+}
+
+Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings, Forcing forcing, bool smooth_start,
+           long reproject_every)
+    : model_(std::make_unique<Model>(std::move(mesh), settings, std::move(forcing))),
+      state_(model_->state(velocity)),
+      stepper_(std::make_unique<mechanics::SchemeStepper<Model>>(*model_, scheme)),
+      smooth_start_(smooth_start && scheme.stepping != Stepping::conservative &&
+                    scheme.composition == TimeComposition::none && model_->nodes().driven().empty()),
+      stable_step_(longest_stable_step(*model_)) {
+  require_not_negative("reproject_every", static_cast<double>(reproject_every));
+  if (reproject_every > 0) reprojection_ = std::make_unique<mechanics::Reprojection<Model>>(*model_, reproject_every);
+  try {
+    mechanics::Start(*model_).project(state_);
+  } catch (const mechanics::Infeasible& failure) {
+    throw Divergence(failure.what(), 0, 0, failure.place());
+  }
+  watch_ = std::make_unique<mechanics::InvariantsWatch<Model>>(*model_, state_);
+}
+
+void Flow::start(double tau) {
+  if (state_.steps > 0 || !smooth_start_) return;
+  mechanics::Start(*model_).project_to_smooth(state_, tau);
+}
+
+void Flow::advance(double tau) {
+  mechanics::require_step(tau);
+  if (tau > stable_step_) ++beyond_stability_;
+  start(tau);
+  remember_walls();
+  stepper_->step(state_, tau);
+  if (reprojection_) reprojection_->after_step(state_, tau);
+}
+
+void Flow::advance_to(double time, double tau, const std::function<void()>& after_step) {
+  mechanics::require_step(tau);
+  if (!(time >= state_.time && std::isfinite(time))) {
+    throw std::invalid_argument(
+        fmt::format("time = {:g}; allowed: finite, at least the present {:g}", time, state_.time));
+  }
+  const double begin = state_.time;
+  const auto steps = static_cast<long>(std::ceil((time - begin) / tau - 1e-9));
+  for (long k = 1; k <= steps; ++k) {
+    advance((time - begin) / static_cast<double>(steps));
+    state_.time = begin + (time - begin) * (static_cast<double>(k) / static_cast<double>(steps));
+    if (after_step) after_step();
+  }
+}
+
+void Flow::remember_walls() {
+  remembered_time_ = state_.time;
+  const Mesh& mesh = model_->mesh();
+  for (std::size_t side = 0; side < 2; ++side) {
+    WallNodes& wall = remembered_[side];
+    wall.x.resize(mesh.rows + 1);
+    wall.y.resize(mesh.rows + 1);
+    for (std::size_t j = 0; j <= mesh.rows; ++j) {
+      const std::size_t k = mesh.node(side == 0 ? 0 : mesh.columns, j);
+      wall.x[j] = x()[k];
+      wall.y[j] = y()[k];
+    }
+  }
+}
+
+WallLoad Flow::wall_load(WallSide side) const {
+  const Mesh& mesh = model_->mesh();
+  if (state_.multipliers.empty() || state_.earlier_multipliers.empty()) {
+    throw std::logic_error("the load of a wall is known after two steps");
+  }
+  const double weight = model_->settings().density * model_->settings().gravity;
+  const WallNodes& wall = remembered_[side == WallSide::left ? 0 : 1];
+  const std::size_t column = side == WallSide::left ? 0 : mesh.columns - 1;
+  WallLoad load{.time = remembered_time_, .contact = wall.y[mesh.rows], .y = {}, .pressure = {}, .force = 0};
+  for (std::size_t j = 0; j < mesh.rows; ++j) {
+    const std::size_t cell = j * mesh.columns + column;
+    const double dynamic = 0.5 * (state_.multipliers[cell] + state_.earlier_multipliers[cell]);
+    const double middle = 0.5 * (wall.y[j] + wall.y[j + 1]);
+    load.y.push_back(middle);
+    load.pressure.push_back(dynamic - weight * middle);
+    // Hydrostatic pressure is linear in y: its integral over a cell is exact.
+    load.force += (dynamic - weight * middle) * (wall.y[j + 1] - wall.y[j]);
+  }
+  return load;
+}
+
+std::vector<double> Flow::elevation_at(std::span<const double> places) const {
+  const auto xs = surface_x();
+  const auto ys = surface_y();
+  std::vector<double> elevation;
+  for (const double place : places) {
+    const auto k = static_cast<std::size_t>(std::upper_bound(xs.begin(), xs.end(), place) - xs.begin());
+    if (k > 0 && k < xs.size()) {
+      elevation.push_back(ys[k - 1] + (ys[k] - ys[k - 1]) * (place - xs[k - 1]) / (xs[k] - xs[k - 1]));
+    } else if (place == xs.back()) {
+      elevation.push_back(ys.back());
+    } else {
+      elevation.push_back(std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  return elevation;
+}
+
+Flow::Crest Flow::crest() const {
+  const auto xs = surface_x();
+  const auto ys = surface_y();
+  const auto highest = static_cast<std::size_t>(std::max_element(ys.begin(), ys.end()) - ys.begin());
+  if (highest < 2 || highest + 2 >= xs.size()) return {xs[highest], ys[highest]};
+  // Newton's divided differences around the highest node, then its maximum by Newton's iteration on the derivative.
+  std::array<double, 5> s{};
+  std::array<double, 5> c{};
+  for (std::size_t i = 0; i < 5; ++i) {
+    s[i] = xs[highest - 2 + i] - xs[highest];
+    c[i] = ys[highest - 2 + i];
+  }
+  for (std::size_t order = 1; order < 5; ++order) {
+    for (std::size_t i = 4; i >= order; --i) c[i] = (c[i] - c[i - 1]) / (s[i] - s[i - order]);
+  }
+  struct Local {
+    double value, slope, curvature;
+  };
+  const auto at = [&](double z) {
+    Local p{c[4], 0, 0};
+    for (std::size_t i = 4; i-- > 0;) {
+      p.curvature = 2 * p.slope + (z - s[i]) * p.curvature;
+      p.slope = p.value + (z - s[i]) * p.slope;
+      p.value = c[i] + (z - s[i]) * p.value;
+    }
+    return p;
+  };
+  double z = 0;
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    const Local p = at(z);
+    if (!(p.curvature < 0)) break;
+    z = std::clamp(z - p.slope / p.curvature, s[1], s[3]);
+  }
+  return {xs[highest] + z, at(z).value};
+}
+
+double Flow::energy() const {
+  return model_->kinetic_energy(state_.q, state_.u) + model_->potential_energy(state_.q);
+}
+
+void Flow::observe() {
+  watch_->record(state_);
+}
+
+}  // namespace seiche::lagrangian_mesh_2d

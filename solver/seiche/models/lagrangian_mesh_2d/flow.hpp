@@ -1,0 +1,129 @@
+/// A flow of the two-dimensional Lagrangian mesh: a mesh of water, stepped by one of the schemes.
+///
+///     const exact::SolitaryWave wave(0.3);
+///     Flow flow(layer_mesh({.begin = -15, .end = 45, .columns = 240, .rows = 8,
+///                           .elevation = [&](double x) { return wave.elevation(x); }}),
+///               [&](Point r) { const auto v = wave.velocity(r.x, r.y); return Point{v.u, v.v}; });
+///     while (flow.time() < 20) flow.advance(0.05);
+///
+/// The first velocities are projected on constant areas. Throws std::invalid_argument for bad input and Divergence,
+/// with time, step and place, when a cell folds, a node leaves its curve, a solver fails or a value is not finite.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/scheme.hpp"
+#include "seiche/mechanics/start.hpp"
+#include "seiche/models/lagrangian_mesh_2d/model.hpp"
+
+namespace seiche::lagrangian_mesh_2d {
+
+using mechanics::Scheme;
+using mechanics::Stepping;
+using mechanics::TimeComposition;
+
+/// The water at a wall, at one moment.
+struct WallLoad {
+  double time = 0;
+  double contact = 0;            ///< elevation of the contact point [m]
+  std::vector<double> y;         ///< middles of the wall's cells, from the bottom up [m]
+  std::vector<double> pressure;  ///< there [Pa]
+  /// Horizontal force on the wall towards the outside, hydrostatic pressure included [N/m].
+  double force = 0;
+
+  /// Linear between the middles, 0 at the contact point; extrapolated to the bottom. NaN above the contact point.
+  [[nodiscard]] double pressure_at(double elevation) const;
+};
+
+class Flow {
+ public:
+  using Velocity = InitialVelocity;
+
+  /// @param velocity  at the beginning; see impulsive_start.hpp for waves that are to run long
+  /// @param smooth_start  the first velocities of the one-step scheme get the part outside the constraints that keeps
+  ///                      its multipliers from alternating (mechanics/start.hpp); not for driven nodes and compositions
+  /// @param reproject_every  steps after which that part is restored; 0: never
+  explicit Flow(Mesh mesh, const Velocity& velocity = {}, Scheme scheme = {}, Settings settings = {},
+                Forcing forcing = {}, bool smooth_start = true, long reproject_every = 0);
+
+  /// One step of length tau > 0.
+  void advance(double tau);
+  /// Equal steps of at most tau until `time`, which is hit exactly; after_step is called after each.
+  void advance_to(double time, double tau, const std::function<void()>& after_step = {});
+
+  /// Longest stable step of the one-step scheme for a uniform layer: 2/omega of the fastest mode of the undeformed
+  /// mesh; infinite without gravity or a bottom.
+  [[nodiscard]] double stable_step() const { return stable_step_; }
+  /// Steps that were longer than that: a warning, not an error.
+  [[nodiscard]] long steps_beyond_stability() const { return beyond_stability_; }
+
+  [[nodiscard]] double time() const { return state_.time; }
+  [[nodiscard]] long steps() const { return state_.steps; }
+  [[nodiscard]] const Model& model() const { return *model_; }
+  [[nodiscard]] const mechanics::State& state() const { return state_; }
+  [[nodiscard]] std::span<const double> x() const { return part(state_.q, 0); }
+  [[nodiscard]] std::span<const double> y() const { return part(state_.q, 1); }
+  [[nodiscard]] std::span<const double> u() const { return part(state_.u, 0); }
+  [[nodiscard]] std::span<const double> v() const { return part(state_.u, 1); }
+  /// Row `rows` of the nodes.
+  [[nodiscard]] std::span<const double> surface_x() const { return top(x()); }
+  [[nodiscard]] std::span<const double> surface_y() const { return top(y()); }
+  /// Multipliers of the cells at the middle of the last step [Pa]: dynamic pressure. Single values alternate.
+  [[nodiscard]] std::span<const double> multipliers() const { return state_.multipliers; }
+  /// Their mean over the last two steps: values at the beginning of the last step.
+  [[nodiscard]] std::vector<double> dynamic_pressure() const { return state_.nodal_multipliers(); }
+
+  /// Surface elevation at places, linear between nodes; NaN beyond the surface's ends.
+  [[nodiscard]] std::vector<double> elevation_at(std::span<const double> places) const;
+  /// Highest point of the polynomial of degree four through the highest surface node and two neighbours on each side.
+  struct Crest {
+    double place = 0;
+    double elevation = 0;
+  };
+  [[nodiscard]] Crest crest() const;
+
+  enum class WallSide { left, right };
+  /// The load of a wall at the beginning of the last step, from the mean of the last two steps' multipliers. After two
+  /// steps of equal length, without composition.
+  [[nodiscard]] WallLoad wall_load(WallSide side) const;
+
+  /// Shape of the worst corner: 1 at the beginning for rectangles, 0 where the mesh folds; a warning below 0.2.
+  [[nodiscard]] Corner worst_corner() const { return model_->worst_corner(state_.q); }
+  [[nodiscard]] double energy() const;  ///< kinetic and potential, zero for still water [J/m]
+  /// Mass, momenta, energy, areas since the beginning. Costs several passes: `observe` takes a record.
+  void observe();
+  [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_->ledger(); }
+
+ private:
+  struct WallNodes {
+    std::vector<double> x, y;
+  };
+
+  [[nodiscard]] std::span<const double> part(const std::vector<double>& values, std::size_t index) const {
+    const std::size_t n = model_->nodes().size();
+    return {values.data() + index * n, n};
+  }
+  [[nodiscard]] std::span<const double> top(std::span<const double> values) const {
+    return values.last(model_->mesh().columns + 1);
+  }
+  void start(double tau);
+  void remember_walls();
+
+  std::unique_ptr<Model> model_;
+  mechanics::State state_;
+  std::unique_ptr<mechanics::SchemeStepper<Model>> stepper_;
+  std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;
+  bool smooth_start_;
+  std::unique_ptr<mechanics::Reprojection<Model>> reprojection_;  // or none
+  double stable_step_;
+  long beyond_stability_ = 0;
+  double remembered_time_ = 0;
+  std::array<WallNodes, 2> remembered_;  // left, right, before the last step
+};
+
+}  // namespace seiche::lagrangian_mesh_2d

@@ -1,0 +1,153 @@
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include "seiche/require.hpp"
+
+namespace seiche::lagrangian_mesh_2d {
+
+namespace {
+
+Mesh empty_mesh(std::size_t columns, std::size_t rows) {
+  require_at_least("columns", static_cast<long>(columns), 1);
+  require_at_least("rows", static_cast<long>(rows), 1);
+  Mesh mesh{.columns = columns, .rows = rows, .x = {}, .y = {}, .sides = {}};
+  mesh.x.resize(mesh.nodes());
+  mesh.y.resize(mesh.nodes());
+  return mesh;
+}
+
+/// Ends of columns of equal area: int (depth + elevation) dx from one to the next is the same.
+std::vector<double> equal_columns(const Layer& layer) {
+  const auto n = static_cast<double>(layer.columns);
+  std::vector<double> ends(layer.columns + 1);
+  for (std::size_t i = 0; i <= layer.columns; ++i) {
+    ends[i] = layer.begin + (layer.end - layer.begin) * (static_cast<double>(i) / n);
+  }
+  if (!layer.elevation) return ends;
+  const auto depth = [&](double x) { return layer.depth + layer.elevation(x); };
+  // Area up to the ends of narrow strips, then Newton's iteration inside the strip where a column ends.
+  const std::size_t strips = 4 * layer.columns;
+  const double width = (layer.end - layer.begin) / static_cast<double>(strips);
+  const auto area_between = [&](double from, double to) {
+    const double half = 0.5 * (to - from);
+    return half * boost::math::quadrature::gauss<double, 10>::integrate(
+                      [&](double s) { return depth(0.5 * (from + to) + half * s); }, -1, 1);
+  };
+  std::vector<double> area{0};
+  for (std::size_t k = 0; k < strips; ++k) {
+    const double from = layer.begin + width * static_cast<double>(k);
+    area.push_back(area.back() + area_between(from, from + width));
+    if (!(area.back() > area[k])) {
+      throw std::invalid_argument(
+          fmt::format("no water between {:g} and {:g}: the elevation must be above -depth = {:g}", from, from + width,
+                      -layer.depth));
+    }
+  }
+  for (std::size_t i = 1; i < layer.columns; ++i) {
+    const double wanted = area.back() * (static_cast<double>(i) / n);
+    const auto k = static_cast<std::size_t>(std::upper_bound(area.begin(), area.end(), wanted) - area.begin()) - 1;
+    const double from = layer.begin + width * static_cast<double>(k);
+    double x = from + width * (wanted - area[k]) / (area[k + 1] - area[k]);
+    for (int iteration = 0; iteration < 20; ++iteration) {
+      const double step = (wanted - area[k] - area_between(from, x)) / depth(x);
+      x += step;
+      if (std::abs(step) <= 1e-15 * (std::abs(layer.begin) + std::abs(layer.end))) break;
+    }
+    ends[i] = x;
+  }
+  return ends;
+}
+
+void fill_columns(Mesh& mesh, const std::vector<double>& x, const std::function<double(std::size_t)>& bottom,
+                  const std::function<double(std::size_t)>& surface) {
+  for (std::size_t i = 0; i <= mesh.columns; ++i) {
+    const double low = bottom(i);
+    const double high = surface(i);
+    for (std::size_t j = 0; j <= mesh.rows; ++j) {
+      const std::size_t k = mesh.node(i, j);
+      const double part = static_cast<double>(j) / static_cast<double>(mesh.rows);
+      mesh.x[k] = x[i];
+      mesh.y[k] = j == 0 ? low : j == mesh.rows ? high : low + (high - low) * part;
+    }
+  }
+}
+
+void require_layer(const Layer& layer) {
+  require_finite("begin", layer.begin);
+  require_finite("end", layer.end);
+  require_positive("end - begin", layer.end - layer.begin);
+  require_positive("depth", layer.depth);
+}
+
+}  // namespace
+
+Mesh free_patch(std::size_t columns, std::size_t rows, Point lower_left, Point upper_right) {
+  Mesh mesh = empty_mesh(columns, rows);
+  for (std::size_t j = 0; j <= rows; ++j) {
+    for (std::size_t i = 0; i <= columns; ++i) {
+      const std::size_t k = mesh.node(i, j);
+      mesh.x[k] = lower_left.x + (upper_right.x - lower_left.x) * static_cast<double>(i) / static_cast<double>(columns);
+      mesh.y[k] = lower_left.y + (upper_right.y - lower_left.y) * static_cast<double>(j) / static_cast<double>(rows);
+    }
+  }
+  return mesh;
+}
+
+Mesh layer_mesh(const Layer& layer) {
+  require_layer(layer);
+  Mesh mesh = empty_mesh(layer.columns, layer.rows);
+  const std::vector<double> x = equal_columns(layer);
+  fill_columns(
+      mesh, x, [&](std::size_t) { return -layer.depth; },
+      [&](std::size_t i) { return layer.elevation ? layer.elevation(x[i]) : 0.0; });
+  mesh.sides = {vertical_wall(layer.begin), vertical_wall(layer.end), level_wall(-layer.depth), FreeSide{}};
+  return mesh;
+}
+
+Mesh layer_mesh_with_slope(const Layer& layer, double tan_slope, double blend) {
+  require_positive("tan_slope", tan_slope);
+  require_not_negative("blend", blend);
+  Mesh mesh = layer_mesh(layer);
+  const double cot = 1 / tan_slope;
+  if (blend == 0) blend = std::max(4 * cot, 4.0) * layer.depth;
+  const Point toe{layer.end, -layer.depth};
+  for (std::size_t i = 0; i <= layer.columns; ++i) {
+    const double phi = std::clamp(1 - (layer.end - mesh.x[mesh.node(i, 0)]) / blend, 0.0, 1.0);
+    for (std::size_t j = 0; j <= layer.rows; ++j) {
+      const std::size_t k = mesh.node(i, j);
+      mesh.x[k] += (mesh.y[k] - toe.y) * cot * phi;
+    }
+  }
+  // Counted from the still-water contact point, whose level is then 0 to the last bit.
+  const Point contact{toe.x + layer.depth * cot, 0};
+  mesh.sides.right = Wall{std::make_shared<Line>(contact, Point{1, tan_slope})};
+  return mesh;
+}
+
+Mesh layer_mesh_over(std::shared_ptr<const GraphCurve> bottom, double begin, double end, std::size_t columns,
+                     std::size_t rows, const std::function<double(double x)>& elevation) {
+  require_finite("begin", begin);
+  require_finite("end", end);
+  require_positive("end - begin", end - begin);
+  Mesh mesh = empty_mesh(columns, rows);
+  std::vector<double> x(columns + 1);
+  for (std::size_t i = 0; i <= columns; ++i) {
+    x[i] = begin + (end - begin) * (static_cast<double>(i) / static_cast<double>(columns));
+  }
+  fill_columns(
+      mesh, x,
+      [&](std::size_t i) {
+        return bottom->position(bottom->arc_length_at({x[i], 0})).y;
+      },
+      [&](std::size_t i) { return elevation ? elevation(x[i]) : 0.0; });
+  mesh.sides = {vertical_wall(begin), vertical_wall(end), Wall{std::move(bottom)}, FreeSide{}};
+  return mesh;
+}
+
+}  // namespace seiche::lagrangian_mesh_2d

@@ -1,0 +1,128 @@
+#include "seiche/models/lagrangian_mesh_2d/mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "seiche/require.hpp"
+
+namespace seiche::lagrangian_mesh_2d {
+
+namespace {
+
+double cross(Point a, Point b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// Twice the areas of the triangles at the four corners.
+std::array<double, 4> corner_triangles(const std::array<Point, 4>& r) {
+  const auto along = [&](std::size_t from, std::size_t to) { return Point{r[to].x - r[from].x, r[to].y - r[from].y}; };
+  return {cross(along(0, 1), along(0, 3)), cross(along(1, 2), along(1, 0)), cross(along(2, 3), along(2, 1)),
+          cross(along(3, 0), along(3, 2))};
+}
+
+std::array<Point, 4> points(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell) {
+  std::array<Point, 4> r;
+  const auto corners = mesh.corners(cell);
+  for (std::size_t c = 0; c < 4; ++c) r[c] = {x[corners[c]], y[corners[c]]};
+  return r;
+}
+
+void require_on(std::string_view side, const Wall& wall, const Mesh& mesh, double size, std::size_t first,
+                std::size_t stride, std::size_t count) {
+  if (!wall.curve) throw std::invalid_argument(fmt::format("{} wall has no curve", side));
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::size_t k = first + n * stride;
+    const Point node{mesh.x[k], mesh.y[k]};
+    const Point foot = wall.curve->position(wall.curve->arc_length_at(node));
+    const double distance = std::hypot(node.x - foot.x, node.y - foot.y);
+    if (!(distance <= 1e-12 * size)) {
+      throw std::invalid_argument(fmt::format("node ({:g}, {:g}) is {:g} off the {} wall; allowed: at most {:g}",
+                                              node.x, node.y, distance, side, 1e-12 * size));
+    }
+  }
+}
+
+void require_side(std::string_view name, const Side& side, const Mesh& mesh, double size, std::size_t first,
+                  std::size_t stride, std::size_t count) {
+  if (const auto* wall = std::get_if<Wall>(&side)) {
+    require_on(name, *wall, mesh, size, first, stride, count);
+  } else if (const auto* moving = std::get_if<MovingWall>(&side)) {
+    if (!moving->place || !moving->velocity) {
+      throw std::invalid_argument(fmt::format("{} moving wall needs place and velocity", name));
+    }
+    if (stride == 1) throw std::invalid_argument(fmt::format("a moving wall at the {}; allowed: left or right", name));
+  } else if (const auto* given = std::get_if<PrescribedSide>(&side)) {
+    if (!given->position || !given->velocity) {
+      throw std::invalid_argument(fmt::format("{} prescribed side needs position and velocity", name));
+    }
+  }
+}
+
+}  // namespace
+
+Wall vertical_wall(double place) {
+  return {std::make_shared<Line>(Point{place, 0}, Point{0, 1})};
+}
+
+Wall level_wall(double level) {
+  return {std::make_shared<Line>(Point{0, level}, Point{1, 0})};
+}
+
+std::array<std::size_t, 4> Mesh::corners(std::size_t cell) const {
+  const std::size_t k = node(cell % columns, cell / columns);
+  return {k, k + 1, k + columns + 2, k + columns + 1};
+}
+
+void Mesh::require_valid() const {
+  require_at_least("columns", static_cast<long>(columns), 1);
+  require_at_least("rows", static_cast<long>(rows), 1);
+  if (x.size() != nodes() || y.size() != nodes()) {
+    throw std::invalid_argument(fmt::format("{} and {} coordinates of nodes; allowed: {} = (columns + 1)(rows + 1)",
+                                            x.size(), y.size(), nodes()));
+  }
+  double size = 0;
+  for (std::size_t k = 0; k < nodes(); ++k) {
+    if (!std::isfinite(x[k]) || !std::isfinite(y[k])) {
+      throw std::invalid_argument(fmt::format("node {} is at ({:g}, {:g}); allowed: finite", k, x[k], y[k]));
+    }
+    size = std::max({size, std::abs(x[k]), std::abs(y[k])});
+  }
+  for (std::size_t cell = 0; cell < cells(); ++cell) {
+    const auto triangles = corner_triangles(points(*this, x, y, cell));
+    const auto worst = std::min_element(triangles.begin(), triangles.end());
+    if (!(*worst > 0)) {
+      const Point at = points(*this, x, y, cell)[static_cast<std::size_t>(worst - triangles.begin())];
+      throw std::invalid_argument(
+          fmt::format("cell {} (column {}, row {}) is not convex at its corner ({:g}, {:g}): triangle {:g}; allowed: "
+                      "positive",
+                      cell, cell % columns, cell / columns, at.x, at.y, 0.5 * *worst));
+    }
+  }
+  require_side("left", sides.left, *this, size, 0, columns + 1, rows + 1);
+  require_side("right", sides.right, *this, size, columns, columns + 1, rows + 1);
+  require_side("bottom", sides.bottom, *this, size, 0, 1, columns + 1);
+  require_side("top", sides.top, *this, size, rows * (columns + 1), 1, columns + 1);
+}
+
+double cell_area(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell) {
+  const auto [r0, r1, r2, r3] = mesh.corners(cell);
+  return 0.5 * ((x[r2] - x[r0]) * (y[r3] - y[r1]) - (x[r3] - x[r1]) * (y[r2] - y[r0]));
+}
+
+Corner worst_corner(const Mesh& mesh, std::span<const double> x, std::span<const double> y,
+                    std::span<const double> first_areas) {
+  Corner worst{std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    const auto triangles = corner_triangles(points(mesh, x, y, cell));
+    const double shape = *std::min_element(triangles.begin(), triangles.end()) / first_areas[cell];
+    if (shape < worst.shape) worst = {shape, cell};
+  }
+  return worst;
+}
+
+}  // namespace seiche::lagrangian_mesh_2d

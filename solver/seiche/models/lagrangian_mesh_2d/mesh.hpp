@@ -1,0 +1,86 @@
+/// A quadrilateral mesh of water in the vertical plane and what bounds it.
+///
+/// columns x rows cells; node (i, j), i = 0..columns, j = 0..rows, has index j (columns + 1) + i: rows of nodes are
+/// contiguous, row 0 is the bottom, row `rows` the surface. Cell (i, j), index j columns + i, has the corners
+///
+///     r3 = (i, j+1)   r2 = (i+1, j+1)
+///     r0 = (i, j)     r1 = (i+1, j)
+///
+/// y counts from the still-water level, so that a lake at rest has multipliers 0 and stays at rest bit by bit.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "seiche/geometry/curve.hpp"
+
+namespace seiche::lagrangian_mesh_2d {
+
+/// Nothing holds the nodes.
+struct FreeSide {};
+
+/// Nodes slide along a curve. Vertical and horizontal lines cost nothing.
+struct Wall {
+  std::shared_ptr<const Curve> curve;
+};
+
+/// A vertical wall that moves: nodes are at x = place(t) and slide in y. A piston wavemaker.
+struct MovingWall {
+  std::function<double(double time)> place;
+  std::function<double(double time)> velocity;
+};
+
+/// Nodes follow given paths; `label` is the node's initial position.
+struct PrescribedSide {
+  std::function<Point(Point label, double time)> position;
+  std::function<Point(Point label, double time)> velocity;
+};
+
+using Side = std::variant<FreeSide, Wall, MovingWall, PrescribedSide>;
+
+struct Sides {
+  Side left = FreeSide{};
+  Side right = FreeSide{};
+  Side bottom = FreeSide{};
+  Side top = FreeSide{};
+};
+
+/// Walls x = place and y = level.
+Wall vertical_wall(double place);
+Wall level_wall(double level);
+
+struct Mesh {
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  std::vector<double> x, y;  ///< of (columns + 1)(rows + 1) nodes [m]
+  Sides sides;
+
+  [[nodiscard]] std::size_t nodes() const { return (columns + 1) * (rows + 1); }
+  [[nodiscard]] std::size_t cells() const { return columns * rows; }
+  [[nodiscard]] std::size_t node(std::size_t i, std::size_t j) const { return j * (columns + 1) + i; }
+  /// Corners r0, r1, r2, r3 of a cell.
+  [[nodiscard]] std::array<std::size_t, 4> corners(std::size_t cell) const;
+
+  /// Throws std::invalid_argument: no cells, arrays of other lengths, values that are not finite, a corner that is not
+  /// convex (by cell), a node that is off its wall by more than 1e-12 of the mesh's size, missing functions.
+  void require_valid() const;
+};
+
+/// Area of a quadrilateral, from its diagonals.
+double cell_area(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell);
+
+/// The worst corner of a mesh: twice the area of the triangle at the corner over the cell's first area. 1 for a
+/// rectangle; 0 where a corner is about to fold.
+struct Corner {
+  double shape = 1;
+  std::size_t cell = 0;
+};
+Corner worst_corner(const Mesh& mesh, std::span<const double> x, std::span<const double> y,
+                    std::span<const double> first_areas);
+
+}  // namespace seiche::lagrangian_mesh_2d

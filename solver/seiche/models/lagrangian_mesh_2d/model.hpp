@@ -1,0 +1,185 @@
+/// Discrete incompressible fluid on a quadrilateral Lagrangian mesh (Frank 1994, ch. 2, formulas 6, 7).
+///
+/// Nodes carry a quarter of the mass of the cells around them; every cell keeps its area:
+///
+///     m r'' = sum lambda_s dV_s/dr - dPi/dr + m f,   V_s = ((x2 - x0)(y3 - y1) - (x3 - x1)(y2 - y0))/2 = const   (6)
+///     Pi = rho g sum over free edges (x_b - x_a)(y_a^2 + y_a y_b + y_b^2)/6 + contact points' moments           (7)
+///
+/// Pi is the exact energy of the polygon of water, counted from the still-water level y = 0: lambda is then the dynamic
+/// pressure p + rho g y in the limit of fine meshes, and a lake at rest stays at rest bit by bit on any mesh. The
+/// bottom does not enter Pi, or nodes that slide along it would feel a force that is not there.
+///
+/// The class is what mechanics::OneStep and ConservativeStep step: q = (x of all nodes, y of all nodes, arc lengths of
+/// nodes that slide along inclined or curved walls), u = (velocities along x, along y). It is rarely used alone: see
+/// flow.hpp.
+///
+/// Conserves mass, and momenta of a free body, to round-off with every scheme; energy to round-off with the one-step
+/// scheme if there is no gravity, energy and areas to round-off always with ConservativeStep, also on curved walls: it
+/// takes chords for tangents. Dispersion in closed form: exact/lagrangian_mesh_dispersion.hpp.
+///
+/// Node motions (-1)^(i+j) change no area and meet no force: long runs fold the mesh by them. Settings::hourglass adds
+/// a conservative restoring force. A corner that folds is an Infeasible configuration, with its place.
+///
+/// When not to use it: waves that overturn; slopes gentler than about 1:3; surface nodes' tangential places (first
+/// order only: a surface node feels the pressure half a cell below it; the surface's shape is of second order).
+///
+/// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 1 and 2.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/nine_point_solver.hpp"
+#include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/state.hpp"
+#include "seiche/models/lagrangian_mesh_2d/corner_barrier.hpp"
+#include "seiche/models/lagrangian_mesh_2d/free_edges.hpp"
+#include "seiche/models/lagrangian_mesh_2d/mesh.hpp"
+#include "seiche/models/lagrangian_mesh_2d/nodes.hpp"
+#include "seiche/models/lagrangian_mesh_2d/rows.hpp"
+
+namespace seiche::lagrangian_mesh_2d {
+
+using mechanics::Input;
+using mechanics::Interval;
+using mechanics::Output;
+
+struct Settings {
+  double gravity = 1;  ///< [m/s^2]
+  double density = 1;  ///< [kg/m^3]
+  /// kappa_0 of the hourglass potential (kappa/2) sum |r0 - r1 + r2 - r3 - initial|^2, kappa = kappa_0 rho g
+  /// sqrt(mean cell area); 0.1 to 0.6 for long runs, 0 for Frank's own model.
+  double hourglass = 0;
+  /// Vertical inertia of surface nodes times 1 - h2/(3H), h2/H the part of the top row in the depth: dispersion exact
+  /// to one more power of k. No angular momentum then.
+  bool tuned_surface_inertia = false;
+  /// Stiffness of a repulsion between the sides of a corner that is about to fold (corner_barrier.hpp); 0: none.
+  double corner_barrier = 0;
+  /// Shape of a corner (mesh.hpp) at which the mesh counts as folded, for the largest cell. Areas stay positive, and
+  /// the equations solvable, beyond a fold: minus infinity goes on as in the source.
+  double lowest_corner = 0;
+  linear::NinePointMethod solver = linear::NinePointMethod::automatic;
+  double tolerance = 1e-10;  ///< relative residual of iterative solvers; 1e-13 where conservation is measured
+};
+
+/// What acts on the water besides gravity.
+struct Forcing {
+  /// Pressure on free edges [Pa] at place x and time t; empty for none.
+  std::function<double(double x, double time)> surface_pressure = {};
+  /// Force per unit mass on the node that was at `label` at the beginning [m/s^2]; empty for none.
+  std::function<Point(Point label, double time)> body_force = {};
+};
+
+/// Velocities at the beginning, from the water's at a place or of all nodes one by one; empty: water at rest.
+using VelocityAt = std::function<Point(Point place)>;
+using InitialVelocity = std::variant<VelocityAt, std::vector<Point>>;
+
+class Model {
+ public:
+  /// Masses and areas from the mesh. Throws std::invalid_argument (mesh.hpp, nodes.hpp, settings out of range).
+  explicit Model(Mesh mesh, Settings settings = {}, Forcing forcing = {});
+
+  static constexpr bool warm_start = true;
+
+  /// The mesh as it was given with these velocities at its nodes; what walls forbid is taken out, the projection on
+  /// constant areas is mechanics/start.hpp's.
+  /// Throws std::invalid_argument for another number of velocities than nodes.
+  [[nodiscard]] mechanics::State state(const InitialVelocity& velocity = {}, double time = 0) const;
+
+  // What mechanics/constrained_model.hpp asks for.
+  [[nodiscard]] std::size_t coordinates() const { return 2 * nodes_.size() + nodes_.slides().size(); }
+  [[nodiscard]] std::size_t rates() const { return 2 * nodes_.size(); }
+  [[nodiscard]] std::size_t constraints() const { return mesh_.cells(); }
+  /// Throws mechanics::Infeasible where a cell's corner folds or a node leaves its curve.
+  void linearise(Interval when, Input q);
+  /// Factorised in sweep 0 only.
+  void linearise_between(Interval when, Input q0, Input q1, int sweep);
+  void predict(Input from, Input u, double h, Output to) const;
+  void advance(Input from, Input u, double h, Output to) const;
+  void kick(double h, Output u) const;
+  void enter(Input q, Output u) const;
+  void settle(Interval when, Output q, Output u) const;
+  void constraint_rates(Input u, Output w) const;
+  void react(Input mu, Output u) const;
+  void solve(Input right_hand_side, Output mu);
+  /// Relative accuracy of solve, 0 for round-off: conservative steps go no further.
+  [[nodiscard]] double solver_accuracy() const {
+    return solver_.method() == linear::NinePointMethod::iterative ? settings_.tolerance : 0;
+  }
+  void constraint_values(Input q, Output f) const;
+  void curvature(Input u, Input v, Output b) const;
+  [[nodiscard]] double place(std::size_t rate) const;
+
+  [[nodiscard]] double mass() const;                                             ///< [kg/m]
+  [[nodiscard]] std::array<double, 2> momentum(Input q, Input u) const;          ///< [kg/s]
+  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const;  ///< about the origin [kg m/s]
+  [[nodiscard]] double kinetic_energy(Input q, Input u) const;                   ///< [J/m]
+  [[nodiscard]] double potential_energy(Input q) const;                          ///< [J/m], zero for still water
+
+  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] const Nodes& nodes() const { return nodes_; }
+  [[nodiscard]] std::span<const double> first_areas() const { return area_; }
+  [[nodiscard]] const linear::NinePointSolver& solver() const { return solver_; }
+  /// A of the last linearisation.
+  [[nodiscard]] const linear::NinePointMatrix& matrix() const { return matrix_; }
+  /// The mesh's worst corner at q (mesh.hpp): a warning when below 0.2.
+  [[nodiscard]] Corner worst_corner(Input q) const;
+
+ private:
+  static constexpr std::size_t parallel_cells = 131072;  // below, threads cost more than they give
+  static constexpr double tolerance_of_sweeps = 1e-3;    // of the correction that a sweep makes; the next one goes on
+
+  /// Cells around a node with their gradients: corner c of the cell is the node.
+  struct Around {
+    std::size_t cell;
+    Point gradient;
+  };
+  struct Surroundings {
+    std::array<Around, 4> cells;
+    std::size_t count = 0;
+  };
+  struct Places {
+    const double* x;
+    const double* y;
+  };
+
+  [[nodiscard]] Surroundings around(std::size_t node) const;
+  [[nodiscard]] Point gradient(std::size_t cell, std::size_t corner) const;
+  [[nodiscard]] Places places(Interval when, Input q);
+  void measure(Places at);
+  [[noreturn]] void throw_folded(Places at) const;
+  void assemble_and_factor();
+  void gather_forces(Interval when, Places at, double weight);
+  void add_hourglass_forces(Places at, double weight);
+  void move_along(const Slide& slide, double s, std::size_t index, Output q) const;
+
+  Interval when_;  // of the last linearisation
+  Mesh mesh_;
+  Settings settings_;
+  Forcing forcing_;
+  Nodes nodes_;
+  FreeEdges edges_;
+  std::vector<double> area_;
+  std::vector<Point> hourglass_rest_;
+  double hourglass_stiffness_ = 0;
+  double lowest_triangle_ = 0;  // twice an area
+  CornerBarrier barrier_;
+
+  Diagonals diagonals_;
+  std::vector<double> push_x_, push_y_;  // forces on nodes
+  std::vector<double> slide_push_;       // along the curves, besides the nodes' own
+  bool pushed_everywhere_;
+  std::vector<double> patched_;  // q with prescribed nodes in place
+  std::vector<double> middle_, no_cells_;
+  linear::NinePointMatrix matrix_;
+  linear::NinePointSolver solver_;
+  bool sweeping_ = false;  // the last linearisation was a sweep of a conservative step
+};
+
+}  // namespace seiche::lagrangian_mesh_2d

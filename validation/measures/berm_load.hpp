@@ -1,0 +1,53 @@
+/// The load of standing waves on a structure whose front and rear are pushed at different times: a berm before a
+/// vertical wall, on the two-dimensional Lagrangian mesh.
+///
+/// Units: depth, gravity and density are 1. The rear wall is at x = 0, the front face of the berm around x = -width,
+///
+///     y_b = -1 + (rise/2) (1 + tanh((x + width)/steepness)),
+///
+/// and the basin ends at a vertical wall at x = -length. Forces are per unit width, of the dynamic pressure, towards
+/// the land.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "seiche/models/lagrangian_mesh_2d/model.hpp"
+
+namespace seiche::validation {
+
+struct BermLoad {
+  double front = 0;  ///< on the berm
+  double rear = 0;   ///< on the wall behind it
+  [[nodiscard]] double total() const { return front + rear; }
+};
+
+struct Berm {
+  double rise = 0.6;
+  double width = 2;
+  double steepness = 0.21;
+  double length = 14;
+
+  [[nodiscard]] lagrangian_mesh_2d::Mesh mesh(std::size_t columns, std::size_t rows,
+                                              const std::function<double(double x)>& elevation = {}) const;
+};
+
+/// Of the multipliers of all cells on a mesh with these nodes.
+BermLoad berm_load(const lagrangian_mesh_2d::Mesh& mesh, std::span<const double> y,
+                   std::span<const double> multipliers);
+
+/// A standing wave of unit height at the far wall, an antinode, when it pushes on the rear wall hardest.
+struct StandingLoad {
+  double wavelength = 0;  ///< of a small wave of its frequency on the depth before the berm
+  BermLoad force;
+  double plain_wall = 0;  ///< force on a vertical wall without a berm, tanh(kH)/k
+
+  /// |total| over that.
+  [[nodiscard]] double relative() const;
+};
+
+/// The waves of the basin that are longer than `shortest`, longest first.
+std::vector<StandingLoad> standing_loads(const Berm& berm, std::size_t columns, std::size_t rows, double shortest);
+
+}  // namespace seiche::validation

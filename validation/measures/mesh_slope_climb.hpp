@@ -1,0 +1,53 @@
+/// A solitary wave of the Euler equations climbs a plane slope on the two-dimensional Lagrangian mesh.
+///
+/// Units: depth and gravity are 1, y counts from still water. The tank begins at x = 0, the crest starts at x = 12, the
+/// toe of the slope is at x = 24.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "seiche/exact/solitary_wave.hpp"
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+
+namespace seiche::validation {
+
+struct MeshSlopeClimb {
+  static constexpr double crest = 12;
+  static constexpr double toe = 24;
+
+  exact::SolitaryWave wave;
+  double tan_slope = 1;
+  double spacing = 0.25;  ///< of columns
+  long rows = 8;
+  double tau = 0.025;
+  mechanics::Scheme scheme = {};
+  double hourglass = 0;
+  double blend = 0;  ///< over which columns are sheared, before the toe; 0: max(4, 4 cot)
+  /// Go on when cells fold: their areas stay right, and the bottom's nodes may pass the toe.
+  bool beyond_folds = true;
+
+  [[nodiscard]] lagrangian_mesh_2d::Flow start() const;
+  /// "h1 = 0.25, 8 rows, tau = 0.025".
+  [[nodiscard]] std::string resolution() const;
+};
+
+struct MeshSlopeRun {
+  lagrangian_mesh_2d::Flow flow;  ///< at the end
+  double runup = 0;               ///< largest elevation of the contact point, between steps from a parabola
+  double time = 0;                ///< since the start
+  double energy_defect = 0;       ///< largest change over the wave's energy, until then
+  struct Fold {
+    double time = 0;
+    double place = 0;
+  };
+  std::optional<Fold> fold;  ///< the first
+};
+
+/// Runs until the contact point has fallen to 0.98 of its highest. Throws Divergence.
+MeshSlopeRun climb_slope(const MeshSlopeClimb& climb,
+                         const std::function<void(const lagrangian_mesh_2d::Flow&)>& after_step = {});
+
+}  // namespace seiche::validation

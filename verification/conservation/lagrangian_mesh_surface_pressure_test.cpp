@@ -1,0 +1,186 @@
+// Pressure on the free surface of the two-dimensional Lagrangian mesh: uniform, and as a standing pattern that moves
+// the water.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "seiche/exact/lagrangian_mesh_dispersion.hpp"
+#include "seiche/mechanics/scheme.hpp"
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::lagrangian_mesh_2d;
+using namespace seiche::verification;
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 2";
+
+struct Named {
+  std::string id, text;
+  Stepping stepping;
+};
+const std::vector<Named> schemes{{"one-step", "One-step scheme", Stepping::one_step},
+                                 {"conservative", "Conservative scheme", Stepping::conservative}};
+
+/// Still water between a vertical and an inclined wall, nodes inside off their rows and columns.
+Mesh distorted_layer() {
+  Mesh mesh = layer_mesh_with_slope({.begin = 0, .end = 6, .columns = 12, .rows = 4}, 1);
+  for (std::size_t j = 1; j < mesh.rows; ++j) {
+    for (std::size_t i = 1; i < mesh.columns; ++i) {
+      const auto s = static_cast<double>(i + 5 * j);
+      mesh.x[mesh.node(i, j)] += 0.04 * std::sin(3 * s);
+      mesh.y[mesh.node(i, j)] += 0.02 * std::cos(2 * s);
+    }
+  }
+  return mesh;
+}
+
+TEST_CASE("uniform pressure on the surface of the mesh leaves a lake at rest") {
+  Check check("lagrangian_mesh_uniform_pressure", "Uniform pressure on a lake at rest",
+              "A pressure $p_0$ on all of the free surface is felt as $p_0$ by every cell and moves nothing: the sum "
+              "of the areas' gradients is the gradient of the polygon's area, on walls of any inclination. Distorted "
+              "mesh of 12 x 4 cells, one wall inclined by 45 degrees.");
+  constexpr double p0 = 10;
+  constexpr double tau = 0.05;
+  constexpr long steps = 1000;
+  for (const Named& scheme : schemes) {
+    Flow flow(distorted_layer(), {}, {.stepping = scheme.stepping}, {},
+              {.surface_pressure = [](double, double) { return p0; }});
+    const std::vector<double> x(flow.x().begin(), flow.x().end());
+    const std::vector<double> y(flow.y().begin(), flow.y().end());
+    double pressure = 0;
+    for (long n = 0; n < steps; ++n) {
+      flow.advance(tau);
+      for (const double lambda : flow.multipliers()) pressure = std::max(pressure, std::abs(lambda - p0));
+    }
+    double moved = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      moved = std::max({moved, std::abs(flow.x()[k] - x[k]), std::abs(flow.y()[k] - y[k])});
+    }
+    const auto lightest = *std::ranges::min_element(flow.model().nodes().mass());
+    const double kick = p0 * 0.5 * tau / lightest;  // a node's edge is half a depth long
+    check.that({.id = scheme.id + "-rest",
+                .text = scheme.text + ": nothing moves.",
+                .quantity = "largest displacement after 1000 steps",
+                .unit = "depth",
+                .source = source},
+               {.value = moved, .resolution = "12 x 4 cells, tau = 0.05"},
+               Roundoff{.operations = 48.0 * static_cast<double>(steps),
+                        .scale = kick * tau * std::sqrt(static_cast<double>(steps)),
+                        .reason = "a step rounds the kick of the pressure on a node, p0 times half a depth over its "
+                                  "mass, once per cell; velocities add up as a random walk, places follow them"});
+    check.that({.id = scheme.id + "-multipliers",
+                .text = scheme.text + ": all multipliers are the pressure.",
+                .quantity = "largest |lambda - p0|",
+                .unit = "rho g depth",
+                .source = source},
+               {.value = pressure, .resolution = "12 x 4 cells, tau = 0.05"},
+               Roundoff{.operations = 48.0 * static_cast<double>(steps),
+                        .scale = p0,
+                        .reason = "the solution of 48 equations, and velocities of rounded kicks that must be "
+                                  "brought to rest again, over 1000 steps"});
+  }
+}
+
+/// The mode cos(kx) of a level layer under the pressure P cos(kx) sin(sigma t), for small motions.
+///
+/// Edges press their ends equally by the pressure at the middle, potential energy weighs elevations by (2 + cos kh)/3:
+/// the surface is driven towards -P'/(rho g) sin(sigma t),  P' = P 3 cos(kh/2)/(2 + cos kh).
+struct DrivenMode {
+  double omega, sigma, depression;
+
+  [[nodiscard]] double target(double time) const { return -depression * std::sin(sigma * time); }
+  /// The scheme's own steps for a'' = -omega^2 (a - target), from rest.
+  [[nodiscard]] std::vector<double> elevations(Stepping stepping, double tau, long steps) const {
+    double a = 0;
+    double v = 0;
+    std::vector<double> all;
+    const double w = omega * omega;
+    for (long n = 0; n < steps; ++n) {
+      const double aim = target((static_cast<double>(n) + 0.5) * tau);
+      const double free = a + 0.5 * tau * v;
+      // The acceleration is that of the middle of the step: free drift, or the mean of both ends.
+      const double middle =
+          stepping == Stepping::one_step ? free : (free + 0.25 * tau * tau * w * aim) / (1 + 0.25 * tau * tau * w);
+      const double before = v;
+      v += -tau * w * (middle - aim);
+      a += 0.5 * tau * (before + v);
+      all.push_back(a);
+    }
+    return all;
+  }
+};
+
+TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave as an oscillator") {
+  Check check("lagrangian_mesh_driven_mode", "A standing wave driven by pressure",
+              "Water at rest under $P \\cos kx \\sin\\sigma t$. For small pressures the mesh's wave is one oscillator "
+              "of the frequency of the mesh's own dispersion law, driven towards the hydrostatic depression; the "
+              "scheme steps it by a recursion of two numbers, which is the reference. Runs with $P$ and $-P$ are "
+              "subtracted: what is left of nonlinearity is of the third order.");
+  constexpr double length = 6;
+  constexpr std::size_t columns = 24;
+  constexpr std::size_t rows = 4;
+  constexpr double k = std::numbers::pi / 3;
+  constexpr double pressure = 1e-5;
+  constexpr double tau = 0.1;
+  constexpr long steps = 400;
+  constexpr double h = length / columns;
+  const double omega = seiche::exact::LagrangianMeshDispersion(1, 1, h, rows).frequency(k);
+  for (const auto& [name, sigma] : {std::pair{"fast", 1.3}, std::pair{"slow", 0.05}}) {
+    const DrivenMode mode{omega, sigma, pressure * 3 * std::cos(k * h / 2) / (2 + std::cos(k * h))};
+    auto& panel = check
+                      .figure(std::string("elevation-") + name, "Elevation at the wall",
+                              "Over the largest pressure; the reference is the oscillator of one mode.")
+                      .panel({.x = "t [sqrt(depth/g)]", .y = "elevation/P"});
+    for (const Named& scheme : schemes) {
+      const auto wall = [&](double sign) {
+        Flow flow(layer_mesh({.begin = 0, .end = length, .columns = columns, .rows = rows}), {},
+                  {.stepping = scheme.stepping}, {}, {.surface_pressure = [&](double x, double t) {
+                    return sign * pressure * std::cos(k * x) * std::sin(sigma * t);
+                  }});
+        std::vector<double> series;
+        for (long n = 0; n < steps; ++n) {
+          flow.advance(tau);
+          series.push_back(flow.surface_y().front());
+        }
+        return series;
+      };
+      const std::vector<double> up = wall(1);
+      const std::vector<double> down = wall(-1);
+      const std::vector<double> reference = mode.elevations(scheme.stepping, tau, steps);
+      std::vector<double> time, computed, expected;
+      double worst = 0;
+      double highest = 0;
+      for (std::size_t n = 0; n < up.size(); ++n) {
+        const double odd = 0.5 * (up[n] - down[n]);
+        worst = std::max(worst, std::abs(odd - reference[n]));
+        highest = std::max(highest, std::abs(reference[n]));
+        time.push_back(static_cast<double>(n + 1) * tau);
+        computed.push_back(odd / pressure);
+        expected.push_back(reference[n] / pressure);
+      }
+      if (scheme.stepping == Stepping::one_step) {
+        panel.line("oscillator", time, expected, Role::exact);
+        panel.points("mesh", time, computed, Role::computed);
+      }
+      check.that({.id = scheme.id + "-" + name,
+                  .text = scheme.text + ": the elevation is that of the oscillator.",
+                  .quantity = "largest difference over the largest elevation",
+                  .source = source},
+                 {.value = worst / highest, .resolution = "24 x 4 cells, tau = 0.1, 400 steps"},
+                 Bound{.limit = std::pow(steps * tau * omega * highest, 2) +
+                                4 * std::numeric_limits<double>::epsilon() * std::sqrt(10.0 * steps) * steps / highest,
+                       .reason = "third-order terms: the square of the elevation, in depths, growing with the phase "
+                                 "that has passed; and rounded places, of order one, in ten operations of each step, "
+                                 "which velocities integrate"});
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/lagrangian_mesh_dispersion.hpp"
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "validation/measures/linear_modes.hpp"
+#include "verification/check.hpp"
+
+using namespace seiche;
+using namespace seiche::lagrangian_mesh_2d;
+using exact::LagrangianMeshDispersion;
+using exact::SurfaceInertia;
+using verification::Role;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), ch. 2; closed form of its rows";
+
+struct Tank {
+  std::size_t columns, rows;
+  double length, depth, gravity;
+  SurfaceInertia inertia;
+
+  [[nodiscard]] std::string name() const {
+    return fmt::format("{}x{}{}", columns, rows, inertia == SurfaceInertia::tuned ? "-tuned" : "");
+  }
+  [[nodiscard]] LagrangianMeshDispersion law() const {
+    return {gravity, depth, length / static_cast<double>(columns), rows, inertia};
+  }
+  [[nodiscard]] Model model() const {
+    return Model(layer_mesh({.begin = 0, .end = length, .depth = depth, .columns = columns, .rows = rows}),
+                 {.gravity = gravity, .density = 1.3, .tuned_surface_inertia = inertia == SurfaceInertia::tuned});
+  }
+  /// Of the wave with m half-waves in the tank.
+  [[nodiscard]] double wavenumber(std::size_t m) const { return pi * static_cast<double>(m) / length; }
+};
+
+}  // namespace
+
+TEST_CASE("the linearised mesh has the frequencies of the closed form", "[dispersion]") {
+  verification::Check check(
+      "dispersion_lagrangian_mesh", "Dispersion of the two-dimensional Lagrangian mesh",
+      "The model is linearised about still water by its own calls: forces, constraints, masses. The eigenvalues of "
+      "that "
+      "matrix are the frequencies of the tank, from one half-wave to the shortest, $k h_1 = \\pi$. They are those of "
+      "the closed form. All other modes are motionless: vortices, among them the hourglass motions.");
+  auto& figure = check.figure("frequencies", "Frequencies of six meshes",
+                              "Lines: closed form. Circles: eigenvalues of the linearised model.");
+  auto& panel = figure.panel({.x = "k H", .y = "omega sqrt(H/g)"});
+  const std::array tanks{Tank{6, 2, 6, 1, 1, SurfaceInertia::nodal}, Tank{8, 3, 5, 1, 1, SurfaceInertia::nodal},
+                         Tank{5, 1, 6, 1, 1, SurfaceInertia::nodal}, Tank{12, 5, 3, 0.7, 9.81, SurfaceInertia::nodal},
+                         Tank{8, 3, 5, 1, 1, SurfaceInertia::tuned}, Tank{5, 1, 6, 1, 1, SurfaceInertia::tuned}};
+  for (const Tank& tank : tanks) {
+    Model model = tank.model();
+    const LagrangianMeshDispersion law = tank.law();
+    const auto modes = validation::linear_modes(model, law.row_height() / 32);
+    std::vector<double> wavenumbers;
+    std::vector<double> expected;
+    for (std::size_t m = 1; m <= tank.columns; ++m) {
+      wavenumbers.push_back(tank.wavenumber(m));
+      expected.push_back(law.frequency(wavenumbers.back()));
+    }
+    const double unit = std::sqrt(tank.gravity / tank.depth);
+    std::vector<double> kh;
+    std::vector<double> line;
+    for (int i = 1; i <= 200; ++i) {
+      const double k = i * wavenumbers.back() / 200;
+      kh.push_back(k * tank.depth);
+      line.push_back(law.frequency(k) / unit);
+    }
+    panel.line(tank.name(), kh, line, Role::exact);
+    // Frequencies of short waves need not ascend.
+    std::vector<double> sorted = expected;
+    std::sort(sorted.begin(), sorted.end());
+    check.that({.id = "waves-" + tank.name(),
+                .text = fmt::format("The {} mesh has one wave per column, and otherwise no frequency.", tank.name()),
+                .quantity = "number of waves",
+                .source = source},
+               {.value = static_cast<double>(modes.frequencies.size())},
+               evidence::Bound{.limit = 0,
+                               .reason = "only the surface has potential energy; one equation for all its nodes: the "
+                                         "water's volume",
+                               .expected = static_cast<double>(tank.columns)});
+    double worst = 0;
+    for (std::size_t m = 0; m < std::min(sorted.size(), modes.frequencies.size()); ++m) {
+      worst = std::max(worst, std::abs(modes.frequencies[m] / sorted[m] - 1));
+    }
+    check.that({.id = "frequencies-" + tank.name(),
+                .text = fmt::format("The frequencies of the {} mesh are those of the closed form.", tank.name()),
+                .quantity = "largest relative deviation of a frequency",
+                .source = source},
+               {.value = worst},
+               evidence::Bound{.limit = 1e-10,
+                               .reason = "eigenvalues are exact to some hundred roundings of the largest, 1e-13; the "
+                                         "lowest are down to 1e-2 of it, forces rounded to 1e-15 of the depth are "
+                                         "divided by displacements of 1e-2"});
+    std::vector<double> places;
+    std::vector<double> found;
+    for (std::size_t m = 0; m < tank.columns; ++m) {
+      const auto rank = std::lower_bound(sorted.begin(), sorted.end(), expected[m]) - sorted.begin();
+      places.push_back(wavenumbers[m] * tank.depth);
+      found.push_back(modes.frequencies.at(static_cast<std::size_t>(rank)) / unit);
+    }
+    panel.points("eigenvalues", places, found, Role::data);
+    CHECK(modes.asymmetry < 1e-11);
+  }
+}

@@ -1,0 +1,116 @@
+// The longest stable step of the one-step scheme on the two-dimensional Lagrangian mesh.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "seiche/mechanics/one_step.hpp"
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_2d/stability.hpp"
+#include "validation/measures/linear_modes.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::lagrangian_mesh_2d;
+using seiche::evidence::Bound;
+using seiche::evidence::Qualitative;
+using seiche::mechanics::State;
+using seiche::validation::LinearModes;
+using seiche::verification::Check;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 2";
+
+struct Tank {
+  std::string id, text;
+  double length;
+  std::size_t columns, rows;
+  Settings settings = {};
+
+  [[nodiscard]] Model model() const {
+    return Model(layer_mesh({.begin = 0, .end = length, .columns = columns, .rows = rows}), settings);
+  }
+};
+
+LinearModes modes_of(const Tank& tank) {
+  Model model = tank.model();
+  return seiche::validation::linear_modes(model, 1.0 / 64);
+}
+
+/// Largest share of the fastest mode in the displacements over the initial one, released with an amplitude of 1e-8.
+/// What the mode does to the motions without force is of second order in the amplitude.
+double growth(const Tank& tank, const LinearModes& modes, double share_of_limit, int steps) {
+  Model model = tank.model();
+  const State rest = model.state();
+  const double amplitude = 1e-8;
+  const auto mode = modes.rates.rightCols<1>();
+  State state = rest;
+  for (std::size_t i = 0; i < state.q.size(); ++i) state.q[i] += amplitude * mode[static_cast<Eigen::Index>(i)];
+  const std::size_t n = model.nodes().size();
+  const auto share = [&] {
+    double sum = 0;
+    for (std::size_t i = 0; i < 2 * n; ++i) {
+      const double inertia = (i < n ? model.nodes().mass() : model.nodes().inertia_y())[i % n];
+      sum += inertia * mode[static_cast<Eigen::Index>(i)] * (state.q[i] - rest.q[i]);
+    }
+    return std::abs(sum) / amplitude;
+  };
+  seiche::mechanics::OneStep<Model> scheme(model);
+  double largest = 0;
+  for (int step = 0; step < steps && largest < 1e3; ++step) {
+    scheme.step(state, share_of_limit * 2 / modes.frequencies.back());
+    largest = std::max(largest, share());
+  }
+  return largest;
+}
+
+std::vector<Tank> tanks() {
+  return {{"6x2", "6 x 2 cells", 6, 6, 2}, {"8x3", "8 x 3 cells", 4, 8, 3}, {"16x4", "16 x 4 cells", 6, 16, 4}};
+}
+
+std::vector<Tank> other_tanks() {
+  return {{"tuned", "tuned surface inertia", 6, 16, 4, {.tuned_surface_inertia = true}},
+          {"hourglass", "weak hourglass potential", 6, 16, 4, {.hourglass = 0.1}},
+          {"stiff-hourglass", "strong hourglass potential", 6, 16, 4, {.hourglass = 0.6}}};
+}
+
+}  // namespace
+
+TEST_CASE("the one-step scheme on the Lagrangian mesh is stable up to 2/omega of the fastest mode", "[dispersion]") {
+  Check check(
+      "lagrangian_mesh_stability", "Longest stable step of the Lagrangian mesh",
+      "The fastest mode of the linearised mesh is released with an amplitude of 1e-8. The scheme gives a mode of "
+      "frequency $\\Omega$ the frequency $\\omega$ with $\\sin(\\omega\\tau/2) = \\Omega\\tau/2$: bounded 2 % "
+      "below $\\tau = 2/\\Omega$, exploding 2 % above. The limit that a flow reports is the closed law's: the "
+      "true one, or below it where the fastest wave does not fit the tank or potentials add.");
+  for (const Tank& tank : tanks()) {
+    const LinearModes found = modes_of(tank);
+    check.that({.id = tank.id + "-stable",
+                .text = tank.text + ": bounded at 0.98 of the limit.",
+                .quantity = "largest share of the mode over the initial one, 10000 steps",
+                .source = source},
+               {.value = growth(tank, found, 0.98, 10000)},
+               Bound{1.01,
+                     "a mode released from rest oscillates between its ends; squares of the amplitude and rounding "
+                     "add up to a thousandth of it"});
+    check.that(
+        {.id = tank.id + "-unstable",
+         .text = tank.text + ": explodes at 1.02 of it.",
+         .quantity = "share of the mode grows by a factor of 1000 in 100 steps",
+         .source = source},
+        {.value = growth(tank, found, 1.02, 100) >= 1e3 ? 1.0 : 0.0},
+        Qualitative{"share of the mode >= 1000 times the initial", "it grows by cosh(100 * 2 arcosh 1.02) = 1e17"});
+  }
+  std::vector<Tank> all = tanks();
+  for (Tank& tank : other_tanks()) all.push_back(std::move(tank));
+  for (const Tank& tank : all) {
+    const double limit = 2 / modes_of(tank).frequencies.back();
+    const double reported = longest_stable_step(tank.model());
+    check.measure("reported limit over the true one: " + tank.text, reported / limit);
+    check.that({.id = tank.id + "-reported",
+                .text = tank.text + ": the reported limit is safe.",
+                .quantity = "reported limit / true limit - 1, if positive",
+                .source = source},
+               {.value = std::max(0.0, reported / limit - 1)}, Bound{1e-6, "the search for the fastest wave's length"});
+  }
+}

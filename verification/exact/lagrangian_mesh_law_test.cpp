@@ -1,0 +1,107 @@
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/dispersion.hpp"
+#include "seiche/exact/frank_dispersion.hpp"
+#include "seiche/exact/lagrangian_mesh_dispersion.hpp"
+#include "verification/check.hpp"
+#include "verification/exact/digits_table.hpp"
+#include "verification/exact/self_test_claims.hpp"
+
+using namespace seiche;
+using exact::LagrangianMeshDispersion;
+using exact::SurfaceInertia;
+using exact::TimeScheme;
+using verification::check_table;
+using verification::claim_self_test;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), ch. 2; closed form of its rows";
+
+/// (1 - (omega/k)^2)/k^2 as k -> 0, depth and gravity 1: 1/3 in water. Extrapolated in k^2 from three wavenumbers.
+double dispersion_coefficient(const LagrangianMeshDispersion& law) {
+  const auto at = [&](double k) { return (1 - std::pow(law.phase_speed(k), 2)) / (k * k); };
+  return (64 * at(0.05) - 20 * at(0.1) + at(0.2)) / 45;
+}
+
+double error_against_airy(double wavelength, double column_width, std::size_t rows,
+                          SurfaceInertia inertia = SurfaceInertia::nodal) {
+  const double k = 2 * pi / wavelength;
+  return LagrangianMeshDispersion(1, 1, column_width, rows, inertia).frequency(k) /
+             exact::AiryDispersion(1, 1).frequency(k) -
+         1;
+}
+
+}  // namespace
+
+TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[exact]") {
+  verification::Check check(
+      "exact_lagrangian_mesh_dispersion", "Dispersion law of the two-dimensional Lagrangian mesh",
+      "The closed form to the digits known, the frequencies of the two time schemes, the errors against Airy's law "
+      "that "
+      "Frank's remark on long waves rests on, the coefficient of long waves for both surface inertias, and second "
+      "order in the cells' size.");
+  check_table(check, "digits", "k = 1.3, h1 = 0.7, h2 = 0.25",
+              {{LagrangianMeshDispersion(1, 1, 0.7, 4).frequency(1.3), "1.02635447534987"}}, source);
+  const double mode = LagrangianMeshDispersion(1, 1, 6.0 / 16, 4).frequency(pi / 6);
+  check_table(check, "time-digits", "one-step frequencies at k = pi/6, h1 = 0.375, h2 = 0.25, tau = 0.4, 0.2, 0.1",
+              {{exact::discrete_frequency(mode, 0.4, TimeScheme::one_step), "0.5015394"},
+               {exact::discrete_frequency(mode, 0.2, TimeScheme::one_step), "0.5009082"},
+               {exact::discrete_frequency(mode, 0.1, TimeScheme::one_step), "0.5007511"}},
+              source);
+  check_table(check, "long-waves", "errors against Airy, per cent, h1 = H, h2 = H/2, wavelengths 7, 10, 15, 20 H",
+              {{100 * error_against_airy(7, 1, 2), "-2.9"},
+               {100 * error_against_airy(10, 1, 2), "-1.2"},
+               {100 * error_against_airy(15, 1, 2), "-0.44"},
+               {100 * error_against_airy(20, 1, 2), "-0.23"}},
+              source);
+  check_table(check, "tuned", "size of the errors, per cent, at 7 H: h1 = H/2, n = 2, nodal and tuned; n = 1 likewise",
+              {{-100 * error_against_airy(7, 0.5, 2), "2.0"},
+               {std::abs(100 * error_against_airy(7, 0.5, 2, SurfaceInertia::tuned)), "0.67"},
+               {-100 * error_against_airy(7, 0.5, 1), "5.9"},
+               {std::abs(100 * error_against_airy(7, 0.5, 1, SurfaceInertia::tuned)), "0.87"}},
+              source);
+  for (const std::size_t rows : {1UL, 2UL, 5UL, 40UL}) {
+    for (const SurfaceInertia inertia : {SurfaceInertia::nodal, SurfaceInertia::tuned}) {
+      const bool tuned = inertia == SurfaceInertia::tuned;
+      const std::string name = fmt::format("{}-{}", tuned ? "tuned" : "nodal", rows);
+      const LagrangianMeshDispersion law(1, 1, 0.3, rows, inertia);
+      const double h2 = law.row_height();
+      claim_self_test(check, name, LagrangianMeshDispersion(9.81, 0.7, 0.3, rows, inertia), source);
+      check.that({.id = "long-" + name,
+                  .text = fmt::format("Long waves on {} rows, {} inertia: omega^2 = k^2 (1 - c k^2), c = {}.", rows,
+                                      tuned ? "tuned" : "nodal", tuned ? "1/3" : "1/3 + h2^2/6"),
+                  .quantity = "c",
+                  .source = source},
+                 {.value = dispersion_coefficient(law)},
+                 evidence::Bound{.limit = 1e-6,
+                                 .reason = "extrapolation leaves the product of the three k^2, 1e-6, times a "
+                                           "coefficient below 1",
+                                 .expected = 1.0 / 3 + (tuned ? 0 : h2 * h2 / 6)});
+    }
+  }
+  std::vector<double> sizes;
+  std::vector<double> errors;
+  for (std::size_t rows = 32; rows <= 512; rows *= 2) {
+    const double h = 1.0 / static_cast<double>(rows);
+    sizes.push_back(h);
+    errors.push_back(std::abs(error_against_airy(3, h, rows)));
+  }
+  check.that(
+      {.id = "order",
+       .text = "The law tends to Airy's with the square of the cells' size.",
+       .quantity = "order in h1 = h2 of the error at a wavelength of three depths",
+       .source = source},
+      evidence::observed_order(sizes, errors),
+      evidence::Order{
+          2, 0.05, "expansion of the law in even powers; the next is of the size (k h)^2, at most 0.004, beside it"});
+  CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.3, 0), std::invalid_argument);
+  CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0, 1), std::invalid_argument);
+  CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.5, 2).frequency(2.001 * pi), std::invalid_argument);
+  CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.5, 2).frequency(0), std::invalid_argument);
+}

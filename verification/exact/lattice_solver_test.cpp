@@ -1,0 +1,348 @@
+// Conjugate gradients preconditioned by the undeformed lattice, on pressure matrices of quadrilateral meshes.
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include <fmt/format.h>
+#include <Eigen/Dense>
+
+#include "seiche/linear/conjugate_gradients.hpp"
+#include "seiche/linear/cosine_lattice.hpp"
+#include "seiche/linear/layered_lattice.hpp"
+#include "seiche/linear/tridiagonal.hpp"
+#include "verification/check.hpp"
+#include "verification/exact/mesh_matrix.hpp"
+
+namespace {
+
+using namespace seiche::linear;
+using seiche::verification::Check;
+using seiche::verification::DeformedMesh;
+using seiche::verification::mesh_matrix;
+
+const std::string frank = "Frank (1994), ch. 2";
+const std::string golub = "Golub & Van Loan, Matrix Computations (2013), 11.3, 11.5";
+
+LatticeArray random_array(std::size_t columns, std::size_t rows) {
+  LatticeArray result(columns, rows);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (double& value : result.values()) value = unit(random);
+  return result;
+}
+
+Eigen::Map<const Eigen::VectorXd> as_vector(std::span<const double> values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+Eigen::MatrixXd dense(const NinePointMatrix& a) {
+  const auto size = static_cast<Eigen::Index>(a.size());
+  const auto columns = static_cast<Eigen::Index>(a.columns);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
+  const auto couple = [&](const LatticeArray& coefficients, Eigen::Index offset) {
+    for (Eigen::Index c = 0; c < size; ++c) {
+      const double value = coefficients.data()[c];
+      if (value == 0) continue;
+      result(c, c + offset) = value;
+      result(c + offset, c) = value;
+    }
+  };
+  couple(a.own, 0);
+  couple(a.right, 1);
+  couple(a.up, columns);
+  couple(a.up_right, columns + 1);
+  couple(a.up_left, columns - 1);
+  return result;
+}
+
+/// Largest entry of P b - A^-1 b, relative to the largest of A^-1 b, b random.
+double inverse_error(CosineLattice& lattice, const Eigen::MatrixXd& a) {
+  const auto b = random_array(static_cast<std::size_t>(a.rows()), 1);
+  const Eigen::VectorXd expected = a.llt().solve(as_vector(b.values()));
+  std::vector<double> x(b.values().begin(), b.values().end());
+  lattice.solve(x, x);
+  return (as_vector(x) - expected).lpNorm<Eigen::Infinity>() / expected.lpNorm<Eigen::Infinity>();
+}
+
+double mesh_error(std::size_t columns, double h1, const std::vector<double>& row_heights) {
+  CosineLattice lattice({columns, 1, row_heights.size()}, LayeredLattice(h1, row_heights));
+  return inverse_error(lattice, dense(mesh_matrix(DeformedMesh(columns, h1, row_heights, 0))));
+}
+
+/// Second difference with reflecting ends.
+Eigen::MatrixXd second_difference(std::size_t size) {
+  const auto n = static_cast<Eigen::Index>(size);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i + 1 < n; ++i) {
+    result.block<2, 2>(i, i) += Eigen::Matrix2d{{1.0, -1.0}, {-1.0, 1.0}};
+  }
+  return result;
+}
+
+/// I + second differences in three directions, with factors 1, 2 and 3: dense against cosines.
+double box_error(CosineLattice::Shape shape) {
+  const Eigen::MatrixXd dx = second_difference(shape.nx);
+  const Eigen::MatrixXd dz = second_difference(shape.nz);
+  const Eigen::MatrixXd dy = second_difference(shape.layers);
+  const auto n = static_cast<Eigen::Index>(shape.nx * shape.nz * shape.layers);
+  const auto nx = dx.rows();
+  const auto nz = dz.rows();
+  Eigen::MatrixXd a = Eigen::MatrixXd::Identity(n, n);
+  for (Eigen::Index p = 0; p < n; ++p) {
+    for (Eigen::Index q = 0; q < n; ++q) {
+      const bool same_x = p % nx == q % nx;
+      const bool same_z = p / nx % nz == q / nx % nz;
+      const bool same_y = p / nx / nz == q / nx / nz;
+      if (same_y && same_z) a(p, q) += dx(p % nx, q % nx);
+      if (same_x && same_y) a(p, q) += 2 * dz(p / nx % nz, q / nx % nz);
+      if (same_x && same_z) a(p, q) += 3 * dy(p / nx / nz, q / nx / nz);
+    }
+  }
+  CosineLattice lattice(shape, [&](double theta, double psi, std::span<double> diagonal, std::span<double> off) {
+    for (std::size_t j = 0; j < diagonal.size(); ++j) {
+      const auto k = static_cast<Eigen::Index>(j);
+      diagonal[j] = 1 + 2 * (1 - std::cos(theta)) + 4 * (1 - std::cos(psi)) + 3 * dy(k, k);
+    }
+    for (double& value : off) value = -3;
+  });
+  return inverse_error(lattice, a);
+}
+
+/// A mesh four depths long, its matrix and its preconditioner.
+struct Problem {
+  NinePointMatrix a;
+  CosineLattice lattice;
+  ConjugateGradients<> solver;
+  Problem(std::size_t columns, std::size_t rows, double amplitude)
+      : a(mesh_matrix(columns, rows, 4.0 / static_cast<double>(columns), 1.0 / static_cast<double>(rows), amplitude)),
+        lattice({columns, 1, rows}, LayeredLattice(4.0 / static_cast<double>(columns),
+                                                   std::vector<double>(rows, 1.0 / static_cast<double>(rows)))) {}
+
+  ConjugateGradients<>::Result solve(const LatticeArray& b, LatticeArray& x, ConjugateGradients<>::Goal goal) {
+    return solver.solve([&](const LatticeArray& p, LatticeArray& q) { return a.multiply_and_dot(p, q); },
+                        [&](auto r, auto z, double magnitude) { lattice.solve(r, z, magnitude); }, b, x, goal);
+  }
+  int iterations(double tolerance) {
+    LatticeArray x(a.columns, a.rows);
+    return solve(random_array(a.columns, a.rows), x, {tolerance}).iterations;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the cosine lattice inverts undeformed lattices to single precision", "[exact]") {
+  Check check(
+      "cosine_lattice", "Cosine transforms invert the undeformed lattice",
+      "The pressure matrix of an undeformed mesh, and a box of second differences in three directions, for random "
+      "right-hand sides, against Eigen's dense Cholesky in double precision.");
+  const auto claim = [&](const std::string& id, const std::string& text, double error, const std::string& shapes) {
+    check.that({.id = id,
+                .text = text,
+                .quantity = "largest error relative to the largest entry of the solution",
+                .source = "Makhoul, IEEE Trans. ASSP 28 (1980) 27"},
+               {.value = error, .resolution = shapes},
+               seiche::evidence::Bound{1e-5,
+                                       "single precision, 6e-8, times some tens of roundings in the transforms and in "
+                                       "the elimination over the layers"});
+  };
+  double mesh = 0;
+  for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 2}, {3, 5}, {64, 8}, {101, 17}, {15, 64}}) {
+    mesh = std::max(mesh, mesh_error(static_cast<std::size_t>(columns), 0.3,
+                                     std::vector<double>(static_cast<std::size_t>(rows), 0.2)));
+  }
+  claim("mesh", "Mesh of equal rows.", mesh, "1 x 1 to 101 x 17 and 15 x 64 cells");
+  claim("rows", "Mesh whose rows differ in height.",
+        std::max(mesh_error(12, 0.3, {0.4, 0.1, 0.2, 0.15, 0.3, 0.25}), mesh_error(7, 0.1, {0.1, 0.3})),
+        "12 x 6, 7 x 2");
+  double box = 0;
+  for (const CosineLattice::Shape shape :
+       {CosineLattice::Shape{6, 5, 4}, {5, 6, 3}, {17, 3, 7}, {1, 8, 2}, {33, 2, 5}, {3, 33, 5}, {2, 1, 40}}) {
+    box = std::max(box, box_error(shape));
+  }
+  claim("box", "Two horizontal directions and layers.", box, "2 x 1 x 40 to 33 x 2 x 5 unknowns");
+  claim("plan", "Two horizontal directions, one layer.", std::max(box_error({20, 31, 1}), box_error({31, 20, 1})),
+        "20 x 31");
+}
+
+TEST_CASE("conjugate gradients agree with dense elimination", "[exact]") {
+  Check check(
+      "lattice_conjugate_gradients", "Conjugate gradients on deformed meshes against dense Cholesky",
+      "Pressure matrices of deformed meshes, random right-hand sides, against Eigen's dense Cholesky. The error "
+      "is at most the residual times the norm of the inverse, 1/(smallest eigenvalue).");
+  for (const double tolerance : {1e-6, 1e-10, 1e-13}) {
+    double worst = 0;
+    double true_residual = 0;
+    for (const auto& [columns, rows] : {std::pair{40, 20}, {33, 7}, {1, 12}, {50, 1}, {7, 30}}) {
+      Problem problem(static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), 0.1);
+      const auto b = random_array(problem.a.columns, problem.a.rows);
+      const Eigen::MatrixXd a = dense(problem.a);
+      const Eigen::VectorXd expected = a.llt().solve(as_vector(b.values()));
+      const double smallest = a.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff();
+      auto x = random_array(problem.a.columns, problem.a.rows);
+      problem.solve(b, x, {tolerance});
+      const auto found = as_vector(x.values());
+      const double b_norm = as_vector(b.values()).norm();
+      worst = std::max(worst, (found - expected).norm() * smallest / b_norm);
+      true_residual = std::max(true_residual, (as_vector(b.values()) - a * found).norm() / b_norm);
+    }
+    // Roundings of the elimination and of the recurrence of the residual, at the size of |A| |x|.
+    const double roundoff = 2e-14;
+    const std::string id = fmt::format("{:.0e}", tolerance);
+    check.that(
+        {.id = "error-" + id,
+         .text = fmt::format("Solutions to a relative residual of {:.0e} have the error that it allows.", tolerance),
+         .quantity = "error times smallest eigenvalue over norm of the right-hand side",
+         .source = golub},
+        {.value = worst, .resolution = "12 to 800 unknowns, amplitude 0.1"},
+        seiche::evidence::Bound{tolerance + roundoff, "the tolerance, and 2e-14 for rounding errors of |A| |x|"});
+    check.that(
+        {.id = "residual-" + id,
+         .text = fmt::format("The true residual is {:.0e} when its recurrence says so.", tolerance),
+         .quantity = "norm of b - A x over norm of b",
+         .source = golub},
+        {.value = true_residual, .resolution = "12 to 800 unknowns, amplitude 0.1"},
+        seiche::evidence::Bound{tolerance + roundoff, "the tolerance, and 2e-14 for rounding errors of |A| |x|"});
+  }
+}
+
+TEST_CASE("iterations depend on the deformation, not on the size", "[exact]") {
+  Check check(
+      "lattice_iterations", "Iterations of the pressure solver",
+      "A mesh four depths long, deformed along half cosines, random right-hand side, no initial guess. On equal "
+      "deformations the undeformed matrix and the deformed one differ by factors that do not depend on the mesh "
+      "width, so that the number of iterations does not either.");
+  const std::vector<double> amplitudes = {0, 0.0125, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2};
+  const std::vector<std::size_t> rows = {16, 64, 256};
+  std::vector<std::vector<double>> found;
+  for (const std::size_t r : rows) {
+    found.emplace_back();
+    for (const double amplitude : amplitudes) {
+      found.back().push_back(Problem(4 * r, r, amplitude).iterations(1e-10));
+    }
+  }
+  auto& panel = check
+                    .figure("iterations", "Iterations to a relative residual of 1e-10",
+                            "Number of iterations against the amplitude of the deformation, relative to the depth, for "
+                            "three meshes of square cells.")
+                    .panel({.x = "amplitude / depth", .y = "iterations", .y_min = 0});
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    panel.points(fmt::format("{} x {} cells", 4 * rows[i], rows[i]), amplitudes, found[i],
+                 i + 1 == rows.size() ? seiche::evidence::Role::computed : seiche::evidence::Role::peer);
+  }
+  const std::size_t chosen = 3;
+  double spread = 0;
+  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+    const auto [least, most] = std::minmax({found[0][k], found[1][k], found[2][k]});
+    if (amplitudes[k] <= 0.1) spread = std::max(spread, most - least);
+  }
+  check.that({.id = "undeformed",
+              .text = "On the undeformed mesh each iteration gains single precision.",
+              .quantity = "iterations to 1e-10",
+              .source = golub},
+             {.value = std::max({found[0][0], found[1][0], found[2][0]}), .resolution = "64 x 16 to 1024 x 256 cells"},
+             seiche::evidence::Bound{3, "1e-10 is two factors of 1e-5, and one iteration for what the factors vary"});
+  check.that({.id = "count",
+              .text = "At an amplitude of 0.05 depths, 1e-10 takes at most 14 iterations.",
+              .quantity = "iterations to 1e-10",
+              .source = frank},
+             {.value = std::max({found[0][chosen], found[1][chosen], found[2][chosen]}),
+              .resolution = "64 x 16 to 1024 x 256 cells"},
+             seiche::evidence::Bound{14, "the budget of a time step of a million cells"});
+  check.that(
+      {.id = "accurate",
+       .text = "At an amplitude of 0.05 depths, 1e-13 takes at most 20 iterations.",
+       .quantity = "iterations to 1e-13",
+       .source = frank},
+      {.value = static_cast<double>(Problem(1024, 256, 0.05).iterations(1e-13)), .resolution = "1024 x 256 cells"},
+      seiche::evidence::Bound{20, "the budget of a time step of a million cells"});
+  check.that(
+      {.id = "size",
+       .text = "The number of iterations does not depend on the size, up to an amplitude of 0.1 depths.",
+       .quantity = "largest difference between meshes of one amplitude",
+       .source = golub},
+      {.value = spread, .resolution = "64 x 16 to 1024 x 256 cells, 256 times more cells"},
+      seiche::evidence::Bound{3, "the coarsest mesh holds fewer of the eigenvalues that lie between the same bounds"});
+}
+
+TEST_CASE("the pressure solver gives the same bytes with any number of threads", "[exact]") {
+  const int threads = omp_get_max_threads();
+  const auto same_bytes = [](const auto& solution) {
+    omp_set_num_threads(1);
+    const std::vector<double> one = solution();
+    for (const int count : {2, 3}) {
+      omp_set_num_threads(count);
+      const std::vector<double> several = solution();
+      CHECK(std::memcmp(one.data(), several.data(), one.size() * sizeof(double)) == 0);
+    }
+  };
+  // Odd numbers of rows, and enough unknowns for threads to be used.
+  same_bytes([] {
+    Problem problem(1024, 129, 0.05);
+    auto x = random_array(1024, 129);
+    problem.solve(random_array(1024, 129), x, {1e-10});
+    return std::vector<double>(x.values().begin(), x.values().end());
+  });
+  same_bytes([] {
+    CosineLattice lattice({131, 205, 5},
+                          [](double theta, double psi, std::span<double> diagonal, std::span<double> off) {
+                            std::ranges::fill(diagonal, 3 + theta + psi);
+                            std::ranges::fill(off, -1.0);
+                          });
+    const auto b = random_array(131 * 205, 5);
+    std::vector<double> x(b.size());
+    lattice.solve(b.values(), x);
+    return x;
+  });
+  omp_set_num_threads(threads);
+}
+
+TEST_CASE("conjugate gradients at the edges of their range", "[exact]") {
+  Problem problem(24, 9, 0.05);
+  const auto b = random_array(24, 9);
+  LatticeArray x(24, 9);
+  const auto from_zero = problem.solve(b, x, {1e-10});
+  CHECK(from_zero.relative_residual <= 1e-10);
+  CHECK(problem.solve(b, x, {1e-9}).iterations == 0);
+  SECTION("a zero right-hand side has the zero solution") {
+    CHECK(problem.solve(LatticeArray(24, 9), x, {1e-10}).iterations == 0);
+    CHECK(std::ranges::all_of(x.values(), [](double value) { return value == 0; }));
+  }
+  SECTION("the scale of the right-hand side does not matter") {
+    for (const double scale : {1e-100, 1e100}) {
+      LatticeArray scaled = b;
+      for (double& value : scaled.values()) value *= scale;
+      LatticeArray y(24, 9);
+      CHECK(problem.solve(scaled, y, {1e-10}).iterations == from_zero.iterations);
+    }
+  }
+  SECTION("what does not converge is said") {
+    LatticeArray y(24, 9);
+    CHECK_THROWS_AS(problem.solve(b, y, {1e-10, 3}), NotConverged);
+    for (double& value : problem.a.own.values()) value = -value;
+    CHECK_THROWS_AS(problem.solve(b, y, {1e-10}), NotPositiveDirection);
+    problem.a.own.data()[7] = std::nan("");
+    CHECK_THROWS_AS(problem.solve(b, y, {1e-10}), std::runtime_error);
+  }
+}
+
+TEST_CASE("lattices that have no inverse are refused", "[exact]") {
+  const auto constant = [](double value) {
+    return [value](double, double, std::span<double> diagonal, std::span<double> off) {
+      std::ranges::fill(diagonal, value);
+      std::ranges::fill(off, -1.0);
+    };
+  };
+  CHECK_NOTHROW(CosineLattice({3, 2, 4}, constant(2)));
+  CHECK_THROWS_AS(CosineLattice({3, 2, 4}, constant(1)), NotPositiveDefinite);
+  CHECK_THROWS_AS(CosineLattice({3, 2, 4}, constant(std::nan(""))), NotPositiveDefinite);
+  CHECK_THROWS_AS(CosineLattice({0, 2, 4}, constant(2)), std::invalid_argument);
+  CHECK_THROWS_AS(CosineLattice({3, 0, 4}, constant(2)), std::invalid_argument);
+  CHECK_THROWS_AS(CosineLattice({3, 2, 0}, constant(2)), std::invalid_argument);
+  CHECK_THROWS_AS(LayeredLattice(0, {1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(LayeredLattice(1, {}), std::invalid_argument);
+  CHECK_THROWS_AS(LayeredLattice(1, {1.0, -1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(LayeredLattice(1, {1.0}, 0), std::invalid_argument);
+}

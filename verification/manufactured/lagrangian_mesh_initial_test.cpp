@@ -1,0 +1,196 @@
+// First data of the two-dimensional Lagrangian mesh from exact waves: what is exact, and how the rest converges.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include "seiche/exact/solitary_wave.hpp"
+#include "seiche/exact/stokes_wave.hpp"
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::lagrangian_mesh_2d;
+using evidence::Order;
+using evidence::Roundoff;
+using verification::Check;
+
+const std::string source = "Frank (1994), chapter 2: first data";
+
+/// A piece of a wave: its mesh and velocities, and what is known of it.
+struct Piece {
+  std::function<Mesh(std::size_t columns, std::size_t rows)> mesh;
+  std::function<double(double)> elevation;
+  lagrangian_mesh_2d::VelocityAt velocity;
+  double kinetic, potential, area;
+};
+
+Piece solitary_piece(const exact::SolitaryWave& wave) {
+  constexpr double half = 20;  // sech^2 tails there: 1e-13 of the energy
+  const auto elevation = [&wave](double x) { return wave.elevation(x); };
+  return {.mesh =
+              [=](std::size_t columns, std::size_t rows) {
+                return layer_mesh({.begin = -half,
+                                   .end = half,
+                                   .depth = wave.depth(),
+                                   .columns = columns,
+                                   .rows = rows,
+                                   .elevation = elevation});
+              },
+          .elevation = elevation,
+          .velocity =
+              [&wave](Point r) {
+                const exact::Velocity v = wave.velocity(r.x, r.y);
+                return Point{v.u, v.v};
+              },
+          .kinetic = wave.kinetic_energy(),
+          .potential = wave.potential_energy(),
+          .area = 2 * half * wave.depth() + wave.mass()};
+}
+
+/// From one trough to the next, between sides that move with the water.
+Piece stokes_piece(const exact::StokesWave& wave) {
+  const double length = wave.wavelength();
+  const auto elevation = [&wave](double x) { return wave.elevation(x); };
+  const lagrangian_mesh_2d::VelocityAt velocity = [&wave](Point r) {
+    const exact::Velocity v = wave.velocity(r.x, r.y);
+    return Point{v.u, v.v};
+  };
+  return {.mesh =
+              [=, &wave](std::size_t columns, std::size_t rows) {
+                Mesh mesh = layer_mesh({.begin = -length / 2,
+                                        .end = length / 2,
+                                        .depth = wave.mean_depth(),
+                                        .columns = columns,
+                                        .rows = rows,
+                                        .elevation = elevation});
+                const PrescribedSide side{.position =
+                                              [=](Point label, double time) {
+                                                const Point v = velocity(label);
+                                                return Point{label.x + time * v.x, label.y + time * v.y};
+                                              },
+                                          .velocity = [=](Point label, double) { return velocity(label); }};
+                mesh.sides.left = side;
+                mesh.sides.right = side;
+                return mesh;
+              },
+          .elevation = elevation,
+          .velocity = velocity,
+          .kinetic = wave.kinetic_energy() * length,
+          .potential = wave.potential_energy() * length,
+          .area = wave.mean_depth() * length};
+}
+
+/// Largest relative difference of the columns' areas, by a quadrature of its own.
+double unequal_columns(const Mesh& mesh, const Piece& piece, double depth) {
+  std::vector<double> areas;
+  for (std::size_t i = 0; i < mesh.columns; ++i) {
+    const double from = mesh.x[i];
+    const double half = 0.5 * (mesh.x[i + 1] - from);
+    double area = 0;
+    constexpr int parts = 8;
+    for (int k = 0; k < parts; ++k) {
+      const double middle = from + half * (2 * k + 1) / parts;
+      area += half / parts *
+              boost::math::quadrature::gauss<double, 15>::integrate(
+                  [&](double s) { return depth + piece.elevation(middle + half / parts * s); }, -1, 1);
+    }
+    areas.push_back(area);
+  }
+  const double mean = std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(areas.size());
+  double worst = 0;
+  for (const double area : areas) worst = std::max(worst, std::abs(area / mean - 1));
+  return worst;
+}
+
+struct Errors {
+  double columns, area, kinetic, potential, change, interior_change;
+};
+
+Errors errors_of(const Piece& piece, double depth, std::size_t columns, std::size_t rows) {
+  const Mesh mesh = piece.mesh(columns, rows);
+  const Flow flow(mesh, piece.velocity);
+  const Model& model = flow.model();
+  const auto areas = model.first_areas();
+  Errors errors{.columns = unequal_columns(mesh, piece, depth),
+                .area = std::abs(std::accumulate(areas.begin(), areas.end(), 0.0) / piece.area - 1),
+                .kinetic = std::abs(model.kinetic_energy(flow.state().q, flow.state().u) / piece.kinetic - 1),
+                .potential = std::abs(model.potential_energy(flow.state().q) / piece.potential - 1),
+                .change = 0,
+                .interior_change = 0};
+  double speed = 0;
+  double sum = 0;
+  double all = 0;
+  for (std::size_t k = 0; k < mesh.nodes(); ++k) {
+    const Point v = piece.velocity({mesh.x[k], mesh.y[k]});
+    const double change = std::hypot(flow.u()[k] - v.x, flow.v()[k] - v.y);
+    speed = std::max(speed, std::hypot(v.x, v.y));
+    const std::size_t row = k / (mesh.columns + 1);
+    if (2 * row <= mesh.rows) errors.interior_change = std::max(errors.interior_change, change);
+    sum += change * change * model.nodes().mass()[k];
+    all += (v.x * v.x + v.y * v.y) * model.nodes().mass()[k];
+  }
+  errors.change = std::sqrt(sum / all);
+  errors.interior_change /= speed;
+  return errors;
+}
+
+void check_piece(Check& check, const std::string& id, const std::string& name, const Piece& piece, double depth,
+                 std::size_t columns_per_row) {
+  std::vector<double> h, area, kinetic, potential, change, interior;
+  double columns = 0;
+  for (const std::size_t rows : {4, 8, 16, 32}) {
+    const Errors errors = errors_of(piece, depth, columns_per_row * rows, rows);
+    h.push_back(1 / static_cast<double>(rows));
+    columns = std::max(columns, errors.columns);
+    area.push_back(errors.area);
+    kinetic.push_back(errors.kinetic);
+    potential.push_back(errors.potential);
+    change.push_back(errors.change);
+    interior.push_back(errors.interior_change);
+  }
+  check.that({.id = id + "-columns",
+              .text = name + ": the columns hold equal areas of water.",
+              .quantity = "largest relative difference from their mean",
+              .source = source},
+             {.value = columns, .resolution = "4 to 32 rows"},
+             Roundoff{.operations = 10,
+                      .scale = static_cast<double>(32 * columns_per_row),
+                      .reason = "both ends of a column are rounded places, up to the tank's length, that is as many "
+                                "columns' widths as there are"});
+  auto& panel = check.figure(id, name, "Relative errors of the first data against the height of the cells.")
+                    .panel({.x = "h2/depth", .y = "relative error", .log_x = true, .log_y = true});
+  const auto order = [&](const std::string& what, const std::string& text, const std::vector<double>& errors,
+                         double tolerance, const std::string& reason) {
+    check.that({.id = id + "-" + what, .text = name + ": " + text, .quantity = "observed order", .source = source},
+               evidence::observed_order(h, errors), Order{2, tolerance, reason});
+    panel.points(what, h, errors, verification::Role::computed);
+  };
+  const std::string smooth = "smooth wave; the coarsest mesh has four rows";
+  order("area", "the mesh's area is the water's, to second order.", area, 0.1, smooth);
+  order("kinetic", "so is its kinetic energy.", kinetic, 0.2, smooth);
+  order("potential", "so is its potential energy.", potential, 0.1, smooth);
+  order("projection", "the projection changes the velocities by second order (L2 norm).", change, 0.2, smooth);
+  order("projection-below", "so it does in the largest norm in the lower half.", interior, 0.2, smooth);
+}
+
+}  // namespace
+
+TEST_CASE("first data of a mesh are those of the exact wave, to second order", "[manufactured]") {
+  Check check("lagrangian_mesh_initial", "First data of the two-dimensional mesh",
+              "Surface and velocities of an exact solitary wave and of a wavelength of an exact Stokes wave between "
+              "sides that move with the water, on meshes of 4 to 32 rows. Columns hold equal areas of water to "
+              "round-off. The polygons' area, the energies after the projection on constant areas, and what the "
+              "projection changes converge with second order to the integrals of the waves.");
+  const exact::SolitaryWave solitary(0.3);
+  check_piece(check, "solitary", "Solitary wave, A = 0.3", solitary_piece(solitary), 1, 20);
+  const exact::StokesWave stokes(0.1, 4, 1, 1);
+  check_piece(check, "stokes", "Stokes wave, a = 0.1, wavelength 4", stokes_piece(stokes), 1, 2);
+}

@@ -1,0 +1,111 @@
+// Steps of the two-dimensional Lagrangian mesh: a solitary wave of amplitude 0.3 in water of depth 1, tau = h1/5.
+//
+//   items_per_second   cells x steps / second
+//   solves             solutions of the linear system per step
+//   iterations         conjugate gradient iterations per step
+//   factorisations     per step
+//
+// Schemes: one_step (one solve) and conservative (to round-off: areas and energy). Solvers: chosen by size, or named.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <string>
+
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::lagrangian_mesh_2d;
+using linear::NinePointMethod;
+
+constexpr double amplitude = 0.3;
+constexpr double longest_run = 8;  // then from the beginning again: before the wave reaches the wall
+
+struct Work {
+  long solves = 0;
+  long iterations = 0;
+  long factorisations = 0;
+
+  Work& operator+=(const Work& other) {
+    solves += other.solves;
+    iterations += other.iterations;
+    factorisations += other.factorisations;
+    return *this;
+  }
+  Work operator-(const Work& other) const {
+    return {solves - other.solves, iterations - other.iterations, factorisations - other.factorisations};
+  }
+};
+
+Work work_of(const Flow& flow) {
+  const linear::NinePointSolver& solver = flow.model().solver();
+  return {solver.solutions(), solver.iterations(), solver.factorisations()};
+}
+
+Flow start(std::size_t columns, std::size_t rows, double column_width, Stepping stepping, NinePointMethod solver,
+           double tolerance) {
+  const double length = column_width * static_cast<double>(columns);
+  const auto elevation = [](double x) { return amplitude / std::pow(std::cosh(std::sqrt(0.75 * amplitude) * x), 2); };
+  const auto velocity = [&](Point r) {
+    const double eta = elevation(r.x);
+    return Point{std::sqrt(1 + amplitude) * eta / (1 + eta), 0};
+  };
+  return Flow(layer_mesh({.begin = -length / 2,
+                          .end = length / 2,
+                          .depth = 1,
+                          .columns = columns,
+                          .rows = rows,
+                          .elevation = elevation}),
+              velocity, {.stepping = stepping}, {.solver = solver, .tolerance = tolerance});
+}
+
+void step(benchmark::State& state, Stepping stepping, NinePointMethod solver, double tolerance) {
+  const auto columns = static_cast<std::size_t>(state.range(0));
+  const auto rows = static_cast<std::size_t>(state.range(1));
+  const double column_width = 2.0 / static_cast<double>(rows);
+  const double tau = column_width / 5;
+  const auto started = [&] {
+    Flow flow = start(columns, rows, column_width, stepping, solver, tolerance);
+    for (int k = 0; k < 4; ++k) flow.advance(tau);
+    return flow;
+  };
+  Flow flow = started();
+  Work work = work_of(flow);
+  Work done;
+  for (auto _ : state) {
+    if (flow.time() > longest_run) {
+      state.PauseTiming();
+      done += work_of(flow) - work;
+      flow = started();
+      work = work_of(flow);
+      state.ResumeTiming();
+    }
+    flow.advance(tau);
+  }
+  done += work_of(flow) - work;
+  const auto steps = static_cast<double>(state.iterations());
+  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(columns * rows));
+  state.SetLabel(std::string(linear::name(flow.model().solver().method())));
+  state.counters["solves"] = static_cast<double>(done.solves) / steps;
+  state.counters["iterations"] = static_cast<double>(done.iterations) / steps;
+  state.counters["factorisations"] = static_cast<double>(done.factorisations) / steps;
+}
+
+void small_meshes(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Args({240, 8})->Args({480, 16})->Args({960, 32})->Unit(benchmark::kMillisecond);
+}
+
+void large_meshes(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Args({1024, 64})->Args({512, 512})->Args({4096, 256})->Unit(benchmark::kMillisecond);
+}
+
+BENCHMARK_CAPTURE(step, one_step, Stepping::one_step, NinePointMethod::automatic, 1e-10)->Apply(small_meshes);
+BENCHMARK_CAPTURE(step, conservative, Stepping::conservative, NinePointMethod::automatic, 1e-10)->Apply(small_meshes);
+BENCHMARK_CAPTURE(step, one_step_sparse, Stepping::one_step, NinePointMethod::sparse, 1e-10)->Apply(small_meshes);
+BENCHMARK_CAPTURE(step, one_step, Stepping::one_step, NinePointMethod::automatic, 1e-10)->Apply(large_meshes);
+BENCHMARK_CAPTURE(step, one_step_1e_13, Stepping::one_step, NinePointMethod::automatic, 1e-13)->Apply(large_meshes);
+BENCHMARK_CAPTURE(step, conservative, Stepping::conservative, NinePointMethod::automatic, 1e-10)->Apply(large_meshes);
+
+}  // namespace

@@ -1,0 +1,134 @@
+// How the two-dimensional Lagrangian mesh breaks down: with time, step and place, and the state of before.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "seiche/divergence.hpp"
+#include "seiche/exact/solitary_wave.hpp"
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::lagrangian_mesh_2d;
+using seiche::evidence::Bound;
+using seiche::evidence::Qualitative;
+using seiche::verification::Check;
+
+const std::string source = "interface of the model";
+
+struct Breakdown {
+  std::string message;
+  double time = std::numeric_limits<double>::quiet_NaN();
+  double place = std::numeric_limits<double>::quiet_NaN();
+  bool says_when = false;
+  bool kept = false;
+};
+
+Breakdown run_until_breakdown(Flow& flow, double tau, double end) {
+  Breakdown result;
+  while (flow.time() < end) {
+    const mechanics::State before = flow.state();
+    try {
+      flow.advance(tau);
+    } catch (const Divergence& failure) {
+      const mechanics::State& after = flow.state();
+      result.message = failure.what();
+      result.time = failure.time();
+      result.place = failure.place();
+      result.says_when = failure.time() == before.time && failure.step() == before.steps;
+      result.kept = after.q == before.q && after.u == before.u && after.time == before.time &&
+                    after.steps == before.steps && after.multipliers == before.multipliers;
+      break;
+    }
+  }
+  return result;
+}
+
+void claim_breakdown(Check& check, const std::string& id, const Breakdown& breakdown, const std::string& word,
+                     double leftmost, double rightmost) {
+  INFO(id << ": " << breakdown.message);
+  const auto claim = [&](const std::string& what, const std::string& text, bool value, const std::string& detector,
+                         const std::string& reason) {
+    check.that({.id = id + "-" + what, .text = text, .quantity = what, .source = source}, {.value = value ? 1.0 : 0.0},
+               Qualitative{detector, reason});
+  };
+  claim("stops", "The run stops and says why.", breakdown.message.find(word) != std::string::npos,
+        "seiche::Divergence whose message contains \"" + word + "\"", "nothing may be computed from a broken state");
+  claim("when", "It says when.", breakdown.says_when, "time and steps of the state before the failing step",
+        "the message must lead to the cause");
+  claim("where", "It says where.", breakdown.place >= leftmost && breakdown.place <= rightmost,
+        "place where the failure is known to begin", "the message must lead to the cause");
+  claim("kept", "The state is that of before the failing step.", breakdown.kept,
+        "equal coordinates, rates, multipliers, time and number of steps", "a caller may go on with a shorter step");
+  check.measure(id + ": time", breakdown.time);
+  check.measure(id + ": place", breakdown.place);
+}
+
+}  // namespace
+
+TEST_CASE("a wave that folds the mesh at a wall stops with time, step and place", "[robustness]") {
+  Check check("lagrangian_mesh_fold", "A high wave folds the mesh at a wall",
+              "A solitary wave of height 0.6 is reflected by a vertical wall. Surface nodes beside the wall overtake "
+              "the wall's: a corner of a cell folds. The run stops there, whatever the scheme.");
+  const exact::SolitaryWave wave(0.6);
+  const auto stops = [&](const std::string& id, Stepping stepping) {
+    Flow flow(layer_mesh({.begin = -12,
+                          .end = 12,
+                          .columns = 48,
+                          .rows = 4,
+                          .elevation = [&](double x) { return wave.elevation(x); }}),
+              [&](Point r) {
+                const auto v = wave.velocity(r.x, r.y);
+                return Point{v.u, v.v};
+              },
+              {.stepping = stepping});
+    claim_breakdown(check, id, run_until_breakdown(flow, 0.05, 30), "folds", 10, 12);
+    check.measure(id + ": shape of the worst corner before", flow.worst_corner().shape);
+  };
+  stops("one-step", Stepping::one_step);
+  stops("conservative", Stepping::conservative);
+}
+
+TEST_CASE("a node that leaves the curve of its wall stops with time, step and place", "[robustness]") {
+  Check check(
+      "lagrangian_mesh_short_curve", "A node leaves the curve it slides along",
+      "The curve of a wall of slope 1 ends 0.05 above the still-water level. A surge of 0.3 carries the contact point "
+      "past its end, whatever the scheme.");
+  for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
+    Mesh mesh = layer_mesh_with_slope({.begin = 0, .end = 4, .columns = 16, .rows = 4}, 1);
+    const auto one = [](double) { return 1.0; };
+    mesh.sides.right = Wall{
+        std::make_shared<GraphCurve>([](double x) { return x - 5; }, one, [](double) { return 0.0; }, 3.9, 5.05, 8)};
+    Flow flow(std::move(mesh), [](Point r) { return Point{0.3 * r.x / 4, 0}; }, {.stepping = stepping});
+    claim_breakdown(check, stepping == Stepping::one_step ? "one-step" : "conservative",
+                    run_until_breakdown(flow, 0.05, 10), "left its curve", 5.04, 5.06);
+  }
+}
+
+TEST_CASE("implicit steps that do not converge stop, and long steps are counted", "[robustness]") {
+  Check check("lagrangian_mesh_long_steps", "Too long steps of the Lagrangian mesh",
+              "Steps beyond the limit of linear waves are taken and counted. Implicit steps 5 % longer do not "
+              "converge, even of a low wave: the run stops with the state of before.");
+  const Layer layer{.begin = 0, .end = 6, .columns = 16, .rows = 4, .elevation = [](double x) {
+                      return 0.001 * std::cos(std::numbers::pi * x / 6);
+                    }};
+  Flow still(layer_mesh({.begin = 0, .end = 6, .columns = 16, .rows = 4}));
+  for (int k = 0; k < 3; ++k) still.advance(0.999 * still.stable_step());
+  const long below = still.steps_beyond_stability();
+  for (int k = 0; k < 2; ++k) still.advance(1.001 * still.stable_step());
+  check.that(
+      {.id = "counted-below", .text = "Steps below the limit are not counted.", .quantity = "steps", .source = source},
+      {.value = static_cast<double>(below)}, Bound{0, "none was longer"});
+  check.that({.id = "counted", .text = "Longer steps are counted.", .quantity = "steps", .source = source},
+             {.value = static_cast<double>(still.steps_beyond_stability())},
+             Bound{.limit = 0, .reason = "two were longer", .expected = 2});
+  Flow flow(layer_mesh(layer), {}, {.stepping = Stepping::conservative});
+  claim_breakdown(check, "implicit", run_until_breakdown(flow, 1.05 * flow.stable_step(), 100), "not converged", 0, 6);
+}

@@ -1,0 +1,112 @@
+// The solvers of the pressure equation, and any number of threads, give one motion of the Lagrangian mesh.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <omp.h>
+
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::lagrangian_mesh_2d;
+using seiche::evidence::Bound;
+using seiche::evidence::Qualitative;
+using seiche::evidence::Roundoff;
+using seiche::linear::NinePointMethod;
+using seiche::verification::Check;
+
+const std::string source = "the same scheme";
+
+/// Water with a steep surface, released between walls 6 depths apart.
+Flow released(std::size_t columns, std::size_t rows, Stepping stepping, NinePointMethod method, double tolerance) {
+  return Flow(layer_mesh({.begin = 0,
+                          .end = 6,
+                          .columns = columns,
+                          .rows = rows,
+                          .elevation = [](double x) { return 0.25 * std::cos(std::numbers::pi * x / 6); }}),
+              {}, {.stepping = stepping}, {.solver = method, .tolerance = tolerance});
+}
+
+double largest_difference(const Flow& a, const Flow& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.state().q.size(); ++i) {
+    largest = std::max(largest, std::abs(a.state().q[i] - b.state().q[i]));
+  }
+  for (std::size_t i = 0; i < a.state().u.size(); ++i) {
+    largest = std::max(largest, std::abs(a.state().u[i] - b.state().u[i]));
+  }
+  return largest;
+}
+
+const std::vector<std::pair<std::string, Stepping>> steppings{{"one-step", Stepping::one_step},
+                                                              {"conservative", Stepping::conservative}};
+
+}  // namespace
+
+TEST_CASE("banded, sparse and iterative solvers give one motion", "[robustness]") {
+  Check check(
+      "lagrangian_mesh_solvers", "Lagrangian mesh: three solvers, one motion",
+      "Water with a surface of $0.25\\cos(\\pi x/6)$, 48 x 8 cells, 50 steps of 0.05: the mesh is well deformed. "
+      "Banded and sparse Cholesky factorisation; conjugate gradients to relative residuals of 1e-13 and 1e-8.");
+  for (const auto& [id, stepping] : steppings) {
+    const auto run = [&, which = stepping](NinePointMethod method, double tolerance) {
+      Flow flow = released(48, 8, which, method, tolerance);
+      for (int n = 0; n < 50; ++n) flow.advance(0.05);
+      return flow;
+    };
+    const Flow banded = run(NinePointMethod::banded, 1e-10);
+    const auto agrees = [&, name = id](const std::string& what, const Flow& other,
+                                       const seiche::evidence::Criterion& limit) {
+      check.that({.id = name + "-" + what,
+                  .text = name + ": the " + what + " solver gives the banded one's motion.",
+                  .quantity = "largest difference of a coordinate or rate",
+                  .source = source},
+                 {.value = largest_difference(banded, other), .resolution = "50 steps of 0.05"}, limit);
+    };
+    const Roundoff rounding{.operations = 2.0 * 50 * 64,
+                            .scale = 6,
+                            .reason = "places up to 6, rounded in both runs some 64 times in each of 50 steps"};
+    agrees("sparse", run(NinePointMethod::sparse, 1e-10), rounding);
+    agrees("iterative", run(NinePointMethod::iterative, 1e-13), rounding);
+    agrees("loose-iterative", run(NinePointMethod::iterative, 1e-8),
+           Bound{50 * 1e-8, "a velocity of order 1 may err by the relative residual in each of 50 steps"});
+  }
+}
+
+TEST_CASE("threads change no bit of the motion", "[robustness]") {
+  Check check("lagrangian_mesh_threads", "Lagrangian mesh: any number of threads",
+              "Meshes large enough to be shared by threads, three steps with one and with two threads, banded and "
+              "iterative solver: every bit is the same. Sums are taken in one order.");
+  const int threads = omp_get_max_threads();
+  for (const auto& [id, stepping] : steppings) {
+    for (const auto& [solver, method, columns, rows] :
+         {std::tuple{std::string("banded"), NinePointMethod::banded, std::size_t{1280}, std::size_t{16}},
+          std::tuple{std::string("iterative"), NinePointMethod::iterative, std::size_t{448}, std::size_t{48}}}) {
+      std::vector<std::vector<double>> results;
+      for (const int count : {1, 2}) {
+        omp_set_num_threads(count);
+        Flow flow = released(columns, rows, stepping, method, 1e-10);
+        for (int n = 0; n < 3; ++n) flow.advance(0.5 * flow.stable_step());
+        std::vector<double> all = flow.state().q;
+        all.insert(all.end(), flow.state().u.begin(), flow.state().u.end());
+        all.insert(all.end(), flow.multipliers().begin(), flow.multipliers().end());
+        results.push_back(std::move(all));
+      }
+      omp_set_num_threads(threads);
+      check.that(
+          {.id = id + "-" + solver,
+           .text = id + ", " + solver + ": one and two threads give the same bits.",
+           .quantity = "same bits",
+           .source = source},
+          {.value = results[0] == results[1] ? 1.0 : 0.0, .resolution = "3 steps, more than 20000 cells"},
+          Qualitative{"equal coordinates, rates and multipliers", "results must not depend on the machine's load"});
+    }
+  }
+}
