@@ -1,6 +1,8 @@
 #include "validation/measures/berm_load.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <numbers>
 
@@ -57,6 +59,20 @@ std::vector<StandingLoad> standing_loads(const Berm& berm, std::size_t columns, 
                      .plain_wall = std::tanh(k) / k});
   }
   return loads;
+}
+
+std::vector<StandingLoad> loads_by_wavelength(const Berm& berm, double columns_per_depth, std::size_t rows,
+                                              double shortest, double longest) {
+  std::vector<StandingLoad> all;
+  for (int n = -4; n <= 4; ++n) {
+    Berm other = berm;
+    other.length += 0.5 * n;
+    const auto columns = static_cast<std::size_t>(std::lround(columns_per_depth * other.length));
+    std::ranges::copy_if(standing_loads(other, columns, rows, shortest), std::back_inserter(all),
+                         [&](const StandingLoad& one) { return one.wavelength <= longest; });
+  }
+  std::ranges::sort(all, {}, &StandingLoad::wavelength);
+  return all;
 }
 
 }  // namespace seiche::validation

@@ -50,4 +50,8 @@ struct StandingLoad {
 /// The waves of the basin that are longer than `shortest`, longest first.
 std::vector<StandingLoad> standing_loads(const Berm& berm, std::size_t columns, std::size_t rows, double shortest);
 
+/// The same of nine basins, up to two depths shorter and longer than this, up to a wavelength; shortest first.
+std::vector<StandingLoad> loads_by_wavelength(const Berm& berm, double columns_per_depth, std::size_t rows,
+                                              double shortest, double longest);
+
 }  // namespace seiche::validation

@@ -32,9 +32,9 @@ A small restoring force (`hourglass`) prevents it too.
 
 #include <fmt/format.h>
 
+#include "seiche/models/lagrangian_mesh_2d/impulsive_start.hpp"
 #include "validation/case/case.hpp"
 #include "validation/measures/crest_track.hpp"
-#include "seiche/models/lagrangian_mesh_2d/impulsive_start.hpp"
 #include "validation/measures/lagrangian_mesh_figure.hpp"
 #include "validation/measures/reference_case.hpp"
 #include "validation/measures/slope_guide.hpp"

@@ -35,11 +35,11 @@ The highest wave leaves the first column of the coarsest mesh sheared, which fol
 #include <boost/math/interpolators/barycentric_rational.hpp>
 
 #include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/models/lagrangian_mesh_2d/impulsive_start.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_source.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/measures/crest_track.hpp"
-#include "seiche/models/lagrangian_mesh_2d/impulsive_start.hpp"
 #include "validation/measures/lagrangian_mesh_figure.hpp"
 #include "validation/measures/reference_case.hpp"
 #include "validation/measures/solitary_mesh.hpp"

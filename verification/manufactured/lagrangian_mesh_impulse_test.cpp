@@ -29,7 +29,8 @@ Errors errors_of(const exact::SolitaryWave& wave, long rows) {
   const validation::PlacedWave placed{wave, length / 2};
   const lagrangian_mesh_2d::Mesh mesh =
       placed.mesh(length, {.column_width = 2 / static_cast<double>(rows), .rows = rows});
-  const auto velocity = lagrangian_mesh_2d::impulsive_start(mesh, [&](double x) { return placed.surface_potential(x); });
+  const auto velocity =
+      lagrangian_mesh_2d::impulsive_start(mesh, [&](double x) { return placed.surface_potential(x); });
   lagrangian_mesh_2d::Model model(mesh);
   const mechanics::State state = model.state(velocity);
   Errors errors;
