@@ -168,14 +168,16 @@ void claim_band(evidence::Record& record, const std::vector<StandingLoad>& all, 
   record.measure("band_end", (past - 1)->wavelength);
   std::vector<StandingLoad> band;
   std::ranges::copy_if(all, std::back_inserter(band),
-                       [](const StandingLoad& one) { return one.wavelength >= 4.7 && one.wavelength <= 8; });
+                       [](const StandingLoad& one) { return one.wavelength >= 4.5 && one.wavelength <= 8; });
   const double worst = std::ranges::max(band, {}, &StandingLoad::relative).relative();
-  record.check({.id = "band",
-                .text = "Waves of 4.7 to 8 depths load the structure with less than a tenth of the force on a plain "
-                        "wall.",
-                .quantity = "largest |total|/plain wall",
-                .source = source},
-               {.value = worst, .resolution = mesh}, Bound{.limit = 0.1, .reason = "a tenth"});
+  record.known_failure(
+      {.id = "band",
+       .text = "Waves of 4.5 to 8 depths load the structure with less than a tenth of the force on a plain wall.",
+       .quantity = "largest |total|/plain wall",
+       .source = source},
+      {.value = worst, .resolution = mesh}, Bound{.limit = 0.1, .reason = "a tenth"},
+      "the shortest wave of the tank in that range, 4.51 depths, exceeds it; the measured band begins a little later "
+      "(band_begin)");
   record.check(
       {.id = "antiphase",
        .text = "Front and rear are then pushed in opposite directions.",

@@ -1,74 +1,28 @@
 // How the two-dimensional Lagrangian mesh breaks down: with time, step and place, and the state of before.
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
 
-#include "seiche/divergence.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
-#include "verification/check.hpp"
+#include "verification/robustness/breakdown.hpp"
 
 namespace {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
 using seiche::evidence::Bound;
-using seiche::evidence::Qualitative;
+using seiche::verification::Breakdown;
 using seiche::verification::Check;
+using seiche::verification::claim_breakdown;
 
 const std::string source = "interface of the model";
 
-struct Breakdown {
-  std::string message;
-  double time = std::numeric_limits<double>::quiet_NaN();
-  double place = std::numeric_limits<double>::quiet_NaN();
-  bool says_when = false;
-  bool kept = false;
-};
-
 Breakdown run_until_breakdown(Flow& flow, double tau, double end) {
-  Breakdown result;
-  while (flow.time() < end) {
-    const mechanics::State before = flow.state();
-    try {
-      flow.advance(tau);
-    } catch (const Divergence& failure) {
-      const mechanics::State& after = flow.state();
-      result.message = failure.what();
-      result.time = failure.time();
-      result.place = failure.place();
-      result.says_when = failure.time() == before.time && failure.step() == before.steps;
-      result.kept = after.q == before.q && after.u == before.u && after.time == before.time &&
-                    after.steps == before.steps && after.multipliers == before.multipliers;
-      break;
-    }
-  }
-  return result;
-}
-
-void claim_breakdown(Check& check, const std::string& id, const Breakdown& breakdown, const std::string& word,
-                     double leftmost, double rightmost) {
-  INFO(id << ": " << breakdown.message);
-  const auto claim = [&](const std::string& what, const std::string& text, bool value, const std::string& detector,
-                         const std::string& reason) {
-    check.that({.id = id + "-" + what, .text = text, .quantity = what, .source = source}, {.value = value ? 1.0 : 0.0},
-               Qualitative{detector, reason});
-  };
-  claim("stops", "The run stops and says why.", breakdown.message.find(word) != std::string::npos,
-        "seiche::Divergence whose message contains \"" + word + "\"", "nothing may be computed from a broken state");
-  claim("when", "It says when.", breakdown.says_when, "time and steps of the state before the failing step",
-        "the message must lead to the cause");
-  claim("where", "It says where.", breakdown.place >= leftmost && breakdown.place <= rightmost,
-        "place where the failure is known to begin", "the message must lead to the cause");
-  claim("kept", "The state is that of before the failing step.", breakdown.kept,
-        "equal coordinates, rates, multipliers, time and number of steps", "a caller may go on with a shorter step");
-  check.measure(id + ": time", breakdown.time);
-  check.measure(id + ": place", breakdown.place);
+  return seiche::verification::run_until_breakdown(flow, end, [tau](Flow& f) { f.advance(tau); });
 }
 
 }  // namespace

@@ -47,9 +47,10 @@ class NinePointSolver::Implementation {
   virtual int solve(std::span<const double> right_hand_side, std::span<double> x, double tolerance) = 0;
 };
 
-class NinePointSolver::Banded final : public Implementation {
+template <class Cholesky>
+class NinePointSolver::Direct final : public Implementation {
  public:
-  Banded(std::size_t columns, std::size_t rows) : cholesky_(columns, rows) {}
+  Direct(std::size_t columns, std::size_t rows) : cholesky_(columns, rows) {}
   void factor(const NinePointMatrix& a) override { cholesky_.factor(a); }
   int solve(std::span<const double> right_hand_side, std::span<double> x, double) override {
     cholesky_.solve(right_hand_side, x);
@@ -57,20 +58,7 @@ class NinePointSolver::Banded final : public Implementation {
   }
 
  private:
-  NinePointCholesky cholesky_;
-};
-
-class NinePointSolver::Sparse final : public Implementation {
- public:
-  Sparse(std::size_t columns, std::size_t rows) : cholesky_(columns, rows) {}
-  void factor(const NinePointMatrix& a) override { cholesky_.factor(a); }
-  int solve(std::span<const double> right_hand_side, std::span<double> x, double) override {
-    cholesky_.solve(right_hand_side, x);
-    return 0;
-  }
-
- private:
-  NinePointSparse cholesky_;
+  Cholesky cholesky_;
 };
 
 class NinePointSolver::Iterative final : public Implementation {
@@ -106,9 +94,9 @@ NinePointSolver::NinePointSolver(std::size_t columns, std::size_t rows, NinePoin
     throw std::invalid_argument("solver = \"iterative\"; allowed only for meshes between vertical walls, on a bottom");
   }
   if (method_ == NinePointMethod::banded) {
-    implementation_ = std::make_unique<Banded>(columns, rows);
+    implementation_ = std::make_unique<Direct<NinePointCholesky>>(columns, rows);
   } else if (method_ == NinePointMethod::sparse) {
-    implementation_ = std::make_unique<Sparse>(columns, rows);
+    implementation_ = std::make_unique<Direct<NinePointSparse>>(columns, rows);
   } else {
     implementation_ = std::make_unique<Iterative>(columns, rows, undeformed);
   }

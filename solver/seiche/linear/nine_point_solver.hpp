@@ -51,8 +51,8 @@ class NinePointSolver {
 
  private:
   class Implementation;
-  class Banded;
-  class Sparse;
+  template <class Cholesky>
+  class Direct;
   class Iterative;
 
   NinePointMethod method_;

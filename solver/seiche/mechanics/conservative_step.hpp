@@ -98,7 +98,7 @@ class ConservativeStep {
       if (settings_.fixed_sweeps == 0 && converged(change, previous_change)) break;
     }
     total_sweeps_ += sweeps_;
-    if (settings_.fixed_sweeps == 0 && sweeps_ == most && change.largest_change > stagnation * change.largest_rate) {
+    if (settings_.fixed_sweeps == 0 && sweeps_ == most && change.largest_change > noise(change)) {
       std::ostringstream message;
       message << "implicit step not converged in " << most << " sweeps: velocity changes by "
               << change.largest_change / change.largest_rate << " of its largest; take a shorter step";
@@ -127,9 +127,7 @@ class ConservativeStep {
       parts_.projection().correct(candidate_, target, impulse_);
     }
     parts_.require_finite_rates(state, candidate_);
-    SweepChange change = change_between(mean_, candidate_);
-    // Water at rest under pressure: forces cancel, and what is left is their round-off.
-    change.largest_rate = std::max(change.largest_rate, kick_);
+    const SweepChange change = change_between(mean_, candidate_);
     mean_.swap(candidate_);
     model_.advance(state.q, mean_, when.length, next_);
     return change;
@@ -141,7 +139,14 @@ class ConservativeStep {
     const double contraction =
         std::isfinite(previous_change) ? std::min(1.0, now.largest_change / previous_change) : 1.0;
     return now.largest_change * contraction <= accuracy() * now.largest_rate ||
-           (now.largest_change >= previous_change && now.largest_change <= stagnation * now.largest_rate);
+           (now.largest_change >= previous_change && now.largest_change <= noise(now));
+  }
+
+  /// Above it a change that stops falling is divergence, not round-off. Where forces cancel, as in water at rest under
+  /// pressure, what is left is the round-off of their kicks, a sum of some tens of terms.
+  [[nodiscard]] double noise(SweepChange now) const {
+    constexpr double of_forces = 100 * std::numeric_limits<double>::epsilon();
+    return std::max(1e-11 * now.largest_rate, of_forces * kick_);
   }
 
   [[nodiscard]] double accuracy() const {
@@ -152,9 +157,6 @@ class ConservativeStep {
       return roundoff;
     }
   }
-
-  static constexpr double stagnation = 1e-11;  // above it a change that stops falling is divergence, not
-                                               // round-off
 
   Model& model_;
   Settings settings_;

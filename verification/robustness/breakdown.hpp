@@ -1,0 +1,69 @@
+/// Runs that must break down, and what their end must say: why, when, where, with the state of before.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "seiche/divergence.hpp"
+#include "seiche/mechanics/state.hpp"
+#include "verification/check.hpp"
+
+namespace seiche::verification {
+
+/// A run until it breaks down, and whether the failing step left the state as it was.
+struct Breakdown {
+  std::string message;
+  double time = std::numeric_limits<double>::quiet_NaN();
+  double place = std::numeric_limits<double>::quiet_NaN();
+  bool says_when = false;
+  bool kept = false;
+};
+
+/// @param advance  advance(flow) takes one step
+template <class Flow, class Advance>
+Breakdown run_until_breakdown(Flow& flow, double end, const Advance& advance) {
+  Breakdown result;
+  while (flow.time() < end) {
+    const mechanics::State before = flow.state();
+    try {
+      advance(flow);
+    } catch (const Divergence& failure) {
+      const mechanics::State& after = flow.state();
+      result.message = failure.what();
+      result.time = failure.time();
+      result.place = failure.place();
+      result.says_when = failure.time() == before.time && failure.step() == before.steps;
+      result.kept = after.q == before.q && after.u == before.u && after.time == before.time &&
+                    after.steps == before.steps && after.multipliers == before.multipliers;
+      break;
+    }
+  }
+  return result;
+}
+
+/// One claim about a breakdown.
+inline void claim_of_breakdown(Check& check, const std::string& id, const std::string& what, const std::string& text,
+                               bool value, const std::string& detector, const std::string& reason) {
+  check.that({.id = id + "-" + what, .text = text, .quantity = what, .source = "interface of the model"},
+             {.value = value ? 1.0 : 0.0}, evidence::Qualitative{detector, reason});
+}
+
+/// @param word  in the message;  @param leftmost, rightmost  where the failure is known to begin
+inline void claim_breakdown(Check& check, const std::string& id, const Breakdown& breakdown, const std::string& word,
+                            double leftmost, double rightmost) {
+  INFO(id << ": " << breakdown.message);
+  claim_of_breakdown(
+      check, id, "stops", "The run stops and says why.", breakdown.message.find(word) != std::string::npos,
+      "seiche::Divergence whose message contains \"" + word + "\"", "nothing may be computed from a broken state");
+  claim_of_breakdown(check, id, "when", "It says when.", breakdown.says_when,
+                     "time and steps of the state before the failing step", "the message must lead to the cause");
+  claim_of_breakdown(check, id, "where", "It says where.", breakdown.place >= leftmost && breakdown.place <= rightmost,
+                     "place where the failure is known to begin", "the message must lead to the cause");
+  claim_of_breakdown(check, id, "kept", "The state is that of before the failing step.", breakdown.kept,
+                     "equal coordinates, rates, multipliers, time and number of steps",
+                     "a caller may go on with a shorter step");
+  check.measure(id + ": time", breakdown.time);
+  check.measure(id + ": place", breakdown.place);
+}
+
+}  // namespace seiche::verification
