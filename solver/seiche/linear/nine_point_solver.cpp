@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/linear/conjugate_gradients.hpp"
+#include "seiche/linear/lattice_gradients.hpp"
 #include "seiche/linear/nine_point_cholesky.hpp"
 #include "seiche/linear/nine_point_sparse.hpp"
 #include "seiche/require.hpp"
@@ -63,31 +63,19 @@ class NinePointSolver::Direct final : public Implementation {
 
 class NinePointSolver::Iterative final : public Implementation {
  public:
-  Iterative(std::size_t columns, std::size_t rows, const CosineLattice::LayerMatrix& undeformed)
-      : lattice_({.nx = columns, .nz = 1, .layers = rows}, undeformed), b_(columns, rows), x_(columns, rows) {}
-  void factor(const NinePointMatrix& a) override { matrix_ = &a; }
+  explicit Iterative(UndeformedLattice undeformed) : gradients_(std::move(undeformed)) {}
+  void factor(const NinePointMatrix& a) override { gradients_.factor(a); }
   int solve(std::span<const double> right_hand_side, std::span<double> x, double tolerance) override {
-    std::copy(right_hand_side.begin(), right_hand_side.end(), b_.data());
-    std::copy(x.begin(), x.end(), x_.data());
-    const auto multiply = [this](const LatticeArray& p, LatticeArray& q) { return matrix_->multiply_and_dot(p, q); };
-    const auto precondition = [this](std::span<const double> r, std::span<double> z, double magnitude) {
-      lattice_.solve(r, z, magnitude);
-    };
-    const auto result = gradients_.solve(multiply, precondition, b_, x_, {.tolerance = tolerance});
-    std::copy(x_.values().begin(), x_.values().end(), x.begin());
-    return result.iterations;
+    return gradients_.solve(right_hand_side, x, tolerance);
   }
 
  private:
-  CosineLattice lattice_;
-  ConjugateGradients<LatticeArray> gradients_;
-  LatticeArray b_, x_;
-  const NinePointMatrix* matrix_ = nullptr;
+  LatticeGradients<NinePointMatrix> gradients_;
 };
 
 NinePointSolver::NinePointSolver(std::size_t columns, std::size_t rows, NinePointMethod method,
-                                 CosineLattice::LayerMatrix undeformed, double tolerance)
-    : method_(method == NinePointMethod::automatic ? fitting(columns, rows, static_cast<bool>(undeformed)) : method),
+                                 std::optional<UndeformedLattice> undeformed, double tolerance)
+    : method_(method == NinePointMethod::automatic ? fitting(columns, rows, undeformed.has_value()) : method),
       tolerance_(tolerance) {
   require_within("tolerance", tolerance, 1e-15, 1e-6);
   if (method_ == NinePointMethod::iterative && !undeformed) {
@@ -98,7 +86,7 @@ NinePointSolver::NinePointSolver(std::size_t columns, std::size_t rows, NinePoin
   } else if (method_ == NinePointMethod::sparse) {
     implementation_ = std::make_unique<Direct<NinePointSparse>>(columns, rows);
   } else {
-    implementation_ = std::make_unique<Iterative>(columns, rows, undeformed);
+    implementation_ = std::make_unique<Iterative>(*std::move(undeformed));
   }
 }
 

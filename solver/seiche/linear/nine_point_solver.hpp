@@ -11,10 +11,11 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
-#include "seiche/linear/cosine_lattice.hpp"
+#include "seiche/linear/lattice_gradients.hpp"
 #include "seiche/linear/nine_point_matrix.hpp"
 
 namespace seiche::linear {
@@ -26,11 +27,10 @@ NinePointMethod nine_point_method_named(std::string_view name);
 
 class NinePointSolver {
  public:
-  /// @param undeformed  matrix over the rows of the undeformed lattice for one phase along them (cosine_lattice.hpp);
-  ///                    empty if there is none. `iterative` needs it.
+  /// @param undeformed  `iterative` needs it; either all cells in one layer, or each row a layer
   /// @param tolerance   relative residual of the iteration, at most 1e-6. Throws std::invalid_argument.
-  NinePointSolver(std::size_t columns, std::size_t rows, NinePointMethod method, CosineLattice::LayerMatrix undeformed,
-                  double tolerance);
+  NinePointSolver(std::size_t columns, std::size_t rows, NinePointMethod method,
+                  std::optional<UndeformedLattice> undeformed, double tolerance);
   ~NinePointSolver();
   NinePointSolver(NinePointSolver&&) noexcept;
   NinePointSolver& operator=(NinePointSolver&&) noexcept;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
+#include "seiche/mechanics/equal_steps.hpp"
 #include "seiche/models/lagrangian_mesh_2d/stability.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
@@ -57,18 +58,7 @@ void Flow::advance(double tau) {
 }
 
 void Flow::advance_to(double time, double tau, const std::function<void()>& after_step) {
-  mechanics::require_step(tau);
-  if (!(time >= state_.time && std::isfinite(time))) {
-    throw std::invalid_argument(
-        fmt::format("time = {:g}; allowed: finite, at least the present {:g}", time, state_.time));
-  }
-  const double begin = state_.time;
-  const auto steps = static_cast<long>(std::ceil((time - begin) / tau - 1e-9));
-  for (long k = 1; k <= steps; ++k) {
-    advance((time - begin) / static_cast<double>(steps));
-    state_.time = begin + (time - begin) * (static_cast<double>(k) / static_cast<double>(steps));
-    if (after_step) after_step();
-  }
+  mechanics::equal_steps_to(state_, time, tau, [this](double length) { advance(length); }, after_step);
 }
 
 void Flow::remember_walls() {

@@ -4,7 +4,7 @@
 
 namespace seiche::lagrangian_mesh_2d {
 
-linear::CosineLattice::LayerMatrix undeformed_lattice(const Mesh& mesh, double density) {
+std::optional<linear::UndeformedLattice> undeformed_lattice(const Mesh& mesh, double density) {
   const auto free = [](const Side& side) { return std::holds_alternative<FreeSide>(side); };
   if (!free(mesh.sides.top) || free(mesh.sides.left) || free(mesh.sides.right) || free(mesh.sides.bottom)) return {};
   double area = 0;
@@ -17,7 +17,9 @@ linear::CosineLattice::LayerMatrix undeformed_lattice(const Mesh& mesh, double d
     area += cell_area(mesh, mesh.x, mesh.y, cell);
   }
   for (const double row : heights) height += row;
-  return linear::LayeredLattice(area / (height * static_cast<double>(mesh.columns)), heights, density);
+  const double width = area / (height * static_cast<double>(mesh.columns));
+  return linear::UndeformedLattice{.shape = {.nx = mesh.columns, .nz = 1, .layers = mesh.rows},
+                                   .matrix = linear::LayeredLattice(width, heights, density)};
 }
 
 }  // namespace seiche::lagrangian_mesh_2d

@@ -1,0 +1,123 @@
+/// Conjugate gradients for the matrix of a deformed lattice, preconditioned by the undeformed one:
+///
+///     P = S D^-1 S,   D = matrix of the undeformed lattice,   S = sqrt(diagonal of D / diagonal of A) or 1
+///
+/// S makes up for cells that are larger, smaller or sheared than the undeformed ones. The undeformed diagonal is that
+/// of inner cells, and cells at walls take S from their inner neighbours: their diagonals, halved by the walls, say
+/// nothing about deformation.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "seiche/linear/conjugate_gradients.hpp"
+#include "seiche/linear/cosine_lattice.hpp"
+#include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/worth_threads.hpp"
+
+namespace seiche::linear {
+
+/// The undeformed lattice as CosineLattice takes it; unknown (ix, iz, layer) has index (layer nz + iz) nx + ix.
+struct UndeformedLattice {
+  CosineLattice::Shape shape;
+  CosineLattice::LayerMatrix matrix;
+  bool scaled = false;  ///< whether S is not 1
+};
+
+/// @tparam Matrix  has `own`, a LatticeArray of the diagonal, and multiply_and_dot(const LatticeArray&, LatticeArray&)
+template <class Matrix>
+class LatticeGradients {
+ public:
+  /// Throws what CosineLattice throws.
+  explicit LatticeGradients(UndeformedLattice undeformed)
+      : undeformed_(std::move(undeformed)), lattice_(undeformed_.shape, undeformed_.matrix) {
+    if (undeformed_.scaled) measure_inner_diagonal();
+  }
+
+  /// @param a  must stay as it is until the last solution for it
+  void factor(const Matrix& a) {
+    matrix_ = &a;
+    if (right_hand_side_.size() != a.own.size()) right_hand_side_ = x_ = a.own;
+    if (undeformed_.scaled) scale_by(a.own);
+  }
+
+  /// x holds a guess. Returns the iterations. Throws NotConverged, NotPositiveDirection.
+  int solve(std::span<const double> right_hand_side, std::span<double> x, double tolerance) {
+    std::copy(right_hand_side.begin(), right_hand_side.end(), right_hand_side_.data());
+    std::copy(x.begin(), x.end(), x_.data());
+    const auto multiply = [this](const LatticeArray& p, LatticeArray& q) { return matrix_->multiply_and_dot(p, q); };
+    const auto precondition = [this](std::span<const double> r, std::span<double> z, double magnitude) {
+      if (!undeformed_.scaled) {
+        lattice_.solve(r, z, magnitude);
+        return;
+      }
+      multiply_by_scale(r, z);
+      lattice_.solve(z, z, magnitude);
+      multiply_by_scale(z, z);
+    };
+    const auto result = gradients_.solve(multiply, precondition, right_hand_side_, x_, {.tolerance = tolerance});
+    std::copy(x_.values().begin(), x_.values().end(), x.begin());
+    return result.iterations;
+  }
+
+ private:
+  /// The mean of D's diagonal over all phases is the diagonal of a cell without walls.
+  void measure_inner_diagonal() {
+    const auto [nx, nz, layers] = undeformed_.shape;
+    std::vector<double> diagonal(layers);
+    std::vector<double> off_diagonal(layers - 1);
+    inner_diagonal_.assign(layers, 0.0);
+    for (std::size_t l = 0; l < nz; ++l) {
+      for (std::size_t m = 0; m < nx; ++m) {
+        undeformed_.matrix(std::numbers::pi * static_cast<double>(m) / static_cast<double>(nx),
+                           std::numbers::pi * static_cast<double>(l) / static_cast<double>(nz), diagonal, off_diagonal);
+        for (std::size_t k = 0; k < layers; ++k) inner_diagonal_[k] += diagonal[k] / static_cast<double>(nx * nz);
+      }
+    }
+  }
+
+  void scale_by(const LatticeArray& diagonal) {
+    const auto [nx, nz, layers] = undeformed_.shape;
+    scale_.resize(diagonal.size());
+    const double* own = diagonal.data();
+#pragma omp parallel for schedule(static) if (scale_.size() > worth_threads)
+    for (std::size_t row = 0; row < nz * layers; ++row) {
+      const double inner = inner_diagonal_[row / nz];
+      double* const scale = scale_.data() + row * nx;
+#pragma omp simd
+      for (std::size_t i = 0; i < nx; ++i) scale[i] = std::sqrt(inner / own[row * nx + i]);
+      if (nx > 2) {
+        scale[0] = scale[1];
+        scale[nx - 1] = scale[nx - 2];
+      }
+    }
+    if (nz < 3) return;
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+      double* const first = scale_.data() + layer * nz * nx;
+      double* const last = first + (nz - 1) * nx;
+      std::copy(first + nx, first + 2 * nx, first);
+      std::copy(last - nx, last, last);
+    }
+  }
+
+  void multiply_by_scale(std::span<const double> from, std::span<double> to) const {
+    const double* const scale = scale_.data();
+#pragma omp parallel for simd schedule(static) if (parallel : from.size() > worth_threads)
+    for (std::size_t k = 0; k < from.size(); ++k) to[k] = scale[k] * from[k];
+  }
+
+  UndeformedLattice undeformed_;
+  CosineLattice lattice_;
+  ConjugateGradients<LatticeArray> gradients_;
+  LatticeArray right_hand_side_, x_;
+  const Matrix* matrix_ = nullptr;
+  std::vector<double> inner_diagonal_;  // by layer
+  std::vector<double> scale_;
+};
+
+}  // namespace seiche::linear

@@ -1,0 +1,15 @@
+/// Equal steps to a given time.
+#pragma once
+
+#include <functional>
+
+#include "seiche/mechanics/state.hpp"
+
+namespace seiche::mechanics {
+
+/// Equal steps of at most tau until `time`, which is hit exactly: advance(length) takes one, after_step (or none) is
+/// called after each. Throws std::invalid_argument for a time before the state's, and for tau.
+void equal_steps_to(State& state, double time, double tau, const std::function<void(double length)>& advance,
+                    const std::function<void()>& after_step);
+
+}  // namespace seiche::mechanics

@@ -1,0 +1,124 @@
+#include "seiche/models/dispersive_shallow_water_2d/bottom_volume.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace seiche::dispersive_shallow_water_2d {
+
+namespace {
+
+struct GaussPoint {
+  double t;
+  double weight;
+};
+
+/// On [0, 1].
+const std::array<GaussPoint, 3>& gauss_points() {
+  static const double half = 0.5 * std::sqrt(0.6);
+  static const std::array points{GaussPoint{0.5 - half, 5.0 / 18}, GaussPoint{0.5, 8.0 / 18},
+                                 GaussPoint{0.5 + half, 5.0 / 18}};
+  return points;
+}
+
+}  // namespace
+
+BottomVolume::BottomVolume(plan_lattice::Shape shape, std::shared_ptr<const PlanBottom> bottom)
+    : shape_(shape),
+      bottom_(std::move(bottom)),
+      edges_(shape.columns * (shape.rows + 1) + shape.rows * (shape.columns + 1)) {}
+
+BottomVolume::Edge BottomVolume::edge(Places at, std::size_t p, std::size_t q) const {
+  const double width = at.x[q] - at.x[p];
+  const double height = at.y[q] - at.y[p];
+  Edge edge;
+  for (const auto [t, weight] : gauss_points()) {
+    const auto b = bottom_->integral(at.x[p] + t * width, at.y[p] + t * height);
+    edge.value += weight * height * b.value;
+    edge.xp += weight * height * (1 - t) * b.elevation;
+    edge.xq += weight * height * t * b.elevation;
+    edge.yp += weight * (height * (1 - t) * b.along_y - b.value);
+    edge.yq += weight * (height * t * b.along_y + b.value);
+  }
+  return edge;
+}
+
+BottomVolume::Edge BottomVolume::edge_between(Places q0, Places q1, std::size_t p, std::size_t q) const {
+  // The middle of the four coordinates, as two nodes.
+  const std::array x{0.5 * (q0.x[p] + q1.x[p]), 0.5 * (q0.x[q] + q1.x[q])};
+  const std::array y{0.5 * (q0.y[p] + q1.y[p]), 0.5 * (q0.y[q] + q1.y[q])};
+  const Edge begin = edge(q0, p, q);
+  const Edge middle = edge({x.data(), y.data()}, 0, 1);
+  const Edge end = edge(q1, p, q);
+  const auto mean = [&](double Edge::*part) { return (begin.*part + 4 * (middle.*part) + end.*part) / 6; };
+  Edge result{.value = end.value - begin.value,
+              .xp = mean(&Edge::xp),
+              .yp = mean(&Edge::yp),
+              .xq = mean(&Edge::xq),
+              .yq = mean(&Edge::yq)};
+  const std::array way{q1.x[p] - q0.x[p], q1.y[p] - q0.y[p], q1.x[q] - q0.x[q], q1.y[q] - q0.y[q]};
+  const double square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2] + way[3] * way[3];
+  const double along = result.xp * way[0] + result.yp * way[1] + result.xq * way[2] + result.yq * way[3];
+  const double lacking = result.value - along;
+  // Divided by a short way, round-off would become a force.
+  const double roundoff = 8 * std::numeric_limits<double>::epsilon() * (std::abs(begin.value) + std::abs(end.value));
+  if (std::abs(lacking) > roundoff) {
+    const double correction = lacking / square;
+    result.xp += correction * way[0];
+    result.yp += correction * way[1];
+    result.xq += correction * way[2];
+    result.yq += correction * way[3];
+  }
+  return result;
+}
+
+template <class Work>
+void BottomVolume::for_each_edge(const Work& work) const {
+  for (std::size_t j = 0; j <= shape_.rows; ++j) {
+    for (std::size_t i = 0; i < shape_.columns; ++i) work(along_i(i, j), shape_.node(i, j), shape_.node(i + 1, j));
+  }
+  for (std::size_t j = 0; j < shape_.rows; ++j) {
+    for (std::size_t i = 0; i <= shape_.columns; ++i) work(along_j(i, j), shape_.node(i, j), shape_.node(i, j + 1));
+  }
+}
+
+void BottomVolume::subtract_gradients(Places at, CellGradients& gradients) {
+  for_each_edge([&](std::size_t number, std::size_t p, std::size_t q) { edges_[number] = edge(at, p, q); });
+  subtract_edges(gradients);
+}
+
+void BottomVolume::subtract_gradients_between(Places q0, Places q1, CellGradients& gradients) {
+  for_each_edge([&](std::size_t number, std::size_t p, std::size_t q) { edges_[number] = edge_between(q0, q1, p, q); });
+  subtract_edges(gradients);
+}
+
+void BottomVolume::subtract_edges(CellGradients& gradients) const {
+  for (std::size_t j = 0; j < shape_.rows; ++j) {
+    for (std::size_t i = 0; i < shape_.columns; ++i) {
+      // Around the cell: 0 -> 1, 1 -> 2, and 3 -> 2, 0 -> 3 backwards.
+      const Edge& south = edges_[along_i(i, j)];
+      const Edge& east = edges_[along_j(i + 1, j)];
+      const Edge& north = edges_[along_i(i, j + 1)];
+      const Edge& west = edges_[along_j(i, j)];
+      const auto cell = static_cast<std::ptrdiff_t>(j * shape_.columns + i);
+      const auto subtract = [&](std::size_t corner, double x, double y) {
+        gradients.x[corner].data()[cell] -= x;
+        gradients.y[corner].data()[cell] -= y;
+      };
+      subtract(0, south.xp - west.xp, south.yp - west.yp);
+      subtract(1, south.xq + east.xp, south.yq + east.yp);
+      subtract(2, east.xq - north.xq, east.yq - north.yq);
+      subtract(3, -north.xp - west.xq, -north.yp - west.yq);
+    }
+  }
+}
+
+void BottomVolume::subtract_volumes(Places at, double* volumes) const {
+  for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+    const auto [c0, c1, c2, c3] = shape_.corners(cell);
+    volumes[cell] -= edge(at, c0, c1).value + edge(at, c1, c2).value - edge(at, c3, c2).value - edge(at, c0, c3).value;
+  }
+}
+
+}  // namespace seiche::dispersive_shallow_water_2d

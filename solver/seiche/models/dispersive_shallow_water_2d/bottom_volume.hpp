@@ -1,0 +1,58 @@
+/// The volume between the level z = 0 and an uneven bottom, cell by cell, as a sum over directed edges p -> q:
+///
+///     int b dA = sum of E_pq,   E_pq = (y_q - y_p) int_0^1 B(x(t), y(t)) dt,   B_x = b
+///
+/// by Gauss's rule of three points, exact for bottoms of degree 4. Edges cancel between neighbours, so that inner nodes
+/// of raised water at rest feel no force, whatever the error of the rule.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "seiche/geometry/plan_bottom.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
+#include "seiche/models/plan_lattice/sides.hpp"
+
+namespace seiche::dispersive_shallow_water_2d {
+
+class BottomVolume {
+ public:
+  struct Places {
+    const double* x;
+    const double* y;
+  };
+
+  BottomVolume(plan_lattice::Shape shape, std::shared_ptr<const PlanBottom> bottom);
+
+  /// Subtracts the gradients of the volumes at `at` from those of the cells.
+  void subtract_gradients(Places at, CellGradients& gradients);
+  /// The same with discrete gradients over the segment from q0 to q1: Simpson's mean, corrected along the segment so
+  /// that gradient times segment is the difference of the volumes to round-off.
+  void subtract_gradients_between(Places q0, Places q1, CellGradients& gradients);
+  /// Subtracts the volumes from those of the cells.
+  void subtract_volumes(Places at, double* volumes) const;
+
+ private:
+  /// E and its derivatives with respect to x_p, y_p, x_q, y_q.
+  struct Edge {
+    double value = 0;
+    double xp = 0, yp = 0, xq = 0, yq = 0;
+  };
+
+  [[nodiscard]] Edge edge(Places at, std::size_t p, std::size_t q) const;
+  [[nodiscard]] Edge edge_between(Places q0, Places q1, std::size_t p, std::size_t q) const;
+  /// work(edge number, p, q) for all edges: those along i first, then those along j.
+  template <class Work>
+  void for_each_edge(const Work& work) const;
+  void subtract_edges(CellGradients& gradients) const;
+  [[nodiscard]] std::size_t along_i(std::size_t i, std::size_t j) const { return j * shape_.columns + i; }
+  [[nodiscard]] std::size_t along_j(std::size_t i, std::size_t j) const {
+    return shape_.columns * (shape_.rows + 1) + j * (shape_.columns + 1) + i;
+  }
+
+  plan_lattice::Shape shape_;
+  std::shared_ptr<const PlanBottom> bottom_;
+  std::vector<Edge> edges_;
+};
+
+}  // namespace seiche::dispersive_shallow_water_2d

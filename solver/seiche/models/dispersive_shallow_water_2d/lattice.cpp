@@ -1,0 +1,75 @@
+#include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/geometry/bilinear_patch.hpp"
+#include "seiche/require.hpp"
+
+namespace seiche::dispersive_shallow_water_2d {
+
+void Lattice::require_valid() const {
+  require_at_least("columns", static_cast<long>(shape.columns), 2);
+  require_at_least("rows", static_cast<long>(shape.rows), 1);
+  require_positive("depth", depth);
+  for (const auto& [name, values] : {std::pair{"x", &x}, std::pair{"y", &y}, std::pair{"z", &z}}) {
+    if (values->size() != shape.nodes()) {
+      throw std::invalid_argument(fmt::format("{} has {} values; allowed: {}, one per node of {} x {} cells", name,
+                                              values->size(), shape.nodes(), shape.columns, shape.rows));
+    }
+    const auto bad = std::find_if(values->begin(), values->end(), [](double value) { return !std::isfinite(value); });
+    if (bad != values->end()) {
+      throw std::invalid_argument(fmt::format("{}[{}] = {}; allowed: finite", name, bad - values->begin(), *bad));
+    }
+  }
+  for (std::size_t k = 0; k < shape.nodes(); ++k) {
+    const double under = bottom ? bottom->slope(x[k], y[k]).elevation : -depth;
+    if (!(z[k] > under)) {
+      throw std::invalid_argument(
+          fmt::format("z = {:g} at ({:g}, {:g}); allowed: above the bottom, {:g}", z[k], x[k], y[k], under));
+    }
+  }
+  for (std::size_t cell = 0; cell < shape.cells(); ++cell) {
+    const auto [c0, c1, c2, c3] = shape.corners(cell);
+    const auto j = bilinear_patch::jacobians({x[c0], x[c1], x[c2], x[c3]}, {y[c0], y[c1], y[c2], y[c3]});
+    if (!(std::min(std::min(j.c0, j.c1), std::min(j.c2, j.c3)) > 0)) {
+      throw std::invalid_argument(
+          fmt::format("cell {} at ({:g}, {:g}) is not convex, or its corners do not go around "
+                      "anticlockwise; allowed: x grows with the column, y with the row",
+                      cell, x[c0], y[c0]));
+    }
+  }
+}
+
+Lattice rectangular_lattice(const Rectangle& rectangle) {
+  for (const auto& [name, from, to] :
+       {std::tuple{"end", rectangle.begin, rectangle.end}, std::tuple{"north", rectangle.south, rectangle.north}}) {
+    require_finite(name, to);
+    if (!(to > from)) throw std::invalid_argument(fmt::format("{} = {:g}; allowed: above {:g}", name, to, from));
+  }
+  require_at_least("columns", static_cast<long>(rectangle.columns), 2);
+  require_at_least("rows", static_cast<long>(rectangle.rows), 1);
+  Lattice lattice{.shape = {rectangle.columns, rectangle.rows},
+                  .x = {},
+                  .y = {},
+                  .z = {},
+                  .sides = rectangle.sides,
+                  .depth = rectangle.depth,
+                  .bottom = rectangle.bottom};
+  const auto between = [](double from, double to, std::size_t k, std::size_t n) {
+    return k == n ? to : from + (to - from) * (static_cast<double>(k) / static_cast<double>(n));
+  };
+  for (std::size_t j = 0; j <= rectangle.rows; ++j) {
+    for (std::size_t i = 0; i <= rectangle.columns; ++i) {
+      lattice.x.push_back(between(rectangle.begin, rectangle.end, i, rectangle.columns));
+      lattice.y.push_back(between(rectangle.south, rectangle.north, j, rectangle.rows));
+      lattice.z.push_back(rectangle.elevation ? rectangle.elevation(lattice.x.back(), lattice.y.back()) : 0.0);
+    }
+  }
+  return lattice;
+}
+
+}  // namespace seiche::dispersive_shallow_water_2d

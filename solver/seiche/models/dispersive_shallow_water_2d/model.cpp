@@ -1,0 +1,325 @@
+#include "seiche/models/dispersive_shallow_water_2d/model.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "seiche/geometry/bilinear_patch.hpp"
+#include "seiche/linear/tridiagonal.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/undeformed.hpp"
+#include "seiche/require.hpp"
+
+namespace seiche::dispersive_shallow_water_2d {
+
+namespace {
+
+Lattice valid(Lattice lattice) {
+  lattice.require_valid();
+  return lattice;
+}
+
+}  // namespace
+
+Model::Model(Lattice lattice, Settings settings, Forcing forcing)
+    : lattice_(valid(std::move(lattice))),
+      settings_(settings),
+      forcing_(std::move(forcing)),
+      masses_((require_within("inertia", settings.inertia, 1e-3, 1), lattice_.shape), lattice_.sides, lattice_.x,
+              lattice_.y, settings.inertia),
+      gradients_(lattice_.shape.columns, lattice_.shape.rows),
+      push_(3 * lattice_.shape.nodes(), 0.0),
+      scratch_(12 * lattice_.shape.columns * static_cast<std::size_t>(omp_get_max_threads()), 0.0),
+      no_cells_(lattice_.shape.columns + 1, 0.0),
+      matrix_(lattice_.shape.columns, lattice_.shape.rows),
+      solver_(lattice_.shape.columns, lattice_.shape.rows, settings.solver,
+              undeformed_lattice(lattice_, settings.inertia), settings.tolerance) {
+  require_not_negative("gravity", settings.gravity);
+  if (lattice_.bottom) bottom_.emplace(lattice_.shape, lattice_.bottom);
+  volume_.assign(shape().cells(), 0.0);
+  std::vector<double> places = lattice_.x;
+  places.insert(places.end(), lattice_.y.begin(), lattice_.y.end());
+  places.insert(places.end(), lattice_.z.begin(), lattice_.z.end());
+  constraint_values(places, volume_);
+  for (std::size_t cell = 0; cell < shape().cells(); ++cell) {
+    const auto [c0, c1, c2, c3] = shape().corners(cell);
+    const auto j = bilinear_patch::jacobians({places[c0], places[c1], places[c2], places[c3]},
+                                             {lattice_.y[c0], lattice_.y[c1], lattice_.y[c2], lattice_.y[c3]});
+    mean_area_ += 0.5 * (j.c0 + j.c2) / static_cast<double>(shape().cells());
+    if (!(volume_[cell] > 0)) {
+      throw std::invalid_argument(fmt::format("cell {} at ({:g}, {:g}) holds {:g} of water; allowed: positive", cell,
+                                              lattice_.x[c0], lattice_.y[c0], volume_[cell]));
+    }
+  }
+  east_width_ = lattice_.x[shape().columns] - lattice_.x[shape().columns - 1];
+  sum_masses();
+  stand(places);
+}
+
+void Model::sum_masses() {
+  const std::span<double> mass = masses_.mass();
+  std::fill(mass.begin(), mass.end(), 0.0);
+  for (std::size_t cell = 0; cell < shape().cells(); ++cell) {
+    for (const std::size_t k : shape().corners(cell)) mass[k] += 0.25 * volume_[cell];
+  }
+  if (!bottom_) masses_.stand_on_level_bottom();
+}
+
+mechanics::State Model::state(const VelocityAt& velocity) const {
+  mechanics::State state{.q = lattice_.x, .u = std::vector<double>(rates(), 0.0)};
+  state.q.insert(state.q.end(), lattice_.y.begin(), lattice_.y.end());
+  state.q.insert(state.q.end(), lattice_.z.begin(), lattice_.z.end());
+  const std::size_t n = nodes();
+  if (velocity) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const Velocity given = velocity(lattice_.x[k], lattice_.y[k]);
+      state.u[k] = given.u;
+      state.u[n + k] = given.v;
+      state.u[2 * n + k] = given.w;
+    }
+  }
+  if (bottom_) find_normals(state.q, other_normals_);
+  masses_.constrain(state.q, 0, bottom_ ? &other_normals_ : nullptr, true, state.u);
+  return state;
+}
+
+void Model::find_normals(Input q, Normals& normals) const {
+  const std::size_t n = nodes();
+  for (auto* along : {&normals.x, &normals.y, &normals.z}) along->resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto b = lattice_.bottom->slope(q[k], q[n + k]);
+    const double length = std::sqrt(1 + b.along_x * b.along_x + b.along_y * b.along_y);
+    normals.x[k] = -b.along_x / length;
+    normals.y[k] = -b.along_y / length;
+    normals.z[k] = 1 / length;
+    if (!(q[2 * n + k] > b.elevation)) {
+      throw mechanics::Infeasible(fmt::format("a marker at ({:g}, {:g}) is {:g} above the bottom (allowed: positive)",
+                                              q[k], q[n + k], q[2 * n + k] - b.elevation),
+                                  q[k]);
+    }
+  }
+}
+
+void Model::stand(Input q) {
+  const std::size_t n = nodes();
+  if (bottom_) {
+    find_normals(q, normals_);
+    masses_.stand_on(normals_);
+  }
+  if (masses_.has_driven_sides()) masses_.turn_driven_sides(q.first(n), q.subspan(n, n), normals());
+}
+
+void Model::linearise(Interval when, Input q) {
+  when_ = when;
+  std::fill(push_.begin(), push_.end(), 0.0);
+  try {
+    measure(q, 1, false);
+    if (bottom_) bottom_->subtract_gradients(plan(q), gradients_);
+    stand(q);
+  } catch (const OutsidePlanBottom& failure) {
+    throw mechanics::Infeasible(failure.what(), failure.place());
+  }
+  push_bodies(when.middle());
+  assemble_and_factor();
+  sweeping_ = false;
+}
+
+void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
+  when_ = when;
+  middle_.resize(q0.size());
+  for (std::size_t i = 0; i < q0.size(); ++i) middle_[i] = 0.5 * (q0[i] + q1[i]);
+  std::fill(push_.begin(), push_.end(), 0.0);
+  try {
+    // Simpson's mean: exact for gradients of polynomials of degree up to four.
+    measure(q0, 1.0 / 6, false);
+    measure(q1, 1.0 / 6, true);
+    measure(middle_, 4.0 / 6, true);
+    if (bottom_) bottom_->subtract_gradients_between(plan(q0), plan(q1), gradients_);
+    stand(middle_);
+  } catch (const OutsidePlanBottom& failure) {
+    throw mechanics::Infeasible(failure.what(), failure.place());
+  }
+  push_bodies(when.middle());
+  if (sweep == 0) assemble_and_factor();
+  sweeping_ = true;
+}
+
+void Model::measure(Input q, double weight, bool add) {
+  const std::size_t n = nodes();
+  const std::size_t columns = shape().columns;
+  const double bottom = bottom_ ? 0.0 : -lattice_.depth;
+  double jacobian = std::numeric_limits<double>::infinity();
+  double depth = std::numeric_limits<double>::infinity();
+  // Rows of one parity share no nodes; each row of nodes is added to from above and from below, in this order.
+  for (std::size_t parity = 0; parity < 2; ++parity) {
+#pragma omp parallel for schedule(static) reduction(min : jacobian, depth) if (shape().cells() > parallel_cells)
+    for (std::size_t j = parity; j < shape().rows; j += 2) {
+      const std::size_t k = j * (columns + 1);
+      const auto rows = [&](std::size_t axis) {
+        const double* lower = q.data() + axis * n + k;
+        return NodeRows{lower, lower + columns + 1};
+      };
+      const auto forces = [&](std::size_t axis) {
+        double* lower = push_.data() + axis * n + k;
+        return ForceRows{lower, lower + columns + 1};
+      };
+      double* scratch = scratch_.data() + 12 * columns * static_cast<std::size_t>(omp_get_thread_num());
+      const RowExtremes least =
+          measure_row(columns, j * columns, {rows(0), rows(1), rows(2)}, bottom, settings_.gravity, weight, add,
+                      gradients_, {forces(0), forces(1), forces(2)}, scratch);
+      jacobian = std::min(jacobian, least.jacobian);
+      depth = std::min(depth, least.depth);
+    }
+  }
+  if (!(jacobian > 0)) throw_folded(q);
+  if (!bottom_ && !(depth > 0)) {
+    const auto lowest = static_cast<std::size_t>(
+                            std::min_element(q.begin() + static_cast<std::ptrdiff_t>(2 * n), q.end()) - q.begin()) -
+                        2 * n;
+    throw mechanics::Infeasible(fmt::format("the surface touches the bottom: z = {:g} at ({:g}, {:g}) (allowed: above "
+                                            "{:g})",
+                                            q[2 * n + lowest], q[lowest], q[n + lowest], bottom),
+                                q[lowest]);
+  }
+}
+
+void Model::throw_folded(Input q) const {
+  const Corner worst = worst_corner(q);
+  const std::size_t corner = shape().corners(worst.cell)[0];
+  throw mechanics::Infeasible(
+      fmt::format(
+          "the lattice folds: a corner of cell {} (column {}, row {}, at ({:g}, {:g})) has shape {:.3g} (1 at the "
+          "beginning, allowed: positive)",
+          worst.cell, worst.cell % shape().columns, worst.cell / shape().columns, q[corner], q[nodes() + corner],
+          worst.shape),
+      q[corner]);
+}
+
+Corner Model::worst_corner(Input q) const {
+  const std::size_t n = nodes();
+  Corner worst{.shape = std::numeric_limits<double>::infinity(), .cell = 0};
+  for (std::size_t cell = 0; cell < shape().cells(); ++cell) {
+    const auto [c0, c1, c2, c3] = shape().corners(cell);
+    const auto j =
+        bilinear_patch::jacobians({q[c0], q[c1], q[c2], q[c3]}, {q[n + c0], q[n + c1], q[n + c2], q[n + c3]});
+    const double shape_of_corner = std::min(std::min(j.c0, j.c1), std::min(j.c2, j.c3)) / mean_area_;
+    if (!(shape_of_corner >= worst.shape)) worst = {shape_of_corner, cell};
+  }
+  return worst;
+}
+
+void Model::push_bodies(double time) {
+  if (!forcing_.body_force) return;
+  const std::size_t n = nodes();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point force = forcing_.body_force({lattice_.x[k], lattice_.y[k]}, time);
+    push_[k] += masses_.mass()[k] * force.x;
+    push_[n + k] += masses_.mass()[k] * force.y;
+  }
+}
+
+void Model::assemble_and_factor() {
+  const std::size_t columns = shape().columns;
+  const std::size_t rows = shape().rows;
+#pragma omp parallel for schedule(static) if (shape().cells() > parallel_cells)
+  for (std::size_t j = 0; j < rows; ++j) {
+    assemble_row(columns, j * columns, j * (columns + 1), masses_.full(j) || masses_.full(j + 1), j + 1 < rows,
+                 gradients_, masses_.inverse(), matrix_);
+  }
+  try {
+    solver_.factor(matrix_);
+  } catch (const linear::NotPositiveDefinite& failure) {
+    const auto cell = static_cast<std::size_t>(failure.row());
+    throw mechanics::Infeasible(fmt::format("cell {}: {}", cell, failure.what()), lattice_.x[shape().corners(cell)[0]]);
+  }
+}
+
+void Model::advance(Input from, Input u, double h, Output to) const {
+  const double* const begin = from.data();
+  const double* const rate = u.data();
+  double* const end = to.data();
+#pragma omp parallel for simd schedule(static) if (parallel : from.size() > 3 * parallel_cells)
+  for (std::size_t i = 0; i < from.size(); ++i) end[i] = begin[i] + h * rate[i];
+}
+
+void Model::kick(double h, Output u) const {
+  const std::size_t n = nodes();
+  const std::size_t count = shape().columns + 1;
+#pragma omp parallel for schedule(static) if (shape().cells() > parallel_cells)
+  for (std::size_t j = 0; j <= shape().rows; ++j) {
+    const std::size_t k = j * count;
+    kick_row(count, k, masses_.full(j), h, {push_.data() + k, push_.data() + n + k, push_.data() + 2 * n + k},
+             masses_.inverse(), {u.data() + k, u.data() + n + k, u.data() + 2 * n + k});
+  }
+}
+
+void Model::rotate(Input q, bool onto, Output u) const {
+  find_normals(q, other_normals_);
+  const std::size_t n = nodes();
+  const Normals& from = onto ? other_normals_ : normals_;
+  const Normals& to = onto ? normals_ : other_normals_;
+  for (std::size_t k = 0; k < n; ++k) {
+    // The rotation about c = n0 x n1: a -> (n0.n1) a + c x a + c (c.a)/(1 + n0.n1).
+    const double cx = from.y[k] * to.z[k] - from.z[k] * to.y[k];
+    const double cy = from.z[k] * to.x[k] - from.x[k] * to.z[k];
+    const double cz = from.x[k] * to.y[k] - from.y[k] * to.x[k];
+    const double d = from.x[k] * to.x[k] + from.y[k] * to.y[k] + from.z[k] * to.z[k];
+    const double ax = u[k];
+    const double ay = u[n + k];
+    const double az = u[2 * n + k];
+    const double along = (cx * ax + cy * ay + cz * az) / (1 + d);
+    u[k] = d * ax + (cy * az - cz * ay) + along * cx;
+    u[n + k] = d * ay + (cz * ax - cx * az) + along * cy;
+    u[2 * n + k] = d * az + (cx * ay - cy * ax) + along * cz;
+  }
+}
+
+void Model::enter(Input q, Output u) const {
+  if (bottom_) rotate(q, true, u);
+  // On a level bottom only driven nodes can have got a forbidden velocity.
+  if (!bottom_ && !masses_.has_driven_sides()) return;
+  masses_.constrain(q, when_.middle(), normals(), bottom_.has_value(), u);
+}
+
+void Model::settle(Interval when, Output q, Output u) const {
+  if (bottom_) rotate(q, false, u);
+  if (!bottom_ && !masses_.has_driven_sides()) return;
+  masses_.constrain(q, when.end(), bottom_ ? &other_normals_ : nullptr, bottom_.has_value(), u);
+}
+
+void Model::constraint_rates(Input u, Output w) const {
+  const std::size_t columns = shape().columns;
+  const std::size_t n = nodes();
+#pragma omp parallel for schedule(static) if (shape().cells() > parallel_cells)
+  for (std::size_t j = 0; j < shape().rows; ++j) {
+    const auto rows = [&](std::size_t axis) {
+      const double* lower = u.data() + axis * n + j * (columns + 1);
+      return NodeRows{lower, lower + columns + 1};
+    };
+    rates_of_row(columns, j * columns, gradients_, {rows(0), rows(1), rows(2)}, w.data() + j * columns);
+  }
+}
+
+void Model::react(Input mu, Output u) const {
+  const std::size_t columns = shape().columns;
+  const std::size_t n = nodes();
+#pragma omp parallel for schedule(static) if (shape().cells() > parallel_cells)
+  for (std::size_t j = 0; j <= shape().rows; ++j) {
+    const std::size_t k = j * (columns + 1);
+    const auto above = static_cast<std::ptrdiff_t>(j * columns);
+    const auto below = above - static_cast<std::ptrdiff_t>(columns);
+    react_row(columns, k, masses_.full(j), below, above, gradients_, j == 0 ? no_cells_.data() : mu.data() + below,
+              j == shape().rows ? no_cells_.data() : mu.data() + above, masses_.inverse(),
+              {u.data() + k, u.data() + n + k, u.data() + 2 * n + k});
+  }
+}
+
+void Model::solve(Input right_hand_side, Output mu) {
+  solver_.solve(right_hand_side, mu, sweeping_ ? tolerance_of_sweeps : 0);
+}
+
+}  // namespace seiche::dispersive_shallow_water_2d

@@ -1,0 +1,172 @@
+/// Discrete nonlinear-dispersive shallow water seen from above (Frank 1994, ch. 4, on ch. 3's formulas 8-14).
+///
+/// Markers (x, y, z) on the surface move material columns of water that stay straight and normal to the bottom; the
+/// volume of every cell between the bilinear surface and the bottom is constant:
+///
+///     T  = sum (m/2)[|w|^2 - (1 - alpha)(w.n)^2],   alpha = 1/3,  n = the bottom's normal                     (8, 11)
+///     Pi = g sum of int z^2/2 dA over the bilinear patches                                                        (9)
+///     V_s = int z dA - int b dA = const                                                                          (10)
+///
+/// all per unit density. In one dimension this is dispersive_shallow_water_1d; in the limit of fine cells over a level
+/// bottom the Green-Naghdi equations H_t + div(Hu) = 0, Du/Dt + g grad H = -(alpha/H) grad(H^2 D^2H/Dt^2).
+///
+/// z counts from still water: a lake at rest has lambda = 0 and stays at rest bit by bit over any bottom.
+///
+/// The class is what mechanics::OneStep and ConservativeStep step: q = (x of all nodes, y, z), u = (u, v, w). Over an
+/// uneven bottom velocities are carried along with the bottom's tangent plane, by the smallest rotation that takes its
+/// normal to the next. It is rarely used alone: see flow.hpp.
+///
+/// Conserves mass, momentum, and angular momentum about the vertical (no walls, level bottom) to round-off with every
+/// scheme; energy and volumes to round-off with ConservativeStep, also over uneven bottoms: volumes and potential are
+/// polynomials, and Simpson's mean of their gradients is exact. Dispersion in closed form:
+/// exact/plan_dispersion.hpp.
+///
+/// When not to use it: waves shorter than about two depths; lattices that shear for long, as in steady eddies;
+/// overturning.
+///
+/// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 3 and 4.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/nine_point_solver.hpp"
+#include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/state.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/bottom_volume.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/node_masses.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
+
+namespace seiche::dispersive_shallow_water_2d {
+
+using mechanics::Input;
+using mechanics::Interval;
+using mechanics::Output;
+
+struct Settings {
+  double gravity = 1;        ///< [m/s^2]
+  double inertia = 1.0 / 3;  ///< alpha, of the motion normal to the bottom
+  linear::NinePointMethod solver = linear::NinePointMethod::automatic;
+  double tolerance = 1e-10;  ///< relative residual of iterative solvers; 1e-13 where conservation is measured
+};
+
+struct Forcing {
+  /// Horizontal force per unit mass on the node that was at `label` at the beginning [m/s^2]; empty for none.
+  std::function<Point(Point label, double time)> body_force = {};
+};
+
+struct Velocity {
+  double u = 0;
+  double v = 0;
+  double w = 0;  ///< of the surface
+};
+/// Velocities at the beginning; empty: water at rest.
+using VelocityAt = std::function<Velocity(double x, double y)>;
+
+/// The worst corner of a lattice: its Jacobian over the first one's mean. 1 for equal rectangles; 0 where a cell folds.
+struct Corner {
+  double shape = 1;
+  std::size_t cell = 0;
+};
+
+class Model {
+ public:
+  /// Masses and volumes from the lattice. Throws std::invalid_argument (lattice.hpp, sides.hpp, settings out of range).
+  explicit Model(Lattice lattice, Settings settings = {}, Forcing forcing = {});
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+
+  static constexpr bool warm_start = true;
+
+  /// The lattice as it was given with these velocities; what sides forbid is taken out, the projection on constant
+  /// volumes is mechanics/start.hpp's.
+  [[nodiscard]] mechanics::State state(const VelocityAt& velocity = {}) const;
+
+  // What mechanics/constrained_model.hpp asks for.
+  [[nodiscard]] std::size_t coordinates() const { return 3 * nodes(); }
+  [[nodiscard]] std::size_t rates() const { return 3 * nodes(); }
+  [[nodiscard]] std::size_t constraints() const { return shape().cells(); }
+  /// Throws mechanics::Infeasible where a cell folds, a marker touches the bottom or leaves it.
+  void linearise(Interval when, Input q);
+  /// Factorised in sweep 0 only.
+  void linearise_between(Interval when, Input q0, Input q1, int sweep);
+  void advance(Input from, Input u, double h, Output to) const;
+  void kick(double h, Output u) const;
+  void enter(Input q, Output u) const;
+  void settle(Interval when, Output q, Output u) const;
+  void constraint_rates(Input u, Output w) const;
+  void react(Input mu, Output u) const;
+  void solve(Input right_hand_side, Output mu);
+  /// Relative accuracy of solve, 0 for round-off: conservative steps go no further.
+  [[nodiscard]] double solver_accuracy() const {
+    return solver_.method() == linear::NinePointMethod::iterative ? settings_.tolerance : 0;
+  }
+  void constraint_values(Input q, Output f) const;
+  [[nodiscard]] double place(std::size_t rate) const { return lattice_.x[rate % nodes()]; }
+
+  [[nodiscard]] double mass() const;                                             ///< per unit density [m^3]
+  [[nodiscard]] std::array<double, 2> momentum(Input q, Input u) const;          ///< horizontal
+  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const;  ///< about the vertical
+  [[nodiscard]] double kinetic_energy(Input q, Input u) const;
+  [[nodiscard]] double potential_energy(Input q) const;  ///< zero for still water
+
+  [[nodiscard]] Shape shape() const { return lattice_.shape; }
+  [[nodiscard]] std::size_t nodes() const { return lattice_.shape.nodes(); }
+  /// As given at the beginning, or at the last shift of a moving window.
+  [[nodiscard]] const Lattice& lattice() const { return lattice_; }
+  [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] std::span<const double> node_masses() const { return masses_.mass(); }
+  [[nodiscard]] std::span<const double> first_volumes() const { return volume_; }
+  [[nodiscard]] bool has_driven_sides() const { return masses_.has_driven_sides(); }
+  [[nodiscard]] const linear::NinePointSolver& solver() const { return solver_; }
+  /// A of the last linearisation.
+  [[nodiscard]] const linear::NinePointMatrix& matrix() const { return matrix_; }
+  [[nodiscard]] Corner worst_corner(Input q) const;
+
+  /// Drops the west column and puts a column at rest, as wide as the last one was at the beginning, before the east
+  /// side. The west side must be held. State and model change together.
+  void shift_east(mechanics::State& state);
+
+ private:
+  static constexpr std::size_t parallel_cells = 131072;  // below, threads cost more than they give
+  static constexpr double tolerance_of_sweeps = 1e-3;    // of the correction that a sweep makes; the next one goes on
+
+  [[nodiscard]] BottomVolume::Places plan(Input q) const { return {q.data(), q.data() + nodes()}; }
+  void sum_masses();
+  void find_normals(Input q, Normals& normals) const;
+  [[nodiscard]] const Normals* normals() const { return bottom_ ? &normals_ : nullptr; }
+  void measure(Input q, double weight, bool add);
+  void stand(Input q);
+  void push_bodies(double time);
+  void assemble_and_factor();
+  [[noreturn]] void throw_folded(Input q) const;
+  void rotate(Input q, bool onto, Output u) const;
+
+  Interval when_;  // of the last linearisation
+  Lattice lattice_;
+  Settings settings_;
+  Forcing forcing_;
+  NodeMasses masses_;
+  std::vector<double> volume_;
+  double mean_area_ = 0;
+  double east_width_ = 0;
+  std::optional<BottomVolume> bottom_;
+
+  CellGradients gradients_;
+  std::vector<double> push_;  // forces on nodes along x, y, z
+  std::vector<double> scratch_;
+  std::vector<double> middle_, no_cells_;
+  Normals normals_;                // of the bottom at the linearised configuration
+  mutable Normals other_normals_;  // at the beginning or end of the step
+  linear::NinePointMatrix matrix_;
+  linear::NinePointSolver solver_;
+  bool sweeping_ = false;  // the last linearisation was a sweep of a conservative step
+};
+
+}  // namespace seiche::dispersive_shallow_water_2d

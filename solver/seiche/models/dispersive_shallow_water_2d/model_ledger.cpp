@@ -1,0 +1,134 @@
+// What the plan model conserves, and how a moving window shifts it.
+#include <algorithm>
+#include <cmath>
+
+#include "seiche/compensated_sum.hpp"
+#include "seiche/geometry/bilinear_patch.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/model.hpp"
+
+namespace seiche::dispersive_shallow_water_2d {
+
+namespace {
+
+using bilinear_patch::Corners;
+
+Corners at(const double* values, const std::array<std::size_t, 4>& corners) {
+  return {values[corners[0]], values[corners[1]], values[corners[2]], values[corners[3]]};
+}
+
+/// Every row of `length` values moves one place to the west; the last place of each keeps its value.
+void shift_rows(std::span<double> values, std::size_t length) {
+  for (std::size_t row = 0; row < values.size(); row += length) {
+    std::copy(values.begin() + static_cast<std::ptrdiff_t>(row + 1),
+              values.begin() + static_cast<std::ptrdiff_t>(row + length),
+              values.begin() + static_cast<std::ptrdiff_t>(row));
+  }
+}
+
+}  // namespace
+
+void Model::constraint_values(Input q, Output f) const {
+  const std::size_t n = nodes();
+  std::vector<double> volumes(shape().cells());
+  const double bottom = bottom_ ? 0.0 : -lattice_.depth;
+  for (std::size_t cell = 0; cell < shape().cells(); ++cell) {
+    const auto corners = shape().corners(cell);
+    Corners z = at(q.data() + 2 * n, corners);
+    z = {z.c0 - bottom, z.c1 - bottom, z.c2 - bottom, z.c3 - bottom};
+    volumes[cell] = bilinear_patch::volume(at(q.data(), corners), at(q.data() + n, corners), z);
+  }
+  if (bottom_) bottom_->subtract_volumes(plan(q), volumes.data());
+  for (std::size_t cell = 0; cell < volumes.size(); ++cell) f[cell] = volumes[cell] - volume_[cell];
+}
+
+double Model::mass() const {
+  CompensatedSum sum;
+  for (const double m : masses_.mass()) sum.add(m);
+  return sum.value();
+}
+
+std::array<double, 2> Model::momentum(Input q, Input u) const {
+  const std::size_t n = nodes();
+  if (bottom_) find_normals(q, other_normals_);
+  CompensatedSum along_x;
+  CompensatedSum along_y;
+  for (std::size_t k = 0; k < n; ++k) {
+    double across = 0;
+    if (bottom_) {
+      across = (1 - settings_.inertia) *
+               (u[k] * other_normals_.x[k] + u[n + k] * other_normals_.y[k] + u[2 * n + k] * other_normals_.z[k]);
+    }
+    along_x.add(masses_.mass()[k] * (u[k] - (bottom_ ? across * other_normals_.x[k] : 0.0)));
+    along_y.add(masses_.mass()[k] * (u[n + k] - (bottom_ ? across * other_normals_.y[k] : 0.0)));
+  }
+  return {along_x.value(), along_y.value()};
+}
+
+std::array<double, 1> Model::angular_momentum(Input q, Input u) const {
+  const std::size_t n = nodes();
+  CompensatedSum sum;
+  for (std::size_t k = 0; k < n; ++k) sum.add(masses_.mass()[k] * (q[k] * u[n + k] - q[n + k] * u[k]));
+  return {sum.value()};
+}
+
+double Model::kinetic_energy(Input q, Input u) const {
+  const std::size_t n = nodes();
+  if (bottom_) find_normals(q, other_normals_);
+  CompensatedSum sum;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double across =
+        bottom_ ? u[k] * other_normals_.x[k] + u[n + k] * other_normals_.y[k] + u[2 * n + k] * other_normals_.z[k]
+                : u[2 * n + k];
+    const double square = u[k] * u[k] + u[n + k] * u[n + k] + u[2 * n + k] * u[2 * n + k];
+    sum.add(0.5 * masses_.mass()[k] * (square - (1 - settings_.inertia) * across * across));
+  }
+  return sum.value();
+}
+
+double Model::potential_energy(Input q) const {
+  const std::size_t n = nodes();
+  CompensatedSum sum;
+  for (std::size_t cell = 0; cell < shape().cells(); ++cell) {
+    const auto corners = shape().corners(cell);
+    sum.add(bilinear_patch::moment(at(q.data(), corners), at(q.data() + n, corners), at(q.data() + 2 * n, corners)));
+  }
+  return settings_.gravity * sum.value();
+}
+
+void Model::shift_east(mechanics::State& state) {
+  const std::size_t n = nodes();
+  const std::size_t columns = shape().columns;
+  const std::size_t rows = shape().rows;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    shift_rows(std::span(state.q).subspan(axis * n, n), columns + 1);
+    shift_rows(std::span(state.u).subspan(axis * n, n), columns + 1);
+  }
+  shift_rows(lattice_.x, columns + 1);
+  shift_rows(lattice_.y, columns + 1);
+  shift_rows(volume_, columns);
+  for (auto* multipliers : {&state.multipliers, &state.earlier_multipliers}) {
+    if (multipliers->empty()) continue;
+    shift_rows(*multipliers, columns);
+    for (std::size_t j = 0; j < rows; ++j) (*multipliers)[j * columns + columns - 1] = 0;
+  }
+  for (std::size_t j = 0; j <= rows; ++j) {
+    const std::size_t east = shape().node(columns, j);
+    lattice_.x[east] = state.q[east] = lattice_.x[east] + east_width_;
+    state.q[n + east] = lattice_.y[east];
+    state.q[2 * n + east] = 0;
+    // The column that was the east wall had no velocity along x; the one that becomes the west side loses its own.
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      state.u[axis * n + east] = 0;
+      state.u[axis * n + shape().node(0, j)] = 0;
+    }
+  }
+  std::vector<double> defects(shape().cells());
+  constraint_values(state.q, defects);
+  for (std::size_t j = 0; j < rows; ++j) {
+    const std::size_t cell = j * columns + columns - 1;
+    volume_[cell] += defects[cell];
+  }
+  sum_masses();
+}
+
+}  // namespace seiche::dispersive_shallow_water_2d

@@ -1,0 +1,61 @@
+/// Masses of the plan model's nodes, and what sides and bottom leave of their freedom.
+///
+/// A column keeps straight and normal to the bottom: with the bottom's unit normal n below the marker,
+///
+///     T = (m/2) [ |w|^2 - (1 - alpha)(w.n)^2 ],   M = m [I - (1 - alpha) n n^T],   W = [I + (1/alpha - 1) n n^T]/m
+///
+/// On a side W is the inverse of M on the motions that are left: S (S^T M S)^-1 S^T. Velocities that a side prescribes
+/// are imposed by the M-orthogonal projection.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
+#include "seiche/models/plan_lattice/sides.hpp"
+
+namespace seiche::dispersive_shallow_water_2d {
+
+/// Unit normals of the bottom below the nodes.
+struct Normals {
+  std::vector<double> x, y, z;
+};
+
+class NodeMasses {
+ public:
+  /// @param sides  must outlive the object; other parameters of the first lattice
+  NodeMasses(plan_lattice::Shape shape, const plan_lattice::Sides& sides, std::span<const double> x,
+             std::span<const double> y, double inertia);
+
+  [[nodiscard]] std::span<double> mass() { return mass_; }
+  [[nodiscard]] std::span<const double> mass() const { return mass_; }
+  [[nodiscard]] const InverseMasses& inverse() const { return inverse_; }
+  /// Whether W has entries off its diagonal in a row of nodes.
+  [[nodiscard]] bool full(std::size_t row) const { return full_[row] != 0; }
+  [[nodiscard]] bool has_driven_sides() const { return has_driven_sides_; }
+
+  /// W over a level bottom, after the masses changed.
+  void stand_on_level_bottom();
+  /// W over a bottom with these normals.
+  void stand_on(const Normals& normals);
+  /// Turns the normals of driven sides into those of the lattice x, y, and W with them.
+  /// @param normals  of the bottom; null: level
+  void turn_driven_sides(std::span<const double> x, std::span<const double> y, const Normals* normals);
+  /// Imposes what the sides prescribe at this time on the velocities u = (u, v, w).
+  /// @param all  false: only on nodes of driven sides
+  void constrain(std::span<const double> q, double time, const Normals* normals, bool all, std::span<double> u) const;
+
+ private:
+  void set(std::size_t node, double nx, double ny, double nz);
+  void bind(const plan_lattice::BoundNode& bound, double nx, double ny, double nz);
+
+  plan_lattice::Shape shape_;
+  double inertia_;  // alpha
+  std::vector<plan_lattice::BoundNode> bound_;
+  bool has_driven_sides_ = false;
+  std::vector<double> mass_;
+  InverseMasses inverse_;
+  std::vector<char> full_;
+};
+
+}  // namespace seiche::dispersive_shallow_water_2d

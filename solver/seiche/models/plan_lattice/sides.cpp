@@ -1,0 +1,123 @@
+#include "seiche/models/plan_lattice/sides.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace seiche::plan_lattice {
+
+namespace {
+
+/// Directions closer than this are one: far above round-off, far below any bend that is meant.
+constexpr double parallel = 1e-9;
+
+struct Edge {
+  Point direction;  // unit vector
+  [[nodiscard]] Point normal() const { return {direction.y, -direction.x}; }
+};
+
+double cross(Point a, Point b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+Edge edge_between(std::size_t from, std::size_t to, std::span<const double> x, std::span<const double> y) {
+  const Point way{x[to] - x[from], y[to] - y[from]};
+  const double length = std::hypot(way.x, way.y);
+  if (!(length > 0)) {
+    throw std::invalid_argument(
+        fmt::format("nodes {} and {} of a side coincide at ({:g}, {:g})", from, to, x[to], y[to]));
+  }
+  return {{way.x / length, way.y / length}};
+}
+
+/// Nodes of a side in the order of a walk around the lattice with the water on the left.
+struct Walk {
+  const Side* side;
+  std::vector<std::size_t> nodes;
+};
+
+std::array<Walk, 4> walk_around(Shape shape, const Sides& sides) {
+  std::array<Walk, 4> walks{Walk{&sides.south, {}}, Walk{&sides.east, {}}, Walk{&sides.north, {}},
+                            Walk{&sides.west, {}}};
+  for (std::size_t i = 0; i <= shape.columns; ++i) {
+    walks[0].nodes.push_back(shape.node(i, 0));
+    walks[2].nodes.push_back(shape.node(shape.columns - i, shape.rows));
+  }
+  for (std::size_t j = 0; j <= shape.rows; ++j) {
+    walks[1].nodes.push_back(shape.node(shape.columns, j));
+    walks[3].nodes.push_back(shape.node(0, shape.rows - j));
+  }
+  return walks;
+}
+
+void bind(BoundNode& bound, Point normal, const DrivenSide* driven, std::array<std::size_t, 2> chord) {
+  if (bound.directions == 2) return;
+  if (bound.directions == 1 && std::abs(cross(bound.normal[0], normal)) < parallel) return;
+  bound.normal[bound.directions] = normal;
+  bound.driven[bound.directions] = driven;
+  bound.chord[bound.directions] = chord;
+  ++bound.directions;
+}
+
+void hold(BoundNode& bound) {
+  bound = {.node = bound.node, .directions = 2, .normal = {Point{1, 0}, Point{0, 1}}, .driven = {}, .chord = {}};
+}
+
+}  // namespace
+
+Point chord_normal(const std::array<std::size_t, 2>& chord, std::span<const double> x, std::span<const double> y) {
+  return edge_between(chord[0], chord[1], x, y).normal();
+}
+
+std::vector<BoundNode> bound_nodes(Shape shape, const Sides& sides, std::span<const double> x,
+                                   std::span<const double> y) {
+  std::vector<BoundNode> all(shape.nodes());
+  for (std::size_t k = 0; k < all.size(); ++k) all[k].node = k;
+  const auto require_no_outward_bend = [&](Point before, Point after, std::size_t node) {
+    if (cross(before, after) < -parallel) {
+      throw std::invalid_argument(
+          fmt::format("the wall bends outwards at ({:g}, {:g}), node {}; allowed: interior "
+                      "angles of at most 180 degrees, or a held side",
+                      x[node], y[node], node));
+    }
+  };
+  const auto walks = walk_around(shape, sides);
+  for (std::size_t s = 0; s < walks.size(); ++s) {
+    const auto& [side, nodes] = walks[s];
+    if (std::holds_alternative<FreeSide>(*side)) continue;
+    if (std::holds_alternative<HeldSide>(*side)) {
+      for (const std::size_t k : nodes) hold(all[k]);
+      continue;
+    }
+    const auto* driven = std::get_if<DrivenSide>(side);
+    if (driven != nullptr && !driven->velocity) {
+      throw std::invalid_argument("a driven side has no velocity; allowed: a function of place and time");
+    }
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const std::size_t before = nodes[k == 0 ? 0 : k - 1];
+      const std::size_t after = nodes[std::min(k + 1, nodes.size() - 1)];
+      if (driven != nullptr) {
+        const std::array chord{before, after};
+        bind(all[nodes[k]], chord_normal(chord, x, y), driven, chord);
+        continue;
+      }
+      if (k > 0) bind(all[nodes[k]], edge_between(before, nodes[k], x, y).normal(), nullptr, {});
+      if (k + 1 < nodes.size()) bind(all[nodes[k]], edge_between(nodes[k], after, x, y).normal(), nullptr, {});
+      if (k > 0 && k + 1 < nodes.size()) {
+        require_no_outward_bend(edge_between(before, nodes[k], x, y).direction,
+                                edge_between(nodes[k], after, x, y).direction, nodes[k]);
+      }
+    }
+    const Walk& next = walks[(s + 1) % walks.size()];
+    if (driven == nullptr && std::holds_alternative<WallSide>(*next.side)) {
+      require_no_outward_bend(edge_between(nodes[nodes.size() - 2], nodes.back(), x, y).direction,
+                              edge_between(next.nodes[0], next.nodes[1], x, y).direction, nodes.back());
+    }
+  }
+  std::erase_if(all, [](const BoundNode& bound) { return bound.directions == 0; });
+  return all;
+}
+
+}  // namespace seiche::plan_lattice

@@ -1,0 +1,89 @@
+/// A lattice of water seen from above, and what bounds it: common to the models of waves in three dimensions.
+///
+/// columns x rows cells; node (i, j), i = 0..columns, j = 0..rows, has index j (columns + 1) + i; x grows with i and y
+/// with j, so that the corners of cell (i, j), index j columns + i, go around anticlockwise:
+///
+///     3 = (i, j+1)   2 = (i+1, j+1)                  north
+///     0 = (i, j)     1 = (i+1, j)             west          east
+///                                                    south
+///
+/// z is the elevation above still water, so that a lake at rest has multipliers 0 and stays at rest bit by bit.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "seiche/geometry/curve.hpp"
+
+namespace seiche::plan_lattice {
+
+struct Place {
+  double x = 0;
+  double y = 0;
+  double z = 0;  ///< elevation above still water
+};
+
+/// A vertical wall along the polygon of the side's first nodes. Nodes slide along straight parts and are held where the
+/// wall bends inwards (interior angle below 180 degrees). Bends outwards are not possible.
+struct WallSide {};
+
+/// Nodes keep their places in plan and go up and down: any curved wall, and the rear of a moving window.
+struct HeldSide {};
+
+/// A wall that follows a given flow: nodes have its velocity along the normal of the chord between their neighbours,
+/// and slide along the chord. Lets a known wave in.
+struct DrivenSide {
+  std::function<Point(Place place, double time)> velocity;  ///< horizontal [m/s]
+};
+
+/// Nothing holds the nodes.
+struct FreeSide {};
+
+using Side = std::variant<WallSide, HeldSide, DrivenSide, FreeSide>;
+
+struct Sides {
+  Side west = WallSide{};
+  Side east = WallSide{};
+  Side south = WallSide{};
+  Side north = WallSide{};
+};
+
+/// Numbers of the nodes and cells of a lattice.
+struct Shape {
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+
+  [[nodiscard]] std::size_t nodes() const { return (columns + 1) * (rows + 1); }
+  [[nodiscard]] std::size_t cells() const { return columns * rows; }
+  [[nodiscard]] std::size_t node(std::size_t i, std::size_t j) const { return j * (columns + 1) + i; }
+  /// Corners 0, 1, 2, 3 of a cell.
+  [[nodiscard]] std::array<std::size_t, 4> corners(std::size_t cell) const {
+    const std::size_t corner = node(cell % columns, cell / columns);
+    return {corner, corner + 1, corner + columns + 2, corner + columns + 1};
+  }
+};
+
+/// What the sides forbid a node: its horizontal velocity along one direction, or along two.
+struct BoundNode {
+  std::size_t node = 0;
+  std::size_t directions = 0;                         ///< 1 or 2
+  std::array<Point, 2> normal{};                      ///< unit vectors; of driven sides those of the first lattice
+  std::array<const DrivenSide*, 2> driven{};          ///< null: at rest along that normal
+  std::array<std::array<std::size_t, 2>, 2> chord{};  ///< of driven sides: neighbours on the side
+};
+
+/// The nodes that sides bind, in ascending order. `sides` must outlive the result.
+///
+/// Throws std::invalid_argument: a wall that bends outwards (with the place), a side whose nodes coincide, a driven
+/// side without a velocity.
+std::vector<BoundNode> bound_nodes(Shape shape, const Sides& sides, std::span<const double> x,
+                                   std::span<const double> y);
+
+/// Unit normal of the chord between two nodes.
+Point chord_normal(const std::array<std::size_t, 2>& chord, std::span<const double> x, std::span<const double> y);
+
+}  // namespace seiche::plan_lattice
