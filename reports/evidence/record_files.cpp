@@ -12,7 +12,24 @@ namespace seiche::evidence {
 namespace {
 
 constexpr std::array role_names{"exact", "computed", "peer", "data", "guide", "bed", "water"};
-constexpr std::array style_names{"line", "points", "steps", "fill", "vertical"};
+constexpr std::array style_names{"line", "points", "steps", "fill", "vertical", "surface", "plan"};
+
+void write_series(io::Hdf5File& file, const std::string& path, const Series& series, const Axes& axes) {
+  file.group(path);
+  file.attribute(path, "label", series.label);
+  file.attribute(path, "role", std::string_view(role_names.at(static_cast<std::size_t>(series.role))));
+  file.attribute(path, "style", std::string_view(style_names.at(static_cast<std::size_t>(series.style))));
+  if (series.row_points > 0) {
+    const std::array<std::size_t, 2> shape{series.x.size() / series.row_points, series.row_points};
+    file.array(path + "/x", series.x, shape, axes.x, "see name", "points of the lattice, row by row");
+    file.array(path + "/y", series.y, shape, axes.y, "see name", "points of the lattice, row by row");
+    file.array(path + "/z", series.z, shape, axes.z, "see name", series.label);
+    return;
+  }
+  file.array(path + "/x", series.x, axes.x, "see name", series.style == Style::steps ? "cell edges" : "abscissa");
+  file.array(path + "/y", series.y, axes.y, "see name", series.label);
+  if (!series.y_error.empty()) file.array(path + "/y_error", series.y_error, axes.y, "see name", "half-width");
+}
 
 void write_panel(io::Hdf5File& file, const std::string& path, const Panel& panel) {
   const Axes& axes = panel.axes();
@@ -23,21 +40,23 @@ void write_panel(io::Hdf5File& file, const std::string& path, const Panel& panel
   file.attribute(path, "log_x", axes.log_x ? 1 : 0);
   file.attribute(path, "log_y", axes.log_y ? 1 : 0);
   file.attribute(path, "aspect", std::string_view(axes.equal_aspect ? "equal" : "auto"));
-  const std::array<std::pair<const char*, const std::optional<double>*>, 4> limits{
-      {{"x_min", &axes.x_min}, {"x_max", &axes.x_max}, {"y_min", &axes.y_min}, {"y_max", &axes.y_max}}};
-  for (const auto& [name_of, limit] : limits) {
-    if (*limit) file.attribute(path, name_of, **limit);
+  if (!axes.z.empty()) file.attribute(path, "z_label", axes.z);
+  if (axes.polar) file.attribute(path, "polar", 1);
+  const std::array<std::pair<const char*, const std::optional<double>*>, 9> numbers{
+      {{"x_min", &axes.x_min},
+       {"x_max", &axes.x_max},
+       {"y_min", &axes.y_min},
+       {"y_max", &axes.y_max},
+       {"z_min", &axes.z_min},
+       {"z_max", &axes.z_max},
+       {"azimuth", &axes.view.azimuth},
+       {"elevation", &axes.view.elevation},
+       {"exaggeration", &axes.view.exaggeration}}};
+  for (const auto& [name_of, number] : numbers) {
+    if (*number) file.attribute(path, name_of, **number);
   }
   for (std::size_t k = 0; k < panel.series().size(); ++k) {
-    const Series& series = panel.series()[k];
-    const std::string here = fmt::format("{}/series_{:02}", path, k);
-    file.group(here);
-    file.attribute(here, "label", series.label);
-    file.attribute(here, "role", std::string_view(role_names.at(static_cast<std::size_t>(series.role))));
-    file.attribute(here, "style", std::string_view(style_names.at(static_cast<std::size_t>(series.style))));
-    file.array(here + "/x", series.x, axes.x, "see name", series.style == Style::steps ? "cell edges" : "abscissa");
-    file.array(here + "/y", series.y, axes.y, "see name", series.label);
-    if (!series.y_error.empty()) file.array(here + "/y_error", series.y_error, axes.y, "see name", "half-width");
+    write_series(file, fmt::format("{}/series_{:02}", path, k), panel.series()[k], axes);
   }
 }
 

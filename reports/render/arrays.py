@@ -51,7 +51,7 @@ def _group_digest(group):
 
 
 def read_figure(path, figure_id):
-    """The panels of one figure as dictionaries: attributes, and series with float arrays x, y (and y_error)."""
+    """The panels of one figure as dictionaries: attributes, and series with float arrays x, y (and y_error, or z)."""
     import h5py
     import numpy
     with h5py.File(path, "r") as file:
@@ -65,7 +65,8 @@ def read_figure(path, figure_id):
                 node = group[panel_name][series_name]
                 series = attributes(node)
                 for name, data in node.items():
-                    series[name] = numpy.asarray(data[()], dtype=float).ravel()
+                    values = numpy.asarray(data[()], dtype=float)
+                    series[name] = values if series.get("style") in ("surface", "plan") else values.ravel()
                 panel["series"].append(series)
             figure["panels"].append(panel)
     return figure

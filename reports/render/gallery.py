@@ -33,7 +33,8 @@ def survey(directory, record, store):
 
 def draw_all(directory, records, surveys, store, jobs):
     """Draws what the cache does not hold. Returns {(record stem, figure id): Drawn}."""
-    sources = ("figures.py", "panels.py", "looks.py", "arrays.py", "seiche.mplstyle")
+    sources = ("figures.py", "panels.py", "legends.py", "lattices.py", "scene.py", "surfaces.py", "looks.py",
+               "arrays.py", "seiche.mplstyle")
     style = digest(source_digest(*sources), _version("matplotlib"))
     drawn, missing = {}, {}
     for record in records:

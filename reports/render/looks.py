@@ -12,6 +12,8 @@ MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
 INK, GREY = "#1d1d1b", "#8a867e"
 WATER, WATER_LINE = "#d3e6f1", "#2f7ba8"
 BED, BED_LINE = "#c9bfb2", "#6f6255"
+DEPTHS = ["#eef5f8", "#bcdcec", "#7dbadb", "#3f8bb8", "#1f6093", "#123f66"]       # of heights, darker evenly
+SIGNED = ["#7a3a06", "#d08a3e", "#f0d2a8", "#f6f6f3", "#a9d0e6", "#3b86b8", "#0f3f6b"]
 
 
 class Looks:
@@ -23,7 +25,7 @@ class Looks:
             for series in panel["series"]:
                 role = series.get("role", "computed")
                 key = self.key(series)
-                if key in self._looks:
+                if key in self._looks or series.get("style") in ("surface", "plan"):
                     continue
                 # Peers continue the colours of what was computed; lines and markers of one role count together.
                 family = {"peer": "computed"}.get(role, role)

@@ -1,15 +1,16 @@
 """The general drawing: panels of series, each series with a role (what it is) and a style (how it is drawn)."""
 import math
-import re
 
 import matplotlib.pyplot
 import matplotlib.ticker
 import numpy
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 
 from render.figures import drawing
+from render.lattices import colour_bar, kind, plan, share_heights
+from render.layout import columns_of, given, height, ratio, share_limits, span_of
+from render.legends import handles, labels, legend_columns, own_legend, safe, shared_legend
 from render.looks import Looks
+from render.surfaces import surfaces
 
 WIDTH = 7.4                     # inches: the width of the page's text block
 MANY = 5000                     # points above which a series is thinned (lines) or rasterised (markers)
@@ -22,95 +23,92 @@ def panels(figure, small):
     if not shown:
         raise ValueError("the figure has no panels")
     looks = Looks(shown)
-    _share_limits(shown)
+    share_limits(shown)
+    share_heights(shown)
     if small:
         return _stamp(shown, looks)
-    columns = _columns(shown)
+    columns = columns_of(shown)
     rows = math.ceil(len(shown) / columns)
-    shared = _shared_legend(shown)
+    shared = shared_legend(shown)
     width = WIDTH
-    heights = [max(_height(panel, width / columns, len(shown)) for panel in shown[row * columns:(row + 1) * columns])
+    heights = [max(height(panel, width / columns, len(shown)) for panel in shown[row * columns:(row + 1) * columns])
                for row in range(rows)]
-    legend_lines = math.ceil(len(shared) / _legend_columns(shared)) if shared else 0
+    legend_lines = math.ceil(len(shared) / legend_columns(shared)) if shared else 0
     legend_height = 0.22 * legend_lines + (0.06 if shared else 0)
-    below = [0.2 * math.ceil(len(_labels(panel)) / 2) if not shared and len(_labels(panel)) > 6 else 0
+    below = [0.2 * math.ceil(len(labels(panel)) / 2) if not shared and len(labels(panel)) > 6 else 0
              for panel in shown]
     total = sum(heights) + legend_height + max(below)
-    canvas, axes = matplotlib.pyplot.subplots(rows, columns, figsize=(width, total), squeeze=False,
-                                              gridspec_kw={"height_ratios": heights})
+    canvas = matplotlib.pyplot.figure(figsize=(width, total))
+    axes = _axes(canvas, shown, rows, columns, height_ratios=heights)
     canvas.set_layout_engine("constrained", rect=(0, legend_height / total, 1, 1 - legend_height / total),
                              w_pad=0.06, h_pad=0.05, wspace=0.04, hspace=0.05)
-    for axis in axes.flat[len(shown):]:
-        axis.set_visible(False)
-    for axis, panel in zip(axes.flat, shown):
+    for axis, panel in zip(axes, shown):
         _draw_panel(axis, panel, looks)
         _text(axis, panel)
-        if not shared and _labels(panel):
-            _own_legend(axis, panel, looks)
+        if not shared and labels(panel):
+            own_legend(axis, panel, looks)
     for name in ("x_label", "y_label"):      # said once where all panels say the same
-        if len({panel.get(name, "") for panel in shown}) == 1:
-            for position, axis in enumerate(axes.flat[:len(shown)]):
+        if len({panel.get(name, "") for panel in shown}) == 1 and {kind(panel) for panel in shown} <= {"plain", "plan"}:
+            for position, axis in enumerate(axes):
                 if name == "y_label" and position % columns:
                     axis.set_ylabel("")
                 if name == "x_label" and position + columns < len(shown):
                     axis.set_xlabel("")
+    _colour_bars(canvas, axes, shown)
     if shared:
-        canvas.legend(*_handles(shared, looks), loc="lower center", ncol=_legend_columns(shared),
+        canvas.legend(*handles(shared, looks), loc="lower center", ncol=legend_columns(shared),
                       bbox_to_anchor=(0.5, 0), borderaxespad=0.15)
     return canvas
+
+
+def _axes(canvas, shown, rows, columns, **proportions):
+    """Axes for the panels, row by row."""
+    grid = canvas.add_gridspec(rows, columns, **proportions)
+    return [canvas.add_subplot(grid[divmod(position, columns)], projection="polar" if kind(panel) == "polar" else None)
+            for position, panel in enumerate(shown)]
+
+
+def _colour_bars(canvas, axes, shown):
+    """One colour bar for all plans of the same height and range."""
+    ranges = {}
+    for axis, panel in zip(axes, shown):
+        if kind(panel) == "plan":
+            ranges.setdefault((panel.get("z_label", ""), panel["z_min"], panel["z_max"]), []).append((axis, panel))
+    for (label, _, _), plans in ranges.items():
+        colour_bar(canvas, [axis for axis, _ in plans], plans[0][1], safe(label))
 
 
 def _stamp(shown, looks):
     """The first panels without any text."""
     shown = shown[:6]
-    columns = 3 if len(shown) > 4 else _columns(shown)
+    columns = 3 if len(shown) > 4 else columns_of(shown)
     rows = math.ceil(len(shown) / columns)
-    canvas, axes = matplotlib.pyplot.subplots(rows, columns, figsize=(3.0, 1.95), squeeze=False)
+    canvas = matplotlib.pyplot.figure(figsize=(3.0, 1.95))
+    axes = _axes(canvas, shown, rows, columns)
     canvas.set_layout_engine("constrained", w_pad=0.03, h_pad=0.03, wspace=0.03, hspace=0.03)
-    for axis in axes.flat[len(shown):]:
-        axis.set_visible(False)
-    for axis, panel in zip(axes.flat, shown):
-        _draw_panel(axis, panel, looks)
+    for axis, panel in zip(axes, shown):
+        _draw_panel(axis, panel, looks, small=True)
         axis.tick_params(which="both", labelbottom=False, labelleft=False, length=1.5)
         axis.minorticks_off()
     return canvas
 
 
-def _share_limits(shown):
-    """Panels of the same quantity over similar ranges, such as frames in time, get the same axes."""
-    for axis in "xy":
-        ranges = [_range(panel, axis) for panel in shown]
-        kinds = {(panel.get(f"{axis}_label"), panel.get(f"log_{axis}")) for panel in shown}
-        given = any(_finite(panel.get(f"{axis}_{end}")) for panel in shown for end in ("min", "max"))
-        if len(shown) < 2 or len(kinds) > 1 or given or shown[0].get(f"log_{axis}"):
-            continue
-        low, high = min(r[0] for r in ranges), max(r[1] for r in ranges)
-        if not high - low <= 1.8 * max(r[1] - r[0] for r in ranges) or high == low:
-            continue
-        room = (0.06 if axis == "y" else 0.015) * (high - low)
-        grounded = any(series.get("role") in ("water", "bed") for panel in shown for series in panel["series"])
-        for panel in shown:
-            panel[f"{axis}_max"] = high + room
-            if not (axis == "y" and grounded):
-                panel[f"{axis}_min"] = low - room
-
-
-def _range(panel, axis):
-    """Smallest and largest finite coordinate of a panel's series."""
-    values = numpy.concatenate([series[axis] for series in panel["series"]
-                                if axis in series and not (axis == "y" and series.get("style") == "vertical")]
-                               or [numpy.empty(0)])
-    values = values[numpy.isfinite(values)]
-    return values.min(initial=math.inf), values.max(initial=-math.inf)
-
-
-def _draw_panel(axis, panel, looks):
+def _draw_panel(axis, panel, looks, small=False):
+    if kind(panel) == "surface":
+        surfaces(axis, panel, small)
+        return
+    if kind(panel) == "polar":
+        _polar(axis, panel, looks, small)
+        return
     if panel.get("log_x"):
         axis.set_xscale("log")
     if panel.get("log_y"):
         axis.set_yscale("log")
     later = []
     for series in panel["series"]:
+        if series.get("style") == "plan":
+            plan(axis, panel, series)
+            continue
         if series.get("style") == "fill" or (series.get("style") == "steps" and series.get("role") in ("water", "bed")):
             later.append(series)
         _draw_series(axis, series, looks.of(series))
@@ -121,17 +119,50 @@ def _draw_panel(axis, panel, looks):
         _fill(axis, series, looks.of(series), base)
     axis.set_xlim(limits[0])
     axis.set_ylim(limits[1])
-    if panel.get("aspect") == "equal" and not (panel.get("log_x") or panel.get("log_y")):
+    equal = panel.get("aspect") == "equal" or kind(panel) == "plan"
+    if equal and not (panel.get("log_x") or panel.get("log_y")):
         axis.set_aspect("equal", adjustable="box")
-        ticks = 2 if (_ratio(panel) or 1) > 6 else 4
+        ticks = 2 if (ratio(panel) or 1) > 6 else 4
         axis.yaxis.set_major_locator(matplotlib.ticker.MaxNLocator(ticks, steps=[1, 2, 2.5, 5, 10]))
     if panel.get("log_x") or panel.get("log_y"):
         axis.grid(True, which="major")
         _log_ticks(axis, panel)
 
 
+def _polar(axis, panel, looks, small):
+    """Distances against directions; of a quarter or half of the circle only that sector."""
+    for series in panel["series"]:
+        if series.get("style", "line") not in ("line", "points"):
+            raise ValueError(f"a polar panel shows lines and points, not {series['style']}")
+        _draw_series(axis, {**series, "x": numpy.radians(series["x"])}, looks.of(series))
+    low, high = span_of(panel, "x")
+    low, high = panel.get("x_min", low), panel.get("x_max", high)
+    for sector in (90, 180):
+        if -1e-9 <= low and high <= sector * (1 + 1e-9):
+            axis.set_thetalim(0, math.radians(sector))
+            break
+    else:
+        sector = 360
+    for name, which in (("y_min", "bottom"), ("y_max", "top")):
+        if given(panel.get(name)):
+            axis.set_ylim(**{which: panel[name]})
+    axis.yaxis.set_major_locator(matplotlib.ticker.MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))
+    axis.grid(True)
+    if small:
+        return
+    axis.set_title(safe(panel.get("title", "")), y=1.1)
+    axis.set_xlabel(safe(panel.get("y_label", "")), labelpad=4 if sector == 360 else 14)
+    place = math.radians(45 if sector < 360 else -45)
+    axis.annotate(safe(panel.get("x_label", "")), (place, axis.get_ylim()[1]),
+                  (36 * math.cos(place), 36 * math.sin(place)), textcoords="offset points", ha="center", va="center",
+                  rotation=-math.degrees(place), annotation_clip=False)
+
+
 def _text(axis, panel):
-    axis.set_title(safe(panel.get("title", "")))
+    if kind(panel) == "polar":
+        return
+    # The label of a surface's heights stands at the top of its panel, where the title would be.
+    axis.set_title(safe(panel.get("title", "")), pad=18 if kind(panel) == "surface" else None)
     axis.set_xlabel(safe(panel.get("x_label", "")))
     axis.set_ylabel(safe(panel.get("y_label", "")))
 
@@ -173,7 +204,7 @@ def _points(axis, series, look):
              "markerfacecolor": look["color"] if filled else "white", "markeredgewidth": 0.8 if len(x) <= 400 else 0,
              "zorder": look["zorder"] + 0.5}
     if error is not None:
-        axis.errorbar(x, y, yerr=error, elinewidth=0.7, **style)
+        axis.errorbar(x, y, yerr=error, elinewidth=0.7, capsize=0 if axis.name == "polar" else None, **style)
     else:
         axis.plot(x, y, rasterized=len(x) > MANY, **style)
 
@@ -194,7 +225,10 @@ def _fill(axis, series, look, base):
 def _limits(axis, panel):
     axis.autoscale_view()
     low, high = axis.get_ylim()
-    if any(series.get("style") == "points" for series in panel["series"]):
+    if kind(panel) == "plan":
+        axis.margins(0)
+        axis.autoscale_view()
+    elif any(series.get("style") == "points" for series in panel["series"]):
         axis.margins(x=0.03)       # no marker is cut in half
         axis.autoscale_view()
     styled = [series for series in panel["series"] if series.get("role") in ("water", "bed")]
@@ -205,15 +239,11 @@ def _limits(axis, panel):
         else:
             axis.set_ylim(min(low, floor, 0), high)                           # water stands on its bottom
     for name, which in (("x_min", "left"), ("x_max", "right")):
-        if _finite(panel.get(name)):
+        if given(panel.get(name)):
             axis.set_xlim(**{which: panel[name]})
     for name, which in (("y_min", "bottom"), ("y_max", "top")):
-        if _finite(panel.get(name)):
+        if given(panel.get(name)):
             axis.set_ylim(**{which: panel[name]})
-
-
-def _finite(value):
-    return isinstance(value, (int, float)) and math.isfinite(value)
 
 
 def _log_ticks(axis, panel):
@@ -230,94 +260,6 @@ def _log_ticks(axis, panel):
                 which.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:g}"))
 
 
-def _labels(panel):
-    """Labelled series of a panel, each label and look once."""
-    unique = {}
-    for series in panel["series"]:
-        if series.get("label", "").strip():
-            unique.setdefault(Looks.key(series), series)
-    return list(unique.values())
-
-
-def _shared_legend(shown):
-    """Labelled series for one legend below, when panels share most of their labels or a single one cannot hold it."""
-    if len(shown) == 1:
-        labels = _labels(shown[0])
-        return labels if len(labels) > 6 or (labels and (_ratio(shown[0]) or 0) > 2) else []
-    sets = [frozenset(map(Looks.key, _labels(panel))) for panel in shown]
-    union = frozenset().union(*sets)
-    if not union or len(union) > 12 or sum(map(len, sets)) < 0.6 * len(union) * len([s for s in sets if s]):
-        return []
-    unique = {}
-    for panel in shown:
-        for series in _labels(panel):
-            unique.setdefault(Looks.key(series), series)
-    return list(unique.values())
-
-
-def _legend_columns(series):
-    longest = max(len(one["label"]) for one in series)
-    return max(1, min(len(series), int(105 / (longest + 9))))
-
-
-def _handles(series, looks):
-    return [_handle(one, looks.of(one)) for one in series], [safe(one["label"]) for one in series]
-
-
-def _handle(series, look):
-    style = series.get("style", "line")
-    if style == "fill" or (style == "steps" and "face" in look):
-        return Patch(facecolor=look.get("face", look["color"]), edgecolor=look["color"], linewidth=0.8)
-    if style == "points" and series.get("role") != "guide":
-        filled = look["filled"] or len(series["x"]) > 400
-        return Line2D([], [], linestyle="none", marker=look["marker"], markersize=4.2, color=look["color"],
-                      markerfacecolor=look["color"] if filled else "white", markeredgewidth=0.8)
-    return Line2D([], [], color=look["color"], linewidth=look["linewidth"], linestyle=look["linestyle"])
-
-
-def _own_legend(axis, panel, looks):
-    labelled = _labels(panel)
-    if len(labelled) > 6:
-        axis.legend(*_handles(labelled, looks), loc="upper center", bbox_to_anchor=(0.5, -0.17),
-                    ncol=min(3, _legend_columns(labelled)))
-    else:
-        axis.legend(*_handles(labelled, looks), loc="best")
-
-
-def _columns(shown):
-    count = len(shown)
-    widest = max((_ratio(panel) or 0) for panel in shown)
-    if count == 1 or widest > 5:
-        return 1
-    if count == 3 and widest < 1.6:
-        return 3
-    quantities = [panel.get("y_label", "") for panel in shown]
-    if count % 2 == 0 and quantities[0] != quantities[1] and quantities == quantities[:2] * (count // 2):
-        return 2                              # two quantities at several times: a row per time
-    return 2 if count <= 6 else 3
-
-
-def _ratio(panel):
-    """Width over height of the data of an equal-aspect panel, or None."""
-    if panel.get("aspect") != "equal":
-        return None
-    spans = []
-    for axis in "xy":
-        least, most = _range(panel, axis)
-        low = panel.get(f"{axis}_min") if _finite(panel.get(f"{axis}_min")) else least
-        high = panel.get(f"{axis}_max") if _finite(panel.get(f"{axis}_max")) else most
-        spans.append(high - low)
-    return spans[0] / (1.1 * spans[1]) if spans[0] > 0 and spans[1] > 0 else None
-
-
-def _height(panel, width, count):
-    ratio = _ratio(panel)
-    labels = 0.62 if count > 1 else 0.55
-    if ratio:
-        return min(6.5, max(0.55, (width - 0.65) / ratio) + labels)
-    return 3.7 if count == 1 else 0.72 * width if count <= 4 else 0.8 * width
-
-
 def thin(x, y, limit=MANY):
     """At most about `limit` points of a curve, keeping the extremes of every stretch."""
     if len(x) <= limit:
@@ -331,16 +273,3 @@ def thin(x, y, limit=MANY):
             keep.update((finite[numpy.argmin(y[finite])], finite[numpy.argmax(y[finite])]))
     order = numpy.array(sorted(keep))
     return x[order], y[order]
-
-
-def safe(text):
-    """A label that mathtext can set: formulas are kept when they parse, dollars are printed otherwise."""
-    text = str(text)
-    if "$" in text:
-        try:
-            from matplotlib.mathtext import MathTextParser
-            MathTextParser("path").parse(text)
-            return text
-        except Exception:                     # mathtext raises many types
-            return text.replace("$", r"\$")
-    return re.sub(r"\^\{?([-+]?\d+)\}?", r"$^{\1}$", text)

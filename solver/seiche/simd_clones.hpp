@@ -9,3 +9,10 @@
 #else
 #define SEICHE_SIMD_CLONES
 #endif
+
+/// SEICHE_INLINE before a small function that such loops call: inlined into each of the versions, whatever its size.
+#if defined(__GNUC__)
+#define SEICHE_INLINE [[gnu::always_inline]] inline
+#else
+#define SEICHE_INLINE inline
+#endif

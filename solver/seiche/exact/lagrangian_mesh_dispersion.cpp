@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "seiche/exact/frank_dispersion.hpp"
+#include "seiche/exact/layer_response.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
@@ -40,20 +41,7 @@ double LagrangianMeshDispersion::response_of_rows(double wavenumber) const {
   const double half_phase = 0.5 * wavenumber * column_width_;
   const double sine = row_height() * std::sin(half_phase);
   const double cosine = column_width_ * std::cos(half_phase);
-  const auto n = static_cast<double>(rows_);
-  // The factor 1 - T cancels; where T is large all is in r = 1/T, with t_n(T) = t_n(r) = r * ratio.
-  if (sine <= cosine) {
-    const double t = sine / cosine;
-    const double t_n = std::tanh(2 * n * std::atanh(t));
-    const double q = std::pow((1 - t) / (1 + t), 2 * n - 1);
-    const double p = q * (1 - t) / (1 + t);
-    return t * (1 + t) * t_n / ((1 + q) / (1 + p) + 2 * inertia_ * t * (1 + t) * t_n);
-  }
-  const double r = cosine / sine;
-  const double ratio = r == 0 ? 2 * n : std::tanh(2 * n * std::atanh(r)) / r;
-  const double q = std::pow((1 - r) / (1 + r), 2 * n - 1);
-  const double p = q * (1 - r) / (1 + r);
-  return (1 + r) * ratio / (r * (1 - q) / (1 + p) + 2 * inertia_ * (1 + r) * ratio);
+  return layer_response(sine, cosine, rows_, inertia_);
 }
 
 double LagrangianMeshDispersion::frequency(double wavenumber) const {

@@ -17,6 +17,8 @@
 /// Everything is inline and without branches, for use in vectorised loops.
 #pragma once
 
+#include "seiche/simd_clones.hpp"
+
 namespace seiche::bilinear_patch {
 
 /// One number for each corner.
@@ -29,7 +31,7 @@ struct CornerVectors {
   Corners x, y, z;
 };
 
-inline Corners jacobians(const Corners& x, const Corners& y) {
+SEICHE_INLINE Corners jacobians(const Corners& x, const Corners& y) {
   const double j0 = (x.c1 - x.c0) * (y.c3 - y.c0) - (y.c1 - y.c0) * (x.c3 - x.c0);
   const double j1 = (x.c2 - x.c1) * (y.c0 - y.c1) - (y.c2 - y.c1) * (x.c0 - x.c1);
   const double j2 = (x.c3 - x.c2) * (y.c1 - y.c2) - (y.c3 - y.c2) * (x.c1 - x.c2);
@@ -38,12 +40,12 @@ inline Corners jacobians(const Corners& x, const Corners& y) {
 }
 
 /// z_{a-1} + z_a + z_{a+1}.
-inline Corners threes(const Corners& z) {
+SEICHE_INLINE Corners threes(const Corners& z) {
   const double all = z.c0 + z.c1 + z.c2 + z.c3;
   return {all - z.c2, all - z.c3, all - z.c0, all - z.c1};
 }
 
-inline Corners quadratics(const Corners& z) {
+SEICHE_INLINE Corners quadratics(const Corners& z) {
   const auto one = [](double a, double next, double before, double opposite) {
     const double sides = next + before;
     return (a * (9 * a + 6 * sides + 2 * opposite) + 3 * sides * sides - 4 * next * before +
@@ -55,35 +57,37 @@ inline Corners quadratics(const Corners& z) {
 }
 
 /// sum_b (dJ_b/dx_a) s_b for every corner a, from the y of the corners; with y replaced by -x: the same along y.
-inline Corners along(const Corners& y, const Corners& s) {
+SEICHE_INLINE Corners along(const Corners& y, const Corners& s) {
   return {s.c0 * (y.c1 - y.c3) + s.c3 * (y.c2 - y.c3) + s.c1 * (y.c1 - y.c2),
           s.c1 * (y.c2 - y.c0) + s.c0 * (y.c3 - y.c0) + s.c2 * (y.c2 - y.c3),
           s.c2 * (y.c3 - y.c1) + s.c1 * (y.c0 - y.c1) + s.c3 * (y.c3 - y.c0),
           s.c3 * (y.c0 - y.c2) + s.c2 * (y.c1 - y.c2) + s.c0 * (y.c0 - y.c1)};
 }
 
-inline Corners scaled(double factor, const Corners& s) {
+SEICHE_INLINE Corners scaled(double factor, const Corners& s) {
   return {factor * s.c0, factor * s.c1, factor * s.c2, factor * s.c3};
 }
 
-inline double dot(const Corners& a, const Corners& b) {
+SEICHE_INLINE double dot(const Corners& a, const Corners& b) {
   return a.c0 * b.c0 + a.c1 * b.c1 + a.c2 * b.c2 + a.c3 * b.c3;
 }
 
-inline double volume(const Corners& x, const Corners& y, const Corners& z) {
+SEICHE_INLINE double volume(const Corners& x, const Corners& y, const Corners& z) {
   return dot(jacobians(x, y), threes(z)) / 12;
 }
 
-inline double moment(const Corners& x, const Corners& y, const Corners& z) {
+SEICHE_INLINE double moment(const Corners& x, const Corners& y, const Corners& z) {
   return dot(jacobians(x, y), quadratics(z)) / 2;
 }
 
-inline CornerVectors volume_gradient(const Corners& x, const Corners& y, const Corners& z, const Corners& jacobian) {
+SEICHE_INLINE CornerVectors volume_gradient(const Corners& x, const Corners& y, const Corners& z,
+                                            const Corners& jacobian) {
   const Corners s = threes(z);
   return {scaled(1.0 / 12, along(y, s)), scaled(-1.0 / 12, along(x, s)), scaled(1.0 / 12, threes(jacobian))};
 }
 
-inline CornerVectors moment_gradient(const Corners& x, const Corners& y, const Corners& z, const Corners& jacobian) {
+SEICHE_INLINE CornerVectors moment_gradient(const Corners& x, const Corners& y, const Corners& z,
+                                            const Corners& jacobian) {
   const Corners q = quadratics(z);
   const double sum = z.c0 + z.c1 + z.c2 + z.c3;
   // d Q_a/dz_a, d Q_{a+1}/dz_a and d Q_{a-1}/dz_a, d Q_{a+2}/dz_a, times 144.

@@ -66,8 +66,7 @@ class OneStep {
       if (model_.fuses_step() && !settings_.measure_residual) {
         fused_multipliers_.resize(constraint_count(model_));
         model_.fused_step(when, state.q, state.u, target, fused_multipliers_);
-        state.multipliers.swap(state.earlier_multipliers);
-        state.multipliers.swap(fused_multipliers_);
+        state.next_multipliers().swap(fused_multipliers_);
         parts_.settle(state, when);
         return;
       }

@@ -19,6 +19,12 @@ std::vector<double> State::nodal_multipliers() const {
   return mean;
 }
 
+std::vector<double>& State::next_multipliers() {
+  earlier_multipliers.swap(earliest_multipliers);
+  multipliers.swap(earlier_multipliers);
+  return multipliers;
+}
+
 namespace {
 
 void require_array(const char* name, const std::vector<double>& values, std::size_t size) {

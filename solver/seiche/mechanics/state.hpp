@@ -1,6 +1,7 @@
 /// State of a constrained mechanical system between two steps.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "seiche/mechanics/constrained_model.hpp"
@@ -16,6 +17,14 @@ struct State {
   /// truth: print nodal_multipliers.
   std::vector<double> multipliers = {};
   std::vector<double> earlier_multipliers = {};
+  std::vector<double> earliest_multipliers = {};  ///< of two steps before, for guesses
+
+  /// The last step's multipliers become earlier ones; returns where those of this step belong.
+  std::vector<double>& next_multipliers();
+  /// The three, from the last step's on: for whoever renumbers cells.
+  [[nodiscard]] std::array<std::vector<double>*, 3> all_multipliers() {
+    return {&multipliers, &earlier_multipliers, &earliest_multipliers};
+  }
 
   /// Mean of the last two multipliers: their value at the beginning of the last step, for equal steps. The last one
   /// alone after the first step or a change of the constraints.

@@ -58,23 +58,30 @@ class StepParts {
     state.time = when.end();
   }
 
-  /// Impulses for an iterative solver to start from: of the mean of the last two steps' multipliers, since single ones
-  /// alternate. Zero for other models.
+  /// Impulses for an iterative solver to start from: the parabola through the last three steps' multipliers, for equal
+  /// steps. Of two the mean, since single ones may alternate. Zero for other models.
   void guess_impulse([[maybe_unused]] const State& state, [[maybe_unused]] double tau, std::vector<double>& impulse) {
     impulse.assign(constraint_count(model_), 0.0);
     if constexpr (requires { requires Model::warm_start; }) {
       const std::vector<double>& last = state.multipliers;
       const std::vector<double>& before = state.earlier_multipliers;
+      const std::vector<double>& first = state.earliest_multipliers;
       if (last.size() != impulse.size() || before.size() != impulse.size()) return;
-      for (std::size_t s = 0; s < impulse.size(); ++s) impulse[s] = 0.25 * tau * (last[s] + before[s]);
+      if (first.size() != impulse.size()) {
+        for (std::size_t s = 0; s < impulse.size(); ++s) impulse[s] = 0.25 * tau * (last[s] + before[s]);
+        return;
+      }
+      for (std::size_t s = 0; s < impulse.size(); ++s) {
+        impulse[s] = 0.5 * tau * (3 * (last[s] - before[s]) + first[s]);
+      }
     }
   }
 
   /// Multipliers of a step of length tau from their impulses.
   static void keep_multipliers(State& state, Input impulse, double tau) {
-    state.multipliers.swap(state.earlier_multipliers);
-    state.multipliers.resize(impulse.size());
-    for (std::size_t s = 0; s < impulse.size(); ++s) state.multipliers[s] = impulse[s] * (2 / tau);
+    std::vector<double>& multipliers = state.next_multipliers();
+    multipliers.resize(impulse.size());
+    for (std::size_t s = 0; s < impulse.size(); ++s) multipliers[s] = impulse[s] * (2 / tau);
   }
 
   void require_finite_rates(const State& state, Input rates) const {

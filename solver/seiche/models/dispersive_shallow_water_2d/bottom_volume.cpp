@@ -114,11 +114,9 @@ void BottomVolume::subtract_edges(CellGradients& gradients) const {
   }
 }
 
-void BottomVolume::subtract_volumes(Places at, double* volumes) const {
-  for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-    const auto [c0, c1, c2, c3] = shape_.corners(cell);
-    volumes[cell] -= edge(at, c0, c1).value + edge(at, c1, c2).value - edge(at, c3, c2).value - edge(at, c0, c3).value;
-  }
+double BottomVolume::volume(Places at, std::size_t cell) const {
+  const auto [c0, c1, c2, c3] = shape_.corners(cell);
+  return edge(at, c0, c1).value + edge(at, c1, c2).value - edge(at, c3, c2).value - edge(at, c0, c3).value;
 }
 
 }  // namespace seiche::dispersive_shallow_water_2d

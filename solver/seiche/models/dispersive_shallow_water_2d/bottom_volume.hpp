@@ -29,8 +29,8 @@ class BottomVolume {
   /// The same with discrete gradients over the segment from q0 to q1: Simpson's mean, corrected along the segment so
   /// that gradient times segment is the difference of the volumes to round-off.
   void subtract_gradients_between(Places q0, Places q1, CellGradients& gradients);
-  /// Subtracts the volumes from those of the cells.
-  void subtract_volumes(Places at, double* volumes) const;
+  /// int b dA over a cell.
+  [[nodiscard]] double volume(Places at, std::size_t cell) const;
 
  private:
   /// E and its derivatives with respect to x_p, y_p, x_q, y_q.

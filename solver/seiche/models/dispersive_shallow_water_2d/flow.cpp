@@ -43,8 +43,9 @@ Flow::Flow(Lattice lattice, const VelocityAt& velocity, Scheme scheme, Settings 
       smooth_start_(smooth_start && scheme.stepping != Stepping::conservative &&
                     scheme.composition == TimeComposition::none && !model_->has_driven_sides()),
       stable_step_(surely_stable_step(*model_)) {
-  if (window_.reach && !std::holds_alternative<plan_lattice::HeldSide>(model_->lattice().sides.west)) {
-    throw std::invalid_argument("a moving window over a west side that is not held; allowed: HeldSide");
+  plan_lattice::require_movable(window_, model_->lattice().sides);
+  if (window_.reach && model_->has_shoreline()) {
+    throw std::invalid_argument("a moving window with a shoreline; allowed: one of them");
   }
   try {
     mechanics::Start(*model_).project(state_);
@@ -58,22 +59,24 @@ void Flow::advance(double tau) {
   mechanics::require_step(tau);
   if (tau > stable_step_) ++beyond_stability_;
   if (state_.steps == 0 && smooth_start_) mechanics::Start(*model_).project_to_smooth(state_, tau);
-  move_window();
-  stepper_->step(state_, tau);
-}
-
-void Flow::move_window() {
-  if (!window_.reach) return;
-  const double reach = window_.reach(state_.time);
-  const std::size_t east = shape().columns;
-  while (reach > x()[east] + (x()[east] - x()[east - 1])) {
-    model_->shift_east(state_);
-    ++shifts_;
+  shifts_ += plan_lattice::follow(window_, shape().columns, *model_, state_);
+  if (!model_->lattice().bottom) {
+    stepper_->step(state_, tau);
+    return;
+  }
+  // A marker may leave an uneven bottom, or touch it, at the end of a step, when the state has changed.
+  before_ = state_;
+  try {
+    stepper_->step(state_, tau);
+  } catch (const Divergence&) {
+    state_ = before_;
+    throw;
   }
 }
 
 void Flow::advance_to(double time, double tau, const std::function<void()>& after_step) {
-  mechanics::equal_steps_to(state_, time, tau, [this](double length) { advance(length); }, after_step);
+  mechanics::equal_steps_to(
+      state_, time, tau, [this](double length) { advance(length); }, after_step);
 }
 
 double Flow::energy() const {

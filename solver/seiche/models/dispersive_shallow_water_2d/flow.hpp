@@ -19,18 +19,14 @@
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
+#include "seiche/models/plan_lattice/window.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
 using mechanics::Scheme;
 using mechanics::Stepping;
 using mechanics::TimeComposition;
-
-/// A window that follows a wave travelling east: before a step, while the water east of the window is not at rest any
-/// more, the west column is dropped and a column at rest appended. The west side must be held.
-struct Window {
-  std::function<double(double time)> reach = {};  ///< x beyond which all is at rest; empty: no window
-};
+using plan_lattice::Window;
 
 class Flow {
  public:
@@ -80,10 +76,10 @@ class Flow {
     const std::size_t n = model_->nodes();
     return {values.data() + index * n, n};
   }
-  void move_window();
 
   std::unique_ptr<Model> model_;
   mechanics::State state_;
+  mechanics::State before_;  // the last step, over uneven bottoms
   std::unique_ptr<mechanics::SchemeStepper<Model>> stepper_;
   std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;
   Window window_;

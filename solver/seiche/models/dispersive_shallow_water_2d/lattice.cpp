@@ -25,8 +25,27 @@ void Lattice::require_valid() const {
       throw std::invalid_argument(fmt::format("{}[{}] = {}; allowed: finite", name, bad - values->begin(), *bad));
     }
   }
+  const auto bottom_below = [this](double at_x, double at_y) {
+    try {
+      return bottom ? bottom->slope(at_x, at_y).elevation : -depth;
+    } catch (const OutsidePlanBottom& outside) {
+      throw std::invalid_argument(outside.what());
+    }
+  };
+  std::vector<char> on_shore(shape.nodes(), 0);
+  for (const auto& edge : plan_lattice::shore_edges(shape, sides)) {
+    if (!bottom) throw std::invalid_argument("a shoreline over a level bottom; allowed: an uneven bottom");
+    for (const std::size_t k : edge) on_shore[k] = 1;
+  }
   for (std::size_t k = 0; k < shape.nodes(); ++k) {
-    const double under = bottom ? bottom->slope(x[k], y[k]).elevation : -depth;
+    const double under = bottom_below(x[k], y[k]);
+    if (on_shore[k] != 0) {
+      if (std::abs(z[k] - under) <= 1e-12) continue;
+      throw std::invalid_argument(
+          fmt::format("z = {:.17g} at ({:g}, {:g}); allowed: the bottom's elevation {:.17g} to "
+                      "1e-12, it is on a shoreline",
+                      z[k], x[k], y[k], under));
+    }
     if (!(z[k] > under)) {
       throw std::invalid_argument(
           fmt::format("z = {:g} at ({:g}, {:g}); allowed: above the bottom, {:g}", z[k], x[k], y[k], under));

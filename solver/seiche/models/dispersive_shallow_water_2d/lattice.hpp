@@ -26,7 +26,7 @@ struct Lattice {
 
   /// Throws std::invalid_argument: fewer than one row or two columns, arrays of other lengths, values that are not
   /// finite, depth not positive, a cell with a corner that is not convex, a marker that is not above the bottom (by
-  /// place).
+  /// place); a shoreline without an uneven bottom, or a marker of it that is off the bottom by more than 1e-12.
   void require_valid() const;
 };
 

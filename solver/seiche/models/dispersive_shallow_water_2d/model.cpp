@@ -45,6 +45,9 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
   places.insert(places.end(), lattice_.y.begin(), lattice_.y.end());
   places.insert(places.end(), lattice_.z.begin(), lattice_.z.end());
   constraint_values(places, volume_);
+  if (!plan_lattice::shore_edges(shape(), lattice_.sides).empty()) {
+    shoreline_.emplace(shape(), lattice_.sides, lattice_.bottom, places);
+  }
   for (std::size_t cell = 0; cell < shape().cells(); ++cell) {
     const auto [c0, c1, c2, c3] = shape().corners(cell);
     const auto j = bilinear_patch::jacobians({places[c0], places[c1], places[c2], places[c3]},
@@ -64,7 +67,9 @@ void Model::sum_masses() {
   const std::span<double> mass = masses_.mass();
   std::fill(mass.begin(), mass.end(), 0.0);
   for (std::size_t cell = 0; cell < shape().cells(); ++cell) {
-    for (const std::size_t k : shape().corners(cell)) mass[k] += 0.25 * volume_[cell];
+    for (const std::size_t k : shape().corners(cell)) {
+      mass[k] += (on_shore(k) ? Shoreline::share_of_mass : 0.25) * volume_[cell];
+    }
   }
   if (!bottom_) masses_.stand_on_level_bottom();
 }
@@ -90,17 +95,21 @@ mechanics::State Model::state(const VelocityAt& velocity) const {
 void Model::find_normals(Input q, Normals& normals) const {
   const std::size_t n = nodes();
   for (auto* along : {&normals.x, &normals.y, &normals.z}) along->resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto b = lattice_.bottom->slope(q[k], q[n + k]);
-    const double length = std::sqrt(1 + b.along_x * b.along_x + b.along_y * b.along_y);
-    normals.x[k] = -b.along_x / length;
-    normals.y[k] = -b.along_y / length;
-    normals.z[k] = 1 / length;
-    if (!(q[2 * n + k] > b.elevation)) {
-      throw mechanics::Infeasible(fmt::format("a marker at ({:g}, {:g}) is {:g} above the bottom (allowed: positive)",
-                                              q[k], q[n + k], q[2 * n + k] - b.elevation),
-                                  q[k]);
+  try {
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto b = lattice_.bottom->slope(q[k], q[n + k]);
+      const double length = std::sqrt(1 + b.along_x * b.along_x + b.along_y * b.along_y);
+      normals.x[k] = -b.along_x / length;
+      normals.y[k] = -b.along_y / length;
+      normals.z[k] = 1 / length;
+      if (!(q[2 * n + k] > b.elevation) && !on_shore(k)) {
+        throw mechanics::Infeasible(fmt::format("a marker at ({:g}, {:g}) is {:g} above the bottom (allowed: positive)",
+                                                q[k], q[n + k], q[2 * n + k] - b.elevation),
+                                    q[k]);
+      }
     }
+  } catch (const OutsidePlanBottom& failure) {
+    throw mechanics::Infeasible(failure.what(), failure.place());
   }
 }
 
@@ -119,6 +128,7 @@ void Model::linearise(Interval when, Input q) {
   try {
     measure(q, 1, false);
     if (bottom_) bottom_->subtract_gradients(plan(q), gradients_);
+    if (shoreline_) shoreline_->push(q, settings_.gravity, push_);
     stand(q);
   } catch (const OutsidePlanBottom& failure) {
     throw mechanics::Infeasible(failure.what(), failure.place());
@@ -139,7 +149,12 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
     measure(q1, 1.0 / 6, true);
     measure(middle_, 4.0 / 6, true);
     if (bottom_) bottom_->subtract_gradients_between(plan(q0), plan(q1), gradients_);
+    if (shoreline_) shoreline_->push_between(q0, q1, settings_.gravity, push_);
     stand(middle_);
+    if (shoreline_) {
+      shoreline_->tilt_between(q0, q1, normals_);
+      masses_.stand_on(normals_);
+    }
   } catch (const OutsidePlanBottom& failure) {
     throw mechanics::Infeasible(failure.what(), failure.place());
   }
@@ -257,38 +272,23 @@ void Model::kick(double h, Output u) const {
   }
 }
 
-void Model::rotate(Input q, bool onto, Output u) const {
+void Model::carry(Input q, bool onto, Output u) const {
   find_normals(q, other_normals_);
-  const std::size_t n = nodes();
-  const Normals& from = onto ? other_normals_ : normals_;
-  const Normals& to = onto ? normals_ : other_normals_;
-  for (std::size_t k = 0; k < n; ++k) {
-    // The rotation about c = n0 x n1: a -> (n0.n1) a + c x a + c (c.a)/(1 + n0.n1).
-    const double cx = from.y[k] * to.z[k] - from.z[k] * to.y[k];
-    const double cy = from.z[k] * to.x[k] - from.x[k] * to.z[k];
-    const double cz = from.x[k] * to.y[k] - from.y[k] * to.x[k];
-    const double d = from.x[k] * to.x[k] + from.y[k] * to.y[k] + from.z[k] * to.z[k];
-    const double ax = u[k];
-    const double ay = u[n + k];
-    const double az = u[2 * n + k];
-    const double along = (cx * ax + cy * ay + cz * az) / (1 + d);
-    u[k] = d * ax + (cy * az - cz * ay) + along * cx;
-    u[n + k] = d * ay + (cz * ax - cx * az) + along * cy;
-    u[2 * n + k] = d * az + (cx * ay - cy * ax) + along * cz;
-  }
+  masses_.carry(onto ? other_normals_ : normals_, onto ? normals_ : other_normals_, u);
 }
 
+// Only nodes of driven sides can have got a forbidden velocity.
 void Model::enter(Input q, Output u) const {
-  if (bottom_) rotate(q, true, u);
-  // On a level bottom only driven nodes can have got a forbidden velocity.
-  if (!bottom_ && !masses_.has_driven_sides()) return;
-  masses_.constrain(q, when_.middle(), normals(), bottom_.has_value(), u);
+  if (bottom_) carry(q, true, u);
+  if (masses_.has_driven_sides()) masses_.constrain(q, when_.middle(), normals(), false, u);
 }
 
 void Model::settle(Interval when, Output q, Output u) const {
-  if (bottom_) rotate(q, false, u);
-  if (!bottom_ && !masses_.has_driven_sides()) return;
-  masses_.constrain(q, when.end(), bottom_ ? &other_normals_ : nullptr, bottom_.has_value(), u);
+  if (shoreline_) shoreline_->land(q);
+  if (bottom_) carry(q, false, u);
+  if (masses_.has_driven_sides()) {
+    masses_.constrain(q, when.end(), bottom_ ? &other_normals_ : nullptr, false, u);
+  }
 }
 
 void Model::constraint_rates(Input u, Output w) const {

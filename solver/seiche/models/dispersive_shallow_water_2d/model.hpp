@@ -4,7 +4,7 @@
 /// volume of every cell between the bilinear surface and the bottom is constant:
 ///
 ///     T  = sum (m/2)[|w|^2 - (1 - alpha)(w.n)^2],   alpha = 1/3,  n = the bottom's normal                     (8, 11)
-///     Pi = g sum of int z^2/2 dA over the bilinear patches                                                        (9)
+///     Pi = g sum of int z^2/2 dA over the bilinear patches (less int b^2/2 dA: shoreline.hpp)                     (9)
 ///     V_s = int z dA - int b dA = const                                                                          (10)
 ///
 /// all per unit density. In one dimension this is dispersive_shallow_water_1d; in the limit of fine cells over a level
@@ -14,12 +14,12 @@
 ///
 /// The class is what mechanics::OneStep and ConservativeStep step: q = (x of all nodes, y, z), u = (u, v, w). Over an
 /// uneven bottom velocities are carried along with the bottom's tangent plane, by the smallest rotation that takes its
-/// normal to the next. It is rarely used alone: see flow.hpp.
+/// normal to the next; along walls by the isometry of what the wall leaves (node_masses.hpp). It is rarely used alone:
+/// see flow.hpp.
 ///
-/// Conserves mass, momentum, and angular momentum about the vertical (no walls, level bottom) to round-off with every
-/// scheme; energy and volumes to round-off with ConservativeStep, also over uneven bottoms: volumes and potential are
-/// polynomials, and Simpson's mean of their gradients is exact. Dispersion in closed form:
-/// exact/plan_dispersion.hpp.
+/// Conserves to round-off: mass and momentum (no walls, level bottom) with every scheme, angular momentum about the
+/// vertical with OneStep, energy and volumes with ConservativeStep, also over uneven bottoms: volumes and potential are
+/// polynomials, and Simpson's mean of their gradients is exact. Dispersion in closed form: exact/plan_dispersion.hpp.
 ///
 /// When not to use it: waves shorter than about two depths; lattices that shear for long, as in steady eddies;
 /// overturning.
@@ -42,6 +42,7 @@
 #include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/node_masses.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/shoreline.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -124,13 +125,15 @@ class Model {
   [[nodiscard]] std::span<const double> node_masses() const { return masses_.mass(); }
   [[nodiscard]] std::span<const double> first_volumes() const { return volume_; }
   [[nodiscard]] bool has_driven_sides() const { return masses_.has_driven_sides(); }
+  [[nodiscard]] bool has_shoreline() const { return shoreline_.has_value(); }
   [[nodiscard]] const linear::NinePointSolver& solver() const { return solver_; }
   /// A of the last linearisation.
   [[nodiscard]] const linear::NinePointMatrix& matrix() const { return matrix_; }
   [[nodiscard]] Corner worst_corner(Input q) const;
 
   /// Drops the west column and puts a column at rest, as wide as the last one was at the beginning, before the east
-  /// side. The west side must be held. State and model change together.
+  /// side. The nodes that become the west side keep their velocities, so that nothing jolts; no force changes those
+  /// that the side forbids. State and model change together.
   void shift_east(mechanics::State& state);
 
  private:
@@ -138,15 +141,17 @@ class Model {
   static constexpr double tolerance_of_sweeps = 1e-3;    // of the correction that a sweep makes; the next one goes on
 
   [[nodiscard]] BottomVolume::Places plan(Input q) const { return {q.data(), q.data() + nodes()}; }
+  [[nodiscard]] double cell_volume(Input q, std::size_t cell) const;
   void sum_masses();
   void find_normals(Input q, Normals& normals) const;
   [[nodiscard]] const Normals* normals() const { return bottom_ ? &normals_ : nullptr; }
   void measure(Input q, double weight, bool add);
   void stand(Input q);
+  [[nodiscard]] bool on_shore(std::size_t node) const { return shoreline_ && shoreline_->marks()[node] != 0; }
   void push_bodies(double time);
   void assemble_and_factor();
   [[noreturn]] void throw_folded(Input q) const;
-  void rotate(Input q, bool onto, Output u) const;
+  void carry(Input q, bool onto, Output u) const;
 
   Interval when_;  // of the last linearisation
   Lattice lattice_;
@@ -157,6 +162,7 @@ class Model {
   double mean_area_ = 0;
   double east_width_ = 0;
   std::optional<BottomVolume> bottom_;
+  std::optional<Shoreline> shoreline_;
 
   CellGradients gradients_;
   std::vector<double> push_;  // forces on nodes along x, y, z

@@ -27,18 +27,18 @@ void shift_rows(std::span<double> values, std::size_t length) {
 
 }  // namespace
 
-void Model::constraint_values(Input q, Output f) const {
+double Model::cell_volume(Input q, std::size_t cell) const {
   const std::size_t n = nodes();
-  std::vector<double> volumes(shape().cells());
   const double bottom = bottom_ ? 0.0 : -lattice_.depth;
-  for (std::size_t cell = 0; cell < shape().cells(); ++cell) {
-    const auto corners = shape().corners(cell);
-    Corners z = at(q.data() + 2 * n, corners);
-    z = {z.c0 - bottom, z.c1 - bottom, z.c2 - bottom, z.c3 - bottom};
-    volumes[cell] = bilinear_patch::volume(at(q.data(), corners), at(q.data() + n, corners), z);
-  }
-  if (bottom_) bottom_->subtract_volumes(plan(q), volumes.data());
-  for (std::size_t cell = 0; cell < volumes.size(); ++cell) f[cell] = volumes[cell] - volume_[cell];
+  const auto corners = shape().corners(cell);
+  const Corners z = at(q.data() + 2 * n, corners);
+  const double volume = bilinear_patch::volume(at(q.data(), corners), at(q.data() + n, corners),
+                                               {z.c0 - bottom, z.c1 - bottom, z.c2 - bottom, z.c3 - bottom});
+  return bottom_ ? volume - bottom_->volume(plan(q), cell) : volume;
+}
+
+void Model::constraint_values(Input q, Output f) const {
+  for (std::size_t cell = 0; cell < shape().cells(); ++cell) f[cell] = cell_volume(q, cell) - volume_[cell];
 }
 
 double Model::mass() const {
@@ -92,6 +92,7 @@ double Model::potential_energy(Input q) const {
     const auto corners = shape().corners(cell);
     sum.add(bilinear_patch::moment(at(q.data(), corners), at(q.data() + n, corners), at(q.data() + 2 * n, corners)));
   }
+  if (shoreline_) sum.add(-shoreline_->bottom_moment(q));
   return settings_.gravity * sum.value();
 }
 
@@ -106,7 +107,7 @@ void Model::shift_east(mechanics::State& state) {
   shift_rows(lattice_.x, columns + 1);
   shift_rows(lattice_.y, columns + 1);
   shift_rows(volume_, columns);
-  for (auto* multipliers : {&state.multipliers, &state.earlier_multipliers}) {
+  for (std::vector<double>* multipliers : state.all_multipliers()) {
     if (multipliers->empty()) continue;
     shift_rows(*multipliers, columns);
     for (std::size_t j = 0; j < rows; ++j) (*multipliers)[j * columns + columns - 1] = 0;
@@ -116,17 +117,11 @@ void Model::shift_east(mechanics::State& state) {
     lattice_.x[east] = state.q[east] = lattice_.x[east] + east_width_;
     state.q[n + east] = lattice_.y[east];
     state.q[2 * n + east] = 0;
-    // The column that was the east wall had no velocity along x; the one that becomes the west side loses its own.
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      state.u[axis * n + east] = 0;
-      state.u[axis * n + shape().node(0, j)] = 0;
-    }
+    for (std::size_t axis = 0; axis < 3; ++axis) state.u[axis * n + east] = 0;
   }
-  std::vector<double> defects(shape().cells());
-  constraint_values(state.q, defects);
   for (std::size_t j = 0; j < rows; ++j) {
     const std::size_t cell = j * columns + columns - 1;
-    volume_[cell] += defects[cell];
+    volume_[cell] = cell_volume(state.q, cell);
   }
   sum_masses();
 }

@@ -4,8 +4,8 @@
 ///
 ///     T = (m/2) [ |w|^2 - (1 - alpha)(w.n)^2 ],   M = m [I - (1 - alpha) n n^T],   W = [I + (1/alpha - 1) n n^T]/m
 ///
-/// On a side W is the inverse of M on the motions that are left: S (S^T M S)^-1 S^T. Velocities that a side prescribes
-/// are imposed by the M-orthogonal projection.
+/// On a side W is the inverse of M on the motions that are left: S (S^T M S)^-1 S^T; on a shoreline, where a node keeps
+/// to the bottom, (I - n n^T)/m. Velocities that a side prescribes are imposed by the M-orthogonal projection.
 #pragma once
 
 #include <span>
@@ -41,6 +41,9 @@ class NodeMasses {
   /// Turns the normals of driven sides into those of the lattice x, y, and W with them.
   /// @param normals  of the bottom; null: level
   void turn_driven_sides(std::span<const double> x, std::span<const double> y, const Normals* normals);
+  /// Carries velocities u = (u, v, w) from a bottom with some normals to one with others, by isometries of M: the
+  /// smallest rotation that takes one normal to the other; on sides at rest a motion within what they leave.
+  void carry(const Normals& from, const Normals& to, std::span<double> u) const;
   /// Imposes what the sides prescribe at this time on the velocities u = (u, v, w).
   /// @param all  false: only on nodes of driven sides
   void constrain(std::span<const double> q, double time, const Normals* normals, bool all, std::span<double> u) const;
@@ -48,6 +51,9 @@ class NodeMasses {
  private:
   void set(std::size_t node, double nx, double ny, double nz);
   void bind(const plan_lattice::BoundNode& bound, double nx, double ny, double nz);
+  void bind_to_shore(const plan_lattice::BoundNode& bound, double nx, double ny, double nz);
+  void carry_along_side(const plan_lattice::BoundNode& bound, const Normals& from, const Normals& to,
+                        std::span<double> u) const;
 
   plan_lattice::Shape shape_;
   double inertia_;  // alpha

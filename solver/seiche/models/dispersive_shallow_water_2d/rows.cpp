@@ -17,7 +17,7 @@ struct GradientRow {
   const double* z;
 };
 
-GradientRow row_of(const CellGradients& gradients, std::size_t corner, std::ptrdiff_t first) {
+SEICHE_INLINE GradientRow row_of(const CellGradients& gradients, std::size_t corner, std::ptrdiff_t first) {
   return {gradients.x[corner].data() + first, gradients.y[corner].data() + first, gradients.z[corner].data() + first};
 }
 
@@ -30,15 +30,15 @@ struct MassRow {
   const double* yz;
 };
 
-MassRow row_of(const InverseMasses& w, std::size_t node) {
+SEICHE_INLINE MassRow row_of(const InverseMasses& w, std::size_t node) {
   return {w.xx.data() + node, w.yy.data() + node, w.zz.data() + node,
           w.xy.data() + node, w.xz.data() + node, w.yz.data() + node};
 }
 
 /// a . W b of cell i of row a and cell k of row b at node n of row w.
 template <bool full>
-inline double form(const GradientRow& a, std::size_t i, const MassRow& w, std::size_t n, const GradientRow& b,
-                   std::size_t k) {
+SEICHE_INLINE double form(const GradientRow& a, std::size_t i, const MassRow& w, std::size_t n, const GradientRow& b,
+                          std::size_t k) {
   double sum = a.x[i] * w.xx[n] * b.x[k] + a.y[i] * w.yy[n] * b.y[k] + a.z[i] * w.zz[n] * b.z[k];
   if constexpr (full) {
     sum += w.xy[n] * (a.x[i] * b.y[k] + a.y[i] * b.x[k]) + w.xz[n] * (a.x[i] * b.z[k] + a.z[i] * b.x[k]) +
@@ -48,7 +48,8 @@ inline double form(const GradientRow& a, std::size_t i, const MassRow& w, std::s
 }
 
 template <bool full>
-inline void push(const MassRow& w, std::size_t n, double fx, double fy, double fz, double* u, double* v, double* r) {
+SEICHE_INLINE void push(const MassRow& w, std::size_t n, double fx, double fy, double fz, double* u, double* v,
+                        double* r) {
   if constexpr (full) {
     u[n] += w.xx[n] * fx + w.xy[n] * fy + w.xz[n] * fz;
     v[n] += w.xy[n] * fx + w.yy[n] * fy + w.yz[n] * fz;
@@ -61,8 +62,9 @@ inline void push(const MassRow& w, std::size_t n, double fx, double fy, double f
 }
 
 template <bool full>
-inline void assemble(std::size_t columns, std::size_t first, std::size_t lower, bool has_row_above,
-                     const CellGradients& gradients, const InverseMasses& masses, linear::NinePointMatrix& matrix) {
+SEICHE_INLINE void assemble(std::size_t columns, std::size_t first, std::size_t lower, bool has_row_above,
+                            const CellGradients& gradients, const InverseMasses& masses,
+                            linear::NinePointMatrix& matrix) {
   const auto begin = static_cast<std::ptrdiff_t>(first);
   const auto next = begin + static_cast<std::ptrdiff_t>(columns);
   const GradientRow g0 = row_of(gradients, 0, begin);
@@ -99,9 +101,9 @@ inline void assemble(std::size_t columns, std::size_t first, std::size_t lower, 
 }
 
 template <bool full>
-inline void react(std::size_t columns, std::size_t node, std::ptrdiff_t below, std::ptrdiff_t above,
-                  const CellGradients& gradients, const double* mu_below, const double* mu_above,
-                  const InverseMasses& masses, const std::array<double*, 3>& velocity) {
+SEICHE_INLINE void react(std::size_t columns, std::size_t node, std::ptrdiff_t below, std::ptrdiff_t above,
+                         const CellGradients& gradients, const double* mu_below, const double* mu_above,
+                         const InverseMasses& masses, const std::array<double*, 3>& velocity) {
   const GradientRow a0 = row_of(gradients, 0, above);
   const GradientRow a1 = row_of(gradients, 1, above);
   const GradientRow b2 = row_of(gradients, 2, below);
@@ -127,8 +129,8 @@ inline void react(std::size_t columns, std::size_t node, std::ptrdiff_t below, s
 }
 
 template <bool full>
-inline void kick(std::size_t count, std::size_t node, double h, const std::array<const double*, 3>& force,
-                 const InverseMasses& masses, const std::array<double*, 3>& velocity) {
+SEICHE_INLINE void kick(std::size_t count, std::size_t node, double h, const std::array<const double*, 3>& force,
+                        const InverseMasses& masses, const std::array<double*, 3>& velocity) {
   const MassRow w = row_of(masses, node);
   const double* const fx = force[0];
   const double* const fy = force[1];

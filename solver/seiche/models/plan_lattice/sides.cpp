@@ -62,7 +62,12 @@ void bind(BoundNode& bound, Point normal, const DrivenSide* driven, std::array<s
 }
 
 void hold(BoundNode& bound) {
-  bound = {.node = bound.node, .directions = 2, .normal = {Point{1, 0}, Point{0, 1}}, .driven = {}, .chord = {}};
+  bound = {.node = bound.node,
+           .directions = 2,
+           .normal = {Point{1, 0}, Point{0, 1}},
+           .driven = {},
+           .chord = {},
+           .shore = bound.shore};
 }
 
 }  // namespace
@@ -72,7 +77,7 @@ Point chord_normal(const std::array<std::size_t, 2>& chord, std::span<const doub
 }
 
 std::vector<BoundNode> bound_nodes(Shape shape, const Sides& sides, std::span<const double> x,
-                                   std::span<const double> y) {
+                                   std::span<const double> y, bool shores) {
   std::vector<BoundNode> all(shape.nodes());
   for (std::size_t k = 0; k < all.size(); ++k) all[k].node = k;
   const auto require_no_outward_bend = [&](Point before, Point after, std::size_t node) {
@@ -87,6 +92,12 @@ std::vector<BoundNode> bound_nodes(Shape shape, const Sides& sides, std::span<co
   for (std::size_t s = 0; s < walks.size(); ++s) {
     const auto& [side, nodes] = walks[s];
     if (std::holds_alternative<FreeSide>(*side)) continue;
+    if (std::holds_alternative<ShoreSide>(*side)) {
+      if (!shores)
+        throw std::invalid_argument("a side is a shoreline; allowed in this model: wall, held, driven, free");
+      for (const std::size_t k : nodes) all[k].shore = true;
+      continue;
+    }
     if (std::holds_alternative<HeldSide>(*side)) {
       for (const std::size_t k : nodes) hold(all[k]);
       continue;
@@ -116,8 +127,17 @@ std::vector<BoundNode> bound_nodes(Shape shape, const Sides& sides, std::span<co
                               edge_between(next.nodes[0], next.nodes[1], x, y).direction, nodes.back());
     }
   }
-  std::erase_if(all, [](const BoundNode& bound) { return bound.directions == 0; });
+  std::erase_if(all, [](const BoundNode& bound) { return bound.directions == 0 && !bound.shore; });
   return all;
+}
+
+std::vector<std::array<std::size_t, 2>> shore_edges(Shape shape, const Sides& sides) {
+  std::vector<std::array<std::size_t, 2>> edges;
+  for (const auto& [side, nodes] : walk_around(shape, sides)) {
+    if (!std::holds_alternative<ShoreSide>(*side)) continue;
+    for (std::size_t k = 0; k + 1 < nodes.size(); ++k) edges.push_back({nodes[k], nodes[k + 1]});
+  }
+  return edges;
 }
 
 }  // namespace seiche::plan_lattice

@@ -31,7 +31,8 @@ struct Place {
 /// wall bends inwards (interior angle below 180 degrees). Bends outwards are not possible.
 struct WallSide {};
 
-/// Nodes keep their places in plan and go up and down: any curved wall, and the rear of a moving window.
+/// Nodes keep their horizontal velocities, zero at the beginning, and go up and down: any curved wall, and the rear of
+/// a moving window.
 struct HeldSide {};
 
 /// A wall that follows a given flow: nodes have its velocity along the normal of the chord between their neighbours,
@@ -43,7 +44,10 @@ struct DrivenSide {
 /// Nothing holds the nodes.
 struct FreeSide {};
 
-using Side = std::variant<WallSide, HeldSide, DrivenSide, FreeSide>;
+/// The moving shoreline: nodes at depth zero, which slide on the bottom. Only dispersive_shallow_water_2d knows them.
+struct ShoreSide {};
+
+using Side = std::variant<WallSide, HeldSide, DrivenSide, FreeSide, ShoreSide>;
 
 struct Sides {
   Side west = WallSide{};
@@ -67,21 +71,27 @@ struct Shape {
   }
 };
 
-/// What the sides forbid a node: its horizontal velocity along one direction, or along two.
+/// What the sides forbid a node: its horizontal velocity along one direction, or along two; on a shoreline, to leave
+/// the bottom.
 struct BoundNode {
   std::size_t node = 0;
-  std::size_t directions = 0;                         ///< 1 or 2
+  std::size_t directions = 0;                         ///< 1 or 2, on a shoreline 0 too
   std::array<Point, 2> normal{};                      ///< unit vectors; of driven sides those of the first lattice
   std::array<const DrivenSide*, 2> driven{};          ///< null: at rest along that normal
   std::array<std::array<std::size_t, 2>, 2> chord{};  ///< of driven sides: neighbours on the side
+  bool shore = false;
 };
 
 /// The nodes that sides bind, in ascending order. `sides` must outlive the result.
 ///
+/// @param shores  whether the model knows shorelines
 /// Throws std::invalid_argument: a wall that bends outwards (with the place), a side whose nodes coincide, a driven
-/// side without a velocity.
+/// side without a velocity, a shoreline where the model knows none.
 std::vector<BoundNode> bound_nodes(Shape shape, const Sides& sides, std::span<const double> x,
-                                   std::span<const double> y);
+                                   std::span<const double> y, bool shores = false);
+
+/// Edges of shorelines, with the water on the left.
+std::vector<std::array<std::size_t, 2>> shore_edges(Shape shape, const Sides& sides);
 
 /// Unit normal of the chord between two nodes.
 Point chord_normal(const std::array<std::size_t, 2>& chord, std::span<const double> x, std::span<const double> y);

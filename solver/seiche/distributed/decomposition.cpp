@@ -1,0 +1,287 @@
+#include "seiche/distributed/decomposition.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <petscdmda.h>
+
+namespace seiche::distributed {
+
+namespace {
+
+// Nodes owned east of a patch's own lie up to two further on: node (i + 1) of the last own cell, and of the ring.
+constexpr PetscInt rim = 2;
+
+PetscInt index(std::size_t value) {
+  return static_cast<PetscInt>(value);
+}
+
+/// Part of a grid: first place and extents.
+struct Block {
+  PetscInt i, j, columns, rows;
+  [[nodiscard]] std::size_t place(std::size_t column, std::size_t row) const {
+    return (row - static_cast<std::size_t>(j)) * static_cast<std::size_t>(columns) + column -
+           static_cast<std::size_t>(i);
+  }
+  [[nodiscard]] Range along_x() const { return {static_cast<std::size_t>(i), static_cast<std::size_t>(i + columns)}; }
+  [[nodiscard]] Range along_y() const { return {static_cast<std::size_t>(j), static_cast<std::size_t>(j + rows)}; }
+};
+
+Block owned(DM grid) {
+  Block block{};
+  check(DMDAGetCorners(grid, &block.i, &block.j, nullptr, &block.columns, &block.rows, nullptr));
+  return block;
+}
+
+Block with_ring(DM grid) {
+  Block block{};
+  check(DMDAGetGhostCorners(grid, &block.i, &block.j, nullptr, &block.columns, &block.rows, nullptr));
+  return block;
+}
+
+Grid grid(plan_lattice::Shape shape, std::size_t numbers, PetscInt width, PetscInt across, PetscInt along,
+          const PetscInt* columns, const PetscInt* rows) {
+  Grid made;
+  check(DMDACreate2d(PETSC_COMM_WORLD, DM_BOUNDARY_NONE, DM_BOUNDARY_NONE, DMDA_STENCIL_BOX, index(shape.columns),
+                     index(shape.rows), across, along, index(numbers), width, columns, rows, made.place()));
+  return made;
+}
+
+std::vector<PetscInt> lengths(const PetscInt* first, PetscInt count) {
+  return {first, first + count};
+}
+
+class Values {
+ public:
+  explicit Values(Vec vector) : vector_(vector) { check(VecGetArray(vector, &values_)); }
+  Values(const Values&) = delete;
+  Values& operator=(const Values&) = delete;
+  ~Values() { VecRestoreArray(vector_, &values_); }
+  double& operator[](std::size_t k) const { return values_[k]; }
+
+ private:
+  Vec vector_;
+  PetscScalar* values_ = nullptr;
+};
+
+class FixedValues {
+ public:
+  explicit FixedValues(Vec vector) : vector_(vector) { check(VecGetArrayRead(vector, &values_)); }
+  FixedValues(const FixedValues&) = delete;
+  FixedValues& operator=(const FixedValues&) = delete;
+  ~FixedValues() { VecRestoreArrayRead(vector_, &values_); }
+  double operator[](std::size_t k) const { return values_[k]; }
+
+ private:
+  Vec vector_;
+  const PetscScalar* values_ = nullptr;
+};
+
+double reduced(double value, MPI_Op operation) {
+  double result = value;
+  if (MPI_Allreduce(&value, &result, 1, MPI_DOUBLE, operation, PETSC_COMM_WORLD) != MPI_SUCCESS) {
+    throw PetscFailure("MPI_Allreduce failed");
+  }
+  return result;
+}
+
+}  // namespace
+
+plan_lattice::Sides Patch::sides(const plan_lattice::Sides& of_lattice) const {
+  plan_lattice::Sides result = of_lattice;
+  if (columns.begin > 0) result.west = plan_lattice::FreeSide{};
+  if (columns.end < lattice.columns) result.east = plan_lattice::FreeSide{};
+  if (rows.begin > 0) result.south = plan_lattice::FreeSide{};
+  if (rows.end < lattice.rows) result.north = plan_lattice::FreeSide{};
+  return result;
+}
+
+bool Patch::owns_cell(std::size_t i, std::size_t j) const {
+  const std::size_t column = columns.begin + i;
+  const std::size_t row = rows.begin + j;
+  return column >= owned_columns.begin && column < owned_columns.end && row >= owned_rows.begin && row < owned_rows.end;
+}
+
+bool Patch::owns_node(std::size_t i, std::size_t j) const {
+  const std::size_t column = columns.begin + i;
+  const std::size_t row = rows.begin + j;
+  return column >= node_columns.begin && column < node_columns.end && row >= node_rows.begin && row < node_rows.end;
+}
+
+Decomposition::Decomposition(plan_lattice::Shape lattice, std::size_t node_numbers, std::size_t cell_numbers)
+    : node_numbers_(node_numbers), cell_numbers_(cell_numbers) {
+  cells_ = grid(lattice, cell_numbers, 1, PETSC_DECIDE, PETSC_DECIDE, nullptr, nullptr);
+  check(DMSetOptionsPrefix(cells_, "seiche_"));
+  check(DMSetFromOptions(cells_));
+  check(DMSetUp(cells_));
+
+  // Nodes are shared out as cells are; the last block has one more of them.
+  PetscInt blocks_x = 0;
+  PetscInt blocks_y = 0;
+  check(DMDAGetInfo(cells_, nullptr, nullptr, nullptr, nullptr, &blocks_x, &blocks_y, nullptr, nullptr, nullptr,
+                    nullptr, nullptr, nullptr, nullptr));
+  const PetscInt* columns = nullptr;
+  const PetscInt* rows = nullptr;
+  check(DMDAGetOwnershipRanges(cells_, &columns, &rows, nullptr));
+  std::vector<PetscInt> node_columns = lengths(columns, blocks_x);
+  std::vector<PetscInt> node_rows = lengths(rows, blocks_y);
+  if ((blocks_x > 1 && *std::min_element(node_columns.begin(), node_columns.end()) < rim) ||
+      (blocks_y > 1 && *std::min_element(node_rows.begin(), node_rows.end()) < rim)) {
+    throw std::invalid_argument(
+        fmt::format("a lattice of {} x {} cells in {} x {} blocks; allowed: blocks of at least {} x {} cells, so use "
+                    "fewer processes",
+                    lattice.columns, lattice.rows, blocks_x, blocks_y, rim, rim));
+  }
+  ++node_columns.back();
+  ++node_rows.back();
+  const plan_lattice::Shape lattice_nodes{lattice.columns + 1, lattice.rows + 1};
+  nodes_ = grid(lattice_nodes, node_numbers, rim, blocks_x, blocks_y, node_columns.data(), node_rows.data());
+  check(DMSetUp(nodes_));
+  check(DMDACreateCompatibleDMDA(nodes_, 1, single_.place()));
+
+  check(DMCreateLocalVector(cells_, cells_ring_.place()));
+  check(DMCreateGlobalVector(nodes_, nodes_own_.place()));
+  check(DMCreateLocalVector(nodes_, nodes_ring_.place()));
+  check(DMCreateGlobalVector(single_, single_own_.place()));
+
+  const Block own = owned(cells_);
+  const Block ring = with_ring(cells_);
+  const Block own_nodes = owned(nodes_);
+  const Block ring_nodes = with_ring(nodes_);
+  patch_ = {.lattice = lattice,
+            .owned_columns = own.along_x(),
+            .owned_rows = own.along_y(),
+            .columns = ring.along_x(),
+            .rows = ring.along_y(),
+            .node_columns = own_nodes.along_x(),
+            .node_rows = own_nodes.along_y()};
+  const plan_lattice::Shape shape = patch_.shape();
+  for (std::size_t j = 0; j < shape.rows; ++j) {
+    for (std::size_t i = 0; i < shape.columns; ++i) {
+      const std::size_t k = j * shape.columns + i;
+      const std::size_t column = patch_.columns.begin + i;
+      const std::size_t row = patch_.rows.begin + j;
+      all_cells_.push_back({k, ring.place(column, row)});
+      if (patch_.owns_cell(i, j)) owned_cells_.push_back({k, own.place(column, row)});
+    }
+  }
+  for (std::size_t j = 0; j <= shape.rows; ++j) {
+    for (std::size_t i = 0; i <= shape.columns; ++i) {
+      const std::size_t k = shape.node(i, j);
+      const std::size_t column = patch_.columns.begin + i;
+      const std::size_t row = patch_.rows.begin + j;
+      if (patch_.owns_node(i, j)) {
+        owned_nodes_.push_back({k, own_nodes.place(column, row)});
+      } else {
+        rim_nodes_.push_back({k, ring_nodes.place(column, row)});
+      }
+    }
+  }
+}
+
+void Decomposition::send_nodes(std::span<const double> values) {
+  const std::size_t stride = patch_.shape().nodes();
+  {
+    const Values own(nodes_own_);
+    for (const Place& place : owned_nodes_) {
+      for (std::size_t c = 0; c < node_numbers_; ++c) {
+        own[place.petsc * node_numbers_ + c] = values[c * stride + place.patch];
+      }
+    }
+  }
+  check(DMGlobalToLocalBegin(nodes_, nodes_own_, INSERT_VALUES, nodes_ring_));
+  check(DMGlobalToLocalEnd(nodes_, nodes_own_, INSERT_VALUES, nodes_ring_));
+}
+
+void Decomposition::exchange_nodes(std::span<double> values) {
+  if (ranks() == 1) return;
+  send_nodes(values);
+  const std::size_t stride = patch_.shape().nodes();
+  const FixedValues ring(nodes_ring_);
+  for (const Place& place : rim_nodes_) {
+    for (std::size_t c = 0; c < node_numbers_; ++c) {
+      values[c * stride + place.patch] = ring[place.petsc * node_numbers_ + c];
+    }
+  }
+}
+
+double Decomposition::largest_rim_difference(std::span<const double> values) {
+  send_nodes(values);
+  const std::size_t stride = patch_.shape().nodes();
+  double difference = 0;
+  {
+    const FixedValues ring(nodes_ring_);
+    for (const Place& place : rim_nodes_) {
+      for (std::size_t c = 0; c < node_numbers_; ++c) {
+        difference =
+            std::max(difference, std::abs(values[c * stride + place.patch] - ring[place.petsc * node_numbers_ + c]));
+      }
+    }
+  }
+  return largest(difference);
+}
+
+void Decomposition::put_cells(std::span<const double> values, Vec distributed) const {
+  const std::size_t stride = patch_.shape().cells();
+  const Values own(distributed);
+  for (const Place& place : owned_cells_) {
+    for (std::size_t c = 0; c < cell_numbers_; ++c) {
+      own[place.petsc * cell_numbers_ + c] = values[c * stride + place.patch];
+    }
+  }
+}
+
+void Decomposition::get_cells(Vec distributed, std::span<double> values) {
+  check(DMGlobalToLocalBegin(cells_, distributed, INSERT_VALUES, cells_ring_));
+  check(DMGlobalToLocalEnd(cells_, distributed, INSERT_VALUES, cells_ring_));
+  const std::size_t stride = patch_.shape().cells();
+  const FixedValues ring(cells_ring_);
+  for (const Place& place : all_cells_) {
+    for (std::size_t c = 0; c < cell_numbers_; ++c) {
+      values[c * stride + place.patch] = ring[place.petsc * cell_numbers_ + c];
+    }
+  }
+}
+
+DistributedVector Decomposition::in_order(std::span<const double> number) {
+  {
+    const Values own(single_own_);
+    for (const Place& place : owned_nodes_) own[place.petsc] = number[place.patch];
+  }
+  DistributedVector ordered;
+  check(DMDACreateNaturalVector(single_, ordered.place()));
+  check(DMDAGlobalToNaturalBegin(single_, single_own_, INSERT_VALUES, ordered));
+  check(DMDAGlobalToNaturalEnd(single_, single_own_, INSERT_VALUES, ordered));
+  return ordered;
+}
+
+std::vector<double> Decomposition::gathered(std::span<const double> number) {
+  const DistributedVector ordered = in_order(number);
+  Scatter scatter;
+  DistributedVector all;
+  check(VecScatterCreateToZero(ordered, scatter.place(), all.place()));
+  check(VecScatterBegin(scatter, ordered, all, INSERT_VALUES, SCATTER_FORWARD));
+  check(VecScatterEnd(scatter, ordered, all, INSERT_VALUES, SCATTER_FORWARD));
+  PetscInt size = 0;
+  check(VecGetLocalSize(all, &size));
+  std::vector<double> result(static_cast<std::size_t>(size));
+  const FixedValues values(all);
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] = values[k];
+  return result;
+}
+
+double Decomposition::sum(double value) {
+  return reduced(value, MPI_SUM);
+}
+
+double Decomposition::least(double value) {
+  return reduced(value, MPI_MIN);
+}
+
+double Decomposition::largest(double value) {
+  return reduced(value, MPI_MAX);
+}
+
+}  // namespace seiche::distributed

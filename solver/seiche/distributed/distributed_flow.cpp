@@ -1,0 +1,135 @@
+#include "seiche/distributed/distributed_flow.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+#include <variant>
+
+#include "seiche/compensated_sum.hpp"
+#include "seiche/geometry/bilinear_patch.hpp"
+#include "seiche/mechanics/equal_steps.hpp"
+
+namespace seiche::distributed {
+
+static_assert(mechanics::ConstrainedModel<DistributedModel<dispersive_shallow_water_2d::Model>>);
+static_assert(mechanics::ConstrainedModel<DistributedModel<lagrangian_mesh_3d::Model>>);
+
+namespace {
+
+// PETSc solves; the patch's own solver is the one that costs nothing until it is asked.
+std::unique_ptr<dispersive_shallow_water_2d::Model> local_model(dispersive_shallow_water_2d::Lattice part,
+                                                                dispersive_shallow_water_2d::Settings settings) {
+  settings.solver = linear::NinePointMethod::iterative;
+  return std::make_unique<dispersive_shallow_water_2d::Model>(std::move(part), settings);
+}
+
+std::unique_ptr<lagrangian_mesh_3d::Model> local_model(lagrangian_mesh_3d::Mesh part,
+                                                       lagrangian_mesh_3d::Settings settings) {
+  settings.solver = linear::TwentySevenPointMethod::iterative;
+  return std::make_unique<lagrangian_mesh_3d::Model>(std::move(part), settings);
+}
+
+void require_no_shoreline(const plan_lattice::Sides& sides) {
+  for (const auto* side : {&sides.west, &sides.east, &sides.south, &sides.north}) {
+    if (std::holds_alternative<plan_lattice::ShoreSide>(*side)) {
+      throw std::invalid_argument("a shoreline on many processes; allowed: on one, with the model's own flow");
+    }
+  }
+}
+
+double weight_of_water(const dispersive_shallow_water_2d::Settings& settings) {
+  return settings.gravity;
+}
+
+double weight_of_water(const lagrangian_mesh_3d::Settings& settings) {
+  return settings.gravity * settings.density;
+}
+
+}  // namespace
+
+template <class Kind>
+Flow<Kind>::Flow(plan_lattice::Shape lattice, std::size_t layers, const MakePart& part,
+                 const plan_lattice::Sides& sides, const typename Kind::Velocity& velocity,
+                 const typename Kind::Settings& settings, bool smooth_start)
+    : decomposition_((require_no_shoreline(sides), lattice), std::is_same_v<Kind, PlanModel> ? 3 : 3 * (layers + 1),
+                     layers),
+      model_(decomposition_, local_model(part(decomposition_.patch()), settings), sides, settings.tolerance),
+      state_(model_.local().state(velocity)),
+      stepper_(model_),
+      smooth_start_(smooth_start && !model_.has_driven_sides()) {
+  decomposition_.exchange_nodes(state_.u);
+  mechanics::Start(model_).project(state_);
+}
+
+template <class Kind>
+void Flow<Kind>::advance(double tau) {
+  mechanics::require_step(tau);
+  if (state_.steps == 0 && smooth_start_) mechanics::Start(model_).project_to_smooth(state_, tau);
+  stepper_.step(state_, tau);
+}
+
+template <class Kind>
+void Flow<Kind>::advance_to(double time, double tau, const std::function<void()>& after_step) {
+  mechanics::equal_steps_to(
+      state_, time, tau, [this](double length) { advance(length); }, after_step);
+}
+
+template <class Kind>
+double Flow<Kind>::energy() const {
+  const Patch& patch = decomposition_.patch();
+  const plan_lattice::Shape shape = patch.shape();
+  // Kinetic energy is a sum over nodes: those of other processes stand still here.
+  std::vector<double> own = state_.u;
+  const std::size_t plan = shape.nodes();
+  for (std::size_t j = 0; j <= shape.rows; ++j) {
+    for (std::size_t i = 0; i <= shape.columns; ++i) {
+      if (patch.owns_node(i, j)) continue;
+      for (std::size_t k = shape.node(i, j); k < own.size(); k += plan) own[k] = 0;
+    }
+  }
+  CompensatedSum potential;
+  for (std::size_t cell = 0; cell < shape.cells(); ++cell) {
+    if (!patch.owns_cell(cell % shape.columns, cell / shape.columns)) continue;
+    const auto corners = shape.corners(cell);
+    const auto at = [&](std::size_t axis) {
+      const std::span<const double> values = place(axis);
+      return bilinear_patch::Corners{values[corners[0]], values[corners[1]], values[corners[2]], values[corners[3]]};
+    };
+    potential.add(bilinear_patch::moment(at(0), at(1), at(2)));
+  }
+  return Decomposition::sum(model_.local().kinetic_energy(state_.q, own) +
+                            weight_of_water(model_.local().settings()) * potential.value());
+}
+
+template <class Kind>
+double Flow<Kind>::volume_defect() const {
+  std::vector<double> defects(model_.constraints());
+  model_.local().constraint_values(state_.q, defects);
+  double worst = 0;
+  for (const double defect : defects) worst = std::max(worst, std::abs(defect));
+  return Decomposition::largest(worst);
+}
+
+template <class Kind>
+double Flow<Kind>::rim_difference() {
+  return std::max(decomposition_.largest_rim_difference(state_.q), decomposition_.largest_rim_difference(state_.u));
+}
+
+template <class Kind>
+void Flow<Kind>::write(const std::filesystem::path& target) {
+  write_fields(decomposition_,
+               {{"x", "m", "place of the column at the surface", place(0)},
+                {"y", "m", "place of the column at the surface", place(1)},
+                {"z", "m", "elevation of the surface above still water", place(2)},
+                {"u", "m/s", "velocity along x at the surface", velocity(0)},
+                {"v", "m/s", "velocity along y at the surface", velocity(1)},
+                {"w", "m/s", "vertical velocity of the surface", velocity(2)}},
+               state_.time, target);
+}
+
+template class Flow<PlanModel>;
+template class Flow<HexahedralModel>;
+
+}  // namespace seiche::distributed

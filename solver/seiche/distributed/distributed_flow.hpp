@@ -1,0 +1,97 @@
+/// A flow of a lattice model whose lattice is shared out among processes, stepped by the one-step scheme.
+///
+///     Session session(argc, argv);
+///     PlanFlow flow(lattice.shape, 1, [&](const Patch& patch) { return part_of(lattice, patch); }, lattice.sides,
+///                   velocity, settings);
+///     while (flow.time() < 20) flow.advance(0.2);
+///     flow.write("fields.h5");
+///
+/// The same steps as the model's own Flow, to the tolerance of the solver, for any number of processes. All of them
+/// call every function that is not const, and `energy` and `volume_defect`.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "seiche/distributed/distributed_model.hpp"
+#include "seiche/distributed/fields_file.hpp"
+#include "seiche/mechanics/one_step.hpp"
+#include "seiche/mechanics/start.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/model.hpp"
+#include "seiche/models/lagrangian_mesh_3d/model.hpp"
+
+namespace seiche::distributed {
+
+/// What Flow asks of a lattice model.
+struct PlanModel {
+  using Local = dispersive_shallow_water_2d::Model;
+  using Part = dispersive_shallow_water_2d::Lattice;
+  using Settings = dispersive_shallow_water_2d::Settings;
+  using Velocity = dispersive_shallow_water_2d::VelocityAt;
+};
+struct HexahedralModel {
+  using Local = lagrangian_mesh_3d::Model;
+  using Part = lagrangian_mesh_3d::Mesh;
+  using Settings = lagrangian_mesh_3d::Settings;
+  using Velocity = lagrangian_mesh_3d::Velocity;
+};
+
+template <class Kind>
+class Flow {
+ public:
+  using Local = typename Kind::Local;
+  using MakePart = std::function<typename Kind::Part(const Patch& patch)>;
+
+  /// @param lattice  columns and rows of the whole
+  /// @param layers   of cells, 1 for the plan model
+  /// @param part     the process's part of the lattice: part_of (patches.hpp)
+  /// @param sides    of the whole lattice
+  /// @param smooth_start  as in the models' own flows
+  Flow(plan_lattice::Shape lattice, std::size_t layers, const MakePart& part, const plan_lattice::Sides& sides,
+       const typename Kind::Velocity& velocity = {}, const typename Kind::Settings& settings = {},
+       bool smooth_start = true);
+
+  /// One step of length tau > 0.
+  void advance(double tau);
+  /// Equal steps of at most tau until `time`, which is hit exactly; after_step is called after each.
+  void advance_to(double time, double tau, const std::function<void()>& after_step = {});
+
+  [[nodiscard]] double time() const { return state_.time; }
+  [[nodiscard]] long steps() const { return state_.steps; }
+  [[nodiscard]] const Patch& patch() const { return decomposition_.patch(); }
+  [[nodiscard]] const mechanics::State& state() const { return state_; }
+  [[nodiscard]] Decomposition& decomposition() { return decomposition_; }
+  [[nodiscard]] DistributedModel<Local>& model() { return model_; }
+  [[nodiscard]] const DistributedModel<Local>& model() const { return model_; }
+
+  /// Of the nodes of the surface in the patch: places for axis 0, 1, 2, velocities likewise.
+  [[nodiscard]] std::span<const double> place(std::size_t axis) const { return surface(state_.q, axis); }
+  [[nodiscard]] std::span<const double> velocity(std::size_t axis) const { return surface(state_.u, axis); }
+
+  [[nodiscard]] double energy() const;         ///< kinetic and potential of the whole, zero for still water
+  [[nodiscard]] double volume_defect() const;  ///< largest of all cells
+  /// Largest difference of a number at a node between the processes that hold it: 0.
+  [[nodiscard]] double rim_difference();
+  /// x, y, z, u, v, w of the surface's nodes into one HDF5 file (fields_file.hpp).
+  void write(const std::filesystem::path& target);
+
+ private:
+  [[nodiscard]] std::span<const double> surface(const std::vector<double>& values, std::size_t axis) const {
+    const std::size_t plan = decomposition_.patch().shape().nodes();
+    const std::size_t levels = values.size() / (3 * plan);
+    return {values.data() + ((axis + 1) * levels - 1) * plan, plan};
+  }
+
+  Decomposition decomposition_;
+  DistributedModel<Local> model_;
+  mechanics::State state_;
+  mechanics::OneStep<DistributedModel<Local>> stepper_;
+  bool smooth_start_;
+};
+
+using PlanFlow = Flow<PlanModel>;
+using HexahedralFlow = Flow<HexahedralModel>;
+
+}  // namespace seiche::distributed

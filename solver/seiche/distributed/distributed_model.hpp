@@ -1,0 +1,111 @@
+/// A lattice model whose lattice is shared out among processes: what mechanics::OneStep steps, each process on its
+/// patch (decomposition.hpp).
+///
+/// The patch's own model computes everything that belongs to it. Beside it
+///
+///     solve     is PETSc's, over all cells (cell_system.hpp), and ends with the multipliers of the ring
+///     react     and settle end with the velocities of the rim from their owners
+///
+/// so that positions, velocities and multipliers stay the same at all processes that hold them, bit by bit. In between,
+/// after kick, velocities of the rim are wrong; constraint rates of owned cells do not need them.
+///
+/// What one process finds infeasible stops all: linearise throws on each of them.
+///
+/// When not to use it: on one machine, where the model alone with its own solvers is faster; with ConservativeStep,
+/// whose number of sweeps every process would decide for itself (the concept does not let it).
+#pragma once
+
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "seiche/distributed/cell_system.hpp"
+#include "seiche/distributed/decomposition.hpp"
+#include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/models/plan_lattice/sides.hpp"
+
+namespace seiche::distributed {
+
+using mechanics::Input;
+using mechanics::Interval;
+using mechanics::Output;
+
+/// @tparam Local  Model of dispersive_shallow_water_2d or of lagrangian_mesh_3d
+template <class Local>
+class DistributedModel {
+ public:
+  static constexpr bool warm_start = true;
+
+  /// @param decomposition  must outlive the object
+  /// @param local          model of decomposition.patch()
+  /// @param sides          of the whole lattice
+  /// @param tolerance      relative residual of solve
+  DistributedModel(Decomposition& decomposition, std::unique_ptr<Local> local, const plan_lattice::Sides& sides,
+                   double tolerance)
+      : decomposition_(decomposition), local_(std::move(local)), system_(decomposition, local_->matrix(), tolerance) {
+    for (const auto* side : {&sides.west, &sides.east, &sides.south, &sides.north}) {
+      driven_ |= std::holds_alternative<plan_lattice::DrivenSide>(*side);
+    }
+  }
+
+  [[nodiscard]] std::size_t coordinates() const { return local_->coordinates(); }
+  [[nodiscard]] std::size_t rates() const { return local_->rates(); }
+  [[nodiscard]] std::size_t constraints() const { return local_->constraints(); }
+  [[nodiscard]] double place(std::size_t rate) const { return local_->place(rate); }
+
+  void linearise(Interval when, Input q) {
+    together([&] { local_->linearise(when, q); });
+    system_.assemble();
+  }
+  void advance(Input from, Input u, double h, Output to) const { local_->advance(from, u, h, to); }
+  void kick(double h, Output u) const { local_->kick(h, u); }
+  void enter(Input q, Output u) const { local_->enter(q, u); }
+  void settle(Interval when, Output q, Output u) const {
+    local_->settle(when, q, u);
+    decomposition_.exchange_nodes(u);
+  }
+  void constraint_rates(Input u, Output w) const { local_->constraint_rates(u, w); }
+  void react(Input mu, Output u) const {
+    local_->react(mu, u);
+    decomposition_.exchange_nodes(u);
+  }
+  void solve(Input right_hand_side, Output mu) { system_.solve(right_hand_side, mu); }
+
+  [[nodiscard]] bool has_driven_sides() const { return driven_; }
+  [[nodiscard]] const Local& local() const { return *local_; }
+  [[nodiscard]] Decomposition& decomposition() const { return decomposition_; }
+  [[nodiscard]] CellSystem& system() { return system_; }
+  [[nodiscard]] const CellSystem& system() const { return system_; }
+
+ private:
+  /// Does what may be infeasible here, and throws everywhere if it was so anywhere.
+  template <class Action>
+  static void together(const Action& action) {
+    std::exception_ptr own;
+    constexpr double feasible = std::numeric_limits<double>::infinity();
+    double place = feasible;
+    try {
+      action();
+    } catch (const mechanics::Infeasible& failure) {
+      own = std::current_exception();
+      place = std::isfinite(failure.place()) ? failure.place() : std::numeric_limits<double>::lowest();
+    }
+    const double first = Decomposition::least(place);
+    if (own) std::rethrow_exception(own);
+    if (first < feasible) {
+      throw mechanics::Infeasible(fmt::format("another process stopped at x = {:g}", first), first);
+    }
+  }
+
+  Decomposition& decomposition_;
+  std::unique_ptr<Local> local_;
+  CellSystem system_;
+  bool driven_ = false;
+};
+
+}  // namespace seiche::distributed

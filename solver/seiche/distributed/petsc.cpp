@@ -1,0 +1,52 @@
+#include "seiche/distributed/petsc.hpp"
+
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace seiche::distributed {
+
+void check(PetscErrorCode code) {
+  if (code == 0) return;
+  const char* text = nullptr;
+  char* specific = nullptr;
+  PetscErrorMessage(code, &text, &specific);
+  throw PetscFailure(fmt::format("PETSc error {}: {}{}{}", static_cast<int>(code), text == nullptr ? "" : text,
+                                 specific != nullptr && *specific != '\0' ? ": " : "",
+                                 specific == nullptr ? "" : specific));
+}
+
+Session::Session(int& argc, char** argv) {
+  // PETSc sees the program's name and what follows "--", and the program what precedes it.
+  int end = 1;
+  while (end < argc && std::string_view(argv[end]) != "--") ++end;
+  std::vector<char*> words{argv[0]};
+  for (int k = end + 1; k < argc; ++k) words.push_back(argv[k]);
+  argc = end;
+  auto count = static_cast<int>(words.size());
+  words.push_back(nullptr);
+  char** given = words.data();
+  check(PetscInitialize(&count, &given, nullptr, nullptr));
+  // Errors become exceptions (check), so that PETSc shall not print them too.
+  check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr));
+}
+
+Session::~Session() {
+  PetscPopErrorHandler();
+  PetscFinalize();
+}
+
+int rank() {
+  PetscMPIInt rank = 0;
+  MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
+  return rank;
+}
+
+int ranks() {
+  PetscMPIInt size = 1;
+  MPI_Comm_size(PETSC_COMM_WORLD, &size);
+  return size;
+}
+
+}  // namespace seiche::distributed

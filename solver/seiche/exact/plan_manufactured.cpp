@@ -1,0 +1,260 @@
+#include "seiche/exact/plan_manufactured.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include <boost/math/differentiation/finite_difference.hpp>
+
+#include "seiche/require.hpp"
+
+namespace seiche::exact {
+
+static_assert(ReferenceSolution<PlanManufactured>);
+
+namespace {
+
+/// sin(rate s + phase) and its derivatives by s, orders 0 to 3.
+using Harmonic = std::array<double, 4>;
+
+Harmonic sine(double rate, double s, double phase = 0) {
+  const double value = std::sin(rate * s + phase);
+  const double slope = rate * std::cos(rate * s + phase);
+  return {value, slope, -rate * rate * value, -rate * rate * slope};
+}
+
+Harmonic cosine(double rate, double s, double phase = 0) {
+  const double value = std::cos(rate * s + phase);
+  const double slope = -rate * std::sin(rate * s + phase);
+  return {value, slope, -rate * rate * value, -rate * rate * slope};
+}
+
+/// Orders of differentiation by X, Y and t.
+struct Order {
+  unsigned x, y, t;
+};
+
+/// amplitude f(X) g(Y) h(t).
+struct Swing {
+  double amplitude;
+  Harmonic x, y, t;
+
+  [[nodiscard]] double derivative(Order n) const { return amplitude * x[n.x] * y[n.y] * t[n.t]; }
+};
+
+/// The displacements x - X and y - Y with all their derivatives at one label and time.
+class Motion {
+ public:
+  Motion(const PlanManufactured::Parameters& p, double label_x, double label_y, double time)
+      : along_{p.amplitude, sine(wavenumber(p), label_x), cosine(wavenumber(p), label_y),
+               cosine(p.frequency, time, 0.5)},
+        across_{0.7 * p.amplitude, cosine(wavenumber(p), label_x), sine(wavenumber(p), label_y),
+                cosine(p.frequency, time, 1)},
+        double_{0.3 * p.amplitude, cosine(2 * wavenumber(p), label_x), sine(2 * wavenumber(p), label_y),
+                sine(p.frequency, time)} {}
+
+  [[nodiscard]] double x(Order n) const { return along_.derivative(n); }
+  [[nodiscard]] double y(Order n) const { return across_.derivative(n) + double_.derivative(n); }
+  /// Derivative of the gradient's components x_X, y_Y of the place.
+  [[nodiscard]] double x_x(Order n) const { return x({n.x + 1, n.y, n.t}) + (n.x + n.y + n.t == 0 ? 1 : 0); }
+  [[nodiscard]] double y_y(Order n) const { return y({n.x, n.y + 1, n.t}) + (n.x + n.y + n.t == 0 ? 1 : 0); }
+  [[nodiscard]] double x_y(Order n) const { return x({n.x, n.y + 1, n.t}); }
+  [[nodiscard]] double y_x(Order n) const { return y({n.x + 1, n.y, n.t}); }
+
+  /// Derivative of J = x_X y_Y - x_Y y_X: Leibniz's rule, orders by X and Y at most 1 together, by t at most 2.
+  [[nodiscard]] double jacobian(Order n) const {
+    constexpr std::array<std::array<double, 3>, 3> binomial{{{1, 0, 0}, {1, 1, 0}, {1, 2, 1}}};
+    double sum = 0;
+    for (unsigned i = 0; i <= n.x; ++i) {
+      for (unsigned j = 0; j <= n.y; ++j) {
+        for (unsigned l = 0; l <= n.t; ++l) {
+          const Order one{i, j, l};
+          const Order other{n.x - i, n.y - j, n.t - l};
+          sum += binomial[n.t][l] * (x_x(one) * y_y(other) - x_y(one) * y_x(other));
+        }
+      }
+    }
+    return sum;
+  }
+
+ private:
+  static double wavenumber(const PlanManufactured::Parameters& p) { return std::numbers::pi / p.length; }
+
+  Swing along_, across_, double_;
+};
+
+/// Derivative at 0 by central differences of eighth order.
+template <class Function>
+double difference(const Function& f) {
+  return boost::math::differentiation::finite_difference_derivative<Function, double, 8>(f, 0.0);
+}
+
+}  // namespace
+
+PlanManufactured::PlanManufactured(const Parameters& parameters) : parameters_(parameters) {
+  require_positive("gravity", parameters.gravity);
+  require_positive("depth", parameters.depth);
+  require_positive("length", parameters.length);
+  require_positive("frequency", parameters.frequency);
+  require_positive("alpha", parameters.alpha);
+  const double crossing = 0.3 * parameters.length / std::numbers::pi;
+  require_within("amplitude", parameters.amplitude, -crossing, crossing);
+}
+
+PlanManufactured::Sample PlanManufactured::at(double label_x, double label_y, double t) const {
+  require_within("label_x", label_x, 0, parameters_.length);
+  require_within("label_y", label_y, 0, parameters_.length);
+  require_finite("t", t);
+  const Motion motion(parameters_, label_x, label_y, t);
+  const double d = parameters_.depth;
+  const double j = motion.jacobian({0, 0, 0});
+  const double j_t = motion.jacobian({0, 0, 1});
+  const double j_tt = motion.jacobian({0, 0, 2});
+  const double depth = d / j;
+  // H^2 D^2 H over d^3 is 2 J_t^2/J^5 - J_tt/J^4.
+  const double alpha = parameters_.alpha;
+  const double dynamic = alpha * d * d * (2 * j_t * j_t / j - j_tt) / (j * j * j);  // alpha H D^2 H
+  // g grad H + (alpha/H) grad(H^2 D^2 H) by a label, from derivatives of J by it.
+  const auto slope = [&](Order by) {
+    const double j_s = motion.jacobian(by);
+    const double j_st = motion.jacobian({by.x, by.y, 1});
+    const double j_stt = motion.jacobian({by.x, by.y, 2});
+    const double squared = (4 * j_t * j_st - 10 * j_t * j_t * j_s / j + 4 * j_tt * j_s) / j - j_stt;
+    return -parameters_.gravity * d * j_s / (j * j) + alpha * d * d * squared / (j * j * j);
+  };
+  const double by_x = slope({1, 0, 0});
+  const double by_y = slope({0, 1, 0});
+  constexpr Order none{0, 0, 0};
+  constexpr Order rate{0, 0, 1};
+  constexpr Order acceleration{0, 0, 2};
+  return {label_x + motion.x(none),
+          label_y + motion.y(none),
+          motion.x(rate),
+          motion.y(rate),
+          depth,
+          -depth * j_t / j,
+          parameters_.gravity * depth + dynamic,
+          motion.x(acceleration) + (by_x * motion.y_y(none) - by_y * motion.y_x(none)) / j,
+          motion.y(acceleration) + (by_y * motion.x_x(none) - by_x * motion.x_y(none)) / j};
+}
+
+PlanManufactured::Label PlanManufactured::label(double x, double y, double t) const {
+  require_within("x", x, 0, parameters_.length);
+  require_within("y", y, 0, parameters_.length);
+  require_finite("t", t);
+  constexpr int iterations = 50;  // Newton's method: six or seven suffice where J is near 1
+  constexpr Order none{0, 0, 0};
+  Label at{x, y};
+  for (int i = 0; i < iterations; ++i) {
+    const Motion motion(parameters_, at.x, at.y, t);
+    const double miss_x = at.x + motion.x(none) - x;
+    const double miss_y = at.y + motion.y(none) - y;
+    const double j = motion.jacobian(none);
+    const double step_x = (motion.y_y(none) * miss_x - motion.x_y(none) * miss_y) / j;
+    const double step_y = (motion.x_x(none) * miss_y - motion.y_x(none) * miss_x) / j;
+    at.x = std::clamp(at.x - step_x, 0.0, parameters_.length);
+    at.y = std::clamp(at.y - step_y, 0.0, parameters_.length);
+    if (std::hypot(step_x, step_y) <= 1e-9 * parameters_.length) break;  // the next error is its square
+  }
+  return at;
+}
+
+Provenance PlanManufactured::provenance() {
+  return {
+      "manufactured: Roache, Code verification by the method of manufactured solutions, J. Fluids Eng. 124 (2002) "
+      "4; model: Green and Naghdi, J. Fluid Mech. 78 (1976) 237; Miles and Salmon, J. Fluid Mech. 157 (1985) 519",
+      "x = X + A sin kX cos kY cos(w t + 1/2), y = Y + A (0.7 cos kX sin kY cos(w t + 1) + 0.3 cos 2kX sin 2kY "
+      "sin w t), H = d/J, b = x_tt + g grad H + (alpha/H) grad(H^2 D^2 H)"};
+}
+
+double PlanManufactured::uncertainty() const {
+  return 100 * std::numeric_limits<double>::epsilon();
+}
+
+/// The derivatives are those of the returned values alone, in variables in which they vary over unit distance.
+SelfTest PlanManufactured::self_test() const {
+  const Parameters& p = parameters_;
+  const double closest = 1 - 2.3 * std::abs(p.amplitude) * std::numbers::pi / p.length;  // lower bound of J
+  const double label_scale = closest * p.length / (4 * std::numbers::pi);
+  const double time_scale = closest / (4 * p.frequency);
+  const double speed = p.frequency * p.length;
+  const double acceleration = p.gravity + p.frequency * speed;
+  double mass = 0;
+  double velocities = 0;
+  double continuity = 0;
+  double vertical = 0;
+  double momentum = 0;
+  double walls = 0;
+  const auto check_walls = [&](double a, double t) {
+    for (const double wall : {0.0, p.length}) {
+      const Sample west = at(wall, a, t);
+      const Sample south = at(a, wall, t);
+      walls = std::max({walls, std::abs(west.x - wall) / p.length, std::abs(south.y - wall) / p.length,
+                        std::abs(west.u) / speed, std::abs(south.v) / speed, std::abs(west.bx) / acceleration,
+                        std::abs(south.by) / acceleration});
+    }
+  };
+  const auto check_inside = [&](double a, double b, double t) {
+    const auto by_x = [&](auto value) {
+      return difference([&](double z) { return value(at(a + label_scale * z, b, t)); }) / label_scale;
+    };
+    const auto by_y = [&](auto value) {
+      return difference([&](double z) { return value(at(a, b + label_scale * z, t)); }) / label_scale;
+    };
+    const auto rate = [&](auto value) {
+      return difference([&](double z) { return value(at(a, b, t + time_scale * z)); }) / time_scale;
+    };
+    const double x_x = by_x([](const Sample& s) { return s.x; });
+    const double x_y = by_y([](const Sample& s) { return s.x; });
+    const double y_x = by_x([](const Sample& s) { return s.y; });
+    const double y_y = by_y([](const Sample& s) { return s.y; });
+    const double jacobian = x_x * y_y - x_y * y_x;
+    const auto along_x = [&](auto value) { return (by_x(value) * y_y - by_y(value) * y_x) / jacobian; };
+    const auto along_y = [&](auto value) { return (by_y(value) * x_x - by_x(value) * x_y) / jacobian; };
+    const Sample here = at(a, b, t);
+    mass = std::max(mass, std::abs(here.depth * jacobian / p.depth - 1));
+    velocities = std::max(
+        {velocities, std::abs(rate([](const Sample& s) { return s.x; }) - here.u) / speed,
+         std::abs(rate([](const Sample& s) { return s.y; }) - here.v) / speed,
+         std::abs(rate([](const Sample& s) { return s.depth; }) - here.depth_rate) / (p.frequency * here.depth)});
+    const double expansion =
+        along_x([](const Sample& s) { return s.u; }) + along_y([](const Sample& s) { return s.v; });
+    continuity = std::max(continuity, std::abs(here.depth_rate / here.depth + expansion) / p.frequency);
+    const double rise = p.alpha * rate([](const Sample& s) { return s.depth_rate; });
+    vertical = std::max(vertical, std::abs(rise - (here.lambda - p.gravity * here.depth) / here.depth) /
+                                      (p.frequency * p.frequency * here.depth));
+    // H Du = -grad(lambda H - g H^2/2) + H b
+    const auto thrust = [&](const Sample& s) { return (s.lambda - 0.5 * p.gravity * s.depth) * s.depth; };
+    const double ax = rate([](const Sample& s) { return s.u; }) + along_x(thrust) / here.depth;
+    const double ay = rate([](const Sample& s) { return s.v; }) + along_y(thrust) / here.depth;
+    const double size = acceleration + std::abs(thrust(here)) / (here.depth * label_scale);
+    momentum = std::max(momentum, std::hypot(ax - here.bx, ay - here.by) / size);
+  };
+  constexpr int labels = 6;
+  constexpr int times = 5;
+  for (int l = 0; l < times; ++l) {
+    const double t = 2 * std::numbers::pi / p.frequency * (l + 0.4) / times;
+    for (int i = 0; i < labels; ++i) {
+      const double a = p.length * (0.15 + 0.7 * i / (labels - 1));  // inside, with room for the differences
+      check_walls(a, t);
+      for (int m = 0; m < labels; ++m) check_inside(a, p.length * (0.15 + 0.7 * m / (labels - 1)), t);
+    }
+  }
+  // Eighth-order differences over h = (551 eps)^(1/9) = 0.037 scales: weights of 2.1/h in sum.
+  const double limit = 8 * std::numeric_limits<double>::epsilon() * p.length / label_scale * 2.1 / 0.037;
+  const std::string reason =
+      "values up to L rounded eight times, over the scale of the finest harmonic, divided by the spacing of "
+      "eighth-order differences";
+  return {{"walls: x = 0, L and y = 0, L stay, without velocity or force across", walls, 1e-14,
+           "sin(pi) rounded to 1.2e-16, up to ten such terms, with factors J^-5 below 10"},
+          {"H (x_X y_Y - x_Y y_X) = d", mass, limit, reason},
+          {"u, v, DH are the rates of x, y, H", velocities, limit, "the same"},
+          {"DH + H div(u, v) = 0", continuity, limit, "the same"},
+          {"alpha D^2 H = (lambda - g H)/H", vertical, limit, "the same"},
+          {"D(u, v) + grad(lambda H - g H^2/2)/H = b", momentum, limit, "the same"}};
+}
+
+}  // namespace seiche::exact

@@ -1,0 +1,71 @@
+/// A hexahedral mesh of water and what bounds it.
+///
+/// columns x rows x layers cells; node (i, j, l) has index (l (rows + 1) + j)(columns + 1) + i: rows of nodes along x
+/// are contiguous, level 0 is the bottom, level `layers` the surface. Cell (i, j, l), index (l rows + j) columns + i,
+/// has the corners
+///
+///     7 = (i, j+1, l+1)   6 = (i+1, j+1, l+1)          3 = (i, j+1, l)   2 = (i+1, j+1, l)
+///     4 = (i, j, l+1)     5 = (i+1, j, l+1)   above    0 = (i, j, l)     1 = (i+1, j, l)
+///
+/// Its shape is the trilinear hexahedron of its corners: faces are bilinear patches, which neighbours share and which
+/// are the mean of the two ways to cut a face into triangles. z counts from the still-water level, so that a lake at
+/// rest has multipliers 0 and stays at rest bit by bit. The bottom is level.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "seiche/models/plan_lattice/sides.hpp"
+
+namespace seiche::lagrangian_mesh_3d {
+
+using plan_lattice::Place;
+using plan_lattice::Shape;
+using plan_lattice::Sides;
+
+struct Mesh {
+  Shape plan;
+  std::size_t layers = 0;
+  std::vector<double> x, y, z;  ///< of all nodes [m]
+  Sides sides;                  ///< hold the nodes of all levels; driven ones in both horizontal directions
+  bool free_bottom = false;     ///< nodes of level 0 move vertically too: a body of fluid in space
+
+  [[nodiscard]] std::size_t nodes() const { return plan.nodes() * (layers + 1); }
+  [[nodiscard]] std::size_t cells() const { return plan.cells() * layers; }
+  [[nodiscard]] std::size_t node(std::size_t i, std::size_t j, std::size_t l) const {
+    return l * plan.nodes() + plan.node(i, j);
+  }
+  /// Corners 0..7 of a cell.
+  [[nodiscard]] std::array<std::size_t, 8> corners(std::size_t cell) const;
+
+  /// Throws std::invalid_argument: no cells, arrays of other lengths, values that are not finite, a corner whose edges
+  /// do not span a positive volume (by cell and place), a bottom that is not level.
+  void require_valid() const;
+};
+
+struct Vector {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+};
+using CellCorners = std::array<Vector, 8>;
+
+/// Volume of the trilinear hexahedron.
+double hexahedron_volume(const CellCorners& r);
+/// Volume spanned by the edges at each corner: positive for all of them if the cell is not folded there.
+std::array<double, 8> corner_volumes(const CellCorners& r);
+
+CellCorners corners_of(const Mesh& mesh, std::span<const double> x, std::span<const double> y,
+                       std::span<const double> z, std::size_t cell);
+
+/// The worst corner of a mesh: the volume its edges span over the cell's first volume. 1 for a box, 0 where it folds.
+struct Corner {
+  double shape = 1;
+  std::size_t cell = 0;
+};
+Corner worst_corner(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::span<const double> z,
+                    std::span<const double> first_volumes);
+
+}  // namespace seiche::lagrangian_mesh_3d

@@ -1,0 +1,72 @@
+#include "seiche/models/lagrangian_mesh_3d/nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace seiche::lagrangian_mesh_3d {
+
+namespace {
+
+/// Directions closer to an axis than this are along it: far above round-off, far below any angle that is meant.
+constexpr double parallel = 1e-12;
+
+}  // namespace
+
+Nodes::Nodes(const Mesh& mesh, std::span<const double> volumes, double density)
+    : sides_(std::make_shared<const Sides>(mesh.sides)), freedom_(mesh.nodes(), along_x | along_y | along_z) {
+  const std::size_t level = mesh.plan.nodes();
+  const auto set = [&](std::size_t node, unsigned char freedom) {
+    freedom_[node] = static_cast<unsigned char>((freedom_[node] & along_z) | freedom);
+  };
+  if (!mesh.free_bottom) std::fill_n(freedom_.begin(), level, static_cast<unsigned char>(along_x | along_y));
+  for (const plan_lattice::BoundNode& bound :
+       plan_lattice::bound_nodes(mesh.plan, *sides_, std::span(mesh.x).first(level), std::span(mesh.y).first(level))) {
+    const plan_lattice::DrivenSide* driven = bound.driven[0] != nullptr ? bound.driven[0] : bound.driven[1];
+    for (std::size_t l = 0; l <= mesh.layers; ++l) {
+      const std::size_t node = l * level + bound.node;
+      if (driven != nullptr) {
+        const std::size_t wall = bound.driven[0] == nullptr ? 0 : 1;
+        const bool ends_at_wall = bound.directions == 2 && bound.driven[wall] == nullptr;
+        driven_.push_back({node, driven, ends_at_wall ? bound.normal[wall] : Point{}});
+        set(node, 0);
+      } else if (bound.directions == 2) {
+        set(node, 0);
+      } else if (std::abs(bound.normal[0].x) < parallel) {
+        set(node, along_x);
+      } else if (std::abs(bound.normal[0].y) < parallel) {
+        set(node, along_y);
+      } else {
+        set(node, 0);
+        slides_.push_back({node, {-bound.normal[0].y, bound.normal[0].x}});
+      }
+    }
+  }
+  std::sort(slides_.begin(), slides_.end(), [](const Slide& a, const Slide& b) { return a.node < b.node; });
+  weigh(mesh, volumes, density);
+}
+
+void Nodes::weigh(const Mesh& mesh, std::span<const double> volumes, double density) {
+  mass_.assign(mesh.nodes(), 0.0);
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    for (const std::size_t k : mesh.corners(cell)) mass_[k] += density * volumes[cell] / 8;
+  }
+  constexpr std::array freedoms{along_x, along_y, along_z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    w_[axis].resize(mass_.size());
+    for (std::size_t k = 0; k < mass_.size(); ++k) {
+      w_[axis][k] = (freedom_[k] & freedoms[axis]) != 0 ? 1 / mass_[k] : 0.0;
+    }
+  }
+}
+
+Vector Nodes::allowed(std::size_t node, const Vector& velocity) const {
+  const Vector free{w_[0][node] > 0 ? velocity.x : 0.0, w_[1][node] > 0 ? velocity.y : 0.0,
+                    w_[2][node] > 0 ? velocity.z : 0.0};
+  const auto slide =
+      std::lower_bound(slides_.begin(), slides_.end(), node, [](const Slide& s, std::size_t k) { return s.node < k; });
+  if (slide == slides_.end() || slide->node != node) return free;
+  const double speed = slide->direction.x * velocity.x + slide->direction.y * velocity.y;
+  return {speed * slide->direction.x, speed * slide->direction.y, free.z};
+}
+
+}  // namespace seiche::lagrangian_mesh_3d

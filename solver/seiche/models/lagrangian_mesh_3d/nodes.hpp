@@ -1,0 +1,60 @@
+/// How the nodes of a mesh may move: their masses and what holds them.
+///
+/// Inverse masses wx, wy, wz are 0 where a node cannot move along an axis by itself. A node on a wall that is not
+/// parallel to an axis slides along a direction t: W = t t^T/m in plan, which the model adds node by node; they are
+/// few.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "seiche/models/lagrangian_mesh_3d/mesh.hpp"
+
+namespace seiche::lagrangian_mesh_3d {
+
+struct Slide {
+  std::size_t node;
+  Point direction;  ///< unit vector
+};
+
+/// A node whose horizontal velocity is prescribed, but for the component along `wall`, which is 0.
+struct Driven {
+  std::size_t node;
+  const plan_lattice::DrivenSide* side;
+  Point wall = {0, 0};  ///< unit normal of the wall that ends there, or 0
+};
+
+class Nodes {
+ public:
+  /// Sides hold the nodes of all levels as they hold those of level 0.
+  /// Throws std::invalid_argument (plan_lattice::bound_nodes; masses that are not positive).
+  Nodes(const Mesh& mesh, std::span<const double> volumes, double density);
+
+  /// New masses for other volumes of the same mesh.
+  void weigh(const Mesh& mesh, std::span<const double> volumes, double density);
+
+  [[nodiscard]] std::size_t size() const { return mass_.size(); }
+  [[nodiscard]] const std::vector<double>& mass() const { return mass_; }
+  [[nodiscard]] const std::vector<double>& wx() const { return w_[0]; }
+  [[nodiscard]] const std::vector<double>& wy() const { return w_[1]; }
+  [[nodiscard]] const std::vector<double>& wz() const { return w_[2]; }
+  [[nodiscard]] std::span<const Slide> slides() const { return slides_; }
+  [[nodiscard]] std::span<const Driven> driven() const { return driven_; }
+  /// What is left of a velocity at a place where nodes are held as this one; driven components are 0.
+  [[nodiscard]] Vector allowed(std::size_t node, const Vector& velocity) const;
+
+ private:
+  enum Freedom : unsigned char { along_x = 1, along_y = 2, along_z = 4 };
+
+  std::shared_ptr<const Sides> sides_;  // what driven nodes point to, in copies too
+  std::vector<double> mass_;
+  std::array<std::vector<double>, 3> w_;
+  std::vector<unsigned char> freedom_;
+  std::vector<Slide> slides_;
+  std::vector<Driven> driven_;
+};
+
+}  // namespace seiche::lagrangian_mesh_3d

@@ -1,0 +1,180 @@
+#include "seiche/models/lagrangian_mesh_3d/rows.hpp"
+
+#include "seiche/simd_clones.hpp"
+
+namespace seiche::lagrangian_mesh_3d {
+namespace {
+
+struct V3 {
+  double x, y, z;
+};
+
+SEICHE_INLINE V3 operator+(V3 a, V3 b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+SEICHE_INLINE V3 operator-(V3 a, V3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+SEICHE_INLINE V3 operator*(double s, V3 a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+SEICHE_INLINE V3 cross(V3 a, V3 b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+SEICHE_INLINE double dot(V3 a, V3 b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+/// Row and place in it of a corner: 0, 3, 4, 7 on the west side of the cell, 1, 2, 5, 6 on the east side.
+constexpr std::array<std::size_t, 8> row_of{0, 0, 1, 1, 2, 2, 3, 3};
+constexpr std::array<std::size_t, 8> east{0, 1, 1, 0, 0, 1, 1, 0};
+
+SEICHE_INLINE V3 at(const NodeVectors& r, std::size_t corner, std::size_t i) {
+  const std::size_t row = row_of[corner];
+  const std::size_t k = i + east[corner];
+  return {r[0][row][k], r[1][row][k], r[2][row][k]};
+}
+
+template <bool add>
+SEICHE_INLINE void measure(std::size_t columns, const NodeVectors& rows, double factor, RowBlocks::Row gradients) {
+  const NodeVectors r = rows;
+  double* const out = gradients.data;
+  const std::size_t stride = gradients.stride;
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < columns; ++i) {
+    // Sums and differences along x on the four edges (0,1), (3,2), (4,5), (7,6).
+    const V3 r0 = at(r, 0, i), r1 = at(r, 1, i), r2 = at(r, 2, i), r3 = at(r, 3, i);
+    const V3 r4 = at(r, 4, i), r5 = at(r, 5, i), r6 = at(r, 6, i), r7 = at(r, 7, i);
+    const V3 t0 = r1 - r0, t1 = r2 - r3, t2 = r5 - r4, t3 = r6 - r7;
+    // Sums first by differences along y and z: they cancel what is common to all corners.
+    const V3 north_low = (r3 - r0) + (r2 - r1);
+    const V3 north_high = (r7 - r4) + (r6 - r5);
+    const V3 up_south = (r4 - r0) + (r5 - r1);
+    const V3 up_north = (r7 - r3) + (r6 - r2);
+    const V3 a = (t0 + t1) + (t2 + t3);
+    const V3 e = (t2 + t3) - (t0 + t1);
+    const V3 f = (t1 - t0) + (t3 - t2);
+    const V3 b = north_low + north_high;
+    const V3 c = up_south + up_north;
+    const V3 d = north_high - north_low;
+    // Modes are eight times those of the formula.
+    const double third = factor / (3 * 64);
+    const double whole = factor / 64;
+    const V3 fa = whole * cross(b, c) + third * cross(f, e);
+    const V3 fb = whole * cross(c, a) + third * cross(d, f);
+    const V3 fc = whole * cross(a, b) + third * cross(e, d);
+    const V3 fd = third * (cross(c, e) + cross(f, b));
+    const V3 fe = third * (cross(d, c) + cross(a, f));
+    const V3 ff = third * (cross(b, d) + cross(e, a));
+    const V3 p = fa - fe, q = fb - fd, s = fa + fe, t = fb + fd;
+    const V3 minus = ff - fc, plus = ff + fc;
+    const auto put = [&](std::size_t corner, V3 g) __attribute__((always_inline)) {
+      double* const gx = out + component(corner, 0) * stride + i;
+      double* const gy = out + component(corner, 1) * stride + i;
+      double* const gz = out + component(corner, 2) * stride + i;
+      if constexpr (add) {
+        *gx += g.x;
+        *gy += g.y;
+        *gz += g.z;
+      } else {
+        *gx = g.x;
+        *gy = g.y;
+        *gz = g.z;
+      }
+    };
+    put(0, minus - (p + q));
+    put(1, (p - q) - plus);
+    put(2, (p + q) + minus);
+    put(3, (q - p) - plus);
+    put(4, plus - (s + t));
+    put(5, (s - t) - minus);
+    put(6, (s + t) + plus);
+    put(7, (t - s) - minus);
+  }
+}
+
+}  // namespace
+
+SEICHE_SIMD_CLONES
+void measure_row(std::size_t columns, const NodeVectors& r, RowBlocks::Row gradients) {
+  measure<false>(columns, r, 1, gradients);
+}
+
+SEICHE_SIMD_CLONES
+void add_measured_row(std::size_t columns, const NodeVectors& r, double factor, RowBlocks::Row gradients) {
+  measure<true>(columns, r, factor, gradients);
+}
+
+SEICHE_SIMD_CLONES
+double folded_corners_of_row(std::size_t columns, const NodeVectors& rows) {
+  const NodeVectors r = rows;
+  double folded = 0;
+#pragma omp simd reduction(+ : folded)
+  for (std::size_t i = 0; i < columns; ++i) {
+    const V3 r0 = at(r, 0, i), r1 = at(r, 1, i), r2 = at(r, 2, i), r3 = at(r, 3, i);
+    const V3 r4 = at(r, 4, i), r5 = at(r, 5, i), r6 = at(r, 6, i), r7 = at(r, 7, i);
+    const V3 x0 = r1 - r0, x1 = r2 - r3, x2 = r5 - r4, x3 = r6 - r7;
+    const V3 y0 = r3 - r0, y1 = r2 - r1, y2 = r7 - r4, y3 = r6 - r5;
+    const V3 z0 = r4 - r0, z1 = r5 - r1, z2 = r6 - r2, z3 = r7 - r3;
+    // Written so that a volume that is not a number counts.
+    const double low = (dot(x0, cross(y0, z0)) > 0 ? 0.0 : 1.0) + (dot(x0, cross(y1, z1)) > 0 ? 0.0 : 1.0) +
+                       (dot(x1, cross(y1, z2)) > 0 ? 0.0 : 1.0) + (dot(x1, cross(y0, z3)) > 0 ? 0.0 : 1.0);
+    const double high = (dot(x2, cross(y2, z0)) > 0 ? 0.0 : 1.0) + (dot(x2, cross(y3, z1)) > 0 ? 0.0 : 1.0) +
+                        (dot(x3, cross(y3, z2)) > 0 ? 0.0 : 1.0) + (dot(x3, cross(y2, z3)) > 0 ? 0.0 : 1.0);
+    folded += low + high;
+  }
+  return folded;
+}
+
+SEICHE_SIMD_CLONES
+void rates_of_row(std::size_t columns, RowBlocks::ConstRow gradients, const NodeVectors& velocity, double* rates) {
+  const NodeVectors u = velocity;
+  const double* const g = gradients.data;
+  const std::size_t stride = gradients.stride;
+  double* __restrict out = rates;
+#pragma omp simd
+  for (std::size_t i = 0; i < columns; ++i) {
+    const auto term = [&](std::size_t corner) __attribute__((always_inline)) {
+      const V3 v = at(u, corner, i);
+      return g[component(corner, 0) * stride + i] * v.x + g[component(corner, 1) * stride + i] * v.y +
+             g[component(corner, 2) * stride + i] * v.z;
+    };
+    out[i] = ((term(0) + term(1)) + (term(2) + term(3))) + ((term(4) + term(5)) + (term(6) + term(7)));
+  }
+}
+
+SEICHE_SIMD_CLONES
+void react_row(std::size_t columns, const CellRows& cells, const std::array<const double*, 3>& w,
+               const std::array<double*, 3>& u) {
+  // A node is the corner (6, 7), (5, 4), (2, 3), (1, 0) of the cells west and east of it in the four rows.
+  constexpr std::array<std::size_t, 4> corner_of_west{6, 5, 2, 1};
+  constexpr std::array<std::size_t, 4> corner_of_east{7, 4, 3, 0};
+  const auto west = [&](std::size_t row, std::size_t axis, std::size_t i) {
+    return cells.mu[row][i - 1] * cells.gradients[row][component(corner_of_west[row], axis)][i - 1];
+  };
+  const auto eastern = [&](std::size_t row, std::size_t axis, std::size_t i) {
+    return cells.mu[row][i] * cells.gradients[row][component(corner_of_east[row], axis)][i];
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double* __restrict out = u[axis];
+    const double* __restrict mobility = w[axis];
+    const auto stream = [&](const std::array<std::size_t, 4>& corner, std::size_t row) {
+      return cells.gradients[row][component(corner[row], axis)];
+    };
+    const double *const w0 = stream(corner_of_west, 0), *const w1 = stream(corner_of_west, 1),
+                        *const w2 = stream(corner_of_west, 2), *const w3 = stream(corner_of_west, 3);
+    const double *const e0 = stream(corner_of_east, 0), *const e1 = stream(corner_of_east, 1),
+                        *const e2 = stream(corner_of_east, 2), *const e3 = stream(corner_of_east, 3);
+    const double *const m0 = cells.mu[0], *const m1 = cells.mu[1], *const m2 = cells.mu[2], *const m3 = cells.mu[3];
+    out[0] += mobility[0] * ((eastern(0, axis, 0) + eastern(1, axis, 0)) + (eastern(2, axis, 0) + eastern(3, axis, 0)));
+#pragma omp simd
+    for (std::size_t i = 1; i < columns; ++i) {
+      const double low = (m0[i - 1] * w0[i - 1] + m0[i] * e0[i]) + (m1[i - 1] * w1[i - 1] + m1[i] * e1[i]);
+      const double high = (m2[i - 1] * w2[i - 1] + m2[i] * e2[i]) + (m3[i - 1] * w3[i - 1] + m3[i] * e3[i]);
+      out[i] += mobility[i] * (low + high);
+    }
+    const std::size_t n = columns;
+    out[n] += mobility[n] * ((west(0, axis, n) + west(1, axis, n)) + (west(2, axis, n) + west(3, axis, n)));
+  }
+}
+
+}  // namespace seiche::lagrangian_mesh_3d

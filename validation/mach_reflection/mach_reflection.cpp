@@ -1,0 +1,324 @@
+/*
+A solitary wave meets a wall at an angle $\psi_i$ (Frank 1994, section 4.3). At large angles it is reflected as light
+is: the crests of incident and reflected wave cross at the wall. At small angles a third wave appears, the *Mach stem*.
+It stands upright on the wall, is higher than the two together, and grows longer for ever. Lengths are in depths, times
+in $\sqrt{\text{depth}/g}$.
+
+For waves of small amplitude $a_i$ Miles (1977) found what happens in the end, with
+$\kappa = \psi_i/\sqrt{3a_i}$: for $\kappa < 1$ a stem of height $a_w = (1+\kappa)^2 a_i$ and a reflected wave of
+amplitude $a_r = \kappa^2 a_i$ at the angle $\psi_r = \sqrt{3a_i}$; for $\kappa > 1$ equal angles and amplitudes, and
+$a_w = 4a_i/(1 + \sqrt{1 - \kappa^{-2}})$. Li, Yeh and Kodama (2011) replace $\kappa$ by
+$\tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$, which fits angles that are not small.
+
+**Set-up.** The wall is $y = 0$. The water is a window that runs along with the crest. Serre's exact wave is let in at
+the north side, and crosses the window at the start as if there were no wall. `model`: `plan`, columns of water with
+markers on the surface, or `hexahedra`, layers of Lagrangian cells. Steps are half the spacing `h`.
+
+**What is compared.** Amplitudes at the wall, of the incident and of the reflected wave, angles of the reflected wave
+and of the path of the stem's end. Two configurations: `angle`, and `second_angle` beyond the transition. Both on two or
+more lattices, whose differences give the numerical uncertainty. The reference is an independent implementation of the
+same model at $h = 0.5$; the theories stand beside it.
+
+**What to look at.** Miles's plain $\kappa$ is far too low for a wave of $a = 0.3$, the one for finite angles within a
+few per cent. The reflected angle is larger than the incident one, but not by as much as $\sqrt{3a_i}$. The ratio
+$a_w/a_i$ is taken with the measured $a_i$. Next to the transition the stem grows for a very long time: a result that
+grows by more than 1 % in the last fifth of the run is marked, and the limit of a fitted approach given instead.
+*/
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/mach_reflection.hpp"
+#include "validation/case/case.hpp"
+#include "validation/measures/fine_limit.hpp"
+#include "validation/measures/reflection_reference.hpp"
+#include "validation/measures/reflection_run.hpp"
+#include "validation/measures/side_by_side.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Measurement;
+using evidence::Role;
+using exact::MachReflection;
+
+const std::string source = "Frank (1994), section 4.3";
+
+/// One quantity of a reflection: how to measure it, what is known of it.
+struct Quantity {
+  std::string id, text, unit;
+  Measurement (*measured)(const Reflection&, const KnownReflection*);
+  Known KnownReflection::*known;
+  double useful;  ///< largest expanded uncertainty that still tells configurations apart
+};
+
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> all = {
+      {"a_w_over_a_i", "The amplitude at the wall over the incident one", "1",
+       [](const Reflection& r, const KnownReflection* known) {
+         return known ? wall_ratio_until(r, known->end) : r.wall_ratio();
+       },
+       &KnownReflection::wall_ratio, 0.3},
+      {"a_r_over_a_i", "The reflected amplitude over the incident one", "1",
+       [](const Reflection& r, const KnownReflection*) { return r.reflected_ratio(); },
+       &KnownReflection::reflected_ratio, 0.2},
+      {"psi_r", "The angle of reflection", "deg",
+       [](const Reflection& r, const KnownReflection*) { return r.reflected_angle(); },
+       &KnownReflection::reflected_angle, 6},
+      {"stem_angle", "The angle between the wall and the path of the stem's end", "deg",
+       [](const Reflection& r, const KnownReflection*) {
+         return Measurement{.value = degrees(r.stem.value),
+                            .uncertainty = degrees(r.stem.uncertainty),
+                            .resolution = r.run.resolution()};
+       },
+       &KnownReflection::stem_angle, 1},
+  };
+  return all;
+}
+
+/// One angle on several lattices, the finest first.
+struct Configuration {
+  double angle = 0;  ///< [deg]
+  std::vector<Reflection> ladder = {};
+
+  [[nodiscard]] const Reflection& finest() const { return ladder.front(); }
+  [[nodiscard]] std::vector<double> sizes() const {
+    std::vector<double> h;
+    for (const Reflection& reflection : ladder) h.push_back(reflection.run.spacing);
+    return h;
+  }
+};
+
+std::vector<Configuration> compute(Run& run) {
+  std::vector<double> factors{1, 1.25};
+  if (run.tier() == Tier::full) factors = {1, 1.4, 2};
+  if (run.tier() == Tier::paper) factors = {0.7, 1, 1.4, 2};
+  std::vector<Configuration> all{{.angle = run.real("angle")}};
+  if (run.real("second_angle") > 0) all.push_back({.angle = run.real("second_angle")});
+  for (Configuration& one : all) one.ladder.resize(factors.size());
+  const std::size_t count = all.size() * factors.size();
+  side_by_side(
+      count, workers_of(run.tier()),
+      [&](std::size_t k) {
+        Configuration& one = all[k % all.size()];
+        const double factor = factors[k / all.size()];
+        one.ladder[k / all.size()] = reflect({.amplitude = run.real("amplitude"),
+                                              .angle = radians(one.angle),
+                                              .spacing = factor * run.real("h"),
+                                              .time = run.real("time"),
+                                              .model = wave_model_named(run.text("model")),
+                                              .layers = static_cast<std::size_t>(run.integer("layers"))});
+      },
+      [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(count)); });
+  return all;
+}
+
+/// Of the finest lattice, with the uncertainty of its measure and of the lattice; the limit of fine lattices beside it.
+struct Value {
+  Measurement measured;
+  double limit;
+};
+Value value_of(const Configuration& one, const Quantity& quantity, const KnownReflection* known) {
+  std::vector<double> values;
+  for (const Reflection& reflection : one.ladder) values.push_back(quantity.measured(reflection, known).value);
+  const FineLimit lattice = fine_limit(one.sizes(), values);
+  Measurement measured = quantity.measured(one.finest(), known);
+  measured.uncertainty = std::hypot(measured.uncertainty, lattice.uncertainty);
+  return {measured, lattice.value};
+}
+
+void measure(evidence::Record& record, const Configuration& one, const std::string& suffix) {
+  const Reflection& finest = one.finest();
+  const auto keep = [&](const std::string& name, double value) { record.measure(name + suffix, value); };
+  keep("a_w", finest.wall.back());
+  keep("a_i", finest.pattern.incident_amplitude.value);
+  if (finest.pattern.reflected) keep("a_r", finest.pattern.reflected->amplitude.value);
+  keep("growth_last_fifth", finest.limit.growth);
+  keep("growth_rate", finest.limit.growth / (0.2 * finest.time.back()));
+  keep("a_w_limit_over_a_i", finest.limit_ratio().value);
+  keep("a_w_limit_over_a_i_uncertainty", finest.limit_ratio().uncertainty);
+  keep("kappa", finest.run.kappa());
+  keep("kappa_finite_angle", finest.run.kappa_finite_angle());
+  keep("stem_length", finest.pattern.stem_length.value);
+  keep("end_time", finest.time.back());
+  keep("worst_corner", finest.worst_corner);
+  keep("cells", static_cast<double>(finest.cells));
+  keep("iterations_per_step", finest.iterations);
+  keep("processor_seconds", finest.seconds);
+  for (const Quantity& quantity : quantities()) {
+    const Value value = value_of(one, quantity, nullptr);
+    if (!std::isfinite(value.measured.value)) continue;
+    keep(quantity.id, value.measured.value);
+    keep(quantity.id + "_uncertainty", value.measured.uncertainty);
+    keep(quantity.id + "_fine_limit", value.limit);
+  }
+}
+
+void claim_reference(evidence::Record& record, const Configuration& one, const KnownReflection& known) {
+  for (const Quantity& quantity : quantities()) {
+    const Known& expected = known.*quantity.known;
+    record.check({.id = quantity.id + "-" + id_of(one.angle),
+                  .text = fmt::format("{}, {:g} deg, is that of an independent program.", quantity.text, one.angle),
+                  .quantity = quantity.id,
+                  .unit = quantity.unit,
+                  .source = independent_reflections},
+                 value_of(one, quantity, &known).measured,
+                 evidence::Uncertainty{.expected = expected.value,
+                                       .data = expected.uncertainty,
+                                       .useful = quantity.useful,
+                                       .reason = "its numbers are of h = 0.5, with the uncertainty stated there; of "
+                                                 "ours the scatter of the rows and the change with the lattice"});
+  }
+}
+
+/// Theory is of leading order in the amplitude.
+void claim_theory(evidence::Record& record, const Configuration& one) {
+  const ReflectionRun& what = one.finest().run;
+  const MachReflection finite(what.amplitude, what.angle, MachReflection::Theory::kodama_yeh);
+  const MachReflection miles(what.amplitude, what.angle);
+  const double ratio = one.finest().limit_ratio().value;
+  record.measure(fmt::format("a_w_over_miles_{:g}", one.angle), ratio / miles.wall_ratio());
+  record.measure(fmt::format("a_w_over_kodama_yeh_{:g}", one.angle), ratio / finite.wall_ratio());
+  constexpr double cusp = 0.15;
+  if (std::abs(finite.kappa() - 1) < cusp) return;
+  record.check(
+      {.id = "theory-" + id_of(one.angle),
+       .text = fmt::format("At {:g} deg the amplitude at the wall is that of the theory of small waves, with its "
+                           "parameter for finite angles.",
+                           one.angle),
+       .quantity = "a_w/a_i for infinite time",
+       .source = "Miles (1977); Li, Yeh and Kodama (2011)"},
+      one.finest().limit_ratio(),
+      evidence::Bound{.limit = finite.theory_uncertainty(),
+                      .reason =
+                          "what it leaves out is of the order of the incident amplitude; not judged within 0.15 of "
+                          "kappa = 1, where it has a cusp",
+                      .expected = finite.wall_ratio(),
+                      .relative = true});
+}
+
+void claim_steady(evidence::Record& record, const Configuration& one) {
+  record.check({.id = "steady-" + id_of(one.angle),
+                .text = fmt::format("At {:g} deg the amplitude at the wall no longer grows.", one.angle),
+                .quantity = "relative growth during the last fifth of the run",
+                .source = source},
+               {.value = one.finest().limit.growth, .resolution = one.finest().run.resolution()},
+               evidence::Bound{.limit = steady_growth, .reason = "what counts as steady here"});
+}
+
+void draw_surface(evidence::Record& record, const Configuration& one) {
+  const Reflection& r = one.finest();
+  auto& figure = record.figure(
+      "surface-" + id_of(one.angle), fmt::format("The pattern at {:g} deg", one.angle),
+      fmt::format(
+          "a_i = {:g}, {}; {}. x from the crest on the wall, y from the wall. Dots: the crests that are measured; "
+          "lines: fitted to them.",
+          r.run.amplitude, r.run.resolution(), r.growth_flag()));
+  auto& plan = figure.panel({.x = "x [depth]", .y = "y [depth]", .z = "elevation [depth]"});
+  plan.plan("elevation", r.surface.lattice());
+  const auto crests = [&](const std::string& name, const std::vector<Crest>& found, const StraightLine& line) {
+    std::vector<double> x, y, fitted;
+    for (const Crest& crest : found) {
+      x.push_back(crest.x - r.pattern.wall.x);
+      y.push_back(crest.y);
+      fitted.push_back(line.at(crest.y) - r.pattern.wall.x);
+    }
+    plan.points(name, x, y, Role::data);
+    plan.line("fitted", fitted, y, Role::exact);
+  };
+  crests("incident crest", r.pattern.incident, r.pattern.incident_line);
+  if (r.pattern.reflected) crests("reflected crest", r.pattern.reflected->crests, r.pattern.reflected->line);
+}
+
+void draw_history(evidence::Record& record, const std::vector<Configuration>& all) {
+  auto& figure = record.figure("wall", "Amplitude at the wall",
+                               "Over the measured incident amplitude, on the finest lattice; dashed: the limit of an "
+                               "exponential fitted to the last half.");
+  auto& panel = figure.panel({.x = "t [sqrt(depth/g)]", .y = "a_w/a_i"});
+  for (const Configuration& one : all) {
+    const Reflection& r = one.finest();
+    std::vector<double> ratio = r.wall;
+    for (double& value : ratio) value /= r.pattern.incident_amplitude.value;
+    panel.line(fmt::format("{:g} deg, {}: {}", one.angle, r.run.resolution(), r.growth_flag()), r.time, ratio);
+    panel.line("limit", std::vector{0.0, r.time.back()}, std::vector(2, r.limit_ratio().value), Role::guide);
+  }
+}
+
+void tabulate(evidence::Record& record, const std::vector<Configuration>& all,
+              const std::vector<KnownReflection>& known) {
+  evidence::Table table{.id = "reflections",
+                        .title = "What is measured, and what others have",
+                        .caption =
+                            "Limit: for fine lattices; reference: an independent program, h = 0.5; theories: for "
+                            "small waves after infinite time, with kappa of Miles and for finite angles.",
+                        .columns = {{"angle", "deg"},
+                                    {"quantity", ""},
+                                    {"measured", ""},
+                                    {"uncertainty", ""},
+                                    {"limit", ""},
+                                    {"reference", ""},
+                                    {"Miles", ""},
+                                    {"finite angles", ""}},
+                        .rows = {},
+                        .atlas = {}};
+  for (const Configuration& one : all) {
+    const ReflectionRun& what = one.finest().run;
+    const auto reference = known_reflection(known, what.amplitude, one.angle);
+    const MachReflection miles(what.amplitude, what.angle);
+    const MachReflection finite(what.amplitude, what.angle, MachReflection::Theory::kodama_yeh);
+    const auto theory = [](const MachReflection& t) {
+      return std::vector{t.wall_ratio(), t.reflected_ratio(), degrees(t.reflected_angle()), degrees(t.stem_angle())};
+    };
+    for (std::size_t k = 0; k < quantities().size(); ++k) {
+      const Quantity& quantity = quantities()[k];
+      const Value value = value_of(one, quantity, nullptr);
+      const auto digits = [](double number) { return std::round(number * 1e4) / 1e4; };
+      table.rows.push_back({one.angle, quantity.id, digits(value.measured.value), digits(value.measured.uncertainty),
+                            digits(value.limit),
+                            reference ? fmt::format("{:g}", ((*reference).*quantity.known).value) : std::string("-"),
+                            digits(theory(miles)[k]), digits(theory(finite)[k])});
+    }
+  }
+  record.table(std::move(table));
+}
+
+void run(Run& run) {
+  const std::vector<Configuration> all = compute(run);
+  const std::vector<KnownReflection> known = known_reflections(run.record);
+  for (const Configuration& one : all) {
+    measure(run.record, one, &one == &all.front() ? "" : "_second");
+    const auto reference = known_reflection(known, run.real("amplitude"), one.angle);
+    if (reference && run.text("model") == "plan") claim_reference(run.record, one, *reference);
+    claim_theory(run.record, one);
+    if (std::abs(one.finest().run.kappa_finite_angle() - 1) > 0.25) claim_steady(run.record, one);
+    draw_surface(run.record, one);
+  }
+  draw_history(run.record, all);
+  tabulate(run.record, all, known);
+}
+
+}  // namespace
+
+Case mach_reflection() {
+  Case c;
+  c.title = "Reflection of a solitary wave at a wall, with and without a Mach stem";
+  c.source =
+      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 4.3; J. W. Miles, J. "
+      "Fluid "
+      "Mech. 79 (1977) 171; W. Li, H. Yeh, Y. Kodama, J. Fluid Mech. 672 (2011) 326";
+  c.tiers = {Tier::quick, Tier::full, Tier::paper};
+  c.parameters = {
+      real("amplitude", 0.3, "depth", {0.01, 0.55}, "a_i of the incident wave"),
+      real("angle", 30.0, "deg", {5, 75}, "psi_i between the wave's direction and the wall"),
+      real("second_angle", 42.0, "deg", {0, 75}, "of a second configuration; 0 for none"),
+      real("h", {1, 0.5, 0.5}, "depth", {0.1, 1.5}, "spacing of the lattice at rest"),
+      real("time", 0.0, "sqrt(depth/g)", {0, 20000}, "how long; 0 for until the stem should have settled"),
+      choice("model", std::string("plan"), {"plan", "hexahedra"}, "water columns or layers of hexahedra"),
+      integer("layers", 2, {1, 8}, "of hexahedra"),
+  };
+  c.run = run;
+  return c;
+}
+
+}  // namespace seiche::validation::cases

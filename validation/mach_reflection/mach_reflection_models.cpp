@@ -1,0 +1,197 @@
+/*
+The same reflections by two models of Frank (1994, chapter 4): water columns seen from above, whose waves are those of
+the Green-Naghdi equations, and layers of Lagrangian hexahedra, which tend to the full equations. Lengths are in depths,
+times in $\sqrt{\text{depth}/g}$.
+
+**Set-up.** As in `mach_reflection`. Both models start from Serre's solitary wave, which is nearly exact for the columns
+only: the hexahedra shed some of it. So amplitudes are taken over the measured incident one.
+
+**What is compared.** Amplitudes at the wall and of the reflected wave, and its angle. The models with each other on the
+same lattice, the hexahedra with an independent implementation of the same model.
+
+**What to look at.** The models agree within 4 to 6 %, which is what they differ in physics and lattice. Next to
+resonance both stems still grow at the end.
+*/
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "validation/case/case.hpp"
+#include "validation/measures/reflection_reference.hpp"
+#include "validation/measures/reflection_run.hpp"
+#include "validation/measures/side_by_side.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Measurement;
+using evidence::Role;
+
+const std::string source = "Frank (1994), section 4.3";
+
+/// A configuration, and what an independent implementation of the hexahedra with two layers found there.
+struct Configuration {
+  double amplitude, angle, spacing, time;
+  double wall_ratio, reflected_ratio, reflected_angle;
+
+  [[nodiscard]] std::string id() const { return fmt::format("{}-{:.0f}", id_of(amplitude), angle); }
+  [[nodiscard]] std::string text() const { return fmt::format("a = {:g}, {:g} deg", amplitude, angle); }
+};
+const std::vector<Configuration>& published() {
+  static const std::vector<Configuration> all = {{0.3, 30, 0.7, 400, 2.94, 0.60, 39.8},
+                                                 {0.186, 25, 0.9, 500, 2.90, 0.56, 33.3},
+                                                 {0.3, 36, 0.7, 400, 3.07, 0.893, 37.8}};
+  return all;
+}
+
+struct Pair {
+  Configuration configuration;
+  Reflection columns, hexahedra;
+};
+
+std::vector<Pair> compute(Run& run) {
+  std::vector<Pair> pairs;
+  if (run.tier() == Tier::quick) {
+    pairs.push_back({{0.3, 30, 1, 160, 0, 0, 0}, {}, {}});
+  } else {
+    for (const Configuration& one : published()) pairs.push_back({one, {}, {}});
+  }
+  const std::size_t count = 2 * pairs.size();
+  side_by_side(
+      count, workers_of(run.tier()),
+      [&](std::size_t k) {
+        Pair& pair = pairs[k % pairs.size()];
+        const bool layered = k < pairs.size();
+        ReflectionRun what{.amplitude = pair.configuration.amplitude,
+                           .angle = radians(pair.configuration.angle),
+                           .spacing = pair.configuration.spacing,
+                           .time = pair.configuration.time,
+                           .model = layered ? WaveModel::hexahedra : WaveModel::plan,
+                           .layers = static_cast<std::size_t>(run.integer("layers")),
+                           .tolerance = layered ? 1e-6 : 1e-7};
+        (layered ? pair.hexahedra : pair.columns) = reflect(what);
+      },
+      [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(count)); });
+  return pairs;
+}
+
+struct Quantity {
+  std::string id, text, unit;
+  Measurement (Reflection::*measured)() const;
+  double Configuration::*known;
+  double relative, absolute;  ///< standard uncertainty of the known number
+  double useful;
+};
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> all = {
+      {"a_w", "the amplitude at the wall", "1", &Reflection::wall_ratio, &Configuration::wall_ratio, 0.02, 0, 0.4},
+      {"a_r", "the reflected amplitude", "1", &Reflection::reflected_ratio, &Configuration::reflected_ratio, 0.04, 0,
+       0.2},
+      {"psi_r", "the angle of reflection", "deg", &Reflection::reflected_angle, &Configuration::reflected_angle, 0, 0.3,
+       5}};
+  return all;
+}
+
+void claim_known(evidence::Record& record, const Pair& pair) {
+  for (const Quantity& quantity : quantities()) {
+    const double known = pair.configuration.*quantity.known;
+    record.check(
+        {.id = fmt::format("{}-{}", quantity.id, pair.configuration.id()),
+         .text = fmt::format("{}: {} is that of an independent program of the hexahedra.", pair.configuration.text(),
+                             quantity.text),
+         .quantity = quantity.id,
+         .unit = quantity.unit,
+         .source = independent_reflections},
+        (pair.hexahedra.*quantity.measured)(),
+        evidence::Uncertainty{.expected = known,
+                              .data = std::hypot(quantity.relative * known, quantity.absolute),
+                              .useful = quantity.useful,
+                              .reason = "same lattice and time; uncertainty as stated with its amplitudes of the "
+                                        "water columns, ours the scatter of the rows"});
+  }
+}
+
+void claim_models(evidence::Record& record, const Pair& pair) {
+  const Measurement layered = pair.hexahedra.wall_ratio();
+  const Measurement columns = pair.columns.wall_ratio();
+  record.check(
+      {.id = "models-" + pair.configuration.id(),
+       .text = fmt::format("{}: the two models have nearly the same amplitude at the wall.", pair.configuration.text()),
+       .quantity = "a_w/a_i of the hexahedra over that of the columns, less 1",
+       .source = source},
+      {.value = layered.value / columns.value - 1,
+       .uncertainty = std::hypot(layered.uncertainty, columns.uncertainty) / columns.value,
+       .resolution = pair.hexahedra.run.resolution()},
+      evidence::Bound{.limit = 0.06, .reason = "an independent implementation of both finds 4 to 6 % between them"});
+}
+
+void show(evidence::Record& record, const std::vector<Pair>& pairs) {
+  evidence::Table table{.id = "models",
+                        .title = "Two models on the same lattices",
+                        .caption = "Growth: of a_w in the last fifth of the run.",
+                        .columns = {{"a", "depth"},
+                                    {"psi_i", "deg"},
+                                    {"model", ""},
+                                    {"run", ""},
+                                    {"a_i", "depth"},
+                                    {"a_w/a_i", "1"},
+                                    {"growth", "1"},
+                                    {"a_r/a_i", "1"},
+                                    {"psi_r", "deg"},
+                                    {"stem angle", "deg"},
+                                    {"iterations", "1"},
+                                    {"processor time", "s"}},
+                        .rows = {},
+                        .atlas = {}};
+  auto& history =
+      record.figure("history", "Amplitude at the wall by two models", "Over the measured incident amplitude.");
+  for (const Pair& pair : pairs) {
+    auto& panel = history.panel({.x = "t [sqrt(depth/g)]", .y = "a_w/a_i", .title = pair.configuration.text()});
+    auto& sections = record.figure("crests-" + pair.configuration.id(), "The pattern by two models",
+                                   fmt::format("{}: columns left, hexahedra right; {}.", pair.configuration.text(),
+                                               pair.hexahedra.run.resolution()));
+    for (const auto& [name, reflection] :
+         {std::pair{"columns", &pair.columns}, std::pair{"hexahedra", &pair.hexahedra}}) {
+      const Reflection& r = *reflection;
+      const auto digits = [](double value) { return std::round(value * 1e4) / 1e4; };
+      table.rows.push_back({pair.configuration.amplitude, pair.configuration.angle, std::string(name),
+                            r.run.resolution(), digits(r.pattern.incident_amplitude.value),
+                            digits(r.wall_ratio().value), digits(r.limit.growth), digits(r.reflected_ratio().value),
+                            digits(r.reflected_angle().value), digits(degrees(r.stem.value)), digits(r.iterations),
+                            std::round(r.seconds)});
+      std::vector<double> ratio = r.wall;
+      for (double& value : ratio) value /= r.pattern.incident_amplitude.value;
+      panel.line(fmt::format("{}, {}", name, r.growth_flag()), r.time, ratio);
+      sections.panel({.x = "x [depth]", .y = "y [depth]", .z = "elevation [depth]", .title = name})
+          .plan("elevation", r.surface.lattice());
+      const std::string suffix = fmt::format("_{}_{}", name, pair.configuration.id());
+      record.measure("a_w_over_a_i" + suffix, r.wall_ratio().value);
+      record.measure("a_r_over_a_i" + suffix, r.reflected_ratio().value);
+      record.measure("psi_r" + suffix, r.reflected_angle().value);
+    }
+  }
+  record.table(std::move(table));
+}
+
+void run(Run& run) {
+  const std::vector<Pair> pairs = compute(run);
+  for (const Pair& pair : pairs) {
+    claim_models(run.record, pair);
+    if (pair.configuration.wall_ratio > 0 && run.integer("layers") == 2) claim_known(run.record, pair);
+  }
+  show(run.record, pairs);
+}
+
+}  // namespace
+
+Case mach_reflection_models() {
+  Case c;
+  c.title = "Mach reflection by columns of water and by hexahedra";
+  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 4";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {integer("layers", 2, {1, 8}, "of hexahedra")};
+  c.run = run;
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,78 @@
+/// A solitary wave around the conical island of Briggs, Synolakis, Harkins and Green (1995).
+///
+/// Base of 7.2 m, top of 2.2 m, 0.625 m high, slope 1:4, in water 0.32 m or 0.42 m deep; the island's middle is the
+/// origin, the wave comes along x. Half the basin is enough: y = 0 is a line of symmetry. The lattice goes around the
+/// island, columns from its front (180 degrees) to its back, rows from the shoreline to the walls of the basin.
+///
+/// The bottom is the bicubic spline through the elevations on a raster, as for a surveyed coast.
+///
+/// Reference: M. J. Briggs, C. E. Synolakis, G. S. Harkins, D. R. Green, Laboratory experiments of tsunami runup on a
+/// circular island, Pure Appl. Geophys. 144 (1995) 569.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/geometry/spline_bottom.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+
+namespace seiche::validation {
+
+class ConicalIsland {
+ public:
+  static constexpr double base_radius = 3.6;  ///< [m]
+  static constexpr double top_radius = 1.1;
+  static constexpr double slope = 0.25;
+  static constexpr double side_wall = 13.8;  ///< distance of the side walls
+  static constexpr double rear_wall = 12;
+  static constexpr double gravity = 9.81;
+
+  struct Settings {
+    double height = 0.096;  ///< of the wave over the depth
+    double depth = 0.32;    ///< [m]
+    double spacing = 0.4;   ///< of the columns along the walls of the basin [m]
+    double raster = 0.1;    ///< spacing of the elevations [m]
+    dispersive_shallow_water_2d::Scheme scheme = {};
+  };
+
+  /// Throws std::invalid_argument.
+  explicit ConicalIsland(Settings settings);
+
+  /// Elevation of the bottom of the experiment above still water.
+  [[nodiscard]] double bottom(double x, double y) const;
+  /// x of the crest at the beginning, so far away that the shoreline is at rest.
+  [[nodiscard]] double crest() const { return -base_radius - reach_; }
+  [[nodiscard]] const exact::SerreSolitary& wave() const { return wave_; }
+  [[nodiscard]] dispersive_shallow_water_2d::Flow flow() const;
+  /// The crest passes the middle of the island where it is not held up.
+  [[nodiscard]] double passage() const { return -crest() / wave_.speed(); }
+  /// About half of what a long wave in the deep water needs for the rows near the shore.
+  [[nodiscard]] double step() const;
+
+ private:
+  [[nodiscard]] std::vector<Point> outer_places() const;
+
+  Settings settings_;
+  exact::SerreSolitary wave_;
+  double reach_;  ///< distance at which the wave is a thousandth of its height
+  std::shared_ptr<const SplineBottom> bottom_;
+};
+
+/// Highest place of the shoreline by the angle from the front of the island, 0 to 180 degrees.
+class RunupEnvelope {
+ public:
+  explicit RunupEnvelope(const dispersive_shallow_water_2d::Flow& flow);
+  void observe(const dispersive_shallow_water_2d::Flow& flow);
+  /// Of the markers, from the front to the back.
+  [[nodiscard]] const std::vector<double>& angle() const { return angle_; }
+  [[nodiscard]] const std::vector<double>& runup() const { return runup_; }
+  [[nodiscard]] const std::vector<double>& time() const { return time_; }
+  /// Between markers.
+  [[nodiscard]] double at(double angle) const;
+
+ private:
+  std::vector<double> angle_, runup_, time_;
+};
+
+}  // namespace seiche::validation

@@ -1,0 +1,18 @@
+/// What a few lattices say of the limit of fine ones.
+#pragma once
+
+#include <vector>
+
+namespace seiche::validation {
+
+struct FineLimit {
+  double value = 0;
+  double uncertainty = 0;  ///< half-width for the finest lattice
+};
+
+/// evidence::grid_convergence of second order for three lattices or more; of two, second order is assumed, with the
+/// factor of safety 3 that Roache (1994) gives his index for two.
+/// @param sizes  spacings, the finest first, at least two
+FineLimit fine_limit(const std::vector<double>& sizes, const std::vector<double>& values);
+
+}  // namespace seiche::validation

@@ -1,0 +1,113 @@
+#include "validation/parallel/flows.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/require.hpp"
+
+namespace seiche::parallel {
+
+namespace {
+
+constexpr double crest = 15;  // of the solitary wave at the beginning, in depths from the west wall
+
+}  // namespace
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("flow", options.flow,
+                 "hump: of water at rest in the middle of a box; soliton: a solitary wave that runs along x")
+      ->check(CLI::IsMember({"hump", "soliton"}))
+      ->capture_default_str();
+  app.add_option("--columns", options.columns, "of cells")->check(CLI::Range(2, 1000000))->capture_default_str();
+  app.add_option("--rows", options.rows, "of cells")->check(CLI::Range(1, 1000000))->capture_default_str();
+  app.add_option("--spacing", options.spacing, "of the lattice [depths]")->capture_default_str();
+  app.add_option("--amplitude", options.amplitude, "[depths]")->capture_default_str();
+  app.add_option("--time", options.time, "[sqrt(depth/g)]")->capture_default_str();
+  app.add_option("--step", options.step, "[sqrt(depth/g)]")->capture_default_str();
+  app.add_option("--every", options.every, "time between files; 0: one at the end")->capture_default_str();
+  app.add_option("--tolerance", options.tolerance, "relative residual of the solver")->capture_default_str();
+  app.add_option("--out", options.out, "folder for fields_*.h5 and the record")->capture_default_str();
+}
+
+dispersive_shallow_water_2d::Rectangle water(const Options& options) {
+  require_positive("spacing", options.spacing);
+  require_within("amplitude", options.amplitude, 1e-6, 0.6);
+  require_positive("time", options.time);
+  require_positive("step", options.step);
+  require_not_negative("every", options.every);
+  const double length = options.spacing * static_cast<double>(options.columns);
+  const double width = options.spacing * static_cast<double>(options.rows);
+  dispersive_shallow_water_2d::Rectangle rectangle{
+      .begin = 0, .end = length, .south = 0, .north = width, .columns = options.columns, .rows = options.rows};
+  if (options.flow == "hump") {
+    rectangle.elevation = [=, a = options.amplitude](double x, double y) {
+      const double r2 = (x - length / 2) * (x - length / 2) + (y - width / 2) * (y - width / 2);
+      return a * std::exp(-r2 / 16);
+    };
+  } else {
+    const auto wave = std::make_shared<exact::SerreSolitary>(options.amplitude);
+    rectangle.elevation = [wave](double x, double) { return wave->elevation(x - crest); };
+  }
+  return rectangle;
+}
+
+dispersive_shallow_water_2d::VelocityAt velocity(const Options& options) {
+  if (options.flow == "hump") return {};
+  const auto wave = std::make_shared<exact::SerreSolitary>(options.amplitude);
+  const double celerity = std::sqrt(1 + options.amplitude);
+  return [wave, celerity](double x, double) {
+    const double eta = wave->elevation(x - crest);
+    const double u = celerity * eta / (1 + eta);
+    return dispersive_shallow_water_2d::Velocity{
+        .u = u, .v = 0, .w = (u - celerity) * wave->elevation_slope(x - crest)};
+  };
+}
+
+evidence::Record begun(const Options& options) {
+  evidence::Record record;
+  record.name = "parallel_" + options.flow;
+  record.group = "parallel";
+  record.title =
+      options.flow == "hump" ? "A hump of water in a box, on many processes" : "A solitary wave, on many processes";
+  record.source = "validation/parallel/flows.cpp";
+  record.article =
+      "The plan model of dispersive shallow water on a lattice shared out among processes (MPI); PETSc exchanges what "
+      "neighbours need and solves the system of all cells.";
+  const Options standard;
+  const auto keep = [&](const char* name, auto value, auto usual, const char* unit, const char* meaning) {
+    record.parameters[name] = {.value = value, .standard = usual, .unit = unit, .meaning = meaning};
+  };
+  keep("columns", static_cast<long>(options.columns), static_cast<long>(standard.columns), "1", "cells along x");
+  keep("rows", static_cast<long>(options.rows), static_cast<long>(standard.rows), "1", "cells along y");
+  keep("spacing", options.spacing, standard.spacing, "depth", "of the lattice");
+  keep("amplitude", options.amplitude, standard.amplitude, "depth", "of the first surface");
+  keep("time", options.time, standard.time, "sqrt(depth/g)", "at the end");
+  keep("step", options.step, standard.step, "sqrt(depth/g)", "of time");
+  keep("tolerance", options.tolerance, standard.tolerance, "1", "relative residual of the solver");
+  return record;
+}
+
+void judge(evidence::Record& record, const Options& options, const Findings& findings) {
+  const std::string resolution = fmt::format("{} x {} cells, {} steps", options.columns, options.rows, findings.steps);
+  record.check({.id = "copies",
+                .text = "What several processes hold of a node is the same, bit by bit.",
+                .quantity = "largest difference between copies",
+                .source = "decomposition of the lattice"},
+               {.value = findings.rim_difference, .resolution = resolution},
+               evidence::Bound{.limit = 0, .reason = "copies are copied"});
+  // The model's frequencies are below sqrt(3) (alpha = 1/3, unit depth and gravity).
+  record.check(
+      {.id = "energy",
+       .text = "Energy stays within what the one-step scheme lets it oscillate by.",
+       .quantity = "largest change of energy over its first value",
+       .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
+      {.value = findings.energy_change / findings.energy, .resolution = resolution},
+      evidence::Bound{.limit = 3 * options.step * options.step / 4,
+                      .reason = "(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, kick, "
+                                "drift, at the highest frequency sqrt(3 g/depth)"});
+}
+
+}  // namespace seiche::parallel

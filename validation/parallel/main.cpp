@@ -1,0 +1,128 @@
+// seiche-parallel: plan flows on many processes.
+//
+//     mpirun -n 4 seiche-parallel hump --columns 800 --rows 400 --time 20 --out run
+//     srun seiche-parallel soliton --columns 8000 --rows 4000 --spacing 0.25 --every 5 --out run -- -pc_type bjacobi
+//
+// writes run/fields_0000.h5, ... by all processes together and run/parallel_hump.json by the first one. What follows
+// "--" is for PETSc: -ksp_view, -log_view, -pc_type, -seiche_da_processors_x.
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "reports/evidence/record_files.hpp"
+#include "seiche/distributed/distributed_flow.hpp"
+#include "seiche/distributed/patches.hpp"
+#include "seiche/divergence.hpp"
+#include "validation/parallel/flows.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::parallel;
+using distributed::rank;
+using distributed::ranks;
+
+using Clock = std::chrono::steady_clock;
+
+/// Largest over the processes.
+double seconds_since(Clock::time_point begin) {
+  return distributed::Decomposition::largest(std::chrono::duration<double>(Clock::now() - begin).count());
+}
+
+void write_record(evidence::Record& record, distributed::PlanFlow& flow, const Options& options) {
+  const std::vector<double> x = flow.decomposition().gathered(flow.place(0));
+  const std::vector<double> y = flow.decomposition().gathered(flow.place(1));
+  const std::vector<double> z = flow.decomposition().gathered(flow.place(2));
+  if (rank() > 0) return;
+  record.figure("surface", "Surface", fmt::format("At the end, t = {:g}.", flow.time()))
+      .panel({.x = "x [m]", .y = "y [m]", .z = "z [m]"})
+      .surface("surface", {.columns = options.columns, .rows = options.rows, .x = x, .y = y, .z = z});
+  evidence::write(record, options.out);
+}
+
+int run(const Options& options) {
+  const Clock::time_point begin = Clock::now();
+  const dispersive_shallow_water_2d::Rectangle rectangle = water(options);
+  distributed::PlanFlow flow({rectangle.columns, rectangle.rows}, 1,
+                             [&](const distributed::Patch& patch) { return distributed::part_of(rectangle, patch); },
+                             rectangle.sides, velocity(options), {.tolerance = options.tolerance});
+  if (rank() == 0) std::filesystem::create_directories(options.out);
+  const double set_up = seconds_since(begin);
+  const double energy = flow.energy();
+
+  long files = 0;
+  double writing = 0;
+  const auto write = [&] {
+    const Clock::time_point start = Clock::now();
+    flow.write(options.out / fmt::format("fields_{:04d}.h5", files++));
+    writing += seconds_since(start);
+  };
+  double largest_change = 0;
+  const Clock::time_point start = Clock::now();
+  if (options.every > 0) write();
+  for (long part = 1; flow.time() < options.time; ++part) {
+    flow.advance_to(
+        options.every > 0 ? std::min(options.time, static_cast<double>(part) * options.every) : options.time,
+        options.step);
+    if (options.every > 0) write();
+    largest_change = std::max(largest_change, std::abs(flow.energy() - energy));
+  }
+  const double stepping = seconds_since(start) - writing;
+  if (options.every <= 0) write();
+
+  const double per_step = stepping / static_cast<double>(flow.steps());
+  const auto& system = flow.model().system();
+  evidence::Record record = begun(options);
+  judge(record, options,
+        {.steps = flow.steps(),
+         .energy = energy,
+         .energy_change = largest_change,
+         .rim_difference = flow.rim_difference()});
+  record.wall_time = seconds_since(begin);
+  record.measure("processes", ranks());
+  record.measure("time to set up [s]", set_up);
+  record.measure("time per step [s]", per_step);
+  record.measure("time per step and 1000 cells [ms]",
+                 1e6 * per_step / static_cast<double>(rectangle.columns * rectangle.rows));
+  record.measure("time to write a file [s]", writing / static_cast<double>(files));
+  record.measure("iterations per solution",
+                 static_cast<double>(system.iterations()) / static_cast<double>(system.solutions()));
+  record.measure("largest change of a cell's volume [depth^3]", flow.volume_defect());
+  const bool passed = record.as_declared();
+  if (rank() == 0) {
+    fmt::print("{} process(es), {} x {} cells, {} steps\n", ranks(), rectangle.columns, rectangle.rows, flow.steps());
+    for (const auto& [quantity, value] : record.measurements()) fmt::print("  {:<36} {:.4g}\n", quantity, value);
+    for (const auto& claim : record.claims()) {
+      fmt::print("  {:<36} {:.3g}  {}\n", claim.claim.id, claim.judgement.measured,
+                 evidence::name(claim.judgement.verdict));
+    }
+  }
+  write_record(record, flow, options);
+  return passed ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const distributed::Session session(argc, argv);
+  Options options;
+  CLI::App app("Plan flows on many processes; what follows -- is for PETSc", "seiche-parallel");
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+    return run(options);
+  } catch (const CLI::ParseError& wrong) {
+    const int status = rank() == 0 ? app.exit(wrong) : wrong.get_exit_code();
+    return status == 0 ? 0 : 2;
+  } catch (const std::invalid_argument& wrong) {
+    if (rank() == 0) fmt::print(stderr, "seiche-parallel: {}\n", wrong.what());
+    return 2;
+  } catch (const std::exception& failure) {
+    fmt::print(stderr, "seiche-parallel: process {}: {}\n", rank(), failure.what());
+    return 3;
+  }
+}

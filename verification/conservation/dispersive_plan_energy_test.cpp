@@ -1,0 +1,143 @@
+// Energy and volumes of the plan model over level and uneven bottoms: to round-off with the conservative scheme, to
+// second order with the one-step scheme.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/scheme.hpp"
+#include "verification/check.hpp"
+#include "verification/conservation/dispersive_plan_problems.hpp"
+
+namespace {
+
+using namespace seiche::dispersive_shallow_water_2d;
+using namespace seiche::mechanics;
+using namespace seiche::verification;
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1, 3 and 4.2";
+
+/// Largest so far, relative to the energy at the beginning and to a cell's mean volume, and the history of the former.
+struct Defects {
+  double energy = 0;
+  double volume = 0;
+  double first_half = 0;  ///< largest energy defect in the first half of the run
+  std::vector<double> times, energies;
+};
+
+Defects defects(Scheme scheme, const Lattice& lattice, Settings settings, double tau, double time) {
+  PlanProblem problem(lattice, {}, settings);
+  SchemeStepper<Model> stepper(problem.model, scheme);
+  InvariantsWatch watch(problem.model, problem.start);
+  const double energy = watch.ledger().entry("energy").initial;
+  const double volume = problem.model.mass() / static_cast<double>(problem.model.constraints());
+  Defects result;
+  const long steps = std::lround(time / tau);
+  for (long n = 1; n <= steps; ++n) {
+    stepper.step(problem.start, tau);
+    watch.record(problem.start);
+    result.times.push_back(problem.start.time);
+    result.energies.push_back(watch.ledger().entry("energy").defect / energy);
+    if (n == steps / 2) result.first_half = watch.ledger().largest_defect("energy") / energy;
+  }
+  result.energy = watch.ledger().largest_defect("energy") / energy;
+  result.volume = watch.ledger().largest_defect("volume_worst") / volume;
+  return result;
+}
+
+struct Basin {
+  std::string id, text;
+  Lattice lattice;
+};
+
+std::vector<Basin> basins() {
+  return {{"level", "a level bottom", plan_hump_in_box()},
+          {"quartic", "a polynomial bottom", plan_hump_in_box(quartic_bottom())},
+          {"bump", "a bump that is no polynomial", hump_over_bump()}};
+}
+
+}  // namespace
+
+TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bottom", "[conservation]") {
+  Check check("dispersive_plan_energy", "Plan model: energy and volumes to round-off",
+              "A hump is released in a box and sloshes until t = 10, over a level bottom, over a polynomial of degree "
+              "four and over a bump. Volumes and potential energy are polynomials along a step, so that Simpson's "
+              "mean of their gradients is exact; what the bottom adds to volumes is made exact along the step. Over "
+              "uneven bottoms velocities turn with the bottom's tangent plane, which changes no energy.");
+  const Scheme conservative{.stepping = Stepping::conservative};
+  for (const Basin& basin : basins()) {
+    for (const double tau : {0.1, 0.25}) {
+      const Defects d = defects(conservative, basin.lattice, {.tolerance = 1e-13}, tau, 10);
+      const std::string id = fmt::format("{}-{}", basin.id, tau == 0.1 ? "short" : "long");
+      const double steps = 10 / tau;
+      const auto nodes = static_cast<double>(basin.lattice.shape.nodes());
+      const std::string resolution = fmt::format("h = 0.5, tau = {:g}", tau);
+      check.that({.id = id + "-energy",
+                  .text = "Energy to round-off over " + basin.text + ".",
+                  .quantity = "largest energy defect over the hump's energy",
+                  .source = source},
+                 {.value = d.energy, .resolution = resolution},
+                 Roundoff{.operations = steps * nodes,
+                          .scale = 1,
+                          .reason = "one rounding of the energy's part at each node in each step"});
+      check.that({.id = id + "-volume",
+                  .text = "Every cell's volume to round-off over " + basin.text + ".",
+                  .quantity = "largest defect of a volume over a cell's volume",
+                  .source = source},
+                 {.value = d.volume, .resolution = resolution},
+                 Roundoff{.operations = 12 * steps,
+                          .scale = basin.lattice.x.back() / 0.5,
+                          .reason = "12 rounded places, up to the box's length, per step and over a cell's side, 0.5"});
+    }
+  }
+}
+
+TEST_CASE("energy and volumes of the one-step scheme in plan err by the square of the step", "[conservation]") {
+  Check check("dispersive_plan_energy_order", "Plan model: energy of the one-step scheme",
+              "A hump of 0.3 in a box until t = 200 over a level bottom, and a hump of 0.15 beside a bump until t = "
+              "30. The energy errs by a bounded amount that shrinks with $\\tau^2$, and does not drift; so do the "
+              "volumes of the cells. Over the bump this holds because velocities are carried along with the bottom's "
+              "tangent plane to second order.");
+  const auto judge = [&](const std::string& id, const Lattice& lattice, double time, const std::vector<double>& taus) {
+    auto& figure =
+        check.figure(id, "Energy of the one-step scheme", "Relative defect of the energy, four steps (" + id + ").");
+    auto& panel = figure.panel({.x = "t sqrt(g/H)", .y = "energy defect"});
+    std::vector<double> energies, volumes;
+    for (const double tau : taus) {
+      const Defects d = defects({}, lattice, {.tolerance = 1e-10}, tau, time);
+      panel.line(fmt::format("tau = {:g}", tau), d.times, d.energies);
+      energies.push_back(d.energy);
+      volumes.push_back(d.volume);
+      check.measure(fmt::format("{}: energy defect at tau = {:g}", id, tau), d.energy);
+      check.measure(fmt::format("{}: volume defect at tau = {:g}", id, tau), d.volume);
+      if (tau != taus.back()) continue;
+      check.that({.id = id + "-no-drift",
+                  .text = "The energy does not drift.",
+                  .quantity = "largest energy defect of the whole run over that of its first half",
+                  .source = source},
+                 {.value = d.energy / d.first_half},
+                 Bound{.limit = 0.5, .reason = "a drift would double it", .expected = 1});
+    }
+    const auto order = [&](const std::string& what, const std::vector<double>& errors) {
+      check.that({.id = id + "-order-" + what,
+                  .text = "The largest defect of " + what + " is of second order.",
+                  .quantity = "observed order",
+                  .source = source},
+                 seiche::evidence::observed_order(taus, errors),
+                 seiche::evidence::Order{.theory = 2,
+                                         .tolerance = 0.3,
+                                         .reason = "a symmetric scheme of second order; the "
+                                                   "maximum over time is not a smooth function of the step"});
+    };
+    order("energy", energies);
+    order("volumes", volumes);
+  };
+  judge("level", plan_hump_in_box(), 200, {0.4, 0.2, 0.1, 0.05});
+  judge("bump", hump_over_bump(), 30, {0.2, 0.1, 0.05, 0.025});
+}

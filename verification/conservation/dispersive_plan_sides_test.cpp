@@ -1,0 +1,180 @@
+// Sides of the plan model that waves pass: a window that follows a wave, a driven side that lets one in, a slanted wall
+// that sends one back; and the same bytes for any number of threads.
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "validation/measures/plan_soliton.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::dispersive_shallow_water_2d;
+using evidence::Bound;
+using seiche::verification::Role;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 4.3";
+
+/// The wave of a run in a window from 30 behind its crest to 30 ahead, which follows it.
+Flow window_flow(const validation::PlanSolitonRun& run) {
+  const exact::SerreSolitary wave(run.amplitude);
+  Lattice lattice = rectangular_lattice({.begin = -30,
+                                         .end = 30,
+                                         .south = 0,
+                                         .north = run.spacing * static_cast<double>(run.rows),
+                                         .columns = static_cast<std::size_t>(std::lround(60 / run.spacing)),
+                                         .rows = run.rows,
+                                         .sides = {.west = plan_lattice::HeldSide{}}});
+  for (std::size_t k = 0; k < lattice.x.size(); ++k) {
+    lattice.x[k] = wave.place_of(lattice.x[k]);
+    lattice.z[k] = wave.elevation(lattice.x[k]);
+  }
+  return Flow(std::move(lattice),
+              [&](double x, double) {
+                const double u = wave.depth_averaged_velocity(x);
+                return Velocity{u, 0, (u - wave.speed()) * wave.elevation_slope(x)};
+              },
+              run.scheme, {.tolerance = run.tolerance}, {},
+              {.reach = [c = wave.speed()](double time) { return 28 + c * time; }});
+}
+
+struct InflowErrors {
+  double wave = 0;  ///< largest within 6 depths of the crest
+  double side = 0;  ///< largest elsewhere
+};
+
+/// Distances of the surface from the exact wave when the crest that a driven west side lets in is at x = 15.
+InflowErrors inflow_errors(double spacing) {
+  const exact::SerreSolitary wave(0.2);
+  const double start = -18;
+  const auto columns = static_cast<std::size_t>(std::lround(30 / spacing));
+  const plan_lattice::DrivenSide west{[=](Place place, double time) {
+    return Point{wave.depth_averaged_velocity(place.x - start - wave.speed() * time), 0};
+  }};
+  Flow flow(rectangular_lattice(
+      {.begin = 0, .end = 30, .south = 0, .north = spacing, .columns = columns, .rows = 1, .sides = {.west = west}}));
+  flow.advance_to((15 - start) / wave.speed(), 0.1 * spacing);
+  InflowErrors errors;
+  for (std::size_t k = 0; k < flow.x().size(); ++k) {
+    const double distance = flow.x()[k] - 15;
+    double& worst = std::abs(distance) < 6 ? errors.wave : errors.side;
+    worst = std::max(worst, std::abs(flow.z()[k] - wave.elevation(distance)));
+  }
+  return errors;
+}
+
+}  // namespace
+
+TEST_CASE("a moving window of the plan model holds the same wave as a long tank", "[conservation]") {
+  verification::Check check(
+      "dispersive_plan_window", "A moving window around a solitary wave",
+      "A solitary wave of 0.3 in a window 60 long that follows it for 60 units of time, and in a tank that holds its "
+      "whole way: columns are dropped behind and appended ahead, where the wave is lower than 1e-9. What the cut sends "
+      "out is left behind, for nothing is faster than the wave.");
+  const validation::PlanSolitonRun run{.spacing = 0.5, .tau = 0.2, .time = 60, .rows = 2, .tolerance = 1e-12};
+  Flow tank = validation::plan_soliton_flow(run);
+  Flow window = window_flow(run);
+  double worst = 0;
+  std::vector<double> times, differences;
+  while (tank.time() < run.time - 0.5 * run.tau) {
+    tank.advance(run.tau);
+    window.advance(run.tau);
+    // Nodes of the two keep their numbers but for the shifts.
+    const auto shift = static_cast<std::size_t>(window.shifts());
+    double difference = 0;
+    for (std::size_t i = 0; i <= window.shape().columns; ++i) {
+      const double x = window.x()[i];
+      const double crest = std::sqrt(1 + run.amplitude) * window.time();
+      if (std::abs(x - crest) > 15) continue;
+      difference =
+          std::max({difference, std::abs(window.z()[i] - tank.z()[i + shift]), std::abs(x - tank.x()[i + shift])});
+    }
+    worst = std::max(worst, difference);
+    times.push_back(window.time());
+    differences.push_back(difference);
+  }
+  auto& figure = check.figure("difference", "A moving window against a long tank",
+                              "Largest difference of places and elevations within 15 depths of the crest.");
+  figure.panel({.x = "t sqrt(g/H)", .y = "difference / H", .log_y = true}).line("window", times, differences);
+  check.that({.id = "same",
+              .text = "The wave is that of the long tank.",
+              .quantity = "largest difference of a place or elevation within 15 depths of the crest",
+              .source = source},
+             {.value = worst, .resolution = "h = 0.5, tau = 0.2"},
+             Bound{1e-7, "the wave where columns are appended, 1e-9 each time, some 70 times; places add them up"});
+  check.that({.id = "shifts",
+              .text = "The window has followed.",
+              .quantity = "x of the east side less that of the crest",
+              .source = "interface of the model"},
+             {.value = window.x()[window.shape().columns] - std::sqrt(1.3) * window.time()},
+             Bound{.limit = 1.5, .reason = "28 and up to one column of 0.5 more or less", .expected = 28});
+}
+
+TEST_CASE("a driven side of the plan model lets a solitary wave in", "[conservation]") {
+  verification::Check check("dispersive_plan_inflow", "A solitary wave through a driven side",
+                            "Still water; the west side moves with the velocity of a solitary wave of 0.2 whose crest "
+                            "was 18 depths before it. When the crest is 15 depths within, the surface within 6 depths "
+                            "of it is that of the exact wave, to second order; steps of a tenth of a cell. What is "
+                            "left elsewhere, most of it beside the side, is shown.");
+  const std::vector<double> spacings{0.75, 0.5, 0.375, 0.25, 0.1875};
+  std::vector<double> wave, side;
+  for (const double spacing : spacings) {
+    const InflowErrors errors = inflow_errors(spacing);
+    wave.push_back(errors.wave);
+    side.push_back(errors.side);
+  }
+  check.that({.id = "order",
+              .text = "The wave is of second order.",
+              .quantity = "observed order of the largest error within 6 depths of the crest",
+              .source = source},
+             evidence::observed_order(spacings, wave),
+             evidence::Order{2, 0.3, "second order in h and tau; coarse cells have parts of fourth"});
+  check.measure("wave: largest error with h = 0.25", wave[3]);
+  check.measure("elsewhere: largest error with h = 0.25", side[3]);
+  auto& figure = check.figure("errors", "A solitary wave through a driven side", "Largest errors of the surface.");
+  auto& panel = figure.panel({.x = "h", .y = "error / H", .log_x = true, .log_y = true});
+  panel.line("within 6 depths of the crest", spacings, wave);
+  panel.line("elsewhere", spacings, side, Role::peer);
+}
+
+TEST_CASE("the plan model gives the same bytes for any number of threads", "[conservation]") {
+  verification::Check check("dispersive_plan_threads", "Plan model: threads",
+                            "A hump on 420 x 360 cells, above the size from which threads share the work: ten steps, "
+                            "and two conservative ones, with one thread and with two.");
+  const int threads = omp_get_max_threads();
+  for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
+    const auto run = [&](int count) {
+      omp_set_num_threads(count);
+      Flow flow(rectangular_lattice({.begin = 0,
+                                     .end = 210,
+                                     .south = 0,
+                                     .north = 180,
+                                     .columns = 420,
+                                     .rows = 360,
+                                     .elevation =
+                                         [](double x, double y) {
+                                           return 0.3 * std::exp(-0.02 * ((x - 90) * (x - 90) + (y - 80) * (y - 80)));
+                                         }}),
+                {}, {.stepping = stepping}, {.tolerance = 1e-7});
+      for (int n = 0; n < (stepping == Stepping::one_step ? 10 : 2); ++n) flow.advance(0.2);
+      return flow.state();
+    };
+    const mechanics::State one = run(1);
+    const mechanics::State two = run(2);
+    omp_set_num_threads(threads);
+    check.that({.id = stepping == Stepping::one_step ? "one-step" : "conservative",
+                .text = "The state is the same, bit by bit.",
+                .quantity = "equal coordinates, rates and multipliers",
+                .source = "interface of the model"},
+               {.value = one.q == two.q && one.u == two.u && one.multipliers == two.multipliers ? 1.0 : 0.0},
+               evidence::Qualitative{"all numbers compare equal", "sums are made row by row, in order"});
+  }
+}

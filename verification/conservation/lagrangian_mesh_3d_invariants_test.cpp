@@ -1,0 +1,109 @@
+// Free bodies of fluid on the hexahedral mesh: momenta, and energy without gravity, to round-off.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/scheme.hpp"
+#include "verification/check.hpp"
+#include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
+
+namespace {
+
+using namespace seiche::lagrangian_mesh_3d;
+using namespace seiche::mechanics;
+using namespace seiche::verification;
+using seiche::evidence::Roundoff;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 4.1";
+
+constexpr double tau = 0.01;
+constexpr int steps = 100;
+
+InvariantsLedger run(HexahedralProblem& problem, Scheme scheme) {
+  SchemeStepper<Model> stepper(problem.model, scheme);
+  State state = problem.start;
+  InvariantsWatch watch(problem.model, state);
+  for (int n = 0; n < steps; ++n) {
+    stepper.step(state, tau);
+    watch.record(state);
+  }
+  return watch.ledger();
+}
+
+/// Rounding of the momenta of all nodes, each of which changes by the forces of eight cells in a step.
+Roundoff rounding(const HexahedralProblem& problem, double largest_arm) {
+  double largest = 0;
+  const std::size_t n = problem.model.nodes().size();
+  for (std::size_t i = 0; i < 3 * n; ++i) {
+    largest = std::max(largest, problem.model.nodes().mass()[i % n] * std::abs(problem.start.u[i]));
+  }
+  return {.operations = 64.0 * steps * static_cast<double>(n),
+          .scale = largest * largest_arm,
+          .reason =
+              "a node's momentum (times its largest distance from the axis) is rounded some 64 times in each of "
+              "100 steps"};
+}
+
+}  // namespace
+
+TEST_CASE("a free body of fluid in space keeps momenta and energy to round-off", "[conservation]") {
+  Check check(
+      "lagrangian_mesh_3d_free_body", "Free body of fluid in space: invariants",
+      "6 x 5 x 4 cells of constant volume, off a cube at random, without gravity and without walls, 100 steps of 0.01. "
+      "Linear and angular momentum are kept for any multipliers: the solver's tolerance is 1e-6 in one run and 1e-13 "
+      "in the other. Kinetic energy changes by the multipliers times what the solver leaves of the rates of "
+      "volumes: it is judged with the tight tolerance.");
+  for (const double tolerance : {1e-6, 1e-13}) {
+    HexahedralProblem problem = moving_body({.tolerance = tolerance});
+    const InvariantsLedger ledger = run(problem, {});
+    const std::string id = tolerance == 1e-6 ? "loose-" : "tight-";
+    const std::string text = "Solver tolerance " + std::string(tolerance == 1e-6 ? "1e-6" : "1e-13");
+    const auto keeps = [&](const std::string& what, double value, const Roundoff& criterion) {
+      check.that({.id = id + what, .text = text + ": " + what + " to round-off.", .quantity = what, .source = source},
+                 {.value = value, .resolution = "tau = 0.01"}, criterion);
+    };
+    keeps("momentum", ledger.largest_defect("momentum"), rounding(problem, 1));
+    keeps("angular-momentum", ledger.largest_defect("angular_momentum"), rounding(problem, 6));
+    if (tolerance == 1e-6) {
+      check.measure("loose-energy defect", ledger.entry("energy").largest_defect);
+    } else {
+      keeps("energy", ledger.entry("energy").largest_defect, rounding(problem, 1));
+    }
+    check.measure(id + "largest defect of a volume", ledger.largest_defect("volume_worst"));
+  }
+  HexahedralProblem problem = moving_body({.tolerance = 1e-13});
+  const InvariantsLedger ledger = run(problem, {.stepping = Stepping::conservative});
+  const auto keeps = [&](const std::string& what, const std::string& entry) {
+    check.that({.id = "conservative-" + what,
+                .text = "Fully conservative: " + what + " to round-off.",
+                .quantity = what,
+                .source = source},
+               {.value = ledger.largest_defect(entry), .resolution = "tau = 0.01"}, rounding(problem, 1));
+  };
+  keeps("momentum", "momentum");
+  keeps("energy", "energy");
+  keeps("volumes", "volume_worst");
+  check.measure("conservative: largest defect of angular momentum", ledger.largest_defect("angular_momentum"));
+}
+
+TEST_CASE("water that no side holds keeps its horizontal momenta to round-off", "[conservation]") {
+  Check check("lagrangian_mesh_3d_free_water", "Water without walls on a level bottom: invariants",
+              "12 x 12 x 2 cells under gravity, sheared and stirred at random, without side walls, 100 steps of 0.01: "
+              "momentum along x and y and angular momentum about the vertical, whatever the solver's tolerance. The "
+              "energy errs by $O(\\tau^2)$, for its potential part is quartic.");
+  for (const double tolerance : {1e-6, 1e-13}) {
+    HexahedralProblem problem = spreading_water({.tolerance = tolerance});
+    const InvariantsLedger ledger = run(problem, {});
+    const std::string id = tolerance == 1e-6 ? "loose-" : "tight-";
+    const auto keeps = [&](const std::string& what, double value, double arm) {
+      check.that({.id = id + what, .text = what + " to round-off.", .quantity = what, .source = source},
+                 {.value = value, .resolution = tolerance == 1e-6 ? "tolerance 1e-6" : "tolerance 1e-13"},
+                 rounding(problem, arm));
+    };
+    keeps("momentum", std::max(ledger.entry("momentum_x").largest_defect, ledger.entry("momentum_y").largest_defect),
+          1);
+    keeps("angular-momentum", ledger.entry("angular_momentum_z").largest_defect, 12);
+    check.measure(id + "energy defect", ledger.entry("energy").largest_defect);
+  }
+}

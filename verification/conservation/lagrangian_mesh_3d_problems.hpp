@@ -1,0 +1,101 @@
+/// Motions of the hexahedral Lagrangian mesh on which conservation, accuracy and symmetries are tried.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include "seiche/mechanics/start.hpp"
+#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_3d/model.hpp"
+
+namespace seiche::verification {
+
+/// A model and the state it starts from, its velocity projected on constant volumes.
+struct HexahedralProblem {
+  explicit HexahedralProblem(lagrangian_mesh_3d::Mesh mesh, const lagrangian_mesh_3d::Velocity& velocity = {},
+                             lagrangian_mesh_3d::Settings settings = {})
+      : model(std::move(mesh), settings), start(model.state(velocity)) {
+    mechanics::Start(model).project(start);
+  }
+
+  lagrangian_mesh_3d::Model model;
+  mechanics::State start;
+};
+
+/// Nodes off the boundary moved at random along each axis by up to `part` [m].
+inline lagrangian_mesh_3d::Mesh jittered(lagrangian_mesh_3d::Mesh mesh, double part, unsigned seed) {
+  std::minstd_rand random(seed);
+  std::uniform_real_distribution<double> uniform(-part, part);
+  for (std::size_t l = 1; l < mesh.layers; ++l) {
+    for (std::size_t j = 1; j < mesh.plan.rows; ++j) {
+      for (std::size_t i = 1; i < mesh.plan.columns; ++i) {
+        const std::size_t k = mesh.node(i, j, l);
+        mesh.x[k] += uniform(random);
+        mesh.y[k] += uniform(random);
+        mesh.z[k] += uniform(random);
+      }
+    }
+  }
+  return mesh;
+}
+
+/// Body of 6 x 5 x 4 cells in [-1, 1]^3 without gravity that nothing holds, sheared, bent and turned by its velocity.
+inline HexahedralProblem moving_body(lagrangian_mesh_3d::Settings settings = {}) {
+  settings.gravity = 0;
+  return HexahedralProblem(
+      jittered(lagrangian_mesh_3d::free_box(
+                   {.corner = {-1, -1, -1}, .sides = {2, 2, 2}, .plan = {.columns = 6, .rows = 5}, .layers = 4}),
+               0.03, 1),
+      [](lagrangian_mesh_3d::Place r) {
+        return lagrangian_mesh_3d::Vector{0.4 * r.x - 0.7 * r.y + 0.1 * std::sin(2 * r.z) + 0.3,
+                                          0.5 * r.x - 0.1 * r.y + 0.2 * r.z + 0.1 * std::cos(3 * r.x) - 0.2,
+                                          -0.3 * r.z + 0.2 * r.x * r.y + 0.1};
+      },
+      settings);
+}
+
+/// Water 1 deep on a level bottom under gravity, 12 x 12 x 2 cells of 0.5, that no side holds: it spreads and turns.
+inline HexahedralProblem spreading_water(lagrangian_mesh_3d::Settings settings = {}) {
+  using plan_lattice::FreeSide;
+  std::minstd_rand random(1);
+  std::uniform_real_distribution<double> uniform(-0.1, 0.1);
+  return HexahedralProblem(
+      jittered(lagrangian_mesh_3d::layer_mesh({.begin = -3,
+                                               .end = 3,
+                                               .south = -3,
+                                               .north = 3,
+                                               .columns = 12,
+                                               .rows = 12,
+                                               .layers = 2,
+                                               .sides = {FreeSide{}, FreeSide{}, FreeSide{}, FreeSide{}}}),
+               0.04, 2),
+      [&](lagrangian_mesh_3d::Place r) {
+        return lagrangian_mesh_3d::Vector{0.3 - 0.1 * r.y + uniform(random), 0.2 + 0.1 * r.x + uniform(random),
+                                          uniform(random)};
+      },
+      settings);
+}
+
+/// A hump of 0.3 in a box 10 x 10 depths, 20 x 20 x 2 cells; its walls at x, y = 0 mirror it.
+inline lagrangian_mesh_3d::Mesh hump_in_box() {
+  return lagrangian_mesh_3d::layer_mesh(
+      {.begin = 0,
+       .end = 10,
+       .south = 0,
+       .north = 10,
+       .columns = 20,
+       .rows = 20,
+       .layers = 2,
+       .elevation = [](double x, double y) { return 0.3 * std::exp(-0.3 * (x * x + y * y)); }});
+}
+
+inline double largest_difference(const mechanics::State& a, const mechanics::State& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.q.size(); ++i) largest = std::max(largest, std::abs(a.q[i] - b.q[i]));
+  for (std::size_t i = 0; i < a.u.size(); ++i) largest = std::max(largest, std::abs(a.u[i] - b.u[i]));
+  return largest;
+}
+
+}  // namespace seiche::verification

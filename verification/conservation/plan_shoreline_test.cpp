@@ -1,0 +1,186 @@
+// The moving shoreline of the plan model: rest, conservation, and the slow oscillation of water in a parabolic canal.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::dispersive_shallow_water_2d;
+using namespace seiche::verification;
+using seiche::PolynomialBottom;
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+using seiche::plan_lattice::ShoreSide;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 3 and 4";
+constexpr double half_width = 10;
+
+/// Canal of depth 1 and bottom -1 + (x/10)^2 between walls y = 0 and y = 2, shores at x = -10 and 10.
+std::shared_ptr<const PolynomialBottom> canal() {
+  return std::make_shared<PolynomialBottom>(
+      std::vector<PolynomialBottom::Term>{{-1, 0, 0}, {1 / (half_width * half_width), 2, 0}});
+}
+
+/// Its water, moved by `shift` up one side as a whole: the surface is a plane.
+Lattice moved_water(std::size_t columns, double shift) {
+  const auto bottom = canal();
+  Lattice lattice = rectangular_lattice(
+      {.begin = -half_width, .end = half_width, .south = 0, .north = 2, .columns = columns, .rows = 2});
+  lattice.bottom = bottom;
+  lattice.sides.west = lattice.sides.east = ShoreSide{};
+  for (std::size_t k = 0; k < lattice.x.size(); ++k) {
+    const double depth = -bottom->slope(lattice.x[k], 0).elevation;
+    lattice.x[k] += shift;
+    lattice.z[k] = bottom->slope(lattice.x[k], 0).elevation + (k % (columns + 1) % columns == 0 ? 0 : depth);
+  }
+  return lattice;
+}
+
+/// A bowl -1 + (r/10)^2 as a ring of water between the shore and a wall held at r = 4, a quarter of it.
+Lattice ring(double amplitude) {
+  constexpr std::size_t columns = 24;
+  constexpr std::size_t rows = 8;
+  Lattice lattice{.shape = {columns, rows}, .x = {}, .y = {}, .z = {}};
+  lattice.bottom =
+      std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{-1, 0, 0}, {0.01, 2, 0}, {0.01, 0, 2}});
+  for (std::size_t j = 0; j <= rows; ++j) {
+    for (std::size_t i = 0; i <= columns; ++i) {
+      const double angle = std::numbers::pi / 2 * static_cast<double>(i) / columns;
+      const double r = 4 + 6 * static_cast<double>(j) / rows;
+      // Rows from the shore inwards.
+      const double radius = 14 - r;
+      lattice.x.push_back(i == columns ? 0 : radius * std::cos(angle));
+      lattice.y.push_back(i == 0 ? 0 : radius * std::sin(angle));
+      const double b = lattice.bottom->slope(lattice.x.back(), lattice.y.back()).elevation;
+      lattice.z.push_back(j == 0 ? b : amplitude * b * b * std::cos(2 * angle));
+    }
+  }
+  lattice.sides.south = ShoreSide{};
+  lattice.sides.north = seiche::plan_lattice::HeldSide{};
+  return lattice;
+}
+
+double fastest(const Flow& flow) {
+  double most = 0;
+  for (const double u : flow.state().u) most = std::max(most, std::abs(u));
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("still water with moving shorelines stays still", "[conservation]") {
+  Check check("plan_shoreline_rest", "Still water with moving shorelines, seen from above",
+              "Markers at depth zero stand at the still-water level, and the bottom's part of the potential energy is "
+              "taken with the surface's line between them: no force. 200 steps of 0.1. On a circular shore markers are "
+              "at the level only to round-off.");
+  Flow straight(moved_water(20, 0));
+  Flow round(ring(0));
+  for (int n = 0; n < 200; ++n) {
+    straight.advance(0.1);
+    round.advance(0.1);
+  }
+  check.that(
+      {.id = "straight", .text = "Straight shores: nothing moves.", .quantity = "largest velocity", .source = source},
+      {.value = fastest(straight)}, Bound{0, "every force is exactly zero"});
+  check.that(
+      {.id = "round", .text = "A circular shore: nothing moves.", .quantity = "largest velocity", .source = source},
+      {.value = fastest(round)},
+      Roundoff{.operations = 200, .scale = 1, .reason = "elevations rounded once, of depth 1, and 200 steps"});
+}
+
+TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservation]") {
+  Check check(
+      "plan_shoreline_conservation", "Conservation with moving shorelines, seen from above",
+      "The potential energy over moving shores is that of the areas they flood, with an exact discrete "
+      "gradient; shoreline markers move along the bottom's own discrete tangent. Canal: the water is moved up a "
+      "side by a tenth of its half width and let go. Ring: a circular shore, uneven surface.");
+  struct Problem {
+    std::string id, text;
+    Lattice lattice;
+  };
+  for (const Problem& problem :
+       {Problem{"canal", "Straight shores", moved_water(20, 1)}, Problem{"ring", "A circular shore", ring(0.05)}}) {
+    Flow flow(problem.lattice, {}, {.stepping = Stepping::conservative});
+    const double energy = flow.energy();
+    double energy_defect = 0;
+    constexpr int steps = 200;
+    for (int n = 0; n < steps; ++n) {
+      flow.advance(0.1);
+      energy_defect = std::max(energy_defect, std::abs(flow.energy() / energy - 1));
+    }
+    std::vector<double> defects(flow.shape().cells());
+    flow.model().constraint_values(flow.state().q, defects);
+    double volume_defect = 0;
+    for (const double defect : defects) volume_defect = std::max(volume_defect, std::abs(defect));
+    const auto cells = static_cast<double>(flow.shape().cells());
+    check.that({.id = problem.id + "-energy",
+                .text = problem.text + ": the energy.",
+                .quantity = "largest relative defect",
+                .source = source},
+               {.value = energy_defect, .resolution = fmt::format("{} steps of 0.1", steps)},
+               Roundoff{.operations = steps * cells,
+                        .scale = 1,
+                        .reason = "one rounded work per cell and step, of the size of the energy"});
+    check.that({.id = problem.id + "-volume",
+                .text = problem.text + ": the volume of every cell.",
+                .quantity = "largest defect",
+                .unit = "depth^3",
+                .source = source},
+               {.value = volume_defect, .resolution = fmt::format("{} steps of 0.1", steps)},
+               Roundoff{.operations = steps,
+                        .scale = half_width,
+                        .reason = "places up to 10, rounded per step, depth and width 1"});
+  }
+}
+
+TEST_CASE("water in a parabolic canal swings with Thacker's frequency", "[conservation]") {
+  Check check("plan_shoreline_swing", "Water that swings in a parabolic canal, seen from above",
+              "Thacker (1981): in shallow water the surface stays a plane and the water moves as a whole, with "
+              "frequency sqrt(2)/10 here. Dispersion adds what is of the order of (depth/half width)^2.");
+  std::vector<double> spacings, errors;
+  const double period = 2 * std::numbers::pi * half_width / std::sqrt(2.0);
+  auto& panel =
+      check.figure("swing", "The western shore", "Place of the marker over one period; columns of 1, 1/2, 1/4.")
+          .panel({.x = "t/period", .y = "x + 10 [depth]"});
+  for (const std::size_t columns : {20, 40, 80}) {
+    Flow flow(moved_water(columns, 0.5));
+    std::vector<double> time, shore, swing;
+    flow.advance_to(period, 2 / static_cast<double>(columns), [&] {
+      time.push_back(flow.time() / period);
+      shore.push_back(flow.x()[0] + half_width);
+      swing.push_back(0.5 * std::cos(2 * std::numbers::pi * time.back()));
+    });
+    double error = 0;
+    for (std::size_t k = 0; k < time.size(); ++k) error = std::max(error, std::abs(shore[k] - swing[k]) / 0.5);
+    spacings.push_back(2 * half_width / static_cast<double>(columns));
+    errors.push_back(error);
+    check.measure(fmt::format("error_{}_columns", columns), error);
+    panel.line(fmt::format("{} columns", columns), time, shore);
+    if (columns == 80) panel.line("Thacker", time, swing, Role::exact);
+  }
+  check.that({.id = "swing",
+              .text = "The shoreline goes up and down as in the exact solution.",
+              .quantity = "largest difference over the amplitude",
+              .source = "Thacker, J. Fluid Mech. 107 (1981) 499"},
+             {.value = errors.back(), .resolution = "80 columns"}, Bound{0.06, "dispersion: 2 pi times (1/10)^2"});
+}
+
+TEST_CASE("shorelines that cannot be are refused", "[robustness]") {
+  Lattice level = rectangular_lattice({.begin = 0, .end = 4, .south = 0, .north = 2, .columns = 4, .rows = 2});
+  level.sides.west = ShoreSide{};
+  CHECK_THROWS_AS(Flow(level), std::invalid_argument);
+  Lattice wet = moved_water(20, 0);
+  wet.z[0] += 0.01;
+  CHECK_THROWS_AS(Flow(wet), std::invalid_argument);
+  Lattice window = moved_water(20, 0);
+  CHECK_THROWS_AS(Flow(window, {}, {}, {}, {}, {.reach = [](double) { return 0.0; }}), std::invalid_argument);
+}

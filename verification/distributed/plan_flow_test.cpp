@@ -1,0 +1,172 @@
+// The plan model shared out among processes against the same model on one, and what it writes.
+#include <unistd.h>
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "seiche/divergence.hpp"
+#include "seiche/io/hdf5_table.hpp"
+#include "verification/check.hpp"
+#include "verification/distributed/problems.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::verification;
+using namespace seiche::verification::distributed_flows;
+using distributed::rank;
+using distributed::ranks;
+using evidence::Bound;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 4";
+const std::string article =
+    "The lattice is shared out among the processes of one program (MPI); each computes on its own block and a ring of "
+    "its neighbours' cells, and PETSc solves the system of all cells by conjugate gradients, preconditioned by the "
+    "diagonal. The flow on one process is stepped by the model itself, with a direct solver.\n\n"
+    "The two may differ by what the iterations leave. A relative residual $\\varepsilon$ leaves at most the part "
+    "$\\kappa\\varepsilon$ of the multipliers, $\\kappa$ being the condition number of the preconditioned matrix (from "
+    "the Lanczos coefficients of the last solution), and they change velocities by less than the largest velocity $U$ "
+    "in a step: after $N$ steps the difference is below $N\\kappa\\varepsilon U$. It must vanish with $\\varepsilon$, "
+    "in proportion.";
+
+TEST_CASE("a plan flow shared out among processes is that of one process, to the tolerance of its solver") {
+  const std::vector<double> tolerances{1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
+  std::vector<Problem> problems;
+  problems.push_back(box());
+  problems.push_back(shoal());
+  problems.push_back(wedge());
+  std::vector<std::vector<Outcome>> outcomes;
+  for (const Problem& problem : problems) {
+    auto& of_problem = outcomes.emplace_back();
+    for (const double tolerance : tolerances) of_problem.push_back(shared_out(problem, tolerance));
+  }
+  if (rank() > 0) return;
+
+  Check check(fmt::format("distributed_plan_flow_{}", ranks()),
+              fmt::format("Plan model shared out among {} process(es)", ranks()), article);
+  auto& panel = check.figure("tolerance", "Difference from the flow on one process", "Against the solver's tolerance.")
+                    .panel({.x = "tolerance (relative residual)",
+                            .y = "largest difference, depths or sqrt(g depth)",
+                            .log_x = true,
+                            .log_y = true});
+  for (std::size_t p = 0; p < problems.size(); ++p) {
+    const Problem& problem = problems[p];
+    const Outcome reference = alone(problem);
+    std::vector<double> differences;
+    double rim = 0;
+    for (const Outcome& outcome : outcomes[p]) {
+      differences.push_back(largest_difference(outcome, reference));
+      rim = std::max(rim, outcome.rim_difference);
+    }
+    const Outcome& finest = outcomes[p].back();
+    const std::string resolution = fmt::format("{} steps of {}, relative residual {:.0e}, {} process(es)",
+                                               problem.steps, problem.step, tolerances.back(), ranks());
+    check.that(
+        {.id = "same-" + problem.id,
+         .text = fmt::format("Shared out, the flow is that of one process: {}.", problem.what),
+         .quantity = "largest difference of a coordinate over the depth or a velocity over sqrt(g depth)",
+         .source = source},
+        {.value = differences.back(), .resolution = resolution},
+        Bound{.limit = static_cast<double>(problem.steps) * finest.condition * tolerances.back() * speed(reference),
+              .reason =
+                  fmt::format("N kappa eps U with kappa = {:.3g}, U = {:.3g}", finest.condition, speed(reference))});
+    check.that({.id = "vanishes-" + problem.id,
+                .text = "The difference vanishes with the tolerance, in proportion.",
+                .quantity = "order of the largest difference in the tolerance",
+                .source = source},
+               evidence::observed_order(tolerances, differences),
+               evidence::Order{.theory = 1,
+                               .tolerance = 0.25,
+                               .reason = "the residual at which the iteration stops lies anywhere within the factor of "
+                                         "one iteration below the tolerance"});
+    check.that({.id = "copies-" + problem.id,
+                .text = "What several processes hold of a node is the same, bit by bit.",
+                .quantity = "largest difference between copies",
+                .source = source},
+               {.value = rim, .resolution = resolution}, Bound{.limit = 0, .reason = "copies are copied"});
+    panel.line(problem.id, tolerances, differences);
+    check.measure("iterations per solution at the finest tolerance, " + problem.id, finest.iterations);
+    check.measure("difference of energies, " + problem.id, finest.energy - reference.energy);
+  }
+}
+
+TEST_CASE("a lattice that folds at one process stops all of them") {
+  const Problem problem = box();
+  distributed::PlanFlow flow(
+      problem.lattice.shape, 1,
+      [&](const distributed::Patch& patch) { return distributed::part_of(problem.lattice, patch); },
+      problem.lattice.sides,
+      [](double x, double y) { return plan::Velocity{.u = x < 4 && y < 4 ? 4 * std::sin(3 * y) : 0}; });
+  double stopped = 0;
+  try {
+    for (long n = 0; n < problem.steps; ++n) flow.advance(problem.step);
+  } catch (const Divergence&) {
+    stopped = 1;
+  }
+  const double all_stopped = distributed::Decomposition::least(stopped);
+  if (rank() > 0) return;
+  Check check(fmt::format("distributed_breakdown_{}", ranks()), fmt::format("A breakdown on {} process(es)", ranks()),
+              "A jet in the south-west corner of the box folds the lattice there.");
+  check.that({.id = "all-stop",
+              .text = "What one process finds infeasible is a Divergence on all, with time and step.",
+              .quantity = "1 if all processes stopped",
+              .source = source},
+             {.value = all_stopped, .resolution = fmt::format("{} steps before it", flow.steps())},
+             evidence::Qualitative{.detector = "every process caught Divergence",
+                                   .reason = "a process that goes on alone waits for ever"});
+}
+
+TEST_CASE("a shoreline is refused") {
+  Problem problem = shoal();
+  problem.lattice.sides.west = plan_lattice::ShoreSide{};
+  std::string message;
+  try {
+    shared_out(problem, 1e-9);
+  } catch (const std::invalid_argument& refusal) {
+    message = refusal.what();
+  }
+  CHECK(message.find("on many processes") != std::string::npos);
+}
+
+TEST_CASE("what all processes write is read back as it was") {
+  const Problem problem = box();
+  // One folder for all: the number of the first process's program.
+  const auto folder =
+      std::filesystem::temp_directory_path() /
+      fmt::format("seiche-fields-{:.0f}",
+                  distributed::Decomposition::largest(rank() == 0 ? static_cast<double>(::getpid()) : 0));
+  std::filesystem::create_directories(folder);
+  const auto file = folder / "fields.h5";
+  distributed::PlanFlow flow(
+      problem.lattice.shape, 1,
+      [&](const distributed::Patch& patch) { return distributed::part_of(problem.lattice, patch); },
+      problem.lattice.sides);
+  for (int n = 0; n < 5; ++n) flow.advance(problem.step);
+  flow.write(file);
+  const std::array<std::string, 6> names{"x", "y", "z", "u", "v", "w"};
+  std::vector<std::vector<double>> written;
+  for (std::size_t k = 0; k < 6; ++k) {
+    written.push_back(flow.decomposition().gathered(k < 3 ? flow.place(k) : flow.velocity(k - 3)));
+  }
+  if (rank() > 0) return;
+
+  const io::Table read = io::read_hdf5(file);
+  std::filesystem::remove_all(folder);
+  double worst = 0;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto& column = read.column(names[k]);
+    REQUIRE(column.size() == written[k].size());
+    for (std::size_t n = 0; n < column.size(); ++n) worst = std::max(worst, std::abs(column[n] - written[k][n]));
+  }
+  Check check(fmt::format("distributed_fields_file_{}", ranks()),
+              fmt::format("Fields written by {} process(es) together", ranks()),
+              "All processes write their parts of one HDF5 file; a reader with another HDF5 library reads it.");
+  check.that({.id = "read-back",
+              .text = "Coordinates and velocities are read back as they were, row by row.",
+              .quantity = "largest difference",
+              .source = source},
+             {.value = worst, .resolution = "40 x 20 cells"}, Bound{.limit = 0, .reason = "the file keeps all digits"});
+}
+
+}  // namespace

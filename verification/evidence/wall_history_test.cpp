@@ -1,0 +1,171 @@
+// The limit of a wall amplitude that still grows, on series whose limit is known.
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include <fmt/format.h>
+#include <boost/math/tools/minima.hpp>
+
+#include "validation/measures/wall_history.hpp"
+#include "verification/check.hpp"
+#include "verification/evidence/reflection_problems.hpp"
+
+using namespace seiche;
+using namespace seiche::validation;
+using exact::KadomtsevPetviashvili;
+using verification::Role;
+
+namespace {
+
+const std::string source = "Kodama and Yeh, The KP theory and Mach reflection, J. Fluid Mech. 800 (2016) 766";
+
+struct History {
+  std::vector<double> time, amplitude;
+};
+
+History sampled(double end, const std::function<double(double)>& amplitude, double noise = 0) {
+  History history;
+  std::mt19937 random(1977);
+  std::normal_distribution<double> error;
+  constexpr int values = 300;
+  for (int k = 1; k <= values; ++k) {
+    history.time.push_back(end * k / values);
+    history.amplitude.push_back(amplitude(history.time.back()) + noise * error(random));
+  }
+  return history;
+}
+
+/// Of an exact stem, in units of the incident amplitude.
+History stem(double kappa, double settling_times) {
+  constexpr double a = 0.3;
+  const KadomtsevPetviashvili waves = verification::reflection(a, kappa);
+  return sampled(settling_times / waves.settling_rate(), [waves](double t) {
+    const double crest = waves.wall().at(0, t);
+    return -boost::math::tools::brent_find_minima([&](double x) { return -waves.elevation(x, 0, t); }, crest - 1,
+                                                  crest + 1, 40)
+                .second /
+           a;
+  });
+}
+
+evidence::Uncertainty stated(double limit, const std::string& why) {
+  return {.expected = limit, .useful = 0.25 * limit, .reason = "uncertainty stated by the fits; " + why};
+}
+
+}  // namespace
+
+TEST_CASE("the limit of a growing wall amplitude is known within its stated uncertainty", "[evidence]") {
+  verification::Check check(
+      "wall_history", "The limit of the wall amplitude",
+      "A Mach stem next to resonance grows for thousands of $h/c_0$. The limit from an exponential through the last "
+      "half "
+      "of its history, and the uncertainty from the fits to other parts and by a power of time, on exact stems of the "
+      "Kadomtsev-Petviashvili equation and on other series that are known.");
+  const auto claim = [&](const std::string& id, const std::string& text, const History& history, double limit,
+                         const std::string& why) {
+    const WallLimit found = wall_limit(history.time, history.amplitude);
+    check.that({.id = id, .text = text, .quantity = "limit", .source = source}, found.amplitude, stated(limit, why));
+    return found;
+  };
+  for (const double kappa : {0.6, 0.9, 0.95}) {
+    for (const double settling_times : {4.0, 8.0}) {
+      const WallLimit found =
+          claim(fmt::format("stem-{:02.0f}-{:.0f}", 100 * kappa, settling_times),
+                fmt::format("An exact stem with kappa = {:g}, until t = {:g}/r.", kappa, settling_times),
+                stem(kappa, settling_times), (1 + kappa) * (1 + kappa), "several exponentials");
+      CHECK(found.steady() == (settling_times > 4));
+    }
+  }
+  check.that({.id = "rate",
+              .text = "The rate of an exact stem is found where it has nearly settled.",
+              .quantity = "r over S^3 kappa (1 - kappa)/3",
+              .source = source},
+             {.value =
+                  [] {
+                    const History history = stem(0.6, 8);
+                    return wall_limit(history.time, history.amplitude).exponential.rate /
+                           verification::reflection(0.3, 0.6).settling_rate();
+                  }()},
+             evidence::Bound{.limit = 2 * std::exp(-4.0),
+                             .reason = "the next exponential is exp(-4) of this one where the fit begins",
+                             .expected = 1});
+
+  const auto growing = [](double t) { return 1 - 0.3 * std::exp(-t / 100); };
+  claim("exponential", "An exponential with noise of 1e-3, until four times its time.", sampled(400, growing, 1e-3), 1,
+        "noise");
+  claim("two-exponentials", "Two exponentials of which the fast one fades.",
+        sampled(
+            400, [](double t) { return 1 - 0.2 * std::exp(-t / 100) - 0.15 * std::exp(-t / 30); }, 1e-5),
+        1, "another exponential");
+  claim("inverse-time", "A series that approaches its limit like 1/t.",
+        sampled(
+            600, [](double t) { return 1 - 0.3 / (1 + t / 50); }, 1e-5),
+        1, "not an exponential");
+  claim("ripples", "An exponential with fading ripples.",
+        sampled(400, [&](double t) { return growing(t) + 0.01 * std::cos(t / 5) / std::sqrt(1 + t / 5); }), 1,
+        "ripples");
+  claim("steady", "A steady series with noise of 1e-4.",
+        sampled(
+            600, [](double) { return 1.0; }, 1e-4),
+        1, "noise");
+
+  const History line = sampled(600, [](double t) { return t / 600; });
+  const WallLimit none = wall_limit(line.time, line.amplitude);
+  check.that({.id = "no-limit",
+              .text = "A series that grows like a straight line has no limit that could be stated.",
+              .quantity = "uncertainty over last value",
+              .source = "definition of the measure"},
+             {.value = none.amplitude.uncertainty > 0.5 ? 1.0 : 0.0},
+             evidence::Qualitative{"uncertainty larger than half of the last value", "no curvature to extrapolate"});
+  check.that({.id = "growth",
+              .text = "Its growth over the last fifth.",
+              .quantity = "relative growth",
+              .source = "definition of the measure"},
+             {.value = growth_of_last_fifth(line.time, line.amplitude)},
+             evidence::Bound{.limit = 1e-12,
+                             .reason = "(600 - (2 + 0.8 598))/600; interpolation is exact for a line",
+                             .expected = 0.2 * 598 / 600});
+  CHECK_FALSE(none.steady());
+
+  // Next to resonance an exact stem halts on its way, once, where it is about to leave the state it had at t < 0.
+  const History halting = stem(0.98, 1);
+  const WallLimit early = wall_limit(halting.time, halting.amplitude);
+  check.known_failure(
+      {.id = "halt",
+       .text = "An exact stem with kappa = 0.98 that is watched until t = 1/r alone.",
+       .quantity = "limit",
+       .source = source},
+      early.amplitude, stated(1.98 * 1.98, "several exponentials"),
+      "at t = 1/r this stem grows by less than 1 % in a fifth of its time, yet it is a sixth below its limit: no "
+      "series can "
+      "tell before it bends. Runs next to kappa = 1 have to last several 1/r = 3 h/(c0 S^3 kappa (1 - kappa))");
+  CHECK(early.steady());
+
+  auto& figure = check.figure("histories", "Wall amplitudes and their limits",
+                              "Exact stems of the Kadomtsev-Petviashvili equation until four settling times: the "
+                              "amplitude, the limit found with its uncertainty, and Miles's $(1+\\kappa)^2$.");
+  auto& panel = figure.panel({.x = "time times settling rate", .y = "a_w/a_i"});
+  std::vector<double> limits;
+  std::vector<double> uncertainties;
+  std::vector<double> miles;
+  for (const double kappa : {0.6, 0.9, 0.95}) {
+    const double rate = verification::reflection(0.3, kappa).settling_rate();
+    const History history = stem(kappa, 4);
+    std::vector<double> time;
+    for (const double t : history.time) time.push_back(t * rate);
+    panel.line(fmt::format("kappa = {:g}", kappa), time, history.amplitude, Role::computed);
+    const WallLimit found = wall_limit(history.time, history.amplitude);
+    limits.push_back(found.amplitude.value);
+    uncertainties.push_back(found.amplitude.uncertainty);
+    miles.push_back((1 + kappa) * (1 + kappa));
+  }
+  panel.points("limit found", std::vector<double>(3, 4.2), limits, Role::computed, uncertainties);
+  panel.points("Miles", std::vector<double>(3, 4.4), miles, Role::exact);
+
+  CHECK_THROWS_AS(wall_limit(std::vector<double>(19), std::vector<double>(19)), std::invalid_argument);
+  CHECK_THROWS_AS(wall_limit(std::vector<double>(20), std::vector<double>(20)), std::invalid_argument);
+  CHECK_THROWS_AS(wall_limit(line.time, std::vector<double>(20)), std::invalid_argument);
+  CHECK(stem_angle(std::vector<double>{0, 10}, std::vector<double>{1, 2}).value == std::atan(0.1));
+  CHECK(stem_angle(std::vector<double>{0, 10}, std::vector<double>{2, 1}).value == std::atan(-0.1));
+}

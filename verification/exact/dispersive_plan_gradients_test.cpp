@@ -1,0 +1,180 @@
+// Volumes and potential energy of the plan model: gradients against differences, and identities of the bilinear patch.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "seiche/geometry/bilinear_patch.hpp"
+#include "verification/check.hpp"
+#include "verification/conservation/dispersive_plan_problems.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::dispersive_shallow_water_2d;
+using namespace seiche::verification;
+using evidence::Bound;
+using evidence::Roundoff;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 3 and 4.2, formulas 9, 10";
+
+/// 6 x 5 cells, uneven surface, off a rectangle at random; nothing holds them.
+Lattice uneven_lattice(std::shared_ptr<const PlanBottom> bottom) {
+  using plan_lattice::FreeSide;
+  return jittered(rectangular_lattice(
+                      {.begin = 3,
+                       .end = 7,
+                       .south = 1,
+                       .north = 4,
+                       .columns = 6,
+                       .rows = 5,
+                       .elevation = [](double x, double y) { return 0.2 * std::sin(1.7 * x) * std::cos(2.1 * y + 1); },
+                       .sides = {FreeSide{}, FreeSide{}, FreeSide{}, FreeSide{}},
+                       .bottom = std::move(bottom)}),
+                  0.1, 5);
+}
+
+constexpr double difference_step = 1e-4;
+
+/// Largest difference between J and the differences of the volumes, over all cells and coordinates.
+double volume_gradient_error(Model& model) {
+  const mechanics::State state = model.state();
+  std::vector<double> q = state.q;
+  std::vector<double> unit(model.rates(), 0.0);
+  std::vector<double> above(model.constraints()), below(model.constraints()), rates(model.constraints());
+  model.linearise({0, 0}, q);
+  double worst = 0;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    unit[i] = 1;
+    model.constraint_rates(unit, rates);
+    unit[i] = 0;
+    q[i] = state.q[i] + difference_step;
+    model.constraint_values(q, above);
+    q[i] = state.q[i] - difference_step;
+    model.constraint_values(q, below);
+    q[i] = state.q[i];
+    for (std::size_t s = 0; s < rates.size(); ++s) {
+      worst = std::max(worst, std::abs(rates[s] - (above[s] - below[s]) / (2 * difference_step)));
+    }
+  }
+  return worst;
+}
+
+/// The same for forces and differences of the potential energy. Over a level bottom W is diagonal without sides: m kick
+/// is the force.
+double force_error(Model& model) {
+  const mechanics::State state = model.state();
+  std::vector<double> q = state.q;
+  model.linearise({0, 0}, q);
+  std::vector<double> kick(model.rates(), 0.0);
+  model.kick(1, kick);
+  const std::size_t n = model.nodes();
+  double worst = 0;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    q[i] = state.q[i] + difference_step;
+    const double above = model.potential_energy(q);
+    q[i] = state.q[i] - difference_step;
+    const double below = model.potential_energy(q);
+    q[i] = state.q[i];
+    const double inertia = i < 2 * n ? 1 : model.settings().inertia;
+    const double force = kick[i] * model.node_masses()[i % n] * inertia;
+    worst = std::max(worst, std::abs(force + (above - below) / (2 * difference_step)));
+  }
+  return worst;
+}
+
+/// Volume below the two triangles that a diagonal cuts from the patch.
+double triangulated(const bilinear_patch::Corners& x, const bilinear_patch::Corners& y,
+                    const bilinear_patch::Corners& z, bool from_corner_0) {
+  const std::array xs{x.c0, x.c1, x.c2, x.c3};
+  const std::array ys{y.c0, y.c1, y.c2, y.c3};
+  const std::array zs{z.c0, z.c1, z.c2, z.c3};
+  const auto triangle = [&](std::size_t a, std::size_t b, std::size_t c) {
+    const double twice_area = (xs[b] - xs[a]) * (ys[c] - ys[a]) - (ys[b] - ys[a]) * (xs[c] - xs[a]);
+    return twice_area * (zs[a] + zs[b] + zs[c]) / 6;
+  };
+  return from_corner_0 ? triangle(0, 1, 2) + triangle(0, 2, 3) : triangle(1, 2, 3) + triangle(1, 3, 0);
+}
+
+/// int f(z) dA over the patch by Gauss's rule of three points each way: exact for f of degree two, z and the area
+/// element being bilinear.
+template <class Integrand>
+double gauss(const bilinear_patch::Corners& x, const bilinear_patch::Corners& y, const bilinear_patch::Corners& z,
+             const Integrand& f) {
+  const double half = 0.5 * std::sqrt(0.6);
+  const std::array<std::pair<double, double>, 3> rule{
+      {{0.5 - half, 5.0 / 18}, {0.5, 8.0 / 18}, {0.5 + half, 5.0 / 18}}};
+  double sum = 0;
+  for (const auto& [s, weight_s] : rule) {
+    for (const auto& [t, weight_t] : rule) {
+      const auto value = [&](const bilinear_patch::Corners& c) {
+        return (1 - s) * (1 - t) * c.c0 + s * (1 - t) * c.c1 + s * t * c.c2 + (1 - s) * t * c.c3;
+      };
+      const auto along_s = [&](const bilinear_patch::Corners& c) {
+        return (1 - t) * (c.c1 - c.c0) + t * (c.c2 - c.c3);
+      };
+      const auto along_t = [&](const bilinear_patch::Corners& c) {
+        return (1 - s) * (c.c3 - c.c0) + s * (c.c2 - c.c1);
+      };
+      sum += weight_s * weight_t * (along_s(x) * along_t(y) - along_s(y) * along_t(x)) * f(value(z));
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("gradients of the plan model's volumes and energy are those of differences", "[exact]") {
+  Check check("dispersive_plan_gradients", "Plan model: gradients",
+              "6 x 5 cells off a rectangle at random below a curved surface: every entry of the gradients of all "
+              "volumes, over a level bottom, a polynomial one and a bump that is none, and the forces on all nodes, "
+              "against central differences with steps of 1e-4. Volumes over a level bottom and the energy are "
+              "polynomials of degree one and two in each coordinate: their differences have no error but rounding, "
+              "1e-16 of the volume over twice the step.");
+  const auto claim = [&](const std::string& id, const std::string& text, double value) {
+    check.that({.id = id, .text = text, .quantity = "largest error of an entry", .source = source},
+               {.value = value, .resolution = "step 1e-4"},
+               Bound{1e-9,
+                     "differences: step^2/6 of the third derivatives of the bottom, 1e-9 of their 0.1, and roundings "
+                     "of 1e-16 over 2e-4, 1e-12"});
+  };
+  Model level(uneven_lattice({}));
+  Model polynomial(uneven_lattice(quartic_bottom()));
+  Model bump(uneven_lattice(std::make_shared<BumpBottom>()));
+  claim("level", "Volumes over a level bottom.", volume_gradient_error(level));
+  claim("polynomial", "Volumes over a polynomial bottom.", volume_gradient_error(polynomial));
+  claim("bump", "Volumes over a bump.", volume_gradient_error(bump));
+  claim("energy", "Potential energy.", force_error(level));
+}
+
+TEST_CASE("a bilinear patch is the mean of its two triangulations and its integrals are exact", "[exact]") {
+  Check check("bilinear_patch_identities", "Bilinear patches: identities",
+              "1000 quadrilaterals with random corners. The volume below a patch is the mean of those below the two "
+              "pairs of triangles that its diagonals cut, and, as its moment, what Gauss's rule of 3 x 3 points gives, "
+              "which is exact for these integrands.");
+  std::minstd_rand random(7);
+  std::uniform_real_distribution<double> uniform(-0.2, 0.2);
+  double mean = 0, volume_error = 0, moment_error = 0;
+  for (int n = 0; n < 1000; ++n) {
+    const auto near = [&](double a, double b, double c, double d) {
+      return bilinear_patch::Corners{a + uniform(random), b + uniform(random), c + uniform(random),
+                                     d + uniform(random)};
+    };
+    const auto x = near(0, 1, 1, 0);
+    const auto y = near(0, 0, 1, 1);
+    const auto z = near(1, 1, 1, 1);
+    const double volume = bilinear_patch::volume(x, y, z);
+    mean = std::max(mean, std::abs(volume - 0.5 * (triangulated(x, y, z, true) + triangulated(x, y, z, false))));
+    volume_error = std::max(volume_error, std::abs(volume - gauss(x, y, z, [](double at) { return at; })));
+    moment_error = std::max(moment_error, std::abs(bilinear_patch::moment(x, y, z) -
+                                                   gauss(x, y, z, [](double at) { return at * at / 2; })));
+  }
+  const auto claim = [&](const std::string& id, const std::string& text, double value) {
+    check.that({.id = id, .text = text, .quantity = "largest difference", .source = source}, {.value = value},
+               Roundoff{.operations = 60, .scale = 1, .reason = "some 60 operations on numbers of size one"});
+  };
+  claim("triangulations", "The volume is the mean of the two triangulations.", mean);
+  claim("volume", "The volume is the integral.", volume_error);
+  claim("moment", "The moment is the integral.", moment_error);
+}

@@ -1,0 +1,177 @@
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/dispersion.hpp"
+#include "seiche/exact/hexahedral_dispersion.hpp"
+#include "seiche/exact/plan_dispersion.hpp"
+#include "verification/check.hpp"
+#include "verification/exact/digits_table.hpp"
+#include "verification/exact/self_test_claims.hpp"
+
+using namespace seiche;
+using exact::AiryDispersion;
+using exact::HexahedralDispersion;
+using exact::PlanDispersion;
+using exact::SurfaceInertia;
+using verification::check_table;
+using verification::claim_self_test;
+using verification::Role;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), 4.1; closed form of its layers";
+const std::string printed_once = "formula evaluated once by an independent implementation";
+
+/// Errors against Airy's law along an axis, in per cent.
+double layers_error(double wavelength, double spacing, std::size_t layers, double direction = 0,
+                    SurfaceInertia inertia = SurfaceInertia::nodal) {
+  return 100 *
+         HexahedralDispersion(1, 1, spacing, spacing, layers, inertia).frequency_error(2 * pi / wavelength, direction);
+}
+
+double plan_error(double wavelength, double spacing) {
+  const double k = 2 * pi / wavelength;
+  return 100 * (PlanDispersion(1, 1, spacing, spacing).frequency(k, 0) / AiryDispersion(1, 1).frequency(k) - 1);
+}
+
+void claim_limits(verification::Check& check) {
+  std::vector<double> sizes;
+  std::vector<double> errors;
+  for (std::size_t layers = 16; layers <= 256; layers *= 2) {
+    const double h = 1 / static_cast<double>(layers);
+    sizes.push_back(h);
+    errors.push_back(std::abs(layers_error(3, h, layers, 0.5)));
+  }
+  check.that({.id = "order",
+              .text = "With cubes the law tends to Airy's with the square of their size.",
+              .quantity = "order of the error at a wavelength of three depths, 29 degrees",
+              .source = source},
+             evidence::observed_order(sizes, errors),
+             evidence::Order{2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.02 of it"});
+  // (1 - (omega/k)^2)/k^2 extrapolated in k^2 to k = 0, on a fine plan lattice
+  for (const std::size_t layers : {1UL, 2UL, 3UL}) {
+    for (const bool tuned : {false, true}) {
+      const HexahedralDispersion law(1, 1, 1e-3, 1e-3, layers, tuned ? SurfaceInertia::tuned : SurfaceInertia::nodal);
+      const auto at = [&](double k) { return (1 - std::pow(law.phase_speed(0.6 * k, 0.8 * k), 2)) / (k * k); };
+      const double h3 = law.layer_height();
+      check.that({.id = fmt::format("long-{}-{}", tuned ? "tuned" : "nodal", layers),
+                  .text = fmt::format("Long waves on {} layers, {} inertia: omega^2 = k^2 (1 - c k^2), c = {}.", layers,
+                                      tuned ? "tuned" : "nodal", tuned ? "1/3" : "1/3 + h3^2/6"),
+                  .quantity = "c",
+                  .source = source},
+                 {.value = (64 * at(0.05) - 20 * at(0.1) + at(0.2)) / 45},
+                 evidence::Bound{.limit = 2e-6,
+                                 .reason = "extrapolation leaves the product of the three k^2, 1e-6, times a "
+                                           "coefficient below 1; the plan lattice h^2/12 = 1e-7 and the directions' "
+                                           "part of it",
+                                 .expected = 1.0 / 3 + (tuned ? 0 : h3 * h3 / 6)});
+    }
+  }
+  const HexahedralDispersion fine(9.81, 2, 1e-4, 1e-4, 20000);
+  double airy = 0;
+  for (const double k : {0.3, 1.0, 3.0}) airy = std::max(airy, std::abs(fine.frequency_error(k, 0.3)));
+  check.that({.id = "airy",
+              .text = "With 20000 layers of cubes the law is k tanh kH.",
+              .quantity = "largest relative error of the frequency, k H = 0.6, 2, 6",
+              .source = source},
+             {.value = airy},
+             evidence::Bound{.limit = 9e-8,
+                             .reason = "(k h)^2 of the shortest wave; the leading coefficient is "
+                                       "below 1"});
+}
+
+void draw(verification::Check& check) {
+  auto& figure = check.figure("models", "Frequency of the models in three dimensions against Airy's law",
+                              "Relative error for waves along an axis, h1 = H/2: hexahedra in one to three layers, the "
+                              "plan model, and the Green-Naghdi law that it tends to.");
+  auto& lengths = figure.panel({.x = "wavelength/H", .y = "1 - omega/omega_Airy [%]", .log_x = true, .log_y = true});
+  auto& angles = figure.panel({.x = "direction [degrees]", .y = "omega/omega_Airy - 1 [%]", .title = "wavelength 7 H"});
+  std::vector<double> wavelengths;
+  for (double length = 2.5; length < 40; length *= 1.05) wavelengths.push_back(length);
+  std::vector<double> degrees;
+  for (int i = 0; i <= 90; i += 2) degrees.push_back(i);
+  const auto along = [](const std::vector<double>& x, const auto& f) {
+    std::vector<double> y;
+    for (const double at : x) y.push_back(f(at));
+    return y;
+  };
+  for (const std::size_t layers : {1UL, 2UL, 3UL}) {
+    const std::string name = fmt::format("{} layer{}", layers, layers > 1 ? "s" : "");
+    lengths.line(name, wavelengths,
+                 along(wavelengths, [&](double length) { return -layers_error(length, 0.5, layers); }), Role::computed);
+    angles.line(name, degrees,
+                along(degrees, [&](double angle) { return layers_error(7, 0.5, layers, angle * pi / 180); }),
+                Role::computed);
+  }
+  lengths.line("plan model", wavelengths, along(wavelengths, [](double length) { return -plan_error(length, 0.5); }),
+               Role::peer);
+  lengths.line("Green-Naghdi", wavelengths,
+               along(wavelengths,
+                     [](double length) {
+                       const double k = 2 * pi / length;
+                       return 100 * (1 - exact::RationalDispersion::green_naghdi(1, 1).frequency(k) /
+                                             AiryDispersion(1, 1).frequency(k));
+                     }),
+               Role::exact);
+  const double airy = AiryDispersion(1, 1).frequency(2 * pi / 7);
+  angles.line(
+      "plan model", degrees,
+      along(degrees,
+            [&](double angle) {
+              const double k = 2 * pi / 7;
+              const double direction = angle * pi / 180;
+              return 100 * (PlanDispersion(1, 1, 0.5, 0.5).frequency(k * std::cos(direction), k * std::sin(direction)) /
+                                airy -
+                            1);
+            }),
+      Role::peer);
+}
+
+}  // namespace
+
+TEST_CASE("the law of the hexahedral mesh has the known digits and limits", "[exact]") {
+  verification::Check check(
+      "exact_hexahedral_dispersion", "Dispersion law of the three-dimensional Lagrangian mesh",
+      "The errors against Airy's law known to two digits, beside those of the plan model: Frank's remark that waves "
+      "longer than seven depths are well represented by cells as wide as the depth and half as high holds at three "
+      "per cent. The closed form against its layers one by one, the two-dimensional mesh along an axis, one layer "
+      "against the plan model, the coefficient of long waves for both surface inertias, and the order in the size.");
+  check_table(check, "wavelength-10", "errors, per cent, wavelength 10 H, h1 = H/2: 1, 2, 3 layers, plan model",
+              {{layers_error(10, 0.5, 1), "-3.1"},
+               {layers_error(10, 0.5, 2), "-0.91"},
+               {layers_error(10, 0.5, 3), "-0.47"},
+               {plan_error(10, 0.5), "-0.24"}},
+              printed_once);
+  check_table(check, "wavelength-7", "the same at 7 H",
+              {{layers_error(7, 0.5, 1), "-5.9"},
+               {layers_error(7, 0.5, 2), "-2.0"},
+               {layers_error(7, 0.5, 3), "-1.1"},
+               {plan_error(7, 0.5), "-0.87"}},
+              printed_once);
+  check_table(check, "wavelength-5", "the same at 5 H; in tenths of the error, one layer",
+              {{layers_error(5, 0.5, 1) / 10, "-1.0"},
+               {layers_error(5, 0.5, 2), "-4.2"},
+               {layers_error(5, 0.5, 3), "-2.6"},
+               {plan_error(5, 0.5), "-2.7"}},
+              printed_once);
+  check_table(check, "wide-cells", "errors, per cent, wavelength 7 H, h1 = H: 1, 2, 3 layers",
+              {{layers_error(7, 1, 1), "-7.1"}, {layers_error(7, 1, 2), "-2.9"}, {layers_error(7, 1, 3), "-2.0"}},
+              printed_once);
+  for (const std::size_t layers : {1UL, 2UL, 3UL, 40UL}) {
+    for (const SurfaceInertia inertia : {SurfaceInertia::nodal, SurfaceInertia::tuned}) {
+      const std::string name = fmt::format("{}-{}", inertia == SurfaceInertia::tuned ? "tuned" : "nodal", layers);
+      claim_self_test(check, name, HexahedralDispersion(9.81, 0.7, 0.3, 0.5, layers, inertia), source);
+    }
+  }
+  claim_limits(check);
+  draw(check);
+  CHECK_THROWS_AS(HexahedralDispersion(1, 1, 0.3, 0.3, 0), std::invalid_argument);
+  CHECK_THROWS_AS(HexahedralDispersion(1, 1, 0.3, -1, 1), std::invalid_argument);
+  CHECK_THROWS_AS(HexahedralDispersion(1, 1, 0.5, 0.5, 2).frequency(2.001 * pi, 0), std::invalid_argument);
+  CHECK_THROWS_AS(HexahedralDispersion(1, 1, 0.5, 0.5, 2).frequency(0, 0), std::invalid_argument);
+}

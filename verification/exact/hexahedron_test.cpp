@@ -1,0 +1,245 @@
+// Volumes of trilinear hexahedra, their gradients, and the matrix built from them.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "seiche/linear/hexahedral_lattice.hpp"
+#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_3d/model.hpp"
+#include "verification/check.hpp"
+#include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
+
+namespace {
+
+using namespace seiche::lagrangian_mesh_3d;
+using namespace seiche::verification;
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 4.1";
+
+double determinant(const Vector& a, const Vector& b, const Vector& c) {
+  return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+}
+
+CellCorners random_cell(std::minstd_rand& random) {
+  std::uniform_real_distribution<double> uniform(-0.25, 0.25);
+  CellCorners cell{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+  for (Vector& r : cell) r = {r.x + uniform(random), r.y + uniform(random), r.z + uniform(random)};
+  return cell;
+}
+
+/// Volume inside the faces, each the mean of its two cuts into triangles.
+double volume_of_cut_faces(const CellCorners& r) {
+  constexpr std::array<std::array<std::size_t, 4>, 6> faces{
+      {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+  double sum = 0;
+  for (const auto& [a, b, c, d] : faces) {
+    sum += determinant(r[a], r[b], r[c]) + determinant(r[a], r[c], r[d]) + determinant(r[a], r[b], r[d]) +
+           determinant(r[b], r[c], r[d]);
+  }
+  return sum / 12;
+}
+
+/// Volume of the trilinear map by Gauss's rule of two points along each axis, exact for its cubic Jacobian.
+double volume_by_quadrature(const CellCorners& r) {
+  const double g = 1 / std::sqrt(3.0);
+  double sum = 0;
+  for (const double xi : {-g, g}) {
+    for (const double eta : {-g, g}) {
+      for (const double zeta : {-g, g}) {
+        std::array<Vector, 3> tangent{};
+        constexpr std::array<std::array<int, 3>, 8> sign{
+            {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
+        for (std::size_t a = 0; a < 8; ++a) {
+          const auto [sx, sy, sz] = sign[a];
+          const std::array weight{sx * (1 + sy * eta) * (1 + sz * zeta) / 8, sy * (1 + sx * xi) * (1 + sz * zeta) / 8,
+                                  sz * (1 + sx * xi) * (1 + sy * eta) / 8};
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            tangent[axis].x += weight[axis] * r[a].x;
+            tangent[axis].y += weight[axis] * r[a].y;
+            tangent[axis].z += weight[axis] * r[a].z;
+          }
+        }
+        sum += determinant(tangent[0], tangent[1], tangent[2]);
+      }
+    }
+  }
+  return sum;
+}
+
+double largest_of(std::span<const double> values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean of the cuts of its faces", "[exact]") {
+  Check check("hexahedron_volume", "Volume of a hexahedron",
+              "1000 random hexahedra, the corners of a unit cube moved by up to a quarter along each axis.");
+  std::minstd_rand random(1);
+  double cuts = 0;
+  double quadrature = 0;
+  for (int n = 0; n < 1000; ++n) {
+    const CellCorners cell = random_cell(random);
+    const double volume = hexahedron_volume(cell);
+    cuts = std::max(cuts, std::abs(volume - volume_of_cut_faces(cell)));
+    quadrature = std::max(quadrature, std::abs(volume - volume_by_quadrature(cell)));
+  }
+  const Roundoff rounding{.operations = 200, .scale = 1, .reason = "some 200 products and sums of numbers up to 1"};
+  check.that({.id = "cuts",
+              .text = "It is the mean of the two ways to cut the faces into triangles.",
+              .quantity = "largest difference of volumes",
+              .source = source},
+             {.value = cuts}, rounding);
+  check.that({.id = "trilinear",
+              .text = "It is the volume of the trilinear map.",
+              .quantity = "largest difference of volumes",
+              .source = source},
+             {.value = quadrature}, rounding);
+}
+
+TEST_CASE("gradients of volumes and of the potential energy agree with differences", "[exact]") {
+  Check check(
+      "hexahedral_mesh_gradients", "Gradients of the hexahedral mesh",
+      "A random mesh of 12 x 10 x 2 cells under a hump, moved along random velocities: rates of the volumes and "
+      "the power of gravity against central differences of volumes and potential energy. $J$ is the derivative, "
+      "and $A$ is $J W J^T$.");
+  using seiche::plan_lattice::FreeSide;
+  Mesh mesh = layer_mesh({.begin = 0,
+                          .end = 6,
+                          .south = 0,
+                          .north = 5,
+                          .columns = 12,
+                          .rows = 10,
+                          .layers = 2,
+                          .elevation = [](double x, double y) { return 0.3 * std::exp(-0.3 * (x * x + y * y)); },
+                          .sides = {.north = FreeSide{}},
+                          .south_wall = [](double x) { return x < 3 ? 0.0 : 0.4 * (x - 3); }});
+  Model model(jittered(std::move(mesh), 0.05, 1));
+  std::minstd_rand random(2);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const seiche::mechanics::State state = model.state([&](Place) {
+    return Vector{uniform(random), uniform(random), uniform(random)};
+  });
+  model.linearise({0, 0}, state.q);
+  const std::size_t n = model.nodes().size();
+  const std::size_t cells = model.constraints();
+  const double h = 1e-3;
+  std::vector<double> rates(cells);
+  model.constraint_rates(state.u, rates);
+  std::vector<double> ahead(state.q.size());
+  std::vector<double> behind(state.q.size());
+  model.advance(state.q, state.u, h, ahead);
+  model.advance(state.q, state.u, -h, behind);
+  std::vector<double> volumes(cells);
+  std::vector<double> differences(cells);
+  model.constraint_values(ahead, volumes);
+  model.constraint_values(behind, differences);
+  // The difference of a cubic along a line leaves its third derivative: h^2 V(u), known exactly.
+  for (std::size_t s = 0; s < cells; ++s) {
+    const auto corners = model.mesh().corners(s);
+    CellCorners moving;
+    for (std::size_t a = 0; a < 8; ++a) {
+      moving[a] = {state.u[corners[a]], state.u[n + corners[a]], state.u[2 * n + corners[a]]};
+    }
+    differences[s] = (volumes[s] - differences[s]) / (2 * h) - h * h * hexahedron_volume(moving) - rates[s];
+  }
+  check.that({.id = "volumes",
+              .text = "Rates of the volumes are their derivatives.",
+              .quantity = "largest difference of rates",
+              .source = source},
+             {.value = largest_of(differences)},
+             Roundoff{.operations = 100,
+                      .scale = 0.5 / h,
+                      .reason = "volumes up to 0.5 rounded in some 100 operations, over the displacement"});
+  std::vector<double> kick(state.u.size(), 0.0);
+  model.kick(1, kick);
+  double power = 0;
+  for (std::size_t i = 0; i < kick.size(); ++i) power += model.nodes().mass()[i % n] * kick[i] * state.u[i];
+  const auto difference = [&](double step) {
+    model.advance(state.q, state.u, step, ahead);
+    model.advance(state.q, state.u, -step, behind);
+    return (model.potential_energy(ahead) - model.potential_energy(behind)) / (2 * step);
+  };
+  // Richardson's extrapolation is exact for a quartic.
+  const double extrapolated = (4 * difference(h) - difference(2 * h)) / 3;
+  check.that({.id = "potential",
+              .text = "The power of gravity is minus the rate of the potential energy.",
+              .quantity = "difference of powers",
+              .source = source},
+             {.value = power + extrapolated},
+             Roundoff{.operations = 120,
+                      .scale = model.potential_energy(state.q) / h,
+                      .reason = "energies of 120 patches rounded, over the displacement"});
+  std::vector<double> mu(cells);
+  for (double& value : mu) value = uniform(random);
+  std::vector<double> reaction(state.u.size(), 0.0);
+  model.react(mu, reaction);
+  model.constraint_rates(reaction, rates);
+  seiche::linear::LatticeArray x = model.matrix().own;
+  seiche::linear::LatticeArray product = x;
+  std::copy(mu.begin(), mu.end(), x.data());
+  model.matrix().multiply_and_dot(x, product);
+  for (std::size_t s = 0; s < cells; ++s) differences[s] = product.data()[s] - rates[s];
+  check.that({.id = "matrix",
+              .text = "The assembled matrix is J W J^T, at a wall with a bend too.",
+              .quantity = "largest difference of A mu",
+              .source = source},
+             {.value = largest_of(differences)},
+             Roundoff{.operations = 27 * 24,
+                      .scale = largest_of(rates),
+                      .reason = "27 coefficients of 24 products each, of numbers up to the largest of A mu"});
+}
+
+TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix", "[exact]") {
+  Check check("hexahedral_lattice_symbol", "Symbol of the undeformed hexahedral lattice",
+              "7 x 5 x 3 boxes of 0.4 x 0.6 between walls, on a level bottom, density 1.3. Cosines between the walls "
+              "times a power of the layer, for every pair of phases: the assembled matrix against the symbol.");
+  const Model reference(
+      layer_mesh({.begin = 0, .end = 2.8, .south = 0, .north = 3, .depth = 1.5, .columns = 7, .rows = 5, .layers = 3}),
+      {.density = 1.3});
+  Model model = Model(reference.mesh(), reference.settings());
+  const seiche::mechanics::State state = model.state();
+  model.linearise({0, 0}, state.q);
+  const seiche::linear::HexahedralLattice symbol(0.4, 0.6, {0.5, 0.5, 0.5}, 1.3);
+  seiche::linear::LatticeArray x = model.matrix().own;
+  seiche::linear::LatticeArray product = x;
+  double worst = 0;
+  double scale = 0;
+  for (std::size_t m = 0; m < 7; ++m) {
+    for (std::size_t l = 0; l < 5; ++l) {
+      const double theta = std::numbers::pi * static_cast<double>(m) / 7;
+      const double psi = std::numbers::pi * static_cast<double>(l) / 5;
+      std::array<double, 3> diagonal{};
+      std::array<double, 2> off_diagonal{};
+      symbol(theta, psi, diagonal, off_diagonal);
+      const std::array layer_values{1.0, -0.7, 0.4};
+      const auto plan = [&](std::size_t c) {
+        return std::cos(theta * (static_cast<double>(c % 7) + 0.5)) *
+               std::cos(psi * (static_cast<double>(c / 7 % 5) + 0.5));
+      };
+      for (std::size_t c = 0; c < 105; ++c) x.data()[c] = layer_values[c / 35] * plan(c);
+      model.matrix().multiply_and_dot(x, product);
+      for (std::size_t c = 0; c < 105; ++c) {
+        const std::size_t k = c / 35;
+        double expected = diagonal[k] * layer_values[k];
+        if (k > 0) expected += off_diagonal[k - 1] * layer_values[k - 1];
+        if (k < 2) expected += off_diagonal[k] * layer_values[k + 1];
+        worst = std::max(worst, std::abs(product.data()[c] - expected * plan(c)));
+        scale = std::max(scale, diagonal[k]);
+      }
+    }
+  }
+  check.that({.id = "symbol",
+              .text = "A times a cosine is the symbol times the cosine.",
+              .quantity = "largest difference of A x",
+              .source = source},
+             {.value = worst},
+             Roundoff{.operations = 27 * 24, .scale = scale, .reason = "27 coefficients of 24 products each"});
+}

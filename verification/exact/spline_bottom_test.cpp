@@ -1,0 +1,177 @@
+// The bottom through elevations on a grid: order, exactness, and lakes at rest over it.
+#include "seiche/geometry/spline_bottom.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::verification;
+using seiche::OutsidePlanBottom;
+using seiche::SplineBottom;
+using seiche::evidence::Bound;
+using seiche::evidence::observed_order;
+using seiche::evidence::Order;
+using seiche::evidence::Roundoff;
+
+const std::string source = "de Boor, J. Math. and Phys. 41 (1962) 212";
+
+double hill(double x, double y) {
+  return -1 + 0.4 * std::exp(-0.3 * (x - 5) * (x - 5)) * (1 + 0.5 * std::sin(0.6 * y));
+}
+
+SplineBottom hill_bottom(double spacing) {
+  return SplineBottom::sampled({.begin = -1, .end = 11, .south = -1, .north = 11, .spacing = spacing}, hill);
+}
+
+/// Places off the grid, up to the ends.
+template <class Work>
+void over_places(const Work& work) {
+  for (double x = -1; x <= 11; x += 0.173) {
+    for (double y = -0.98; y <= 11; y += 0.191) work(x, y);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[exact]") {
+  Check check("spline_bottom", "Bottom through elevations on a grid",
+              "A hill 0.4 high, spacings 1/4 to 1/32, elevations in the middles of its cells, slopes at 4300 places. "
+              "Values converge with order 4, slopes with order 3.");
+  std::vector<double> spacings, values, slopes;
+  for (const double spacing : {0.25, 0.125, 0.0625, 0.03125}) {
+    const SplineBottom bottom = hill_bottom(spacing);
+    double value = 0;
+    double slope = 0;
+    for (double x = -1 + spacing / 2; x < 11; x += spacing) {
+      for (double y = -1 + spacing / 2; y < 11; y += spacing) {
+        value = std::max(value, std::abs(bottom.slope(x, y).elevation - hill(x, y)));
+      }
+    }
+    over_places([&](double x, double y) {
+      const double rate = -0.6 * (x - 5) * (hill(x, y) + 1);
+      slope = std::max(slope, std::abs(bottom.slope(x, y).along_x - rate));
+    });
+    spacings.push_back(spacing);
+    values.push_back(value);
+    slopes.push_back(slope);
+  }
+  check.that(
+      {.id = "order", .text = "Elevations are of order 4.", .quantity = "order of the largest error", .source = source},
+      observed_order(spacings, values), Order{4, 0.3, "three halvings from seven cells per width of the hill"});
+  check.that({.id = "slope-order",
+              .text = "Slopes are of order 3.",
+              .quantity = "order of the largest error",
+              .source = source},
+             observed_order(spacings, slopes), Order{3, 0.3, "three halvings from seven cells per width of the hill"});
+
+  const auto cubic = [](double x, double y) {
+    return -2 + x * (0.3 + y * (0.1 - 0.02 * x * y * y)) + 0.01 * x * x * x;
+  };
+  const SplineBottom polynomial({0, 0.7, 1.1, 2, 3.5}, {-1, 0, 0.4, 1.5, 2}, [&] {
+    std::vector<double> elevation;
+    for (const double y : {-1.0, 0.0, 0.4, 1.5, 2.0}) {
+      for (const double x : {0.0, 0.7, 1.1, 2.0, 3.5}) elevation.push_back(cubic(x, y));
+    }
+    return elevation;
+  }());
+  double worst = 0;
+  for (double x = 0; x <= 3.5; x += 0.31) {
+    for (double y = -1; y <= 2; y += 0.23) {
+      worst = std::max(worst, std::abs(polynomial.slope(x, y).elevation - cubic(x, y)));
+    }
+  }
+  check.that({.id = "cubic",
+              .text = "Cubic polynomials on uneven grids are exact.",
+              .quantity = "largest error",
+              .source = source},
+             {.value = worst},
+             Roundoff{.operations = 200, .scale = 4, .reason = "two solves of five slopes, elevations up to 4"});
+
+  const SplineBottom bottom = hill_bottom(0.5);
+  double rate = 0;
+  double across = 0;
+  constexpr double h = 1e-3;
+  over_places([&](double x, double y) {
+    // Five-point differences do not see cubics' rounding errors larger than 1e-13/h; kinks of third derivatives are
+    // avoided by staying within one cell.
+    const auto cell = [](double place) { return std::floor(2 * place); };
+    if (cell(x - 2 * h) != cell(x + 2 * h) || cell(y - 2 * h) != cell(y + 2 * h) || x < -0.99 || x > 10.99) return;
+    const auto difference = [&](const auto& f) { return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h); };
+    const auto integral = bottom.integral(x, y);
+    rate = std::max(rate, std::abs(difference([&](double d) { return bottom.integral(x + d, y).value; }) -
+                                   bottom.slope(x, y).elevation));
+    rate = std::max(rate, std::abs(integral.elevation - bottom.slope(x, y).elevation));
+    across = std::max(
+        across, std::abs(difference([&](double d) { return bottom.integral(x, y + d).value; }) - integral.along_y));
+  });
+  const Bound differences{1e-11,
+                          "values up to 12 rounded to 2e-15, divided by h = 1e-3; the formula is exact for quartics"};
+  check.that({.id = "integral",
+              .text = "The integral's rate along x is the bottom.",
+              .quantity = "largest difference",
+              .source = source},
+             {.value = rate}, differences);
+  check.that({.id = "integral-across",
+              .text = "Its rate along y is what it says.",
+              .quantity = "largest difference",
+              .source = source},
+             {.value = across}, differences);
+}
+
+TEST_CASE("over a spline bottom still water stays still and energy is conserved", "[conservation]") {
+  using namespace seiche::dispersive_shallow_water_2d;
+  Check check(
+      "spline_bottom_flow", "Waves over a bottom through elevations on a grid",
+      "A hill under water in a box of 10 x 10 depths, elevations every 0.5. Inner edges cancel between cells, so "
+      "that still water feels a force only along the walls across x, from the error of the edges' integral "
+      "there; a bottom that is level at those walls has none.");
+  const auto bottom = std::make_shared<SplineBottom>(SplineBottom::sampled(
+      {.begin = -1, .end = 11, .south = -1, .north = 11, .spacing = 0.5},
+      [](double x, double y) { return -1 + 0.4 * std::exp(-(x - 5) * (x - 5) - 0.5 * (y - 5) * (y - 5)); }));
+  Rectangle basin{.begin = 0, .end = 10, .south = 0, .north = 10, .columns = 20, .rows = 20, .bottom = bottom};
+  Flow lake(rectangular_lattice(basin));
+  for (int n = 0; n < 200; ++n) lake.advance(0.1);
+  double fastest = 0;
+  for (const double u : lake.state().u) fastest = std::max(fastest, std::abs(u));
+  check.that({.id = "lake", .text = "A lake stays at rest.", .quantity = "largest velocity", .source = source},
+             {.value = fastest, .resolution = "20 x 20 cells, 200 steps"},
+             Bound{0, "z = 0 everywhere: potential energy has no gradient there"});
+  basin.elevation = [](double x, double y) { return 0.1 * std::exp(-(x - 3) * (x - 3) - (y - 4) * (y - 4)); };
+  Flow flow(rectangular_lattice(basin), {}, {.stepping = Stepping::conservative}, {.tolerance = 1e-13});
+  const double energy = flow.energy();
+  double defect = 0;
+  for (int n = 0; n < 50; ++n) {
+    flow.advance(0.1);
+    defect = std::max(defect, std::abs(flow.energy() / energy - 1));
+  }
+  check.that({.id = "energy",
+              .text = "The conservative scheme keeps the energy of a wave.",
+              .quantity = "largest relative defect",
+              .source = source},
+             {.value = defect, .resolution = "20 x 20 cells, 50 steps"},
+             Roundoff{.operations = 50.0 * 400, .scale = 1, .reason = "one rounded work per cell and step"});
+}
+
+TEST_CASE("a spline bottom refuses bad grids and places", "[robustness]") {
+  const std::vector<double> four{0, 1, 2, 3};
+  const std::vector<double> flat(16, -1.0);
+  CHECK_THROWS_AS(SplineBottom({0, 1, 2}, four, std::vector<double>(12, -1.0)), std::invalid_argument);
+  CHECK_THROWS_AS(SplineBottom({0, 1, 1, 3}, four, flat), std::invalid_argument);
+  CHECK_THROWS_AS(SplineBottom(four, four, {1, 2, 3}), std::invalid_argument);
+  std::vector<double> holed = flat;
+  holed[5] = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(SplineBottom(four, four, holed), std::invalid_argument);
+  CHECK_THROWS_AS(SplineBottom::sampled({.begin = 0, .end = -1, .south = 0, .north = 1}, hill), std::invalid_argument);
+  const SplineBottom bottom(four, four, flat);
+  CHECK_THROWS_AS(bottom.slope(3.01, 1), OutsidePlanBottom);
+  CHECK_THROWS_AS(bottom.integral(1, -0.01), OutsidePlanBottom);
+  CHECK_THROWS_AS(bottom.slope(std::numeric_limits<double>::quiet_NaN(), 1), OutsidePlanBottom);
+}

@@ -1,0 +1,89 @@
+// Velocities that an impulsive pressure on the surface gives the hexahedral mesh.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "seiche/exact/solitary_wave.hpp"
+#include "seiche/models/lagrangian_mesh_3d/impulsive_start.hpp"
+#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_3d/model.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::lagrangian_mesh_3d;
+using evidence::Order;
+using evidence::Roundoff;
+
+const std::string source = "Lamb, Hydrodynamics (1932), art. 11; Frank (1994), chapter 4.1";
+
+struct Errors {
+  double kinetic = 0;  ///< relative
+  double rates = 0;    ///< largest rate of a cell's volume, over its volume
+};
+
+/// A solitary wave in a channel two cells wide.
+Errors errors_of(const exact::SolitaryWave& wave, std::size_t layers) {
+  const double h = 1 / static_cast<double>(layers);
+  const double width = 2 * h;
+  const Mesh mesh = layer_mesh({.begin = -20,
+                                .end = 20,
+                                .south = 0,
+                                .north = width,
+                                .columns = 40 * layers,
+                                .rows = 2,
+                                .layers = layers,
+                                .elevation = [&](double x, double) { return wave.elevation(x); }});
+  Model model(mesh);
+  const mechanics::State state =
+      model.state(impulsive_start(mesh, [&](double x, double) { return wave.surface_potential(x); }));
+  Errors errors;
+  errors.kinetic = std::abs(model.kinetic_energy(state.q, state.u) / (width * wave.kinetic_energy()) - 1);
+  model.linearise({}, state.q);
+  std::vector<double> rates(mesh.cells());
+  model.constraint_rates(state.u, rates);
+  for (std::size_t s = 0; s < rates.size(); ++s) {
+    errors.rates = std::max(errors.rates, std::abs(rates[s]) / model.first_volumes()[s]);
+  }
+  return errors;
+}
+
+}  // namespace
+
+TEST_CASE("an impulsive pressure sets hexahedra into the potential flow of its wave", "[manufactured]") {
+  verification::Check check(
+      "lagrangian_mesh_3d_impulse", "Impulsive start of the hexahedral mesh",
+      "The surface of the exact solitary wave of height 0.3 is struck with the impulsive pressure "
+      "$-\\rho\\phi$ of its potential, on meshes of cubes of 1/4 to 1/16 of the depth: the kinetic "
+      "energy of the mesh against that of the wave.");
+  const exact::SolitaryWave wave(0.3);
+  std::vector<double> sizes;
+  std::vector<double> kinetic;
+  double rates = 0;
+  for (const std::size_t layers : {4U, 6U, 8U, 12U, 16U}) {
+    const Errors errors = errors_of(wave, layers);
+    sizes.push_back(1 / static_cast<double>(layers));
+    kinetic.push_back(errors.kinetic);
+    rates = std::max(rates, errors.rates);
+    check.measure("kinetic energy, " + std::to_string(layers) + " layers: relative error", errors.kinetic);
+  }
+  check.that(
+      {.id = "kinetic",
+       .text = "The kinetic energy converges to that of the wave with second order.",
+       .quantity = "observed order",
+       .source = source},
+      evidence::observed_order(sizes, kinetic),
+      Order{.theory = 2, .tolerance = 0.2, .reason = "bilinear patches under a pressure taken at their middles"});
+  check.that(
+      {.id = "rates",
+       .text = "Volumes do not change.",
+       .quantity = "largest rate of a volume over the volume",
+       .unit = "1",
+       .source = source},
+      {.value = rates},
+      evidence::Bound{1e-9,
+                      "the solver leaves 1e-13 of the norm of the rates before the projection, 256 in each of 1280 "
+                      "cells at the surface of the finest mesh"});
+}

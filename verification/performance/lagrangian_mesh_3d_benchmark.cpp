@@ -1,0 +1,60 @@
+// Steps of the hexahedral Lagrangian mesh: a hump of 0.3 in the corner of a square box of water of depth 1, tau = 0.4
+// h.
+//
+//   items_per_second   cells x steps / second
+//   iterations         conjugate gradient iterations per solution
+//   solves             solutions of the linear system per step
+//
+// Schemes: one_step (one solve) and conservative (to round-off: volumes and energy).
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "seiche/models/lagrangian_mesh_3d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+
+namespace {
+
+using namespace seiche::lagrangian_mesh_3d;
+
+void steps(benchmark::State& state, Stepping stepping) {
+  const auto side = static_cast<std::size_t>(state.range(0));
+  const auto layers = static_cast<std::size_t>(state.range(1));
+  const double h = 1 / static_cast<double>(state.range(2));
+  const double length = h * static_cast<double>(side);
+  Flow flow(layer_mesh({.begin = 0,
+                        .end = length,
+                        .south = 0,
+                        .north = length,
+                        .columns = side,
+                        .rows = side,
+                        .layers = layers,
+                        .elevation = [](double x, double y) { return 0.3 * std::exp(-0.1 * (x * x + y * y)); }}),
+            {}, {.stepping = stepping}, {.tolerance = 1e-7});
+  flow.advance(0.4 * h);
+  const auto& solver = flow.model().solver();
+  const long solutions = solver.solutions();
+  const long iterations = solver.iterations();
+  for (auto _ : state) flow.advance(0.4 * h);
+  const double solves = static_cast<double>(solver.solutions() - solutions);
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.model().constraints()));
+  state.counters["iterations"] = static_cast<double>(solver.iterations() - iterations) / solves;
+  state.counters["solves"] = solves / static_cast<double>(state.iterations());
+}
+
+}  // namespace
+
+/// Cells along a side of the box, layers, cells to a depth.
+BENCHMARK_CAPTURE(steps, one_step, Stepping::one_step)
+    ->Args({96, 1, 2})
+    ->Args({96, 2, 2})
+    ->Args({96, 3, 2})
+    ->Args({96, 2, 4})
+    ->Args({96, 2, 10})
+    ->Args({320, 2, 2})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(steps, conservative, Stepping::conservative)
+    ->Args({96, 2, 2})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);

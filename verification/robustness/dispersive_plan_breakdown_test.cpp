@@ -1,0 +1,101 @@
+// How runs of the plan model break down: with reason, time, step and place, and the state of before.
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "verification/robustness/breakdown.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::dispersive_shallow_water_2d;
+using seiche::verification::Breakdown;
+using seiche::verification::Check;
+using seiche::verification::claim_breakdown;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// z = -depth for |x| < 7 only.
+class ShortBottom final : public PlanBottom {
+ public:
+  explicit ShortBottom(double depth) : depth_(depth) {}
+  [[nodiscard]] Slope slope(double x, double y) const override {
+    require_inside(x, y);
+    return {.elevation = -depth_};
+  }
+  [[nodiscard]] Integral integral(double x, double y) const override {
+    require_inside(x, y);
+    return {.elevation = -depth_, .value = -depth_ * x};
+  }
+
+ private:
+  static void require_inside(double x, double y) {
+    if (!(std::abs(x) < 7)) throw OutsidePlanBottom(x, y, "x", -7, 7);
+  }
+  double depth_;
+};
+
+/// A square of water 1 deep that stands in water of some depth, without sides.
+Rectangle block(double depth) {
+  using plan_lattice::FreeSide;
+  return {.begin = -6,
+          .end = 6,
+          .south = -6,
+          .north = 6,
+          .columns = 24,
+          .rows = 24,
+          .elevation = [=](double, double) { return 1 - depth; },
+          .sides = {FreeSide{}, FreeSide{}, FreeSide{}, FreeSide{}},
+          .depth = depth};
+}
+
+Breakdown broken(Flow& flow, double tau) {
+  return verification::run_until_breakdown(flow, 60, [tau](Flow& f) { f.advance(tau); });
+}
+
+std::string name_of(Stepping stepping) {
+  return stepping == Stepping::one_step ? "one-step" : "conservative";
+}
+
+}  // namespace
+
+TEST_CASE("lattices that fold, touch their bottom or leave it stop with time, step and place", "[robustness]") {
+  Check check(
+      "dispersive_plan_breakdown", "Breakdown of the plan model",
+      "An eddy shears the lattice until a cell folds; a block of water collapses until its edge touches the "
+      "level bottom; it spreads until it leaves an uneven bottom that ends; a driven side gives a velocity that "
+      "is no number. Each run stops there, whatever the scheme, and says why, when and where.");
+  for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
+    const Scheme scheme{.stepping = stepping};
+    Flow eddy(
+        rectangular_lattice({.begin = 0, .end = 10, .south = 0, .north = 10, .columns = 20, .rows = 20}),
+        [](double x, double y) {
+          const double k = std::numbers::pi / 10;
+          return Velocity{0.5 * std::sin(k * x) * std::cos(k * y), -0.5 * std::cos(k * x) * std::sin(k * y), 0};
+        },
+        scheme);
+    claim_breakdown(check, name_of(stepping) + "-eddy", broken(eddy, 0.1), "fold", -0.5, 10.5);
+    Flow collapse(rectangular_lattice(block(0.02)), {}, scheme);
+    claim_breakdown(check, name_of(stepping) + "-collapse", broken(collapse, 0.02), "touches the bottom", -20, 20);
+    Rectangle over_short = block(0.5);
+    over_short.bottom = std::make_shared<ShortBottom>(0.5);
+    Flow spread(rectangular_lattice(over_short), {}, scheme);
+    const Breakdown left = broken(spread, 0.05);
+    claim_breakdown(check, name_of(stepping) + "-spread", left, "outside the bottom", -infinite, infinite);
+    check.that({.id = name_of(stepping) + "-spread-end",
+                .text = "The place is beyond the bottom's end.",
+                .quantity = "|x|",
+                .source = "interface of the model"},
+               {.value = std::abs(left.place)},
+               evidence::Bound{.limit = 0.2, .reason = "one step's way beyond the end", .expected = 7.1});
+    Rectangle driven{.begin = 0, .end = 10, .south = 0, .north = 5, .columns = 20, .rows = 10};
+    driven.sides.west = plan_lattice::DrivenSide{[](Place, double time) {
+      return Point{time < 1 ? 0.1 * time : std::numeric_limits<double>::quiet_NaN(), 0};
+    }};
+    Flow bad_side(rectangular_lattice(driven), {}, scheme);
+    claim_breakdown(check, name_of(stepping) + "-side", broken(bad_side, 0.1), "not finite", 0, 10);
+  }
+}

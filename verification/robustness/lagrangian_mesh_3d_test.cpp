@@ -1,0 +1,157 @@
+// What the hexahedral Lagrangian mesh refuses, and how it breaks down: with reason, time, step and place.
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "seiche/models/lagrangian_mesh_3d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "verification/robustness/breakdown.hpp"
+#include "verification/robustness/refusals.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::lagrangian_mesh_3d;
+using seiche::verification::Breakdown;
+using seiche::verification::Check;
+using seiche::verification::claim_breakdown;
+using seiche::verification::Refusals;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+Layer still_layer() {
+  return {.begin = 0, .end = 4, .south = 0, .north = 3, .columns = 4, .rows = 3, .layers = 2};
+}
+
+}  // namespace
+
+TEST_CASE("bad hexahedral meshes and settings are refused with name, value and range", "[robustness]") {
+  Check check(
+      "lagrangian_mesh_3d_input", "Bad input of the hexahedral mesh",
+      "A mesh of 4 x 3 x 2 cells with one thing wrong at a time: its layer, its nodes, its sides, its settings.");
+  Refusals refusals(check);
+  const auto layer = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
+                         auto change) {
+    refusals.refused(id, text, words, [&] {
+      Layer l = still_layer();
+      change(l);
+      layer_mesh(l);
+    });
+  };
+  layer("ends", "A layer of no length.", {"end = 0", "begin = 0"}, [](Layer& l) { l.end = 0; });
+  layer("sides", "A layer of no width.", {"north = 0", "south = 0"}, [](Layer& l) { l.north = 0; });
+  layer("depth", "No depth.", {"depth", "0", "positive"}, [](Layer& l) { l.depth = 0; });
+  layer("layers", "No layers.", {"layers", "= 0", "at least 1"}, [](Layer& l) { l.layers = 0; });
+  layer("columns", "No columns.", {"columns", "= 0", "at least 1"}, [](Layer& l) { l.columns = 0; });
+  layer("dry", "A surface below the bottom.", {"elevation -1.5", "x = 2", "above the bottom -1"},
+        [](Layer& l) { l.elevation = [](double x, double) { return x < 2 ? 0 : -1.5; }; });
+  layer("surface_nan", "A surface that is not a number.", {"elevation nan", "above the bottom"},
+        [](Layer& l) { l.elevation = [](double, double) { return not_a_number; }; });
+  const auto mesh = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
+                        auto change) {
+    refusals.refused(id, text, words, [&] {
+      Mesh m = layer_mesh(still_layer());
+      change(m);
+      Flow flow(std::move(m));
+    });
+  };
+  mesh("lengths", "A node without an elevation.", {"60, 60, 59 nodes", "60 each"}, [](Mesh& m) { m.z.pop_back(); });
+  mesh("nan", "A node whose place is not a number.", {"node 7", "nan", "finite"},
+       [](Mesh& m) { m.x[7] = not_a_number; });
+  mesh("folded", "A cell whose corner is turned over.", {"corner", "of cell", "positive"},
+       [](Mesh& m) { m.x[m.node(1, 1, 1)] = 2.5; });
+  mesh("bottom", "A bottom that is not level.", {"bottom node 3", "that of all others, -1"},
+       [](Mesh& m) { m.z[3] += 1e-10; });
+  mesh("driven", "A driven side without a velocity.", {"driven side", "no velocity"},
+       [](Mesh& m) { m.sides.north = plan_lattice::DrivenSide{}; });
+  refusals.refused("bend", "A wall that bends outwards.", {"bends outwards", "(2, 0)", "180"}, [] {
+    Layer l = still_layer();
+    l.south_wall = [](double x) { return x < 2 ? 0.0 : 0.3 * (2 - x); };
+    Flow flow(layer_mesh(l));
+  });
+  const auto settings = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
+                            Settings bad) {
+    refusals.refused(id, text, words, [&] { Flow flow(layer_mesh(still_layer()), {}, {}, bad); });
+  };
+  settings("gravity", "Negative gravity.", {"gravity", "-1"}, {.gravity = -1});
+  settings("density", "No density.", {"density", "0", "positive"}, {.density = 0});
+  settings("tolerance", "A tolerance below rounding.", {"tolerance", "[1e-15, 0.0001]"}, {.tolerance = 1e-16});
+  refusals.refused("window", "A moving window with a free rear.", {"moving window", "WallSide, HeldSide"}, [] {
+    Layer l = still_layer();
+    l.sides.west = plan_lattice::FreeSide{};
+    Flow flow(layer_mesh(l), {}, {}, {}, {.reach = [](double t) { return t; }});
+  });
+  refusals.refused("velocities", "Velocities of another number of nodes.", {"3 velocities", "60"},
+                   [] { Flow flow(layer_mesh(still_layer()), std::vector<Vector>(3)); });
+  refusals.refused("step", "A step that is not positive.", {"tau", "-0.1", "positive"}, [] {
+    Flow flow(layer_mesh(still_layer()));
+    flow.advance(-0.1);
+  });
+}
+
+TEST_CASE("a wave that folds hexahedra at a wall stops with time, step and place", "[robustness]") {
+  Check check(
+      "lagrangian_mesh_3d_fold", "A high wave folds hexahedra at a wall",
+      "A solitary wave of height 0.7 is reflected by a vertical wall. Surface nodes beside the wall overtake the "
+      "wall's: a corner of a cell folds. The run stops there, whatever the scheme.");
+  constexpr double a = 0.7;
+  const double celerity = std::sqrt(1 + a);
+  const double decay = std::sqrt(0.75 * a / (1 + a));
+  const auto elevation = [=](double x, double) { return a / std::pow(std::cosh(decay * x), 2); };
+  for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
+    Flow flow(layer_mesh({.begin = -12,
+                          .end = 12,
+                          .south = 0,
+                          .north = 1,
+                          .columns = 48,
+                          .rows = 2,
+                          .layers = 4,
+                          .elevation = elevation}),
+              [&](Place r) {
+                const double eta = elevation(r.x, r.y);
+                const double slope = -2 * decay * std::tanh(decay * r.x) * eta;
+                const double u = celerity * eta / (1 + eta);
+                return Vector{u, 0, (u - celerity) * slope * (1 + r.z) / (1 + eta)};
+              },
+              {.stepping = stepping});
+    const Breakdown breakdown = verification::run_until_breakdown(flow, 30, [](Flow& f) { f.advance(0.05); });
+    const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
+    claim_breakdown(check, id, breakdown, "folds", 10, 12);
+    check.measure(id + ": shape of the worst corner before", flow.worst_corner().shape);
+  }
+}
+
+TEST_CASE("a moving window that follows still water changes nothing", "[robustness]") {
+  Check check(
+      "lagrangian_mesh_3d_window", "A moving window over still water",
+      "A window of 4 x 3 x 2 cells moves over water at rest: ten columns are dropped and appended. Nothing moves, "
+      "and the window stands where it should.");
+  Layer layer = still_layer();
+  layer.sides.west = plan_lattice::HeldSide{};
+  Flow flow(layer_mesh(layer), {}, {}, {}, {.reach = [](double t) { return 4 + t; }});
+  flow.advance_to(10.5, 0.25);
+  double motion = 0;
+  for (const double u : flow.state().u) motion = std::max(motion, std::abs(u));
+  for (const double z : flow.surface_z()) motion = std::max(motion, std::abs(z));
+  check.that({.id = "still",
+              .text = "The water is still.",
+              .quantity = "largest speed or elevation",
+              .source = "interface of the model"},
+             {.value = motion}, evidence::Bound{0, "every force is exactly zero"});
+  check.that({.id = "place",
+              .text = "The window has followed.",
+              .quantity = "x of the east side",
+              .source = "interface of the model"},
+             {.value = flow.x().back()},
+             evidence::Bound{.limit = 0, .reason = "one column of width 1 for each unit of time", .expected = 14});
+  check.that({.id = "shifts",
+              .text = "Columns left behind are counted.",
+              .quantity = "number of columns",
+              .source = "interface of the model"},
+             {.value = static_cast<double>(flow.shifts())},
+             evidence::Bound{.limit = 0,
+                             .reason = "one for each unit of time, once the water beyond the next column stirs",
+                             .expected = 10});
+}
