@@ -139,14 +139,16 @@ void claim_peak(evidence::Record& record, const ReflectionSeries& series) {
   record.check(
       {.id = with("peak", series),
        .text = fmt::format("a = {:g}: the largest a_w/a_i is near Frank's 3.5, not 4.", series.amplitude),
-       .quantity = "limit of the highest a_w/a_i for infinite time",
+       .quantity = "highest a_w/a_i that was reached",
        .source = "Frank (1994), section 4.3"},
-      {.value = limit.value, .uncertainty = limit.uncertainty, .resolution = state},
+      {.value = highest.wall_ratio().value,
+       .uncertainty = std::abs(limit.value - highest.wall_ratio().value),
+       .resolution = state},
       Uncertainty{.expected = frank,
                   .data = 0.05 * frank,
                   .useful = 0.48,
-                  .reason = "printed to two digits as about the largest value; ours: what fits to parts of the "
-                            "history differ by. Larger uncertainties would not exclude 4"});
+                  .reason = "printed to two digits as about the largest value; ours: what the fitted approach to its "
+                            "limit adds. A larger uncertainty would not exclude 4"});
   record.check(
       {.id = with("peak-place", series),
        .text = fmt::format("a = {:g}: it is highest just below kappa = 1 for finite angles.", series.amplitude),

@@ -108,7 +108,7 @@ Growth grow(const Channel& channel) {
     if (growth.incident == 0 && other.front().x >= bend) {
       growth.incident = five_node_height(surface, other.front(), surface.rows);
     }
-    const Crest crest = wall_crest(surface, 0.01 * channel.amplitude);
+    const Crest crest = wall_crest(surface, 0.5 * channel.amplitude);
     distance = (crest.x - bend) / std::cos(channel.angle);
     if (distance <= 1 || growth.incident == 0) continue;
     growth.distance.push_back(distance);

@@ -71,18 +71,17 @@ double reflected_angle(const ObliqueWave& wave) {
 }  // namespace
 
 ReflectionWindow window_until(double time, const ObliqueWave& wave, double spacing) {
-  constexpr double beyond = 36;
-  constexpr double from_corner = 10;
-  constexpr double shortest = 17;
   constexpr double longest = 30;
+  constexpr double shortest = 17;
   const double unit = wave.width_unit();
+  const double slope = std::tan(reflected_angle(wave));
+  const double leaving = 36 * slope - 10;
+  const bool steep = leaving >= shortest;
+  const double beyond = steep ? 36 : 46;
   const double path = wave.crest_at(0, time) - wave.crest_at(0, 0);
   ReflectionWindow window{.spacing = spacing, .height = path * steepest_stem(wave) + beyond * unit, .rear = 0};
-  const double slope = std::tan(reflected_angle(wave));
-  const double leaving = beyond * slope - from_corner;
-  const double at_corner = window.height * slope / unit;
-  window.rear = unit * (leaving >= shortest ? std::min(leaving, longest)
-                                            : std::max(std::min(at_corner + from_corner, 1.6 * at_corner), shortest));
+  const double past_corner = std::min(window.height / unit * slope + 6, 2 * beyond * slope - 8);
+  window.rear = unit * (steep ? std::min(leaving, longest) : std::max(past_corner, shortest));
   return window;
 }
 

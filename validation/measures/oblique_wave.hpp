@@ -52,8 +52,8 @@ struct ReflectionWindow {
 
 /// The window of a run that ends at `time`.
 ///
-/// Its height: where the stem will end at most, and 36 width units for the wave to be undisturbed there. At most: the
-/// lesser of two angles of the path of the stem's end. That of the theory of small amplitudes is too large for high
+/// Its height: where the stem will end at most, and 36 or 46 width units for the wave to be undisturbed there. At most:
+/// the lesser of two angles of the path of the stem's end. That of the theory of small amplitudes is too large for high
 /// waves, and so is, next to resonance, the one at which the crests of stem and incident wave stay together,
 /// tan chi = (cos psi - c_i/c_w)/sin psi, c = sqrt(1 + a), with the theory's a_w.
 ///

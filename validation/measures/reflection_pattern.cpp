@@ -94,7 +94,7 @@ Found find_crests(const SurfaceLattice& surface, double amplitude, const Reflect
     for (const Crest& crest : crests) {
       const double behind = front.x - crest.x;
       if (behind < bands.nearest * scale || behind > bands.farthest * scale) continue;
-      if (!(crest.height < bands.tallest * front.height)) continue;
+      if (!(crest.height < bands.tallest * std::min(front.height, amplitude))) continue;
       if (!highest || crest.height > highest->height) highest = &crest;
     }
     if (highest) reflected.emplace_back(highest->height, Place{highest->column, j});
@@ -124,7 +124,7 @@ ReflectionPattern measured_reflection(const SurfaceLattice& surface, double ampl
   require_within("incident_to", bands.incident_to, bands.incident_from, 1);
   require_within("farthest", bands.farthest, bands.nearest, std::numeric_limits<double>::max());
   ReflectionPattern pattern;
-  pattern.wall = wall_crest(surface, bands.threshold * amplitude);
+  pattern.wall = wall_crest(surface, bands.wall * amplitude);
   const double finer = five_node_height(surface, pattern.wall, 0);
   pattern.wall_amplitude = {
       .value = pattern.wall.height, .uncertainty = std::abs(finer - pattern.wall.height), .resolution = {}};

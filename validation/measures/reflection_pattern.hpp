@@ -2,13 +2,13 @@
 ///
 /// From one surface, in depths, without knowledge of the model that made it:
 ///
-///     a_w    top of the highest crest on the wall
+///     a_w    top of the foremost crest on the wall that is higher than a/2
 ///     a_i    median height of the front crests of the rows 0.82 to 0.96 of the lattice's height; a line through their
 ///            places gives the incident angle
 ///     a_r    median height of the reflected crests: behind the front crest of their row by 8 to 22 times
-///            sqrt(0.3/a), the highest such, below 1.05 of the front crest, and not lower than half of the highest of
-///            all rows: where the reflected crest is at another distance there are the ripples that coarse lattices
-///            leave behind; psi_r from a line through their places
+///            sqrt(0.3/a), the highest such, below 1.05 of the front crest and of a, and not lower than half of the
+///            highest of all rows: where the reflected crest is at another distance there are the ripples that coarse
+///            lattices leave behind; psi_r from a line through their places
 ///     y_T    where the incident line reaches the x of the crest on the wall: the length of the stem
 ///
 /// Uncertainties, as half-widths: of heights half the width of the central 68 % of the rows; of angles and lengths
@@ -35,9 +35,10 @@ struct ReflectionBands {
   double incident_to = 0.96;
   double nearest = 8;  ///< of the reflected behind the front crest, times sqrt(0.3/a)
   double farthest = 22;
-  double tallest = 1.05;    ///< of the reflected over the front crest
+  double tallest = 1.05;    ///< of the reflected over the front crest, and over a
   double lowest = 0.5;      ///< of the reflected over the highest reflected of all rows
   double threshold = 0.01;  ///< of crests, over a
+  double wall = 0.5;        ///< of the crest on the wall, over a
 };
 
 struct ReflectedCrest {

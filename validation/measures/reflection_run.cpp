@@ -52,7 +52,7 @@ Reflection follow(Flow& flow, const ReflectionRun& run, const std::function<void
   for (long step = 1; step <= steps; ++step) {
     flow.advance(tau);
     const SurfaceLattice now = surface_of(flow);
-    heights += five_node_height(now, wall_crest(now, 0.01 * run.amplitude), 0);
+    heights += five_node_height(now, wall_crest(now, 0.5 * run.amplitude), 0);
     times += flow.time();
     ++summed;
     if (step % every == 0 || step == steps) {

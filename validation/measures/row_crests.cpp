@@ -105,9 +105,7 @@ double five_node_height(const SurfaceLattice& surface, const Crest& crest, std::
 Crest wall_crest(const SurfaceLattice& surface, double threshold) {
   const std::vector<Crest> crests = row_crests(surface, 0, threshold);
   if (crests.empty()) throw std::runtime_error(fmt::format("no crest on the wall is higher than {:g}", threshold));
-  double highest = 0;
-  for (const Crest& crest : crests) highest = std::max(highest, crest.height);
-  return *std::find_if(crests.begin(), crests.end(), [&](const Crest& crest) { return crest.height >= 0.5 * highest; });
+  return crests.front();
 }
 
 }  // namespace seiche::validation

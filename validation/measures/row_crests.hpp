@@ -33,8 +33,8 @@ Crest refined_crest(const SurfaceLattice& surface, std::size_t column, std::size
 /// spacing. Its difference from the crest's height is what the parabola misses.
 double five_node_height(const SurfaceLattice& surface, const Crest& crest, std::size_t j, double lean = 0);
 
-/// The foremost crest on the wall of those at least half as high as the highest: farther back may be others, of waves
-/// that return from a lattice's far side. Throws std::runtime_error if none is higher than `threshold`.
+/// The foremost crest on the wall that is higher than `threshold`: farther back may be others, of waves that return
+/// from a lattice's far side or hit its rear. Throws std::runtime_error if there is none.
 Crest wall_crest(const SurfaceLattice& surface, double threshold);
 
 }  // namespace seiche::validation

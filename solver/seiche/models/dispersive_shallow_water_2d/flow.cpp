@@ -1,13 +1,10 @@
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-
-#include <fmt/format.h>
-
-#include "seiche/divergence.hpp"
-#include "seiche/mechanics/equal_steps.hpp"
+#include <utility>
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -32,60 +29,27 @@ double surely_stable_step(const Model& model) {
   return fastest > 0 ? 2 / std::sqrt(fastest) : std::numeric_limits<double>::infinity();
 }
 
+Window shoreless(Window window, const Model& model) {
+  if (window.reach && model.has_shoreline()) {
+    throw std::invalid_argument("a moving window with a shoreline; allowed: one of them");
+  }
+  return window;
+}
+
 }  // namespace
 
 Flow::Flow(Lattice lattice, const VelocityAt& velocity, Scheme scheme, Settings settings, Forcing forcing,
            Window window, bool smooth_start)
-    : model_(std::make_unique<Model>(std::move(lattice), settings, std::move(forcing))),
-      state_(model_->state(velocity)),
-      stepper_(std::make_unique<mechanics::SchemeStepper<Model>>(*model_, scheme)),
-      window_(std::move(window)),
-      smooth_start_(smooth_start && scheme.stepping != Stepping::conservative &&
-                    scheme.composition == TimeComposition::none && !model_->has_driven_sides()),
-      stable_step_(surely_stable_step(*model_)) {
-  plan_lattice::require_movable(window_, model_->lattice().sides);
-  if (window_.reach && model_->has_shoreline()) {
-    throw std::invalid_argument("a moving window with a shoreline; allowed: one of them");
-  }
-  try {
-    mechanics::Start(*model_).project(state_);
-  } catch (const mechanics::Infeasible& failure) {
-    throw Divergence(failure.what(), 0, 0, failure.place());
-  }
-  watch_ = std::make_unique<mechanics::InvariantsWatch<Model>>(*model_, state_);
-}
+    : Flow(std::make_unique<Model>(std::move(lattice), settings, std::move(forcing)), velocity, scheme,
+           std::move(window), smooth_start) {}
 
-void Flow::advance(double tau) {
-  mechanics::require_step(tau);
-  if (tau > stable_step_) ++beyond_stability_;
-  if (state_.steps == 0 && smooth_start_) mechanics::Start(*model_).project_to_smooth(state_, tau);
-  shifts_ += plan_lattice::follow(window_, shape().columns, *model_, state_);
-  if (!model_->lattice().bottom) {
-    stepper_->step(state_, tau);
-    return;
-  }
-  // A marker may leave an uneven bottom, or touch it, at the end of a step, when the state has changed.
-  before_ = state_;
-  try {
-    stepper_->step(state_, tau);
-  } catch (const Divergence&) {
-    state_ = before_;
-    throw;
-  }
-}
-
-void Flow::advance_to(double time, double tau, const std::function<void()>& after_step) {
-  mechanics::equal_steps_to(
-      state_, time, tau, [this](double length) { advance(length); }, after_step);
-}
-
-double Flow::energy() const {
-  return model_->kinetic_energy(state_.q, state_.u) + model_->potential_energy(state_.q);
-}
-
-void Flow::observe() {
-  if (window_.reach) throw std::logic_error("what a moving window holds is not conserved");
-  watch_->record(state_);
-}
+Flow::Flow(std::unique_ptr<Model>&& model, const VelocityAt& velocity, Scheme scheme, Window window, bool smooth_start)
+    : LatticeFlow(std::move(model), model->state(velocity), model->shape(), model->lattice().sides,
+                  {.scheme = scheme,
+                   .window = shoreless(std::move(window), *model),
+                   .stable_step = surely_stable_step(*model),
+                   .smooth_start = smooth_start && !model->has_driven_sides(),
+                   // A marker may leave an uneven bottom, or touch it, at the end of a step.
+                   .keeps_before = model->lattice().bottom != nullptr}) {}
 
 }  // namespace seiche::dispersive_shallow_water_2d
