@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "seiche/distributed/petsc.hpp"
-#include "seiche/models/plan_lattice/sides.hpp"
+#include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::distributed {
 

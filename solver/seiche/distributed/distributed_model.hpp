@@ -27,7 +27,7 @@
 #include "seiche/distributed/cell_system.hpp"
 #include "seiche/distributed/decomposition.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
-#include "seiche/models/plan_lattice/sides.hpp"
+#include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::distributed {
 

@@ -11,7 +11,7 @@
 
 #include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
-#include "seiche/models/plan_lattice/sides.hpp"
+#include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 

@@ -13,7 +13,7 @@
 #include <memory>
 
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
-#include "seiche/models/plan_lattice/lattice_flow.hpp"
+#include "seiche/plan_lattice/lattice_flow.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "seiche/geometry/plan_bottom.hpp"
-#include "seiche/models/plan_lattice/sides.hpp"
+#include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
-#include "seiche/models/plan_lattice/sides.hpp"
+#include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 

@@ -12,7 +12,7 @@
 #include <span>
 
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
-#include "seiche/models/plan_lattice/lattice_flow.hpp"
+#include "seiche/plan_lattice/lattice_flow.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
 

@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "seiche/models/plan_lattice/sides.hpp"
+#include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
 

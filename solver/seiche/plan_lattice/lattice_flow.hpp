@@ -14,8 +14,8 @@
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/start.hpp"
-#include "seiche/models/plan_lattice/sides.hpp"
-#include "seiche/models/plan_lattice/window.hpp"
+#include "seiche/plan_lattice/sides.hpp"
+#include "seiche/plan_lattice/window.hpp"
 
 namespace seiche::plan_lattice {
 

@@ -1,4 +1,4 @@
-#include "seiche/models/plan_lattice/sides.hpp"
+#include "seiche/plan_lattice/sides.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "seiche/models/plan_lattice/window.hpp"
+#include "seiche/plan_lattice/window.hpp"
 
 #include <stdexcept>
 

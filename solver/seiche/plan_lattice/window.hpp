@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/plan_lattice/sides.hpp"
+#include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::plan_lattice {
 
