@@ -95,17 +95,9 @@ struct Frame {
   std::function<double(double)> reach;
 };
 
-/// Cells that fill a length: the next number without prime factors above 7, which suits Fourier transforms.
+/// Cells that fill a length, in a number that suits Fourier transforms.
 std::size_t cells(double length, double spacing) {
-  const auto rough = [](std::size_t n) {
-    for (const std::size_t factor : {2, 3, 5, 7}) {
-      while (n % factor == 0) n /= factor;
-    }
-    return n > 1;
-  };
-  auto n = std::max<std::size_t>(static_cast<std::size_t>(std::ceil(length / spacing)), 4);
-  while (rough(n)) ++n;
-  return n;
+  return linear::fast_size_from(std::max<std::size_t>(static_cast<std::size_t>(std::ceil(length / spacing)), 4));
 }
 
 Frame frame_of(const ObliqueWave& wave, const ReflectionWindow& window) {

@@ -43,6 +43,7 @@ struct Judged {
   double speed = 1;        ///< that a wave of this height should have
   double speed_limit = 0;  ///< relative
   std::string speed_reason;
+  std::string still_settling = {};  ///< why the height is known not to stay; empty: it should
 };
 
 class Travels {
@@ -79,11 +80,18 @@ class Travels {
           {.id = judged.id + "-" + what, .text = judged.name + ": " + text, .quantity = quantity, .source = frank},
           {.value = value, .resolution = resolution}, bound);
     };
-    check("height", "the height stays.", "largest deviation of the height from its mean, over the mean",
-          std::max(found.highest() - height, height - found.lowest()) / height,
-          {0.01,
-           "one per cent is not seen in a plot of the wave; what remains is the first adjustment and the curve "
-           "through nodes that pass under the crest"});
+    const evidence::Claim band{.id = judged.id + "-height",
+                               .text = judged.name + ": the height stays.",
+                               .quantity = "band of the height over its mean",
+                               .source = frank};
+    const Bound unseen{0.01, "one per cent is not seen in a plot of the wave"};
+    const evidence::Measurement measured{.value = (found.highest() - found.lowest()) / height,
+                                         .resolution = resolution};
+    if (judged.still_settling.empty()) {
+      run_.record.check(band, measured, unseen);
+    } else {
+      run_.record.known_failure(band, measured, unseen, judged.still_settling);
+    }
     check("energy", "the energy stays.", "largest relative defect of the energy", found.energy_defect,
           {2e-3, "the scheme's energy errs by a bounded amount, (omega tau)^2/8 of the wave's shortest parts"});
     check("speed", "the speed is right.", "relative error of the speed", speed_error,
@@ -165,7 +173,11 @@ void run(Run& run) {
                  .name = fmt::format("hexahedra, {} layers", layers),
                  .speed = exact::SolitaryWave(found.mean_height()).speed(),
                  .speed_limit = 0.01,
-                 .speed_reason = "Frank gives no number: one per cent of the speed of the exact wave of this height"},
+                 .speed_reason = "Frank gives no number: one per cent of the speed of the exact wave of this height",
+                 .still_settling = layers == 1 && run.as_published()
+                                       ? "the wave of one layer is lower than the one it starts from and still sheds "
+                                         "what it has too much"
+                                       : ""},
                 soliton, found, mesh_panel);
     run.progress(0.4 + 0.15 * static_cast<double>(layers));
   }

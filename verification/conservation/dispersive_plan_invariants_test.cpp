@@ -24,14 +24,7 @@ constexpr double tau = 0.03;
 constexpr int steps = 100;
 
 InvariantsLedger run(PlanProblem& problem, Scheme scheme) {
-  SchemeStepper<Model> stepper(problem.model, scheme);
-  State state = problem.start;
-  InvariantsWatch watch(problem.model, state);
-  for (int n = 0; n < steps; ++n) {
-    stepper.step(state, tau);
-    watch.record(state);
-  }
-  return watch.ledger();
+  return watched_run(problem, scheme, tau, steps);
 }
 
 double largest_momentum_of_a_node(const PlanProblem& problem) {

@@ -8,23 +8,13 @@
 #include <random>
 #include <utility>
 
-#include "seiche/mechanics/start.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
+#include "verification/conservation/mechanical_problem.hpp"
 
 namespace seiche::verification {
 
-/// A model and the state it starts from, its velocity projected on constant volumes.
-struct PlanProblem {
-  explicit PlanProblem(dispersive_shallow_water_2d::Lattice lattice,
-                       const dispersive_shallow_water_2d::VelocityAt& velocity = {},
-                       dispersive_shallow_water_2d::Settings settings = {})
-      : model(std::move(lattice), settings), start(model.state(velocity)) {
-    mechanics::Start(model).project(start);
-  }
-
-  dispersive_shallow_water_2d::Model model;
-  mechanics::State start;
-};
+using PlanProblem = MechanicalProblem<dispersive_shallow_water_2d::Model, dispersive_shallow_water_2d::Lattice,
+                                      dispersive_shallow_water_2d::VelocityAt, dispersive_shallow_water_2d::Settings>;
 
 /// Nodes off the sides moved at random along x and y by up to `part` [m].
 inline dispersive_shallow_water_2d::Lattice jittered(dispersive_shallow_water_2d::Lattice lattice, double part,
@@ -124,13 +114,6 @@ inline PlanProblem free_blob(bool stands, dispersive_shallow_water_2d::Settings 
                                                      0.2 + 0.05 * x + 0.02 * uniform(random), 0.02 * uniform(random)};
       },
       settings);
-}
-
-inline double largest_difference(const mechanics::State& a, const mechanics::State& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.q.size(); ++i) largest = std::max(largest, std::abs(a.q[i] - b.q[i]));
-  for (std::size_t i = 0; i < a.u.size(); ++i) largest = std::max(largest, std::abs(a.u[i] - b.u[i]));
-  return largest;
 }
 
 }  // namespace seiche::verification

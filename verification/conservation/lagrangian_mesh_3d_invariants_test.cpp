@@ -21,14 +21,7 @@ constexpr double tau = 0.01;
 constexpr int steps = 100;
 
 InvariantsLedger run(HexahedralProblem& problem, Scheme scheme) {
-  SchemeStepper<Model> stepper(problem.model, scheme);
-  State state = problem.start;
-  InvariantsWatch watch(problem.model, state);
-  for (int n = 0; n < steps; ++n) {
-    stepper.step(state, tau);
-    watch.record(state);
-  }
-  return watch.ledger();
+  return watched_run(problem, scheme, tau, steps);
 }
 
 /// Rounding of the momenta of all nodes, each of which changes by the forces of eight cells in a step.

@@ -6,23 +6,14 @@
 #include <random>
 #include <utility>
 
-#include "seiche/mechanics/start.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
+#include "verification/conservation/mechanical_problem.hpp"
 
 namespace seiche::verification {
 
-/// A model and the state it starts from, its velocity projected on constant volumes.
-struct HexahedralProblem {
-  explicit HexahedralProblem(lagrangian_mesh_3d::Mesh mesh, const lagrangian_mesh_3d::Velocity& velocity = {},
-                             lagrangian_mesh_3d::Settings settings = {})
-      : model(std::move(mesh), settings), start(model.state(velocity)) {
-    mechanics::Start(model).project(start);
-  }
-
-  lagrangian_mesh_3d::Model model;
-  mechanics::State start;
-};
+using HexahedralProblem = MechanicalProblem<lagrangian_mesh_3d::Model, lagrangian_mesh_3d::Mesh,
+                                            lagrangian_mesh_3d::Velocity, lagrangian_mesh_3d::Settings>;
 
 /// Nodes off the boundary moved at random along each axis by up to `part` [m].
 inline lagrangian_mesh_3d::Mesh jittered(lagrangian_mesh_3d::Mesh mesh, double part, unsigned seed) {
@@ -89,13 +80,6 @@ inline lagrangian_mesh_3d::Mesh hump_in_box() {
        .rows = 20,
        .layers = 2,
        .elevation = [](double x, double y) { return 0.3 * std::exp(-0.3 * (x * x + y * y)); }});
-}
-
-inline double largest_difference(const mechanics::State& a, const mechanics::State& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.q.size(); ++i) largest = std::max(largest, std::abs(a.q[i] - b.q[i]));
-  for (std::size_t i = 0; i < a.u.size(); ++i) largest = std::max(largest, std::abs(a.u[i] - b.u[i]));
-  return largest;
 }
 
 }  // namespace seiche::verification

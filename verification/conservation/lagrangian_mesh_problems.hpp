@@ -9,23 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "seiche/mechanics/start.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
+#include "verification/conservation/mechanical_problem.hpp"
 
 namespace seiche::verification {
 
-/// A model and the state it starts from, its velocity projected on constant areas.
-struct MeshProblem {
-  explicit MeshProblem(lagrangian_mesh_2d::Mesh mesh, const std::function<Point(Point)>& velocity = {},
-                       lagrangian_mesh_2d::Settings settings = {})
-      : model(std::move(mesh), settings), start(model.state(velocity)) {
-    mechanics::Start(model).project(start);
-  }
-
-  lagrangian_mesh_2d::Model model;
-  mechanics::State start;
-};
+using MeshProblem = MechanicalProblem<lagrangian_mesh_2d::Model, lagrangian_mesh_2d::Mesh, std::function<Point(Point)>,
+                                      lagrangian_mesh_2d::Settings>;
 
 inline Point turned(Point r, double angle) {
   const double c = std::cos(angle);
@@ -71,17 +62,6 @@ inline std::shared_ptr<const GraphCurve> bump() {
                                         return 0.9375 * (2 * square - 1) * std::exp(-square);
                                       },
                                       0, 6, 60);
-}
-
-inline double largest_difference(mechanics::Input a, mechanics::Input b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
-/// Of a coordinate or a rate.
-inline double largest_difference(const mechanics::State& a, const mechanics::State& b) {
-  return std::max(largest_difference(mechanics::Input(a.q), b.q), largest_difference(mechanics::Input(a.u), b.u));
 }
 
 }  // namespace seiche::verification
