@@ -197,9 +197,11 @@ void draw_reflected_angles(evidence::Record& record, const std::vector<Reflectio
 
 void draw_growth(evidence::Record& record, const std::vector<ReflectionSeries>& series) {
   auto& figure = record.figure("growth", "The amplitude at the wall as time goes on",
-                               "Over the measured incident amplitude. The nearer to resonance, the slower.");
+                               "Over the measured incident amplitude, against the slow time of weakly nonlinear waves. "
+                               "The nearer to resonance, the slower.");
   for (const ReflectionSeries& one : series) {
-    auto& panel = figure.panel({.x = "t [sqrt(depth/g)]",
+    const double slow = std::pow(one.amplitude, 1.5);
+    auto& panel = figure.panel({.x = "a_i^(3/2) t [sqrt(depth/g)]",
                                 .y = "a_w/a_i",
                                 .title = fmt::format("a = {:g}, h = {:g}", one.amplitude, one.spacing)});
     const std::size_t stride = std::max<std::size_t>(one.angles.size() / 5, 1);
@@ -208,7 +210,9 @@ void draw_growth(evidence::Record& record, const std::vector<ReflectionSeries>& 
       if (k % stride != 0 && &r != &one.highest()) continue;
       std::vector<double> ratio = r.wall;
       for (double& value : ratio) value /= r.pattern.incident_amplitude.value;
-      panel.line(fmt::format("{:g} deg, {}", one.angles[k], r.growth_flag()), r.time, ratio);
+      std::vector<double> time = r.time;
+      for (double& t : time) t *= slow;
+      panel.line(fmt::format("{:g} deg{}", one.angles[k], r.limit.steady() ? "" : ", growing"), time, ratio);
     }
   }
 }

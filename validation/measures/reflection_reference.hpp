@@ -16,6 +16,7 @@ inline const std::string independent_reflections = "computed once by an independ
 struct Known {
   double value = 0;
   double uncertainty = 0;
+  std::string doubt = {};  ///< why nothing can be expected to agree with it; empty: it can
 };
 
 /// A row of reference_data/mach_reflection_model2; angles in degrees.
