@@ -97,7 +97,7 @@ std::vector<io::XdmfFrame> write_snapshots(io::Hdf5File& file, const Record& rec
     for (const Snapshot::Field& field : snapshot.fields) {
       const std::string here = path + "/" + field.name;
       file.array(here, field.values, field.name, field.unit, "value at the points");
-      frame.fields.emplace_back(field.name, here);
+      frame.fields.push_back({.name = field.name, .path = here});
     }
     frames.push_back(std::move(frame));
   }

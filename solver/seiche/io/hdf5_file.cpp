@@ -25,6 +25,19 @@ struct Hdf5File::Handle {
   }
 
   template <class Value>
+  void array(const std::string& path_in_file, const H5::PredType& stored, const H5::PredType& given,
+             std::span<const std::size_t> shape, const Value* values) {
+    guarded([&] {
+      const std::vector<hsize_t> extents(shape.begin(), shape.end());
+      const H5::DataSpace space(static_cast<int>(extents.size()), extents.data());
+      H5::DSetCreatPropList properties;
+      H5Pset_obj_track_times(properties.getId(), false);  // the same data shall give the same bytes
+      const H5::DataSet set = file.createDataSet(path_in_file, stored, space, properties);
+      if (space.getSimpleExtentNpoints() > 0) set.write(values, given);
+    });
+  }
+
+  template <class Value>
   void attribute(const std::string& object, const std::string& name, const H5::DataType& type, const Value* value) {
     guarded([&] {
       const H5::DataSpace scalar(H5S_SCALAR);
@@ -56,23 +69,28 @@ void Hdf5File::array(const std::string& path, std::span<const double> values, st
   if (count != values.size()) {
     throw std::invalid_argument(fmt::format("array {}: {} values for a shape of {}", path, values.size(), count));
   }
-  handle_->guarded([&] {
-    const std::vector<hsize_t> extents(shape.begin(), shape.end());
-    const H5::DataSpace space(static_cast<int>(extents.size()), extents.data());
-    H5::DSetCreatPropList properties;
-    H5Pset_obj_track_times(properties.getId(), false);  // the same data shall give the same bytes
-    const H5::DataSet set = handle_->file.createDataSet(path, H5::PredType::IEEE_F64LE, space, properties);
-    if (count > 0) set.write(values.data(), H5::PredType::NATIVE_DOUBLE);
-  });
-  attribute(path, "name", name);
-  attribute(path, "unit", unit);
-  attribute(path, "meaning", meaning);
+  handle_->array(path, H5::PredType::IEEE_F64LE, H5::PredType::NATIVE_DOUBLE, shape, values.data());
+  describe(path, name, unit, meaning);
 }
 
 void Hdf5File::array(const std::string& path, std::span<const double> values, std::string_view name,
                      std::string_view unit, std::string_view meaning) {
   const std::size_t length = values.size();
   array(path, values, std::span(&length, 1), name, unit, meaning);
+}
+
+void Hdf5File::array(const std::string& path, std::span<const std::int32_t> values, std::string_view name,
+                     std::string_view unit, std::string_view meaning) {
+  const std::size_t length = values.size();
+  handle_->array(path, H5::PredType::STD_I32LE, H5::PredType::NATIVE_INT32, std::span(&length, 1), values.data());
+  describe(path, name, unit, meaning);
+}
+
+void Hdf5File::describe(const std::string& path, std::string_view name, std::string_view unit,
+                        std::string_view meaning) {
+  attribute(path, "name", name);
+  attribute(path, "unit", unit);
+  attribute(path, "meaning", meaning);
 }
 
 void Hdf5File::attribute(const std::string& object, const std::string& name, std::string_view text) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -30,6 +31,8 @@ class Hdf5File {
              std::string_view name, std::string_view unit, std::string_view meaning);
   void array(const std::string& path, std::span<const double> values, std::string_view name, std::string_view unit,
              std::string_view meaning);
+  void array(const std::string& path, std::span<const std::int32_t> values, std::string_view name,
+             std::string_view unit, std::string_view meaning);
 
   void attribute(const std::string& object, const std::string& name, std::string_view text);
   void attribute(const std::string& object, const std::string& name, double value);
@@ -39,6 +42,8 @@ class Hdf5File {
   void close();
 
  private:
+  void describe(const std::string& path, std::string_view name, std::string_view unit, std::string_view meaning);
+
   struct Handle;
   std::unique_ptr<Handle> handle_;
 };

@@ -1,0 +1,163 @@
+#include "seiche/models/wcsph/engine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "seiche/divergence.hpp"
+#include "seiche/models/wcsph/input_checks.hpp"
+#include "seiche/models/wcsph/wall_pressure.hpp"
+#include "seiche/require.hpp"
+
+namespace seiche::wcsph {
+namespace {
+
+/// Neighbours beyond this many times those of a lattice are a clump.
+constexpr double clump = 8;
+
+double mean_spacing(const Particles& particles, double density) {
+  double mass = 0;
+  double count = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.kind[i] != Kind::fluid) continue;
+    mass += particles.mass[i];
+    count += 1;
+  }
+  return std::sqrt((count > 0 ? mass / count : particles.mass.front()) / density);
+}
+
+/// Where particles may fly without slowing down the search: the box of the beginning and as much around it.
+Box expected_box(const Particles& particles) {
+  const auto [left, right] = std::minmax_element(particles.x.begin(), particles.x.end());
+  const auto [bottom, top] = std::minmax_element(particles.z.begin(), particles.z.end());
+  const double margin = std::max(*right - *left, *top - *bottom);
+  return {*left - margin, *right + margin, *bottom - margin, *top + margin};
+}
+
+Particles checked(Particles particles, const Settings& settings, double spacing, std::size_t paddles) {
+  validate(settings);
+  require_positive("spacing", spacing);
+  check_period(settings, settings.smoothing * spacing);
+  check_particles(particles, paddles);
+  return particles;
+}
+
+}  // namespace
+
+Flow::Engine::Engine(Particles particles, double spacing, const Settings& settings, std::vector<Paddle> paddles)
+    : settings_(settings),
+      spacing_(spacing),
+      fluid_(settings.density, settings.sound_speed, settings.exponent),
+      smoothing_(settings.smoothing * spacing),
+      paddles_(std::move(paddles)),
+      particles_(checked(std::move(particles), settings, spacing, paddles_.size())),
+      reference_x_(particles_.x),
+      reference_z_(particles_.z),
+      mean_spacing_(mean_spacing(particles_, settings.density)),
+      rates_(settings, spacing),
+      stage_(fluid_, smoothing_, settings.variable_smoothing, rates_.sound_scale()),
+      neighbours_(mean_spacing_, expected_box(particles_), settings.period),
+      reserve_(settings.skin * support * smoothing_) {
+  rates_.resize(particles_.size());
+  next_.resize(particles_.size());
+  place_paddles(0, particles_.x, particles_.z, particles_.u, particles_.w);
+  sort(reserve_);
+  check_start();
+}
+
+void Flow::Engine::check_start() const {
+  std::vector<std::int32_t> sources(particles_.size());
+  for (std::size_t i = 0; i < sources.size(); ++i) sources[i] = static_cast<std::int32_t>(i);
+  for (const Image& image : neighbours_.images()) sources.push_back(image.source);
+  check_distances(particles_, stage_.records(), neighbours_.clusters(), sources, spacing_);
+}
+
+void Flow::Engine::sort(double reserve) {
+  double widest = smoothing_;
+  if (settings_.variable_smoothing) {
+    const double lowest = *std::min_element(particles_.density.begin(), particles_.density.end());
+    widest *= std::max(1.0, std::sqrt(settings_.density / lowest));
+  }
+  neighbours_.sort(particles_, widest, reserve);
+  for (std::vector<double>* values : {&reference_x_, &reference_z_}) {
+    scratch_.resize(values->size());
+    for (std::size_t i = 0; i < scratch_.size(); ++i) {
+      scratch_[i] = (*values)[static_cast<std::size_t>(neighbours_.order()[i])];
+    }
+    values->swap(scratch_);
+  }
+  stage_.adopt(particles_, neighbours_.images());
+  used_ = stage_.fill(StateView(particles_));
+  neighbours_.list(stage_.records());
+  ++extremes_.rebuilds;
+
+  const double usual = std::numbers::pi * std::pow(support * smoothing_ / mean_spacing_, 2);
+  if (neighbours_.most_neighbours() > clump * usual) {
+    throw Divergence(
+        fmt::format("{:.0f} neighbours of a particle, {:.0f} are usual", neighbours_.most_neighbours(), usual), time_,
+        steps_, particles_.x[neighbours_.most_crowded()]);
+  }
+}
+
+void Flow::Engine::fill_level() {
+  used_ = stage_.fill(StateView(particles_));
+  if (used_ + half_travel_ > reserve_) sort(reserve_);
+}
+
+void Flow::Engine::evaluate(double time, std::vector<double>& density, bool limited) {
+  if (settings_.walls == WallPressure::extrapolated) {
+    const auto felt_gravity = [this, time](std::size_t i) {
+      std::array<double, 2> gravity{0, -settings_.gravity};
+      if (particles_.kind[i] == Kind::paddle) {
+        const Paddle& paddle = paddles_[static_cast<std::size_t>(particles_.body[i])];
+        const double shift = smoothing_ / settings_.sound_speed;
+        const auto motion = [&](double t) {
+          return carried(paddle.pose(t), paddle.rate(t), paddle.hinge_x, paddle.hinge_z, reference_x_[i],
+                         reference_z_[i]);
+        };
+        const PointMotion before = motion(time - shift);
+        const PointMotion after = motion(time + shift);
+        gravity[0] -= (after.u - before.u) / (2 * shift);
+        gravity[1] -= (after.w - before.w) / (2 * shift);
+      }
+      return gravity;
+    };
+    extrapolate_to_walls(settings_.kernel, fluid_, felt_gravity, stage_, neighbours_, density);
+  }
+  rates_.evaluate(stage_, neighbours_, limited);
+  extremes_.interactions += neighbours_.pairs();
+}
+
+void Flow::Engine::evaluate_level(bool limited) {
+  evaluate(time_, particles_.density, limited);
+}
+
+Rates Flow::Engine::rates() {
+  fill_level();
+  evaluate_level(false);
+  return {.dx = rates_.dx, .dz = rates_.dz, .du = rates_.du, .dw = rates_.dw, .ddensity = rates_.ddensity};
+}
+
+void Flow::Engine::place_paddles(double time, std::vector<double>& x, std::vector<double>& z, std::vector<double>& u,
+                                 std::vector<double>& w) const {
+  for (std::size_t body = 0; body < paddles_.size(); ++body) {
+    const Paddle& paddle = paddles_[body];
+    const Pose pose = paddle.pose(time);
+    const Pose rate = paddle.rate(time);
+    // Before the first sorting any particle may be the paddle's; after it they come behind the fluid.
+    for (std::size_t i = neighbours_.fluid(); i < particles_.size(); ++i) {
+      if (particles_.kind[i] != Kind::paddle || particles_.body[i] != static_cast<std::int32_t>(body)) continue;
+      const PointMotion motion = carried(pose, rate, paddle.hinge_x, paddle.hinge_z, reference_x_[i], reference_z_[i]);
+      x[i] = motion.x;
+      z[i] = motion.z;
+      u[i] = motion.u;
+      w[i] = motion.w;
+    }
+  }
+}
+
+}  // namespace seiche::wcsph

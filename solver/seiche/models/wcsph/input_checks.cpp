@@ -1,0 +1,75 @@
+#include "seiche/models/wcsph/input_checks.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/require.hpp"
+
+namespace seiche::wcsph {
+
+void check_particles(const Particles& particles, std::size_t paddles) {
+  const std::size_t n = particles.size();
+  if (n == 0) throw std::invalid_argument("particles: there are none");
+  for (const std::size_t size :
+       {particles.z.size(), particles.u.size(), particles.w.size(), particles.density.size(), particles.mass.size(),
+        particles.kind.size(), particles.body.size(), particles.identity.size()}) {
+    if (size != n) throw std::invalid_argument(fmt::format("particles: an array of {} beside x of {}", size, n));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto name = [i](std::string_view quantity) { return fmt::format("{} of particle {}", quantity, i); };
+    for (const auto& [quantity, value] : {std::pair{"x", particles.x[i]}, std::pair{"z", particles.z[i]},
+                                          std::pair{"u", particles.u[i]}, std::pair{"w", particles.w[i]}}) {
+      if (!std::isfinite(value)) require_finite(name(quantity), value);
+    }
+    for (const auto& [quantity, value] :
+         {std::pair{"density", particles.density[i]}, std::pair{"mass", particles.mass[i]}}) {
+      if (!(value > 0 && std::isfinite(value))) require_positive(name(quantity), value);
+    }
+    const std::int32_t body = particles.body[i];
+    if (particles.kind[i] == Kind::paddle && !(body >= 0 && static_cast<std::size_t>(body) < paddles)) {
+      throw std::invalid_argument(
+          fmt::format("particle {} belongs to paddle {}, but there are {} paddles", i, body, paddles));
+    }
+  }
+}
+
+void check_period(const Settings& settings, double smoothing_length) {
+  const double shortest = 3 * support * smoothing_length * (1 + settings.skin);
+  for (const auto& [name, period] :
+       {std::pair{"period.x", settings.period.x}, std::pair{"period.z", settings.period.z}}) {
+    if (period < shortest) {
+      throw std::invalid_argument(
+          fmt::format("{} = {:.17g} is out of range: must be at least three supports, {:g}", name, period, shortest));
+    }
+  }
+}
+
+void check_distances(const Particles& particles, std::span<const Record> records, std::span<const Cluster> clusters,
+                     std::span<const std::int32_t> sources, double spacing) {
+  // A lattice that stands exactly at the limit is all right.
+  const double nearest_wall = 0.5 * spacing * (1 - 1e-9);
+  const double nearest_fluid = 1e-6 * spacing;
+  for (const Cluster& cluster : clusters) {
+    for (std::int32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
+      const auto a = static_cast<std::size_t>(i);
+      if (particles.kind[a] != Kind::fluid) continue;
+      for (const std::int32_t* j = cluster.begin; j != cluster.end; ++j) {
+        const Record& other = records[static_cast<std::size_t>(*j)];
+        const std::size_t b = static_cast<std::size_t>(sources[static_cast<std::size_t>(*j)]);
+        if (b == a) continue;
+        const double distance = std::hypot(records[a].x - other.x, records[a].z - other.z);
+        const bool wall = particles.kind[b] != Kind::fluid;
+        if (distance >= (wall ? nearest_wall : nearest_fluid)) continue;
+        throw std::invalid_argument(fmt::format(
+            "particles {} at ({:.9g}, {:.9g}) and {} at ({:.9g}, {:.9g}) are {:.3g} apart: {}", particles.identity[a],
+            records[a].x, records[a].z, particles.identity[b], other.x, other.z, distance,
+            wall ? fmt::format("fluid must keep {:g}, half a spacing, from walls", 0.5 * spacing)
+                 : fmt::format("two fluid particles must keep {:g}, a millionth of the spacing", nearest_fluid)));
+      }
+    }
+  }
+}
+
+}  // namespace seiche::wcsph

@@ -1,0 +1,222 @@
+#include "seiche/models/wcsph/neighbours.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <omp.h>
+
+namespace seiche::wcsph {
+namespace {
+
+/// Work on a cluster besides its candidates, in candidates.
+constexpr std::size_t overhead = 6;
+/// Lists are whole numbers of these.
+constexpr std::size_t group = abreast;
+
+template <class T>
+void permute(std::vector<T>& values, std::vector<T>& scratch, std::span<const std::int32_t> order) {
+  scratch.resize(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) scratch[i] = values[static_cast<std::size_t>(order[i])];
+  values.swap(scratch);
+}
+
+void wrap(std::vector<double>& values, double period) {
+  if (std::isinf(period)) return;
+  for (double& value : values) {
+    value -= period * std::floor(value / period);
+    // Rounding may give the period itself.
+    if (value >= period) value = 0;
+  }
+}
+
+}  // namespace
+
+Neighbours::Neighbours(double spacing, const Box& box, Period period)
+    : spacing_(spacing), expected_(box), period_(period) {}
+
+Box Neighbours::box_of(const Particles& particles) const {
+  const auto [left, right] = std::minmax_element(particles.x.begin(), particles.x.end());
+  const auto [bottom, top] = std::minmax_element(particles.z.begin(), particles.z.end());
+  // Only periodic boxes have images, which reach outside.
+  const double margin_x = std::isinf(period_.x) ? 0 : reach_;
+  const double margin_z = std::isinf(period_.z) ? 0 : reach_;
+  return {std::max(*left, expected_.left) - margin_x, std::min(*right, expected_.right) + margin_x,
+          std::max(*bottom, expected_.bottom) - margin_z, std::min(*top, expected_.top) + margin_z};
+}
+
+void Neighbours::sort(Particles& particles, double widest, double reserve) {
+  reserve_ = reserve;
+  reach_ = 2 * widest + reserve;
+  wrap(particles.x, period_.x);
+  wrap(particles.z, period_.z);
+  grid_ = TileGrid(box_of(particles), spacing_);
+
+  const std::size_t n = particles.size();
+  order_.clear();
+  order_.reserve(n);
+  for (const bool fluid : {true, false}) {
+    members_.clear();
+    for (std::size_t i = 0; i < n; ++i) {
+      if ((particles.kind[i] == Kind::fluid) == fluid) members_.push_back(static_cast<std::int32_t>(i));
+    }
+    BinnedOrder& binned = fluid ? fluid_ : walls_;
+    binned.sort(grid_, particles.x, particles.z, members_);
+    order_.insert(order_.end(), binned.order().begin(), binned.order().end());
+  }
+  fluid_count_ = fluid_.order().size();
+
+  permute(particles.x, scratch_.x, order_);
+  permute(particles.z, scratch_.z, order_);
+  permute(particles.u, scratch_.u, order_);
+  permute(particles.w, scratch_.w, order_);
+  permute(particles.density, scratch_.density, order_);
+  permute(particles.mass, scratch_.mass, order_);
+  permute(particles.kind, scratch_.kind, order_);
+  permute(particles.body, scratch_.body, order_);
+  permute(particles.identity, scratch_.identity, order_);
+
+  make_images(particles);
+  clusters_.clear();
+  make_clusters(0, fluid_count_);
+  fluid_clusters_ = clusters_.size();
+  make_clusters(fluid_count_, n);
+}
+
+void Neighbours::make_images(const Particles& particles) {
+  images_.clear();
+  if (std::isinf(period_.x) && std::isinf(period_.z)) return;
+  const auto shifts = [this](double place, double period, double(&found)[2]) {
+    int count = 0;
+    found[count++] = 0;
+    if (std::isinf(period)) return count;
+    if (place < reach_) {
+      found[count++] = period;
+    } else if (place > period - reach_) {
+      found[count++] = -period;
+    }
+    return count;
+  };
+  const std::size_t n = particles.size();
+  for (const bool fluid : {true, false}) {
+    unsorted_images_.clear();
+    image_x_.clear();
+    image_z_.clear();
+    for (std::size_t i = fluid ? 0 : fluid_count_; i < (fluid ? fluid_count_ : n); ++i) {
+      double shift_x[2];
+      double shift_z[2];
+      const int along = shifts(particles.x[i], period_.x, shift_x);
+      const int up = shifts(particles.z[i], period_.z, shift_z);
+      for (int k = 1; k < along * up; ++k) {
+        unsorted_images_.push_back({static_cast<std::int32_t>(i), shift_x[k % along], shift_z[k / along]});
+        image_x_.push_back(particles.x[i] + unsorted_images_.back().shift_x);
+        image_z_.push_back(particles.z[i] + unsorted_images_.back().shift_z);
+      }
+    }
+    members_.resize(image_x_.size());
+    for (std::size_t k = 0; k < members_.size(); ++k) members_[k] = static_cast<std::int32_t>(k);
+    BinnedOrder& binned = fluid ? fluid_images_ : wall_images_;
+    binned.sort(grid_, image_x_, image_z_, members_);
+    for (const std::int32_t k : binned.order()) images_.push_back(unsorted_images_[static_cast<std::size_t>(k)]);
+  }
+}
+
+void Neighbours::make_clusters(std::size_t first, std::size_t last) {
+  const std::size_t lanes = pair_loops().lanes;
+  for (std::size_t i = first; i < last; i += lanes) {
+    clusters_.push_back(
+        {.first = static_cast<std::int32_t>(i), .count = static_cast<std::int32_t>(std::min(lanes, last - i))});
+  }
+}
+
+void Neighbours::collect_ranges(const Box& box, bool walls_too, std::vector<IndexRange>& ranges) const {
+  ranges.clear();
+  auto offset = std::int32_t{0};
+  for (const BinnedOrder* binned : {&fluid_, &walls_, &fluid_images_, &wall_images_}) {
+    const bool walls = binned == &walls_ || binned == &wall_images_;
+    if (!binned->empty() && (walls_too || !walls)) {
+      grid_.visit_runs(box, [&](std::int32_t first, std::int32_t last) {
+        const IndexRange range{offset + binned->begin(first), offset + binned->begin(last + 1)};
+        if (range.begin < range.end) ranges.push_back(range);
+      });
+    }
+    offset += static_cast<std::int32_t>(binned->order().size());
+  }
+}
+
+void Neighbours::list_share(std::span<const Record> records, std::size_t thread, std::size_t threads) {
+  const std::size_t first = clusters_.size() * thread / threads;
+  const std::size_t last = clusters_.size() * (thread + 1) / threads;
+  const CandidateSearch search = pair_loops().search;
+  std::vector<std::int32_t>& list = lists_[thread];
+  std::vector<IndexRange>& ranges = ranges_[thread];
+  Tally& tally = tallies_[thread];
+  const auto nobody = static_cast<std::int32_t>(order_.size() + images_.size());
+  tally = {};
+  std::size_t used = 0;
+  for (std::size_t c = first; c < last; ++c) {
+    Cluster& cluster = clusters_[c];
+    const auto a = static_cast<std::size_t>(cluster.first);
+    Box box{records[a].x, records[a].x, records[a].z, records[a].z};
+    for (std::size_t i = a + 1; i < a + static_cast<std::size_t>(cluster.count); ++i) {
+      box.left = std::min(box.left, records[i].x);
+      box.right = std::max(box.right, records[i].x);
+      box.bottom = std::min(box.bottom, records[i].z);
+      box.top = std::max(box.top, records[i].z);
+    }
+    const bool fluid = c < fluid_clusters_;
+    collect_ranges({box.left - reach_, box.right + reach_, box.bottom - reach_, box.top + reach_}, fluid, ranges);
+    // The search writes before it decides, and lists are filled up to whole groups.
+    std::size_t room = used + group + candidates_ahead;
+    for (const IndexRange& range : ranges) room += static_cast<std::size_t>(range.end - range.begin);
+    if (list.size() < room) list.resize(room + room / 2);
+    const Found found = search(records.data(), cluster, ranges.data(), ranges.size(), reserve_, list.data() + used);
+    used += static_cast<std::size_t>(found.candidates);
+    while (used % group != 0) list[used++] = nobody;
+    work_before_[c + 1] = static_cast<std::size_t>(found.candidates);
+    const std::int32_t pairs = found.pairs - (fluid ? cluster.count : 0);
+    tally.pairs += pairs;
+    const double mean = static_cast<double>(pairs) / cluster.count;
+    if (mean > tally.neighbours) {
+      tally.neighbours = mean;
+      tally.particle = a;
+    }
+  }
+  // The lists stand still only now.
+  const std::int32_t* begin = list.data();
+  for (std::size_t c = first; c < last; ++c) {
+    const std::size_t count = work_before_[c + 1];
+    clusters_[c].begin = begin;
+    clusters_[c].end = begin + count;
+    begin += (count + group - 1) / group * group;
+  }
+}
+
+void Neighbours::list(std::span<const Record> records) {
+  const auto threads = static_cast<std::size_t>(omp_get_max_threads());
+  lists_.resize(std::max(lists_.size(), threads));
+  ranges_.resize(lists_.size());
+  tallies_.resize(lists_.size());
+  work_before_.resize(clusters_.size() + 1);
+#pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads))
+  for (std::size_t thread = 0; thread < threads; ++thread) list_share(records, thread, threads);
+  pairs_ = 0;
+  most_ = {};
+  for (std::size_t thread = 0; thread < threads; ++thread) {
+    pairs_ += tallies_[thread].pairs;
+    if (tallies_[thread].neighbours > most_.neighbours) most_ = tallies_[thread];
+  }
+  work_before_[0] = 0;
+  for (std::size_t c = 0; c < clusters_.size(); ++c) work_before_[c + 1] += work_before_[c] + overhead;
+}
+
+std::size_t Neighbours::boundary(std::size_t begin, std::size_t end, std::size_t share, std::size_t shares) const {
+  if (share == shares) return end;
+  const std::size_t work = work_before_[end] - work_before_[begin];
+  const auto first = work_before_.begin();
+  const auto found =
+      std::lower_bound(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end),
+                       work_before_[begin] + work * share / shares);
+  return static_cast<std::size_t>(found - first);
+}
+
+}  // namespace seiche::wcsph

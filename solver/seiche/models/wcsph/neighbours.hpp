@@ -1,0 +1,107 @@
+/// Who may be within whose support: the order of particles, their images in a periodic box, clusters and their lists of
+/// candidates; internal to Flow.
+///
+/// Records are numbered: fluid, walls (both in the order of the grid), images of fluid, images of walls, and one far
+/// away that fills up lists (beyond Cluster::end) to whole groups. Lists hold
+/// what is nearer than h_a + h_b + reserve, so they last until displacements and growing smoothing lengths use up the
+/// reserve. Wall clusters list fluid only: pairs of wall particles are not evaluated.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <omp.h>
+
+#include "seiche/models/wcsph/pair_loops.hpp"
+#include "seiche/models/wcsph/particles.hpp"
+#include "seiche/models/wcsph/settings.hpp"
+#include "seiche/models/wcsph/tile_grid.hpp"
+
+namespace seiche::wcsph {
+
+/// A record that repeats another one a period away.
+struct Image {
+  std::int32_t source;
+  double shift_x, shift_z;
+};
+
+class Neighbours {
+ public:
+  /// @param spacing  mean distance of particles [m]
+  /// @param box      where particles are to be expected; sorted less well outside
+  Neighbours(double spacing, const Box& box, Period period);
+
+  /// New order of the particles: fluid first. Wraps positions into the box. `widest` is the longest smoothing length.
+  void sort(Particles& particles, double widest, double reserve);
+  /// New numbers of the particles before the last sort(): what was at order()[i] is now at i.
+  [[nodiscard]] std::span<const std::int32_t> order() const { return order_; }
+  /// Lists for the records, whose positions are those of the last sort().
+  void list(std::span<const Record> records);
+
+  [[nodiscard]] std::size_t fluid() const { return fluid_count_; }
+  [[nodiscard]] bool is_fluid(std::size_t record) const {
+    return record < fluid_count_ || (record >= order_.size() && record < order_.size() + fluid_images_.order().size());
+  }
+  [[nodiscard]] std::span<const Image> images() const { return images_; }
+  [[nodiscard]] std::span<const Cluster> clusters() const { return clusters_; }
+  [[nodiscard]] std::size_t fluid_clusters() const { return fluid_clusters_; }
+  /// Ordered pairs within the support, fluid with fluid or walls.
+  [[nodiscard]] long long pairs() const { return pairs_; }
+  /// Largest mean number of neighbours of a cluster's particles.
+  [[nodiscard]] double most_neighbours() const { return most_.neighbours; }
+  /// First particle of that cluster.
+  [[nodiscard]] std::size_t most_crowded() const { return most_.particle; }
+
+  /// Calls loop(first, last) for shares of the clusters [begin, end) of about equal work, on all threads.
+  template <class Loop>
+  void share(std::size_t begin, std::size_t end, const Loop& loop) const {
+#pragma omp parallel if (end - begin > 64)
+    {
+      const auto threads = static_cast<std::size_t>(omp_get_num_threads());
+      const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+      const std::size_t first = boundary(begin, end, thread, threads);
+      const std::size_t last = boundary(begin, end, thread + 1, threads);
+      if (first < last) loop(first, last);
+    }
+  }
+
+ private:
+  struct Tally {
+    long long pairs = 0;
+    double neighbours = 0;     ///< largest mean of a cluster
+    std::size_t particle = 0;  ///< its first particle
+  };
+
+  void make_images(const Particles& particles);
+  void make_clusters(std::size_t first, std::size_t last);
+  [[nodiscard]] Box box_of(const Particles& particles) const;
+  void list_share(std::span<const Record> records, std::size_t thread, std::size_t threads);
+  void collect_ranges(const Box& box, bool walls_too, std::vector<IndexRange>& ranges) const;
+  /// First cluster of a share.
+  [[nodiscard]] std::size_t boundary(std::size_t begin, std::size_t end, std::size_t share, std::size_t shares) const;
+
+  double spacing_;
+  Box expected_;
+  Period period_;
+  double reach_ = 0;  ///< longest distance of a candidate
+  double reserve_ = 0;
+  TileGrid grid_;
+  BinnedOrder fluid_, walls_, fluid_images_, wall_images_;
+  std::size_t fluid_count_ = 0;
+  std::vector<std::int32_t> members_, order_;
+  std::vector<Image> images_, unsorted_images_;
+  std::vector<double> image_x_, image_z_;
+  Particles scratch_;
+  std::vector<Cluster> clusters_;
+  std::size_t fluid_clusters_ = 0;
+  std::vector<std::vector<std::int32_t>> lists_;  ///< one per thread
+  std::vector<std::vector<IndexRange>> ranges_;   ///< one per thread
+  std::vector<Tally> tallies_;                    ///< one per thread
+  std::vector<std::size_t> work_before_;          ///< candidates and overhead of all earlier clusters
+  long long pairs_ = 0;
+  Tally most_;
+};
+
+}  // namespace seiche::wcsph

@@ -1,0 +1,112 @@
+/// Sums over neighbours as loops over clusters of particles, one particle per SIMD lane; internal to Flow.
+///
+/// The particles of a cluster are consecutive and share one list of candidates. Each candidate's record, a cache line,
+/// is broadcast to all lanes: no gathers, no sums across lanes, no two threads writing to one place. Terms of a pair
+/// are symmetric or antisymmetric in its particles bit by bit, so forces cancel in sums over all particles.
+///
+/// The loops exist for AVX-512 (8 lanes), AVX2 (4) and any machine (2); pair_loops() chooses when first called.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "seiche/models/wcsph/kernel.hpp"
+
+// Sanitizers take minutes to instrument these loops: they get one version, one candidate at a time.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SEICHE_PAIR_LOOPS_PLAIN 1
+#else
+#define SEICHE_PAIR_LOOPS_PLAIN 0
+#endif
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !SEICHE_PAIR_LOOPS_PLAIN
+#define SEICHE_PAIR_LOOPS_X86 1
+#else
+#define SEICHE_PAIR_LOOPS_X86 0
+#endif
+
+namespace seiche::wcsph {
+
+/// A particle as its neighbours see it.
+struct alignas(64) Record {
+  double x, z, u, w, density;
+  double pressure;   ///< P/rho^2
+  double smoothing;  ///< h
+  double sound;      ///< c times PairWork::sound_scale
+};
+
+/// Stress of unresolved eddies over rho^2, and the volume m/rho.
+struct Stress {
+  double xx, xz, zz, volume;
+};
+
+/// Particles first, ..., first + count - 1 and what may lie within their supports.
+struct Cluster {
+  std::int32_t first = 0;
+  std::int32_t count = 0;
+  const std::int32_t* begin = nullptr;
+  const std::int32_t* end = nullptr;
+};
+
+enum class Friction { none, artificial, laminar, turbulent };
+
+/// Where the loops read and write.
+struct PairWork {
+  const Record* records;
+  const double* mass;
+  Stress* stress;
+  const Cluster* clusters;
+  // Rates of change; limit is (c + sigma)/h, whose largest value limits the step.
+  double *dx, *dz, *du, *dw, *ddensity, *limit;
+  double gravity;
+  double xsph;
+  double sound_scale;          ///< -alpha/2 with artificial viscosity, 1 otherwise: saves a product per pair
+  double kinematic_viscosity;  ///< nu_0
+  double eddy_factor;          ///< (C_S Delta)^2
+  double isotropic_factor;     ///< (2/3) C_I Delta^2
+};
+
+/// Clusters first, ..., last - 1.
+using PairLoop = void (*)(const PairWork& work, std::size_t first, std::size_t last);
+
+struct IndexRange {
+  std::int32_t begin, end;
+};
+
+/// What a search for candidates found.
+struct Found {
+  std::int32_t candidates = 0;
+  std::int32_t pairs = 0;  ///< within the support, the particles themselves included
+};
+/// Appends to `list` those of `count` ranges that come nearer to a particle of the cluster than h_a + h_b + skin.
+using CandidateSearch = Found (*)(const Record* records, const Cluster& cluster, const IndexRange* ranges,
+                                  std::size_t count, double skin, std::int32_t* list);
+
+struct PairLoops {
+  std::size_t lanes;
+  /// All rates of fluid clusters; with `limited` also the limit of the step.
+  PairLoop (*fluid)(KernelName kernel, Friction friction, bool limited);
+  /// Density of wall clusters.
+  PairLoop (*wall)(KernelName kernel, bool limited);
+  /// Stress of fluid clusters.
+  PairLoop (*strain)(KernelName kernel);
+  CandidateSearch search;
+};
+
+/// Largest number of lanes of any version: arrays are padded by as many elements.
+inline constexpr std::size_t most_lanes = 8;
+/// Loops take this many candidates side by side, beyond Cluster::end too: there the lists must be filled up with a
+/// record that is nobody's neighbour.
+inline constexpr int abreast = SEICHE_PAIR_LOOPS_PLAIN ? 1 : 4;
+/// Loops look this far ahead in the lists, which must be readable so far beyond the last cluster's.
+inline constexpr int candidates_ahead = 12;
+
+/// The widest that this machine runs.
+const PairLoops& pair_loops();
+
+namespace versions {
+extern const PairLoops avx512;
+extern const PairLoops avx2;
+extern const PairLoops baseline;
+}  // namespace versions
+
+}  // namespace seiche::wcsph

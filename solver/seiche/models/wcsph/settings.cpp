@@ -1,0 +1,49 @@
+#include "seiche/models/wcsph/settings.hpp"
+
+#include <cmath>
+
+#include "seiche/require.hpp"
+
+namespace seiche::wcsph {
+namespace {
+
+void validate_viscosity(const Inviscid&) {}
+void validate_viscosity(const ArtificialViscosity& viscosity) {
+  require_not_negative("alpha", viscosity.alpha);
+}
+void validate_viscosity(const LaminarSps& viscosity) {
+  require_not_negative("kinematic_viscosity", viscosity.kinematic_viscosity);
+  require_not_negative("smagorinsky", viscosity.smagorinsky);
+  require_not_negative("isotropic", viscosity.isotropic);
+}
+
+void validate_period(std::string_view name, double length) {
+  if (!(std::isinf(length) && length > 0)) require_positive(name, length);
+}
+
+}  // namespace
+
+double sound_speed_for(double gravity, double height, double coefficient) {
+  require_positive("gravity", gravity);
+  require_positive("height", height);
+  require_positive("coefficient", coefficient);
+  return coefficient * std::sqrt(gravity * height);
+}
+
+void validate(const Settings& settings) {
+  require_within("smoothing", settings.smoothing, 0.9, 3);
+  require_not_negative("gravity", settings.gravity);
+  require_positive("density", settings.density);
+  require_positive("sound_speed", settings.sound_speed);
+  require_within("exponent", settings.exponent, 1, 100);
+  std::visit([](const auto& viscosity) { validate_viscosity(viscosity); }, settings.viscosity);
+  require_within("xsph", settings.xsph, 0, 1);
+  require_at_least("filter_every", settings.filter_every, 0);
+  require_not_negative("density_diffusion", settings.density_diffusion);
+  require_within("courant", settings.courant, 1e-6, 1);
+  validate_period("period.x", settings.period.x);
+  validate_period("period.z", settings.period.z);
+  require_within("skin", settings.skin, 0.02, 1);
+}
+
+}  // namespace seiche::wcsph

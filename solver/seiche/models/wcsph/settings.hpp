@@ -1,0 +1,74 @@
+/// What a computation by weakly compressible SPH consists of.
+#pragma once
+
+#include <limits>
+#include <variant>
+
+#include "seiche/models/wcsph/kernel.hpp"
+
+namespace seiche::wcsph {
+
+/// No viscosity at all: acoustics grows slowly (the midpoint rule has no stability interval).
+struct Inviscid {};
+
+/// Monaghan's artificial viscosity on approaching pairs (3): Pi = -alpha c mu/rho. Its kinematic viscosity is about
+/// 0.08 alpha c_0 h, not the alpha c h/8 of the two-sided form.
+struct ArtificialViscosity {
+  double alpha = 0.1;
+};
+
+/// Laminar viscosity and sub-particle-scale stress (4); smagorinsky = isotropic = 0 leaves the laminar part alone.
+struct LaminarSps {
+  double kinematic_viscosity = 1e-6;  ///< nu_0 [m^2/s]
+  double smagorinsky = 0.12;          ///< C_S
+  double isotropic = 0.00066;         ///< C_I
+};
+
+using Viscosity = std::variant<Inviscid, ArtificialViscosity, LaminarSps>;
+
+/// What wall particles push with.
+enum class WallPressure {
+  dynamic,  ///< their own density, advanced by (2)
+  clamped,  ///< the same, never below rho_0: walls do not suck
+  /// From the fluid next to them, with its hydrostatic gradient (Adami, Hu and Adams 2012). Wants walls that go on with
+  /// the fluid's lattice for a support, three rows; staggered rows, twice as dense, push too hard.
+  extrapolated,
+};
+
+/// Extents of a box that repeats itself [m], from the origin; infinite: open in that direction.
+struct Period {
+  double x = std::numeric_limits<double>::infinity();
+  double z = std::numeric_limits<double>::infinity();
+};
+
+struct Settings {
+  KernelName kernel = KernelName::cubic_spline;
+  double smoothing = 1.3;  ///< h_0 over the particle spacing, in [0.9, 3]
+  /// h_a = h_0 (rho_0/rho_a)^(1/2), pairs use the mean of both; otherwise h_0 throughout.
+  bool variable_smoothing = true;
+  double gravity = 9.81;   ///< [m/s^2], downwards
+  double density = 1000;   ///< rho_0 [kg/m^3]
+  double sound_speed = 0;  ///< c_0 [m/s]; must be given, see sound_speed_for
+  double exponent = 7;     ///< gamma
+  Viscosity viscosity = ArtificialViscosity{};
+  double xsph = 0.5;               ///< epsilon of (6), in [0, 1]
+  int filter_every = 0;            ///< steps between density filters (MLS of first order); 0: never
+  double density_diffusion = 0;    ///< delta of delta-SPH, 0: none; 0.1 is usual
+  bool particle_shifting = false;  ///< Lind et al. (2012), Sun et al. (2017), without the free surface
+  WallPressure walls = WallPressure::dynamic;
+  double courant = 0.3;             ///< dt = courant h/(c + sigma)
+  bool limit_by_forces = false;     ///< dt <= 0.3 sqrt(h/|f|)
+  bool limit_by_viscosity = false;  ///< dt <= 0.125 h^2/nu_0
+  Period period;
+  /// Part of the support by which candidate lists are wider, so that they last several steps.
+  double skin = 0.15;
+};
+
+/// The rule of the SPHysics generator: coefficient sqrt(g H). A dam break needs sqrt(2 g H) for H to keep |u|/c_0 near
+/// a tenth.
+double sound_speed_for(double gravity, double height, double coefficient = 10);
+
+/// Throws std::invalid_argument naming the parameter, its value and range.
+void validate(const Settings& settings);
+
+}  // namespace seiche::wcsph

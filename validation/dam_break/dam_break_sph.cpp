@@ -1,0 +1,123 @@
+/*
+A column of water at the rear wall of an open tank is let go: any column, any tank, any setting of weakly compressible
+SPH. The cases of the publications, `dam_break_sph_front`, `dam_break_sph_turbulence` and
+`dam_break_sph_koshizuka`, are this one with their numbers.
+
+**Set-up.** Column, tank, spacing and lattice of particles are parameters; so are kernel, viscosity, density filter,
+walls. Densities begin hydrostatic. Time is $T = t\sqrt{2g/a}$, $a$ the width of the column; beside square columns
+it is $t\sqrt{g/a}$, as their front was published.
+
+**What is compared.** The position of the front, the largest $x$ of particles with at least four neighbours, with a
+published one (`data`): as it stands, and with one shift of the time origin, for laboratories let a column go by melting
+or pulling something. Points count until the far wall is near.
+
+**What to look at.** The shift: 0.1 to 0.3 for Martin and Moyce, who melted a diaphragm. And the Mach number, which the
+usual rule for the sound speed, ten times $\sqrt{gH}$, does not keep at a tenth.
+*/
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "validation/measures/column_front.hpp"
+#include "validation/measures/shifted_front.hpp"
+#include "validation/measures/sph_dam.hpp"
+#include "validation/measures/sph_settings.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+
+SphDam dam_of(const Run& run) {
+  const double height = run.real("column_height");
+  const double gravity = run.real("gravity");
+  return {.geometry = {.width = run.real("column_width"),
+                       .height = height,
+                       .tank_length = run.real("tank_length"),
+                       .wall_height = run.real("wall_height"),
+                       .spacing = run.real("dx"),
+                       .lattice = wcsph::lattice_named(run.text("lattice")),
+                       .wall_rows = static_cast<int>(run.integer("wall_rows"))},
+          .settings = sph_settings(run.values(), gravity, run.real("density"), std::sqrt(gravity * height))};
+}
+
+void compare(Run& run, const SphCollapse& computed, const ColumnFront& data, const SphDam& dam,
+             evidence::Panel& panel) {
+  const double farthest = (dam.geometry.tank_length - 4 * dam.geometry.spacing) / dam.geometry.width;
+  const ShiftedFront fit = shifted_front(computed.free_front(), data.curve(), farthest);
+  run.record.measure("points", static_cast<double>(fit.points));
+  run.record.measure("rms_as_it_stands", fit.raw_rms);
+  run.record.measure("time_shift", fit.shift);
+  run.record.measure("rms_shifted", fit.rms);
+  std::vector<double> later = computed.T;
+  for (double& T : later) T += fit.shift;
+  panel.line(fmt::format("SPH, {:.2f} later", fit.shift), later, computed.front, Role::peer);
+  panel.points(data.label, data.T, data.X, Role::data);
+}
+
+void run(Run& run) {
+  const SphDam dam = dam_of(run);
+  const bool compared = run.text("data") != "none";
+  ColumnFront data;
+  if (compared) data = column_front(run.text("data"), run.record);
+  const SphCollapse computed = collapse(dam, data.unit(dam.settings.gravity, dam.geometry.width), run.real("last"), 200,
+                                        {}, {}, [&](double done) { run.progress(done); });
+  measure_run(run.record, computed);
+  if (!computed.roundings.empty()) {
+    evidence::Table table{.id = "roundings", .title = "Lengths that were rounded", .columns = {{"what", ""}}};
+    for (const std::string& rounding : computed.roundings) table.rows.push_back({rounding});
+    run.record.table(std::move(table));
+  }
+  auto& panel = run.record
+                    .figure("front", "Position of the front",
+                            fmt::format("Over the width of the column; {}.",
+                                        sph_resolution(computed.spacing, computed.particles)))
+                    .panel({.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
+  panel.line("SPH", computed.T, computed.front, Role::computed);
+  if (compared) compare(run, computed, data, dam, panel);
+  auto& energy = run.record.figure("energy", "Energy", "Over that of the beginning, from the bottom of the tank.");
+  energy.panel({.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "E/E_0"})
+      .line("SPH", computed.T, computed.energy);
+  run.record.check(
+      {.id = "contained",
+       .text = "No particle leaves through a wall.",
+       .quantity = "particles outside the tank at the end",
+       .source = "Dalrymple and Rogers (2006)"},
+      {.value = static_cast<double>(computed.lost), .resolution = sph_resolution(computed.spacing, computed.particles)},
+      evidence::Bound{.limit = 0, .reason = "walls are tight"});
+}
+
+std::vector<std::string> data_choices() {
+  std::vector<std::string> choices = column_fronts();
+  choices.emplace_back("none");
+  return choices;
+}
+
+}  // namespace
+
+Case dam_break_sph() {
+  Case c;
+  c.title = "A column of water collapses: weakly compressible SPH";
+  c.source =
+      "R. A. Dalrymple, B. D. Rogers, Coastal Eng. 53 (2006) 141; Plunging breaking waves by weakly "
+      "compressible smoothed particles, section 3";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters =
+      with({real("column_width", 0.05715, "m", {1e-4, 100}, "width a of the column"),
+            real("column_height", 0.1143, "m", {1e-4, 100}, "height of the column"),
+            real("tank_length", 0.2286, "m", {1e-4, 1000}, "length of the tank"),
+            real("wall_height", 0.200025, "m", {1e-4, 1000}, "height of its walls"),
+            real("dx", {0.05715 / 20, 0.05715 / 50, 0.05715 / 100}, "m", {1e-6, 10}, "spacing of the particles"),
+            choice("lattice", std::string("square"), {"square", "body_centred"}, "lattice of the particles"),
+            integer("wall_rows", 2, {2, 3}, "rows of wall particles"),
+            real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
+            real("density", 1000.0, "kg/m^3", {1e-6, 1e6}, "density at rest"),
+            real("last", 3.2, "1", {0.01, 100}, "scaled time at the end"),
+            choice("data", std::string("martin_moyce_tall_wide"), data_choices(), "published front that is compared")},
+           sph_parameters({.alpha = 0.3, .sound = 10 * std::sqrt(2.0)}, "sqrt(g times the height of the column)"));
+  c.run = run;
+  return c;
+}
+
+}  // namespace seiche::validation::cases

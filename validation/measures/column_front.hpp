@@ -1,0 +1,32 @@
+/// Measured and computed fronts of collapsing columns that others published.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validation/case/reference_table.hpp"
+#include "validation/measures/agreement.hpp"
+
+namespace seiche::validation {
+
+struct ColumnFront {
+  std::string name;      ///< "martin_moyce_tall_wide", see column_fronts
+  std::string label;     ///< for legends
+  std::string citation;  ///< short
+  double aspect = 2;     ///< height over width of the column
+  bool tall = true;      ///< T = t sqrt(2 g/a); otherwise T = t sqrt(g/a)
+  bool measured = true;  ///< in a laboratory
+  std::vector<double> T;
+  std::vector<double> X;   ///< over a
+  double uncertainty = 0;  ///< of X, standard
+  [[nodiscard]] Curve curve() const { return {T, X}; }
+  /// [1/s] for a column of width a.
+  [[nodiscard]] double unit(double gravity, double width) const;
+};
+
+/// Names that column_front knows.
+const std::vector<std::string>& column_fronts();
+/// Reads the table and notes it in the record. Throws std::invalid_argument for another name.
+ColumnFront column_front(const std::string& name, evidence::Record& record);
+
+}  // namespace seiche::validation

@@ -1,0 +1,33 @@
+#include "validation/measures/sph_study.hpp"
+
+#include <cmath>
+
+#include "reports/evidence/grid_convergence.hpp"
+#include "validation/measures/side_by_side.hpp"
+
+namespace seiche::validation {
+
+std::vector<long> sph_ladder(Tier tier, long finest) {
+  if (tier == Tier::quick) return {finest};
+  return {finest / 2, std::lround(0.7 * static_cast<double>(finest)), finest};
+}
+
+void climb(Run& run, std::size_t sizes, const std::function<void(std::size_t)>& compute) {
+  side_by_side(
+      sizes, workers_of(run.tier()), [&](std::size_t k) { compute(sizes - 1 - k); },
+      [&](std::size_t done) { run.progress(static_cast<double>(done) / static_cast<double>(sizes)); });
+}
+
+void measure_convergence(evidence::Record& record, const std::string& id, const std::vector<double>& spacings,
+                         const std::vector<double>& values) {
+  if (spacings.size() < 3) return;
+  const evidence::GridConvergence study = evidence::grid_convergence(spacings, values, 1);
+  record.measure("uncertainty_" + id, study.uncertainty);
+  record.measure("limit_" + id, study.extrapolated);
+}
+
+double resolution_uncertainty(const std::vector<double>& spacings, const std::vector<double>& values) {
+  return spacings.size() < 3 ? 0 : evidence::grid_convergence(spacings, values, 1).uncertainty;
+}
+
+}  // namespace seiche::validation

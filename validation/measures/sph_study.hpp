@@ -1,0 +1,26 @@
+/// Resolution studies of particle runs, as far as a tier affords them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "validation/case/case.hpp"
+
+namespace seiche::validation {
+
+/// Numbers of spacings, ascending: of the quick tier only the finest, otherwise half of it, 0.7 of it and it.
+std::vector<long> sph_ladder(Tier tier, long finest);
+
+/// compute(size) for each index of the ladder, the costliest first, side by side as the tier allows.
+void climb(Run& run, std::size_t sizes, const std::function<void(std::size_t size)>& compute);
+
+/// Keeps `uncertainty_<id>` of the value on the finest lattice, by grid convergence of first order, and the value that
+/// it is heading for, `limit_<id>`; nothing with fewer than three lattices.
+void measure_convergence(evidence::Record& record, const std::string& id, const std::vector<double>& spacings,
+                         const std::vector<double>& values);
+
+/// The same uncertainty; 0, not estimated, with fewer than three lattices.
+double resolution_uncertainty(const std::vector<double>& spacings, const std::vector<double>& values);
+
+}  // namespace seiche::validation

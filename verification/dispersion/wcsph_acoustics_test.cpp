@@ -1,0 +1,218 @@
+// Sound in weakly compressible SPH: its exact numerical dispersion, and the growth and phase of the midpoint rule.
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/models/wcsph/flow.hpp"
+#include "verification/check.hpp"
+#include "verification/exact/reference_digits.hpp"
+#include "verification/lattice_sums.hpp"
+#include "verification/wcsph_problems.hpp"
+
+namespace {
+
+using namespace seiche::wcsph;
+using namespace seiche::verification;
+using seiche::evidence::Bound;
+using seiche::evidence::observed_order;
+using seiche::evidence::Order;
+
+constexpr double sound_speed = 10;
+const std::string source =
+    "linearisation on the lattice: omega = c_0 |S(k)|; explicit midpoint rule: G = 1 + i omega dt - (omega dt)^2/2";
+
+struct Wave {
+  std::size_t cells;  ///< N per unit length
+  int mode;
+  KernelName kernel = KernelName::cubic_spline;
+  double smoothing = 1.3;
+
+  [[nodiscard]] double wavenumber() const { return 2 * std::numbers::pi * mode; }
+  /// omega/(c_0 k) of the equations in continuous time.
+  [[nodiscard]] double dispersion() const {
+    const double k = wavenumber() / static_cast<double>(cells);
+    return (kernel == KernelName::cubic_spline ? lattice_sums<CubicSpline>(smoothing, Arrangement::square, k).symbol
+                                               : lattice_sums<WendlandC2>(smoothing, Arrangement::square, k).symbol) /
+           k;
+  }
+  [[nodiscard]] double frequency() const { return sound_speed * wavenumber() * dispersion(); }
+  [[nodiscard]] double acoustic_step() const { return 0.3 * smoothing / static_cast<double>(cells) / sound_speed; }
+};
+
+struct Outcome {
+  double frequency;      ///< over c_0 k
+  double energy_growth;  ///< relative
+};
+
+/// A standing wave u = 1e-4 sin(kx) on a lattice without viscosity; steps of one length.
+Outcome run(const Wave& wave, double step, long steps) {
+  constexpr std::size_t rows = 16;
+  const double dx = 1 / static_cast<double>(wave.cells);
+  const double k = wave.wavenumber();
+  Particles particles = lattice(wave.cells, rows, dx, 1);
+  for (std::size_t a = 0; a < particles.size(); ++a) particles.u[a] = 1e-4 * std::sin(k * particles.x[a]);
+  const std::vector<double> place = particles.x;
+  Flow flow(particles, dx,
+            {.kernel = wave.kernel,
+             .smoothing = wave.smoothing,
+             .gravity = 0,
+             .density = 1,
+             .sound_speed = sound_speed,
+             .viscosity = Inviscid{},
+             .xsph = 0,
+             .period = {1, rows * dx}});
+  // Velocity and scaled density of the mode turn about each other: y' = omega a, a' = -omega y.
+  const auto angle = [&] {
+    double velocity = 0;
+    double density = 0;
+    const Particles& p = flow.particles();
+    for (std::size_t a = 0; a < p.size(); ++a) {
+      const double x = place[static_cast<std::size_t>(p.identity[a])];
+      velocity += p.u[a] * std::sin(k * x);
+      density += (1 - p.density[a]) * sound_speed * std::cos(k * x);
+    }
+    return std::atan2(density, velocity);
+  };
+  const double energy = flow.totals().kinetic + flow.totals().elastic;
+  double phase = 0;
+  double last = angle();
+  for (long n = 0; n < steps; ++n) {
+    flow.advance(step);
+    const double now = angle();
+    phase += std::remainder(now - last, 2 * std::numbers::pi);
+    last = now;
+  }
+  const double time = step * static_cast<double>(steps);
+  return {std::abs(phase) / time / (sound_speed * k), (flow.totals().kinetic + flow.totals().elastic) / energy - 1};
+}
+
+/// Angle by which the midpoint rule turns a mode in one step, and the factor of its energy.
+double turn(double angle) {
+  return std::atan2(angle, 1 - 0.5 * angle * angle);
+}
+double amplification(double angle) {
+  return 1 + 0.25 * std::pow(angle, 4);
+}
+
+}  // namespace
+
+TEST_CASE("sound has the dispersion of the lattice and grows by the law of the midpoint rule", "[dispersion]") {
+  Check check(
+      "wcsph_acoustics", "Standing sound waves: exact numerical dispersion",
+      "$u = 10^{-4}\\sin kx$ on a square lattice in a periodic box, no viscosity, no smoothed motion. In "
+      "continuous time the frequency is exactly $\\omega = c_0|S(k)|$, $S = \\sum V \\sin(k x)\\,\\partial "
+      "W/\\partial x$ over the lattice. The midpoint rule turns the mode by "
+      "$\\mathrm{atan2}(\\omega\\Delta t, 1 - (\\omega\\Delta t)^2/2)$ per step, $\\omega\\Delta t$ and a third-order "
+      "term $(\\omega\\Delta t)^3/6$, and multiplies its energy by $1 + (\\omega\\Delta t)^4/4$: without dissipation "
+      "sound grows at any step.");
+  struct Row {
+    Wave wave;
+    double printed;  ///< S/k of an independent implementation
+    int decimals;
+  };
+  const std::vector<Row> rows{{{32, 1}, 0.9998750, 7},  {{64, 1}, 1.0078660, 7},
+                              {{128, 1}, 1.0098731, 7}, {{64, 1, KernelName::wendland_c2, 2.0}, 0.9938213, 7},
+                              {{64, 4}, 0.9685005, 7},  {{64, 8}, 0.8520, 4}};
+  seiche::evidence::Table table{.id = "frequencies",
+                                .title = "Frequency over c_0 k, and growth of the energy",
+                                .caption = "Steps of 0.3 h/c_0 to t = 0.5.",
+                                .columns = {{"kernel", ""},
+                                            {"N", "1"},
+                                            {"mode", "1"},
+                                            {"S/k", "1"},
+                                            {"expected", "1"},
+                                            {"measured", "1"},
+                                            {"growth expected", "1"},
+                                            {"growth", "1"}}};
+  std::vector<double> k_cubic, cubic, k_wendland, wendland;
+  for (const Row& row : rows) {
+    const Wave& wave = row.wave;
+    const std::string name = fmt::format("{}-{}-{}", name_of(wave.kernel), wave.cells, wave.mode);
+    check_digits(check, "symbol-" + name,
+                 fmt::format("S/k ({}, N = {}, mode {})", name_of(wave.kernel), wave.cells, wave.mode), "1",
+                 wave.dispersion(), row.printed, row.decimals, "digits of an independent implementation");
+    const double step = wave.acoustic_step();
+    const long steps = std::lround(0.5 / step);
+    const Outcome found = run(wave, step, steps);
+    const double angle = wave.frequency() * step;
+    const double expected = wave.dispersion() * turn(angle) / angle;
+    const double growth = std::pow(amplification(angle), static_cast<double>(steps)) - 1;
+    const std::string resolution = fmt::format("N = {}, omega dt = {:.4f}, {} steps", wave.cells, angle, steps);
+    check.that({.id = "frequency-" + name,
+                .text = "The frequency is that of the lattice and the midpoint rule.",
+                .quantity = "omega/(c_0 k)",
+                .source = source},
+               {.value = found.frequency, .resolution = resolution},
+               Bound{.limit = 1e-7,
+                     .reason = "nonlinear terms are of second order in displacements of up to 2e-4 of the spacing",
+                     .expected = expected,
+                     .relative = true});
+    check.that({.id = "growth-" + name,
+                .text = "The energy grows by the law of the midpoint rule.",
+                .quantity = "relative growth of the energy",
+                .source = source},
+               {.value = found.energy_growth, .resolution = resolution},
+               Bound{.limit = 0.01,
+                     .reason = "the elastic energy is quadratic in the density to 1e-5",
+                     .expected = growth,
+                     .relative = true});
+    table.rows.push_back({std::string(name_of(wave.kernel)), static_cast<double>(wave.cells),
+                          static_cast<double>(wave.mode), wave.dispersion(), expected, found.frequency, growth,
+                          found.energy_growth});
+    const bool spline = wave.kernel == KernelName::cubic_spline;
+    (spline ? k_cubic : k_wendland).push_back(static_cast<double>(wave.mode) / static_cast<double>(wave.cells));
+    (spline ? cubic : wendland).push_back(found.frequency * angle / turn(angle));
+  }
+  check.table(std::move(table));
+
+  auto& panel = check
+                    .figure("dispersion", "Numerical dispersion of sound",
+                            "Frequency over that of sound, with the error of the steps taken off. Lines: sums over the "
+                            "lattice. The limit of long waves is not 1.")
+                    .panel({.x = "dx/wavelength", .y = "omega/(c_0 k)"});
+  std::vector<double> parts, spline_curve, wendland_curve;
+  for (double part = 0.002; part < 0.2; part += 0.002) {
+    const double k = 2 * std::numbers::pi * part;
+    parts.push_back(part);
+    spline_curve.push_back(lattice_sums<CubicSpline>(1.3, Arrangement::square, k).symbol / k);
+    wendland_curve.push_back(lattice_sums<WendlandC2>(2.0, Arrangement::square, k).symbol / k);
+  }
+  panel.line("cubic spline, h = 1.3 dx", parts, spline_curve, Role::exact);
+  panel.line("Wendland, h = 2 dx", parts, wendland_curve, Role::guide);
+  panel.points("measured, cubic spline", k_cubic, cubic);
+  panel.points("measured, Wendland", k_wendland, wendland, Role::peer);
+}
+
+TEST_CASE("the midpoint rule is of second order in phase and of third in energy", "[dispersion]") {
+  Check check("wcsph_time_order", "Orders of the steps",
+              "The sound wave of N = 32, mode 2, with steps of 0.4, 0.2, 0.1 and 0.05 h/c_0 to the same time.");
+  const Wave wave{32, 2};
+  const double first = wave.acoustic_step() * 4 / 3;
+  const long fewest = std::lround(0.5 / first);
+  std::vector<double> lengths, phase, growth;
+  for (int halving = 1; halving <= 8; halving *= 2) {
+    const Outcome found = run(wave, first / halving, fewest * halving);
+    lengths.push_back(first / halving);
+    phase.push_back(std::abs(found.frequency / wave.dispersion() - 1));
+    growth.push_back(std::log1p(found.energy_growth));
+  }
+  check.that({.id = "phase",
+              .text = "The phase is of second order.",
+              .quantity = "order of the frequency error",
+              .source = source},
+             observed_order(lengths, phase),
+             Order{2, 0.05, "next term (omega dt)^2/8 relative, 0.004 at the longest step"});
+  check.that({.id = "energy",
+              .text = "The energy is of third order.",
+              .quantity = "order of the logarithm of the energy",
+              .source = source},
+             observed_order(lengths, growth),
+             Order{3, 0.05, "the energy grows by the factor 1 + (omega dt)^4/4 per step"});
+  auto& panel = check.figure("orders", "Orders of the steps", "Relative error of the frequency, and growth of energy.")
+                    .panel({.x = "dt [s]", .y = "relative error", .log_x = true, .log_y = true});
+  panel.points("frequency", lengths, phase);
+  panel.points("energy", lengths, growth, Role::peer);
+}

@@ -1,0 +1,139 @@
+// The measures of the particle cases on curves for which they are known, and the start of the steep wave against the
+// boundary-integral solution that it is compared with.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "seiche/exact/overturning_wave.hpp"
+#include "validation/measures/polyline_distance.hpp"
+#include "validation/measures/shifted_front.hpp"
+#include "validation/measures/steep_wave_start.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::validation;
+using seiche::evidence::Bound;
+using seiche::evidence::Claim;
+using seiche::evidence::Roundoff;
+using seiche::exact::OverturningWave;
+using seiche::verification::Check;
+
+constexpr double pi = std::numbers::pi;
+
+Claim named(const std::string& id, const std::string& text, const std::string& quantity) {
+  return {.id = id, .text = text, .quantity = quantity, .source = "definition of the measure"};
+}
+
+Polyline circle(double radius, int points) {
+  Polyline curve;
+  for (int k = 0; k <= points; ++k) {
+    curve.x.push_back(radius * std::cos(2 * pi * k / points));
+    curve.y.push_back(radius * std::sin(2 * pi * k / points));
+  }
+  return curve;
+}
+
+}  // namespace
+
+TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") {
+  Check check("shifted_front", "The shift of a front",
+              "A front $X = 1 + T^2/4$ and points of it that are 0.17 late, one of them beyond the tank.");
+  const auto front = [](double T) { return 1 + 0.25 * T * T; };
+  std::vector<double> T, X;
+  for (int k = 0; k <= 3000; ++k) {
+    T.push_back(1e-3 * k);
+    X.push_back(front(T.back()));
+  }
+  const std::vector<double> late{0.6, 1.1, 1.7, 2.3, 2.9};
+  std::vector<double> measured;
+  for (const double t : late) measured.push_back(front(t - 0.17));
+  const ShiftedFront fit = shifted_front({T, X}, {late, measured}, 2.5);
+  // Straight lines between points 1e-3 apart leave 0.5/8 1e-6 of the parabola; so much moves the shift where the slope
+  // is 0.3 or more.
+  check.that(named("shift", "The shift is that of the points.", "shift"), {.value = fit.shift},
+             Bound{.limit = 1e-5, .reason = "halved 20 times from 0.0035; lines between the points", .expected = 0.17});
+  check.that(named("rms", "With it nothing is left.", "rms"), {.value = fit.rms},
+             Bound{.limit = 1e-5, .reason = "the error of the shift times a slope of order one"});
+  check.that(named("points", "Points beyond the tank are left out.", "points that count"),
+             {.value = static_cast<double>(fit.points)}, Bound{.limit = 0, .reason = "by hand", .expected = 4});
+  double sum = 0;
+  for (int k = 0; k < 4; ++k) sum += std::pow(front(late[k]) - measured[k], 2);
+  check.that(named("raw", "As it stands the difference is that of the formulas.", "rms without a shift"),
+             {.value = fit.raw_rms},
+             Bound{.limit = 1e-6, .reason = "lines between the points", .expected = std::sqrt(sum / 4)});
+  check.that(named("slope", "The slope of a straight part is the slope.", "slope"),
+             {.value = slope_between({T, T}, 1, 2)},
+             Roundoff{.operations = 4000, .scale = 1, .reason = "sums over 1000 points", .expected = 1});
+  CHECK_THROWS_AS(shifted_front({T, X}, {late, measured}, 1.0), std::invalid_argument);
+}
+
+TEST_CASE("distances of curves are those of lines and circles", "[evidence]") {
+  Check check("polyline_distance", "Distance of curves",
+              "Parallel lines, concentric circles, and a line that lies a period away.");
+  const Polyline low{{0, 1}, {0, 0}};
+  const Polyline high{{0, 0.3, 1}, {0.25, 0.25, 0.25}};
+  const PolylineDistance lines = polyline_distance({low}, {high});
+  check.that(named("lines", "Parallel lines.", "rms distance"), {.value = lines.rms},
+             Roundoff{.operations = 20, .scale = 1, .reason = "three segments", .expected = 0.25});
+  const PolylineDistance circles = polyline_distance({circle(1, 1000)}, {circle(1.5, 1000)});
+  check.that(
+      named("circles", "Concentric circles.", "rms distance"), {.value = circles.rms},
+      Bound{.limit = 1.5 * pi * pi / 2 / 1e6, .reason = "the height of a chord of the larger one", .expected = 0.5});
+  check.that(
+      named("largest", "And their largest distance.", "largest distance"), {.value = circles.largest},
+      Bound{.limit = 1.5 * pi * pi / 2 / 1e6, .reason = "the height of a chord of the larger one", .expected = 0.5});
+  const PolylineDistance images = polyline_distance({low}, {Polyline{{2, 3}, {0, 0}}}, 2);
+  check.that(named("images", "A curve a period away is the same curve.", "rms distance"), {.value = images.rms},
+             Roundoff{.operations = 20, .scale = 1, .reason = "one segment"});
+  CHECK_THROWS_AS(polyline_distance({}, {low}), std::invalid_argument);
+}
+
+TEST_CASE("the steep wave starts with the velocities and accelerations of potential flow", "[evidence]") {
+  Check check("steep_wave_start", "Velocity and pressure of the steep wave",
+              "The surface of `overturning_wave` moves with the velocity inside, and its particles are accelerated by "
+              "the gradient of the pressure.");
+  constexpr double amplitude = 0.065, depth = 0.13, gravity = 9.81;
+  const SteepWaveStart start(amplitude, 1, depth, gravity);
+  const OverturningWave wave(
+      {.amplitude = amplitude, .wavelength = 1, .depth = depth, .gravity = gravity, .markers = 128, .last_time = 0.01});
+  const auto at_rest = wave.profile(0);
+  constexpr double tau = 1e-4;
+  const auto soon = wave.profile(tau);
+  const auto later = wave.profile(2 * tau);
+  double velocity = 0, acceleration = 0, fastest = 0;
+  constexpr double step = 1e-5;
+  for (std::size_t i = 0; i < at_rest.x.size(); ++i) {
+    const double x = at_rest.x[i], y = at_rest.y[i];
+    const auto [u, v] = start.velocity(x, y);
+    velocity = std::max(velocity, std::hypot(u - at_rest.u[i], v - at_rest.v[i]));
+    fastest = std::max(fastest, std::hypot(u, v));
+    const double p_x =
+        (start.pressure_over_density(x + step, y) - start.pressure_over_density(x - step, y)) / (2 * step);
+    const double p_y =
+        (start.pressure_over_density(x, y + step) - start.pressure_over_density(x, y - step)) / (2 * step);
+    const double a_x = (-3 * at_rest.u[i] + 4 * soon.u[i] - later.u[i]) / (2 * tau);
+    const double a_y = (-3 * at_rest.v[i] + 4 * soon.v[i] - later.v[i]) / (2 * tau);
+    acceleration = std::max(acceleration, std::hypot(a_x + p_x, a_y + p_y + gravity));
+  }
+  check.that(named("velocity", "Velocities at the surface are those of the boundary integral.", "largest difference"),
+             {.value = velocity / fastest},
+             Bound{.limit = 1e-10, .reason = "128 markers resolve the first surface to round-off of the kernels"});
+  check.that(
+      named("acceleration", "Accelerations at the surface are those of the boundary integral.",
+            "largest difference over g"),
+      {.value = acceleration / gravity},
+      Bound{.limit = 1e-5,
+            .reason = "a second-order difference over 1e-4 s of velocities that change within 0.05 s leaves 4e-6"});
+  check.that(named("surface", "The pressure at the surface is zero between the points too.",
+                   "largest defect over g times the amplitude"),
+             {.value = start.surface_defect()},
+             Bound{.limit = 1e-9, .reason = "24 terms of a series whose terms fall by a factor of 2.2"});
+  check.that(named("bottom", "Nothing flows through the bottom.", "largest vertical velocity"),
+             {.value = std::abs(start.velocity(0.3, -depth)[1])},
+             Roundoff{.operations = 4, .scale = fastest, .reason = "sinh of zero"});
+  CHECK_THROWS_AS(SteepWaveStart(0.08, 1, 0.13, gravity), std::invalid_argument);
+  CHECK_THROWS_AS(SteepWaveStart(0.05, 1, 0.04, gravity), std::invalid_argument);
+}

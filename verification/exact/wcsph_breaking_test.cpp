@@ -1,0 +1,233 @@
+// Detectors of breaking on shapes whose overhang, jet and cavity are known, filled with particles.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "seiche/models/wcsph/free_surface.hpp"
+#include "seiche/models/wcsph/scene.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::wcsph;
+using std::numbers::pi;
+using verification::Check;
+
+const Settings water{.sound_speed = 40};
+
+/// A cosine sheared by q/(A k): x = X + (q/k) cos kX. It turns over at q = 1; then x decreases between the phases
+/// asin(1/q) and its supplement.
+struct ShearedWave {
+  double q;
+  bool towards_right = true;
+  static constexpr double amplitude = 0.15;
+  static constexpr double wavenumber = 2 * pi;
+
+  [[nodiscard]] bool inside(double x, double z) const {
+    const double shear = q / (amplitude * wavenumber) * (towards_right ? 1 : -1);
+    return z < amplitude * std::cos(wavenumber * (x - shear * z));
+  }
+  [[nodiscard]] double overhang() const {
+    if (q <= 1) return 0;
+    const double phase = std::asin(1 / q);
+    return (2 * q * std::cos(phase) - (pi - 2 * phase)) / wavenumber;
+  }
+  /// The crest is at x = q/k, the tip where x is largest; both for a wave towards +x.
+  [[nodiscard]] Place tip() const {
+    const double phase = std::asin(1 / q);
+    const double x = (phase + q * std::cos(phase)) / wavenumber;
+    return {towards_right ? x : -x, amplitude * std::cos(phase)};
+  }
+};
+
+/// Water below z = 0 and a tongue that grows out of it along a half ring, over the top, down to an angle above the
+/// level in front: with 0 it has landed and shuts off half a disc of air.
+struct Tongue {
+  double angle;
+  bool towards_right = true;
+  static constexpr double inner = 0.25;
+  static constexpr double outer = 0.4;
+
+  [[nodiscard]] bool inside(double x, double z) const {
+    const double forward = towards_right ? x : -x;
+    const double r = std::hypot(x, z);
+    return z < 0 || (r > inner && r < outer && std::atan2(z, forward) > angle);
+  }
+};
+
+std::vector<Contour> contours_of(const std::function<bool(double, double)>& inside, const Box& box, double spacing) {
+  const double margin = 4 * spacing;
+  const Scene scene =
+      patch({.inside = inside, .box = {box.left - margin, box.right + margin, box.bottom, box.top}, .spacing = spacing},
+            water);
+  const Box window{box.left, box.right, box.bottom + margin, box.top + margin};
+  return free_surface(VolumeFraction(scene.particles, 1.3 * spacing), window, spacing / 2);
+}
+
+std::vector<Contour> contours_of(const ShearedWave& wave, double spacing) {
+  return contours_of([wave](double x, double z) { return wave.inside(x, z); }, {-0.5, 0.5, -0.4, 0.3}, spacing);
+}
+
+std::vector<Contour> contours_of(const Tongue& tongue, double spacing) {
+  return contours_of([tongue](double x, double z) { return tongue.inside(x, z); }, {-0.8, 0.8, -0.4, 0.6}, spacing);
+}
+
+}  // namespace
+
+TEST_CASE("a wave overturns when its front is past the vertical", "[exact]") {
+  Check check("wcsph_overturning", "Detector of overturning",
+              "A cosine that is sheared more and more, to either side, as particles of spacing 1/100 of its length: "
+              "overhang and tip against those of the curve, and when the detector says that it has overturned.");
+  constexpr double spacing = 0.01;
+  const std::string source = "x = X + (q/k) cos kX: geometry of the curve";
+  double overhang_error = 0;
+  double tip_error = 0;
+  bool sides = true;
+  double missed = 0;
+  double false_alarm = 0;
+  std::vector<double> q_drawn;
+  std::vector<double> drawn;
+  std::vector<double> exact;
+  for (const bool towards_right : {true, false}) {
+    for (double q = 0; q < 3.01; q += 0.25) {
+      const ShearedWave wave{q, towards_right};
+      const std::vector<Contour> curves = contours_of(wave, spacing);
+      REQUIRE(main_surface(curves) != nullptr);
+      const Overhang found = overhang(*main_surface(curves));
+      if (towards_right) {
+        q_drawn.push_back(q);
+        drawn.push_back(found.extent);
+        exact.push_back(wave.overhang());
+      }
+      overhang_error = std::max(overhang_error, std::abs(found.extent - wave.overhang()) / spacing);
+      const bool detected = overturns(curves, spacing);
+      if (detected && wave.overhang() == 0) false_alarm = std::max(false_alarm, 1.0);
+      if (!detected) missed = std::max(missed, wave.overhang() / spacing);
+      if (wave.overhang() < 3 * spacing) continue;
+      sides = sides && found.towards_right == towards_right;
+      tip_error = std::max(tip_error, std::abs(found.tip.x - wave.tip().x) / spacing);
+    }
+  }
+  const std::string reason =
+      "two extrema of x, each known to the contour's largest distance, 0.71 dx: whether a cell is water is decided by "
+      "its middle";
+  check.that({.id = "overhang",
+              .text = "The overhang is that of the curve.",
+              .quantity = "largest error over dx",
+              .source = source},
+             {.value = overhang_error}, evidence::Bound{.limit = 1.5, .reason = reason});
+  check.that({.id = "tip",
+              .text = "The tip of the jet reaches as far forward as the curve's.",
+              .quantity = "largest error of its x over dx",
+              .source = source},
+             {.value = tip_error}, evidence::Bound{.limit = 0.75, .reason = "one such extremum, 0.71 dx"});
+  check.that({.id = "side",
+              .text = "The direction in which it breaks is found.",
+              .quantity = "directions right",
+              .source = source},
+             {.value = sides ? 1.0 : 0.0},
+             evidence::Qualitative{"overhang().towards_right", "the tip turns to the right, the hollow to the left"});
+  check.that({.id = "no-alarm",
+              .text = "No wave that is single-valued is said to overturn.",
+              .quantity = "false alarms",
+              .source = source},
+             {.value = false_alarm},
+             evidence::Qualitative{"overturns(curves, dx) at q <= 1", "noise of the contour is below dx", false});
+  check.that({.id = "missed",
+              .text = "Every wave that overhangs by two and a half spacings is found.",
+              .quantity = "largest overhang that was not, over dx",
+              .source = source},
+             {.value = missed},
+             evidence::Bound{.limit = 2.5, .reason = "the threshold dx and the error of the overhang, 1.5 dx"});
+  auto& figure = check.figure("sheared", "Overturning of a sheared cosine",
+                              "Left: the contour of the particles at q = 3. Right: overhang against the curve's.");
+  const std::vector<Contour> last = contours_of(ShearedWave{3}, spacing);
+  auto& shape = figure.panel({.x = "x [m]", .y = "z [m]", .equal_aspect = true});
+  std::vector<double> curve_x;
+  std::vector<double> curve_z;
+  for (double phase = -4.6; phase <= 4.6; phase += 0.02) {
+    const double x = (phase + 3 * std::cos(phase)) / ShearedWave::wavenumber;
+    if (std::abs(x) > 0.5) continue;
+    curve_x.push_back(x);
+    curve_z.push_back(ShearedWave::amplitude * std::cos(phase));
+  }
+  shape.points("curve", curve_x, curve_z, evidence::Role::exact);
+  shape.line("from the particles", last.front().x, last.front().z);
+  auto& growth = figure.panel({.x = "q", .y = "overhang [m]"});
+  growth.line("curve", q_drawn, exact, evidence::Role::exact);
+  growth.points("from the particles", q_drawn, drawn);
+}
+
+TEST_CASE("a jet touches down when it shuts off air", "[exact]") {
+  Check check("wcsph_touch_down", "Detector of touching down",
+              "A tongue of water grows along a half ring over the level and lands; to either side; and air shut off by "
+              "a wall of the box. When is it said to have landed, and how much air is enclosed?");
+  constexpr double spacing = 0.01;
+  const double hole = 4 * spacing * spacing;
+  const std::string source = "geometry of half a ring";
+  const double half_disc = pi / 2 * Tongue::inner * Tongue::inner;
+  double early = 0;
+  double late = 0;
+  double cavity = 0;
+  double tip = 0;
+  for (const bool towards_right : {true, false}) {
+    for (double gap = 0; gap < 12; gap += 0.5) {
+      // The inner corner of the tongue is `gap` spacings above the level.
+      const Tongue tongue{std::asin(gap * spacing / Tongue::inner), towards_right};
+      const std::vector<Contour> curves = contours_of(tongue, spacing);
+      const bool landed = touches_down(curves, hole);
+      if (landed) early = std::max(early, gap);
+      if (!landed && gap == 0) late = 1;
+      if (gap == 0) cavity = std::max(cavity, std::abs(cavity_area(curves, hole) / half_disc - 1));
+      if (landed) continue;
+      const Overhang found = overhang(*main_surface(curves));
+      const double forward = found.tip.x * (towards_right ? 1 : -1);
+      tip = std::max(tip, std::abs(forward - Tongue::outer * std::cos(tongue.angle)) / spacing);
+      CHECK(found.towards_right == towards_right);
+    }
+  }
+  check.that({.id = "landed",
+              .text = "A tongue that has reached the level has shut off air.",
+              .quantity = "missed",
+              .source = source},
+             {.value = late}, evidence::Qualitative{"touches_down(curves, 4 dx^2)", "water touches water", false});
+  check.that({.id = "not-early",
+              .text = "One whose gap is wider than the support of a kernel has not.",
+              .quantity = "widest gap said to be closed, over dx",
+              .source = source},
+             {.value = early},
+             evidence::Bound{.limit = 2.6, .reason = "below 2h = 2.6 dx the weights of both sides overlap"});
+  check.that({.id = "cavity",
+              .text = "The air enclosed is half a disc.",
+              .quantity = "relative error of the area",
+              .source = source},
+             {.value = cavity},
+             evidence::Bound{.limit = 0.71 * spacing * (pi + 2) * Tongue::inner / half_disc,
+                             .reason = "the contour's largest distance, 0.71 dx, all around"});
+  check.that({.id = "tip",
+              .text = "Before, the tip is as far forward as the tongue.",
+              .quantity = "largest error of its x over dx",
+              .source = source},
+             {.value = tip},
+             evidence::Bound{.limit = 1.5, .reason = "a corner of 90 degrees is rounded over h, besides 0.71 dx"});
+
+  // Air in a corner, under water that leans against the wall on the right; and water that lies in such a corner.
+  const Box box{-0.5, 0.5, -0.4, 0.6};
+  const auto pocket = [](double x, double z) { return z < 0.4 && std::hypot(x - 0.5, z + 0.36) > 0.3; };
+  const double quarter = pi / 4 * 0.3 * 0.3;
+  check.that(
+      {.id = "pocket",
+       .text = "Air in a corner of the box is enclosed by curve and walls.",
+       .quantity = "area",
+       .unit = "m^2",
+       .source = "a quarter of a disc"},
+      {.value = cavity_area(contours_of(pocket, box, spacing), hole)},
+      evidence::Bound{.limit = 0.71 * spacing * pi / 2 * 0.3, .reason = "0.71 dx along the arc", .expected = quarter});
+  const auto heap = [](double x, double z) { return std::hypot(x - 0.5, z + 0.36) < 0.3; };
+  CHECK(cavity_area(contours_of(heap, box, spacing), hole) == 0);
+  CHECK_FALSE(overturns({}, spacing));
+  CHECK(main_surface({}) == nullptr);
+}

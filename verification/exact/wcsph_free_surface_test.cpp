@@ -1,0 +1,294 @@
+// The free surface as particles show it: elevations of known layers, contours of known shapes.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "seiche/models/wcsph/free_surface.hpp"
+#include "seiche/models/wcsph/front.hpp"
+#include "seiche/models/wcsph/scene.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::wcsph;
+using std::numbers::pi;
+using verification::Check;
+
+const std::string contouring = "Lorensen and Cline, Computer Graphics 21 (1987) 163, in the plane";
+const std::string fractions = "volume fraction 1/2 on the free surface: a property of symmetric kernels";
+
+const Settings water{.sound_speed = 40};
+
+VolumeFraction fraction_of(const Scene& scene, double smoothing = 1.3, KernelName kernel = KernelName::cubic_spline) {
+  Box basin = unbounded;
+  basin.bottom = scene.extents.bottom > -1 ? 0 : basin.bottom;
+  if (std::isinf(scene.period.x) && scene.far_wall > 0) {
+    basin.left = scene.rear_wall;
+    basin.right = scene.far_wall;
+  }
+  return {scene.particles, smoothing * scene.spacing, basin, kernel, scene.period};
+}
+
+/// Largest error of the elevation of a layer, in dx.
+template <class Elevation>
+double elevation_error(const Scene& scene, const VolumeFraction& fraction, Elevation expected) {
+  double error = 0;
+  for (int k = 0; k < 200; ++k) {
+    const double x = scene.far_wall * (k + 0.37) / 200;
+    error = std::max(error, std::abs(fraction.elevation(x).value() - expected(x)) / scene.spacing);
+  }
+  return error;
+}
+
+/// Errors of the contour of a disc of radius 1 m, over 64 places of the disc on the lattice.
+struct DiscErrors {
+  double area_mean;     ///< relative
+  double area_scatter;  ///< standard deviation, relative
+  double centre;        ///< root mean square [m]
+  double radius;        ///< largest [m]
+};
+DiscErrors disc_errors(double spacing) {
+  constexpr int places = 8;
+  constexpr double count = places * places;
+  DiscErrors errors{0, 0, 0, 0};
+  for (int i = 0; i < places; ++i) {
+    for (int j = 0; j < places; ++j) {
+      const double x0 = spacing * (i + 0.31) / places;
+      const double z0 = spacing * (j + 0.17) / places;
+      const double reach = spacing * std::ceil(1 / spacing + 3);
+      const Box box{-reach, reach, -reach, reach};
+      const Scene disc = patch({.inside = [=](double x, double z) { return std::hypot(x - x0, z - z0) <= 1; },
+                                .box = box,
+                                .spacing = spacing},
+                               water);
+      const std::vector<Contour> curves = free_surface(fraction_of(disc), box, spacing / 2);
+      REQUIRE(curves.size() == 1);
+      REQUIRE(curves[0].closed);
+      const Place centre = curves[0].centroid();
+      double off = 0;
+      for (std::size_t k = 0; k < curves[0].x.size(); ++k) {
+        off = std::max(off, std::abs(std::hypot(curves[0].x[k] - x0, curves[0].z[k] - z0) - 1));
+      }
+      const double area = -curves[0].area() / pi - 1;
+      errors.area_mean += area / count;
+      errors.area_scatter += area * area / count;
+      errors.centre += (std::pow(centre.x - x0, 2) + std::pow(centre.z - z0, 2)) / count;
+      errors.radius = std::max(errors.radius, off);
+    }
+  }
+  errors.area_scatter = std::sqrt(errors.area_scatter - errors.area_mean * errors.area_mean);
+  errors.centre = std::sqrt(errors.centre);
+  return errors;
+}
+
+}  // namespace
+
+TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[exact]") {
+  Check check("wcsph_elevation", "Elevation from the volume fraction",
+              "A level layer on both lattices with both kernels, also beside walls, and a wave of small steepness on "
+              "halving spacings. A level where half of the kernel's weight is water is where the water ends, to what "
+              "the lattice's sums differ from the integral; a curved surface is smoothed over h.");
+  double level = 0;
+  for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
+    for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
+      const double smoothing = kernel == KernelName::cubic_spline ? 1.3 : 2;
+      const Scene layer = periodic_layer({.period = 1, .depth = 0.5, .spacing = 0.05, .lattice = lattice}, water);
+      level =
+          std::max(level, elevation_error(layer, fraction_of(layer, smoothing, kernel), [](double) { return 0.5; }));
+    }
+  }
+  check.that({.id = "level",
+              .text = "A level layer has its elevation.",
+              .quantity = "largest error over dx",
+              .source = fractions},
+             {.value = level},
+             evidence::Bound{.limit = 0.1,
+                             .reason = "particles stand for cells dx high: a tenth of that is what is read "
+                                       "off them"});
+  const Scene basin = tank({.width = 1, .depth = 0.5, .spacing = 0.05}, water);
+  check.that({.id = "walls",
+              .text = "Beside walls too: the weight behind them does not count.",
+              .quantity = "largest error over dx",
+              .source = fractions},
+             {.value = elevation_error(basin, fraction_of(basin), [](double) { return 0.5; })},
+             evidence::Bound{.limit = 0.1, .reason = "as in the middle"});
+
+  const auto wave = [](double x) { return 0.02 * std::cos(2 * pi * x); };
+  std::vector<double> spacings;
+  std::vector<double> errors;
+  std::vector<double> x_drawn;
+  std::vector<double> drawn;
+  std::vector<double> exact;
+  for (const double spacing : {0.05, 0.025, 0.0125, 0.00625}) {
+    const Scene layer = periodic_layer(
+        {.period = 1, .depth = 0.5, .elevation = wave, .spacing = spacing, .fitting = Fitting::stretched}, water);
+    const VolumeFraction fraction = fraction_of(layer);
+    spacings.push_back(spacing);
+    errors.push_back(spacing * elevation_error(layer, fraction, [&](double x) { return 0.5 + wave(x); }));
+    if (spacing != 0.05) continue;
+    for (double x = 0; x <= 1.0001; x += 0.01) {
+      x_drawn.push_back(x);
+      drawn.push_back(fraction.elevation(x).value() - 0.5);
+      exact.push_back(wave(x));
+    }
+  }
+  check.that({.id = "wave-order",
+              .text = "The error of a wave falls with the square of the spacing.",
+              .quantity = "order of the largest error",
+              .source = "mean of z = eta(x) over a kernel of width h: "
+                        "eta + O(h^2 eta'')"},
+             evidence::observed_order(spacings, errors),
+             evidence::Order{2, 0.3, "leading term of the smoothing; the lattice's sums oscillate about it"});
+  check.that({.id = "wave",
+              .text = "A wave of amplitude 0.4 dx is seen to a tenth of the spacing.",
+              .quantity = "largest error over dx",
+              .source = fractions},
+             {.value = errors[0] / spacings[0]}, evidence::Bound{.limit = 0.1, .reason = "as for the level layer"});
+  auto& panel =
+      check.figure("wave", "A wave of 0.4 spacings", "Elevation where the volume fraction is 1/2, dx = 0.05 m.")
+          .panel({.x = "x [m]", .y = "elevation [m]"});
+  panel.line("given", x_drawn, exact, evidence::Role::exact);
+  panel.points("from the particles", x_drawn, drawn);
+
+  Scene two = periodic_layer({.period = 1, .depth = 0.5, .spacing = 0.05}, water);
+  two.particles.append([&] {
+    Particles sheet;
+    for (const Place& p : rectangle(Lattice::square, 0.05, 0, 1, 20, 6)) sheet.add(p.x, p.z, 2.5, 1000);
+    return sheet;
+  }());
+  const VolumeFraction sheets = fraction_of(two);
+  CHECK(std::abs(sheets.elevation(0.33).value() - 1.3) < 0.005);
+  CHECK(std::abs(sheets.lowest_elevation(0.33).value() - 0.5) < 0.005);
+  CHECK(std::abs(sheets.mean_elevation(0.1, 0.4).value() - 1.3) < 0.005);
+  Gauges gauges({0.2, 0.7});
+  gauges.observe(0, sheets);
+  gauges.observe(0.5, fraction_of(basin));
+  CHECK(gauges.times().size() == 2);
+  CHECK(std::abs(gauges.elevation(1).at(1) - 0.5) < 0.005);
+}
+
+TEST_CASE("contours of discs and rings are where they should be", "[exact]") {
+  Check check("wcsph_contours", "Free-surface contours",
+              "Level curves of given fields, with linear interpolation along the edges of the grid; the contour of a "
+              "disc of particles against its radius, area and centre, on 64 places of the disc on the lattice; "
+              "directions of curves around water and around air.");
+  std::vector<double> steps;
+  std::vector<double> areas;
+  for (const long n : {20L, 40L, 80L, 160L}) {
+    Raster raster{.left = -1.5,
+                  .bottom = -1.5,
+                  .step = 3.0 / static_cast<double>(n),
+                  .columns = n + 1,
+                  .rows = n + 1,
+                  .values = {}};
+    for (long j = 0; j <= n; ++j) {
+      for (long i = 0; i <= n; ++i) {
+        const double x = raster.left + static_cast<double>(i) * raster.step;
+        const double z = raster.bottom + static_cast<double>(j) * raster.step;
+        raster.values.push_back(1.5 - (x - 0.1) * (x - 0.1) - 2 * z * z);
+      }
+    }
+    const std::vector<Contour> curves = level_curves(raster, 0.5);
+    REQUIRE(curves.size() == 1);
+    steps.push_back(raster.step);
+    areas.push_back(std::abs(curves[0].area() + pi / std::numbers::sqrt2));
+  }
+  check.that({.id = "ellipse",
+              .text = "The area inside the level curve of a smooth field has second order.",
+              .quantity = "order of the area",
+              .source = contouring},
+             evidence::observed_order(steps, areas), evidence::Order{2, 0.2, "linear interpolation, chords of arcs"});
+
+  std::vector<double> spacings;
+  std::vector<double> means;
+  std::vector<double> scatters;
+  std::vector<double> centres;
+  double farthest = 0;
+  for (const double spacing : {0.14, 0.1, 0.07, 0.05, 0.035, 0.025}) {
+    const DiscErrors errors = disc_errors(spacing);
+    spacings.push_back(spacing);
+    means.push_back(std::abs(errors.area_mean));
+    scatters.push_back(errors.area_scatter);
+    centres.push_back(errors.centre);
+    farthest = std::max(farthest, errors.radius / spacing);
+  }
+  const std::string remainder =
+      "Kendall, Q. J. Math. 19 (1948) 1: rms R^(1/2) of the number of lattice points in a disc";
+  check.that(
+      {.id = "disc-radius",
+       .text = "No point of a disc's contour is farther off than half a cell's diagonal.",
+       .quantity = "largest distance over dx",
+       .source = fractions},
+      {.value = farthest},
+      evidence::Bound{.limit = 0.75, .reason = "whether a cell belongs to the disc is decided by its middle: 0.71 dx"});
+  check.that({.id = "disc-area",
+              .text = "The disc's area, mean over its places on the lattice, has second order.",
+              .quantity = "order of the mean error",
+              .source = "curvature moves the level 1/2 by a part of h^2/R"},
+             evidence::observed_order(spacings, means),
+             evidence::Order{2, 0.3, "leading term; a mean of 64 places leaves a part of the scatter"});
+  check.that({.id = "disc-scatter",
+              .text = "It scatters with the place as the number of lattice points in the disc does.",
+              .quantity = "order of the standard deviation",
+              .source = remainder},
+             evidence::observed_order(spacings, scatters),
+             evidence::Order{1.5, 0.5, "R^(1/2) dx^2/R^2; six radii, whose remainders fluctuate by tens of per cent"});
+  check.that(
+      {.id = "disc-centre", .text = "So does its centre.", .quantity = "order of the rms error", .source = remainder},
+      evidence::observed_order(spacings, centres), evidence::Order{1.5, 0.5, "the first moment of the same remainder"});
+  auto& panel = check.figure("disc", "A disc's contour", "Errors over 64 places of the disc on the lattice.")
+                    .panel({.x = "dx/R", .y = "error", .log_x = true, .log_y = true});
+  const auto guide = [&](const std::vector<double>& errors, double order) {
+    std::vector<double> line;
+    for (const double spacing : spacings) line.push_back(errors[0] * std::pow(spacing / spacings[0], order));
+    return line;
+  };
+  panel.points("area, mean", spacings, means);
+  panel.points("area, scatter", spacings, scatters, evidence::Role::peer);
+  panel.line("order 2", spacings, guide(means, 2), evidence::Role::guide);
+  panel.line("order 3/2", spacings, guide(scatters, 1.5), evidence::Role::guide);
+
+  const Scene ring =
+      patch({.inside = [](double x, double z) { return std::hypot(x, z) <= 1 && std::hypot(x, z) > 0.4; },
+             .box = {-1.2, 1.2, -1.2, 1.2},
+             .spacing = 0.04},
+            water);
+  const std::vector<Contour> curves = free_surface(fraction_of(ring), {-1.2, 1.2, -1.2, 1.2}, 0.02);
+  REQUIRE(curves.size() == 2);
+  check.that({.id = "ring-outside",
+              .text = "Around water curves run clockwise: the area is negative.",
+              .quantity = "area",
+              .unit = "m^2",
+              .source = contouring},
+             {.value = curves[0].area()},
+             evidence::Bound{.limit = 2 * pi * 0.02, .reason = "half a spacing all around", .expected = -pi});
+  check.that(
+      {.id = "ring-inside",
+       .text = "Around air they run counter-clockwise, and the air is counted.",
+       .quantity = "area",
+       .unit = "m^2",
+       .source = contouring},
+      {.value = curves[1].air},
+      evidence::Bound{.limit = 2 * pi * 0.4 * 0.02, .reason = "half a spacing all around", .expected = 0.16 * pi});
+  CHECK(curves[0].air == 0);
+  CHECK(std::abs(curves[0].distance(0, 0) - 1) < 0.04);
+}
+
+TEST_CASE("front and height of a column are those of its particles, not of spray", "[exact]") {
+  const Scene dam =
+      dam_break({.width = 0.5, .height = 1, .tank_length = 2, .wall_height = 1.5, .spacing = 0.05}, water);
+  Particles particles = dam.particles;
+  const double h = 1.3 * dam.spacing;
+  CHECK(front_position(particles, h) == Approx(0.475).epsilon(1e-12));
+  CHECK(column_height(particles, h, 0.15, 0.3) == Approx(0.975).epsilon(1e-12));
+  for (int k = 0; k < 4; ++k) particles.add(1.2 + 0.01 * k, 1.1, 2.5, 1000);  // too few to be water
+  particles.add(0.2, 1.3, 2.5, 1000);
+  CHECK(front_position(particles, h) == Approx(0.475).epsilon(1e-12));
+  CHECK(column_height(particles, h, 0.15, 0.3) == Approx(0.975).epsilon(1e-12));
+  particles.add(1.24, 1.1, 2.5, 1000);
+  CHECK(front_position(particles, h) == Approx(1.24).epsilon(1e-12));
+  CHECK(std::isnan(front_position(Particles{}, h)));
+}

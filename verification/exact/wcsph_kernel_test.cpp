@@ -1,0 +1,204 @@
+// Smoothing kernels: moments, sums over lattices, and the derivative beside the value; the equation of state.
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include "seiche/models/wcsph/equation_of_state.hpp"
+#include "seiche/models/wcsph/kernel.hpp"
+#include "verification/exact/reference_digits.hpp"
+#include "verification/lattice_sums.hpp"
+
+namespace {
+
+using namespace seiche::wcsph;
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+using seiche::verification::Arrangement;
+using seiche::verification::Check;
+using seiche::verification::check_digits;
+using seiche::verification::lattice_sums;
+
+/// int q^power W dA with q = r/h: a polynomial of degree at most 10 on either side of q = 1.
+template <class Kernel>
+double moment(double h, int power) {
+  const auto ring = [&](double q) {
+    return 2 * std::numbers::pi * q * std::pow(q, power) * h * h * weight<Kernel>(q * h, h);
+  };
+  using Gauss = boost::math::quadrature::gauss<double, 15>;
+  return Gauss::integrate(ring, 0.0, 1.0) + Gauss::integrate(ring, 1.0, 2.0);
+}
+
+/// The same with -r/2 dW/dr in place of W: integration by parts turns it into (power + 2)/2 times the moment.
+template <class Kernel>
+double slope_moment(double h, int power) {
+  const auto ring = [&](double q) {
+    return -0.5 * 2 * std::numbers::pi * q * std::pow(q, power) * h * h * q * h * radial_slope<Kernel>(q * h, h);
+  };
+  using Gauss = boost::math::quadrature::gauss<double, 15>;
+  return Gauss::integrate(ring, 0.0, 1.0) + Gauss::integrate(ring, 1.0, 2.0);
+}
+
+template <class Kernel>
+void check_moments(Check& check, const std::string& id, const std::string& name, const std::vector<double>& exact,
+                   const std::string& source) {
+  const double h = 0.0148;
+  for (int power = 0; power <= 4; power += 2) {
+    const double expected = exact[static_cast<std::size_t>(power / 2)];
+    const Bound limit{.limit = 1e-12,
+                      .reason = "30 points of exact quadrature, a few hundred roundings of terms up to 2",
+                      .expected = expected};
+    const std::string q = power == 0 ? "1" : "q^" + std::to_string(power);
+    check.that({.id = id + "-moment-" + std::to_string(power),
+                .text = "The " + name + " has the moment of " + q + " that integration gives.",
+                .quantity = "int " + q + " W dA",
+                .source = source},
+               {.value = moment<Kernel>(h, power)}, limit);
+    check.that({.id = id + "-slope-moment-" + std::to_string(power),
+                .text = "The slope of the " + name + " is the derivative of its value, under the integral.",
+                .quantity = "-int " + q + " r dW/dr dA/(" + std::to_string(power) + " + 2)",
+                .source = source},
+               {.value = slope_moment<Kernel>(h, power) * 2 / (power + 2)}, limit);
+  }
+}
+
+struct LatticeRow {
+  std::string id;
+  std::string name;
+  seiche::verification::LatticeSums sums;
+  double zeroth, first;
+  int neighbours;
+};
+
+}  // namespace
+
+TEST_CASE("kernels have their moments, and their sums over lattices", "[exact]") {
+  const std::string cubic_source = "Monaghan and Lattanzio, Astron. Astrophys. 149 (1985) 135; integration by hand";
+  const std::string wendland_source = "Wendland, Adv. Comput. Math. 4 (1995) 389; integration by hand";
+  Check check(
+      "wcsph_kernels", "Smoothing kernels",
+      "Moments in the plane against exact fractions, of the value and, by parts, of the slope. Sums over square "
+      "and body-centred lattices: the sum of $V W$, the factor $M = -\\sum V x\\,\\partial W/\\partial x$ by "
+      "which the uncorrected first derivative is wrong however fine the lattice, and the number of neighbours.");
+  check_moments<CubicSpline>(check, "cubic", "cubic spline", {1, 31.0 / 49, 635.0 / 882}, cubic_source);
+  check_moments<WendlandC2>(check, "wendland", "Wendland kernel", {1, 5.0 / 9, 56.0 / 99}, wendland_source);
+  const double h = 0.0148;
+  const double top = 10 / (7 * std::numbers::pi * h * h);
+  const Roundoff five{.operations = 5, .scale = top, .reason = "5 rounded operations on W(0)"};
+  check.that(
+      {.id = "cubic-top", .text = "W(0) = 10/(7 pi h^2).", .quantity = "W(0)", .unit = "1/m^2", .source = cubic_source},
+      {.value = weight<CubicSpline>(0, h)}, Roundoff{5, top, five.reason, top});
+  check.that(
+      {.id = "cubic-h", .text = "W(h) = 5/(14 pi h^2).", .quantity = "W(h)", .unit = "1/m^2", .source = cubic_source},
+      {.value = weight<CubicSpline>(h, h)}, Roundoff{5, top, five.reason, 0.25 * top});
+  CHECK(weight<CubicSpline>(2 * h, h) == 0);
+  CHECK(weight<WendlandC2>(2.5 * h, h) == 0);
+  CHECK(radial_slope<WendlandC2>(2.5 * h, h) == 0);
+
+  constexpr auto square = Arrangement::square;
+  const std::vector<LatticeRow> rows{
+      {"cubic-1.0", "cubic spline, h/dx = 1.0", lattice_sums<CubicSpline>(1.0, square), 1.000862, 1.013099, 8},
+      {"cubic-1.2", "cubic spline, h/dx = 1.2", lattice_sums<CubicSpline>(1.2, square), 0.999757, 0.990793, 20},
+      {"cubic-1.3", "cubic spline, h/dx = 1.3", lattice_sums<CubicSpline>(1.3, square), 0.999947, 1.010543, 20},
+      {"cubic-1.5", "cubic spline, h/dx = 1.5", lattice_sums<CubicSpline>(1.5, square), 1.003440, 1.006725, 24},
+      {"cubic-2.0", "cubic spline, h/dx = 2.0", lattice_sums<CubicSpline>(2.0, square), 0.999958, 0.999100, 44},
+      {"wendland-1.3", "Wendland, h/dx = 1.3", lattice_sums<WendlandC2>(1.3, square), 1.010473, 0.973921, 20},
+      {"wendland-2.0", "Wendland, h/dx = 2.0", lattice_sums<WendlandC2>(2.0, square), 1.001206, 0.999199, 44},
+      {"cubic-body-centred", "cubic spline, h/dx = 1.3, body-centred",
+       lattice_sums<CubicSpline>(1.3, Arrangement::body_centred), 1.000509, 0.994034, 44}};
+  const std::string source = "definition; digits computed once by an independent implementation";
+  seiche::evidence::Table table{
+      .id = "lattices",
+      .title = "Sums over lattices",
+      .caption = "M differs from 1 by up to 3 % and does not depend on the spacing.",
+      .columns = {{"kernel, lattice", ""}, {"sum V W", "1"}, {"M", "1"}, {"neighbours", "1"}}};
+  for (const LatticeRow& row : rows) {
+    std::string id = row.id;
+    std::replace(id.begin(), id.end(), '.', '_');
+    check_digits(check, id + "-zeroth", "sum of V W (" + row.name + ")", "1", row.sums.zeroth, row.zeroth, 6, source);
+    check_digits(check, id + "-first", "derivative factor M (" + row.name + ")", "1", row.sums.first, row.first, 6,
+                 source);
+    CHECK(row.sums.neighbours == row.neighbours);
+    table.rows.push_back({row.name, row.sums.zeroth, row.sums.first, static_cast<double>(row.sums.neighbours)});
+  }
+  check.table(std::move(table));
+
+  std::vector<double> q, cubic, wendland, cubic_slope, wendland_slope;
+  for (double r = 0; r <= 2.2; r += 0.02) {
+    q.push_back(r);
+    cubic.push_back(weight<CubicSpline>(r, 1));
+    wendland.push_back(weight<WendlandC2>(r, 1));
+    cubic_slope.push_back(radial_slope<CubicSpline>(r, 1));
+    wendland_slope.push_back(radial_slope<WendlandC2>(r, 1));
+  }
+  auto& figure = check.figure("kernels", "Smoothing kernels", "Value and slope for h = 1.");
+  auto& values = figure.panel({.x = "r/h", .y = "h^2 W"});
+  values.line("cubic spline", q, cubic);
+  values.line("Wendland C2", q, wendland, seiche::verification::Role::peer);
+  auto& slopes = figure.panel({.x = "r/h", .y = "h^3 dW/dr"});
+  slopes.line("cubic spline", q, cubic_slope);
+  slopes.line("Wendland C2", q, wendland_slope, seiche::verification::Role::peer);
+}
+
+TEST_CASE("pressure, sound speed and elastic energy of Tait's fluid belong together", "[exact]") {
+  const std::string source = "Batchelor, An introduction to fluid dynamics (1967), section 1.8";
+  Check check("wcsph_tait", "Tait's equation of state",
+              "Pressure and its inverse; $c^2 = dP/d\\rho$ and $de = P/\\rho^2\\,d\\rho$ through the mean over an "
+              "interval by quadrature; the pressure of still water.");
+  const TaitFluid water(1000, 14.96);
+  using Gauss = boost::math::quadrature::gauss<double, 15>;
+  double inverse = 0;
+  double sound = 0;
+  double energy = 0;
+  const double stiffness = 1000 * 14.96 * 14.96 / 7;
+  for (double density = 920; density < 1100; density += 20) {
+    inverse = std::max(inverse, std::abs(water.density_at(water.pressure(density)) - density));
+    const double rise = Gauss::integrate([&](double d) { return std::pow(water.sound_speed(d), 2); }, 1000.0, density);
+    sound = std::max(sound, std::abs(water.pressure(density) - rise));
+    const double work = Gauss::integrate([&](double d) { return water.pressure(d) / (d * d); }, 1000.0, density);
+    energy = std::max(energy, std::abs(water.elastic_energy(density) - work));
+  }
+  const double scale = std::pow(1.1, 7) * stiffness;
+  check.that({.id = "inverse",
+              .text = "Density and pressure are inverse.",
+              .quantity = "density error",
+              .unit = "kg/m^3",
+              .source = source},
+             {.value = inverse},
+             Roundoff{.operations = 20, .scale = 1100, .reason = "two powers, 20 roundings of numbers up to 1100"});
+  check.that({.id = "sound",
+              .text = "The square of the sound speed is the slope of the pressure.",
+              .quantity = "pressure minus the integral of c^2",
+              .unit = "Pa",
+              .source = source},
+             {.value = sound},
+             Roundoff{.operations = 60, .scale = scale, .reason = "15 points and a power on pressures up to 1.95 B"});
+  check.that({.id = "energy",
+              .text = "Elastic energy is the work of the pressure.",
+              .quantity = "e minus the integral of P/rho^2",
+              .unit = "J/kg",
+              .source = source},
+             {.value = energy},
+             Roundoff{.operations = 60,
+                      .scale = 2 * stiffness / 1000,
+                      .reason = "the bracket cancels from terms of the size of gamma/(gamma - 1)"});
+  CHECK(water.elastic_energy(1000) == 0);
+  CHECK(std::abs(water.stiffness() - stiffness) < 1e-15 * 8 * stiffness);
+  const double depth = 0.114;
+  check.that({.id = "hydrostatic",
+              .text = "Still water of the hydrostatic density carries its own weight.",
+              .quantity = "P(depth)",
+              .unit = "Pa",
+              .source = "P = rho_0 g depth"},
+             {.value = water.pressure(water.hydrostatic_density(9.81, depth))},
+             Roundoff{.operations = 30,
+                      .scale = stiffness,
+                      .reason = "P is a difference of two terms near B",
+                      .expected = 1000 * 9.81 * depth});
+  CHECK_THROWS_AS(water.hydrostatic_density(9.81, 1.001 * stiffness / 9810), std::invalid_argument);
+  CHECK_THROWS_AS(TaitFluid(0, 10), std::invalid_argument);
+  CHECK_THROWS_AS(TaitFluid(1000, 0), std::invalid_argument);
+  CHECK_THROWS_AS(TaitFluid(1000, 10, 0.9), std::invalid_argument);
+}

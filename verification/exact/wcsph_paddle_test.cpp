@@ -1,0 +1,99 @@
+// Paddles: velocities are the derivatives of places, and nothing is stretched.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "seiche/models/wcsph/paddle.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::wcsph;
+using verification::Check;
+
+constexpr double period = 0.308;
+constexpr double depth = 0.013;
+constexpr double stroke = 0.0305;
+
+PointMotion at(const Paddle& paddle, double t, double x, double z) {
+  return carried(paddle.pose(t), paddle.rate(t), paddle.hinge_x, paddle.hinge_z, x, z);
+}
+
+}  // namespace
+
+TEST_CASE("paddles move rigidly with the velocity that they state", "[exact]") {
+  const std::string source = "kinematics of a rigid body; Dean and Dalrymple (1991), ch. 6, for the motion X_w";
+  Check check("wcsph_paddles", "Piston and flap",
+              "A flap in 1.3 cm of water whose stroke is 2.3 depths, so that it leans by 49.6 degrees, and a piston: "
+              "velocities against central differences of the places, distances between particles of the paddle, and "
+              "the place of the face at the still-water level.");
+  const double frequency = 2 * std::numbers::pi / period;
+  const std::vector<std::pair<std::string, Paddle>> paddles{{"piston", piston(stroke, frequency)},
+                                                            {"flap", flap(0.001, -0.002, depth, stroke, frequency)}};
+  const std::vector<std::pair<double, double>> places{{-0.0005, 0.0005}, {-0.001, 0.012}, {0.001, 0.03}};
+  for (const auto& [name, paddle] : paddles) {
+    std::vector<double> steps;
+    std::vector<double> errors;
+    for (double step = period / 40; step > period / 700; step /= 2) {
+      double error = 0;
+      for (double t = 0.013; t < period; t += 0.029) {
+        for (const auto& [x, z] : places) {
+          const PointMotion now = at(paddle, t, x, z);
+          const PointMotion before = at(paddle, t - step, x, z);
+          const PointMotion after = at(paddle, t + step, x, z);
+          error = std::max({error, std::abs((after.x - before.x) / (2 * step) - now.u),
+                            std::abs((after.z - before.z) / (2 * step) - now.w)});
+        }
+      }
+      steps.push_back(step);
+      errors.push_back(error);
+    }
+    check.that({.id = name + "-velocity",
+                .text = "The velocity is the rate of the place: central differences approach it with their order.",
+                .quantity = "order of the difference",
+                .source = source},
+               evidence::observed_order(steps, errors),
+               evidence::Order{2, 0.1, "central differences of second order; steps from 1/40 of a period"});
+  }
+
+  const Paddle& leaning = paddles[1].second;
+  double stretch = 0;
+  double off = 0;
+  for (double t = 0; t < period; t += period / 97) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto& [ax, az] = places[i];
+      const auto& [bx, bz] = places[(i + 1) % places.size()];
+      const PointMotion a = at(leaning, t, ax, az);
+      const PointMotion b = at(leaning, t, bx, bz);
+      stretch = std::max(stretch, std::abs(std::hypot(a.x - b.x, a.z - b.z) / std::hypot(ax - bx, az - bz) - 1));
+    }
+    const double angle = leaning.pose(t).angle;
+    const double wanted = stroke / 2 * std::sin(frequency * t);
+    // Of the face through the hinge, the point that is at the still-water level at this moment.
+    const PointMotion face = at(leaning, t, 0.001, -0.002 + depth / std::cos(angle));
+    off = std::max({off, std::abs(face.x - 0.001 - wanted) / depth, std::abs(face.z + 0.002 - depth) / depth});
+  }
+  check.that(
+      {.id = "rigid",
+       .text = "The flap turns without stretching its rows.",
+       .quantity = "relative change of distances",
+       .source = source},
+      {.value = stretch},
+      evidence::Roundoff{.operations = 60, .scale = 1, .reason = "differences of places up to 0.03 m over 0.012 m"});
+  check.that({.id = "still-water-level",
+              .text = "Where the face crosses the still-water level it is at X_w = (S/2) sin(omega t).",
+              .quantity = "distance over the depth",
+              .source = source},
+             {.value = off},
+             evidence::Roundoff{.operations = 30,
+                                .scale = 1.6,
+                                .reason = "atan, sin, cos and a product; up to 1.54 "
+                                          "depths from the hinge"});
+  check.measure("stretch of the rows, had they been sheared instead", std::hypot(1.0, stroke / (2 * depth)));
+  const PointMotion start = at(leaning, 0, -0.0005, 0.0005);
+  CHECK(start.x == -0.0005);
+  CHECK(start.z == 0.0005);
+}

@@ -1,0 +1,260 @@
+// The particles of the beginning: counts, places, masses and densities of every scene.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "seiche/compensated_sum.hpp"
+#include "seiche/models/wcsph/equation_of_state.hpp"
+#include "seiche/models/wcsph/scene.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::wcsph;
+using verification::Check;
+
+const std::string lattices = "Dalrymple and Rogers, Coastal Eng. 53 (2006) 141, section 2";
+const std::string counts = "particle counts published with the two dam breaks, 11103 and 7983";
+
+Settings water(double height, double coefficient = 10 * std::numbers::sqrt2) {
+  return {.sound_speed = sound_speed_for(9.81, height, coefficient)};
+}
+
+/// Column of 5.7 cm x 11.4 cm in 50 x 100 cells.
+DamBreak tall_column(Lattice lattice, bool corners_twice) {
+  const double a = 0.057;
+  return {.width = a,
+          .height = 2 * a,
+          .tank_length = 4 * a,
+          .wall_height = 3.5 * a,
+          .spacing = a / 50,
+          .lattice = lattice,
+          .corners_twice = corners_twice};
+}
+
+/// Column of 30 cm x 30 cm in 60 x 60 cells.
+DamBreak square_column(Lattice lattice, bool corners_twice) {
+  const double a = 0.3;
+  return {.width = a,
+          .height = a,
+          .tank_length = 3 * a,
+          .wall_height = 1.75 * a,
+          .spacing = a / 60,
+          .lattice = lattice,
+          .corners_twice = corners_twice};
+}
+
+Flume flap_flume() {
+  return {.length = 0.06,
+          .depth = 0.013,
+          .wall_height = 0.03,
+          .wavemaking = Wavemaking::flap,
+          .stroke = 0.0305,
+          .frequency = 2 * std::numbers::pi / 0.308,
+          .spacing = 0.001};
+}
+
+void counted(Check& check, const std::string& id, const std::string& text, const Scene& scene, long expected) {
+  check.that({.id = id, .text = text, .quantity = "particles", .source = counts},
+             {.value = static_cast<double>(scene.particles.size())},
+             evidence::Bound{.limit = 0, .reason = "a count", .expected = static_cast<double>(expected)});
+}
+
+double fluid_mass(const Particles& particles) {
+  CompensatedSum sum;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.kind[i] == Kind::fluid) sum.add(particles.mass[i]);
+  }
+  return sum.value();
+}
+
+/// Smallest distance of fluid to fluid and of fluid to walls, in dx.
+struct Distances {
+  double fluid = std::numeric_limits<double>::infinity();
+  double wall = std::numeric_limits<double>::infinity();
+};
+Distances distances(const Scene& scene) {
+  const Particles& p = scene.particles;
+  Distances result;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.kind[i] != Kind::fluid) continue;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      if (k == i) continue;
+      double dx = std::abs(p.x[i] - p.x[k]);
+      if (std::isfinite(scene.period.x)) dx = std::min(dx, scene.period.x - dx);
+      double& least = p.kind[k] == Kind::fluid ? result.fluid : result.wall;
+      least = std::min(least, std::hypot(dx, p.z[i] - p.z[k]) / scene.spacing);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("dam breaks have the published numbers of particles", "[exact]") {
+  Check check(
+      "wcsph_particle_counts", "Particle counts of the dam breaks",
+      "A column of 50 x 100 cells and one of 60 x 60, body-centred, in open tanks whose walls are two staggered "
+      "rows: 201 + 200 particles per 200 spacings. The published counts come out with a particle for each of "
+      "both walls at their common corners; the square lattice has one particle per cell.");
+  counted(check, "tall-published", "Case of the tall column, corners twice: 10000 + 1103.",
+          dam_break(tall_column(Lattice::body_centred, true), water(0.114)), 11103);
+  counted(check, "tall-once", "The same without duplicates: 10000 + 1101.",
+          dam_break(tall_column(Lattice::body_centred, false), water(0.114)), 11101);
+  counted(check, "tall-square", "The same on the square lattice: 5000 + 1101.",
+          dam_break(tall_column(Lattice::square, false), water(0.114)), 6101);
+  counted(check, "square-published", "Case of the square column, corners twice: 7200 + 783.",
+          dam_break(square_column(Lattice::body_centred, true), water(0.3)), 7983);
+  counted(check, "square-once", "The same on the square lattice, without duplicates: 3600 + 781.",
+          dam_break(square_column(Lattice::square, false), water(0.3)), 4381);
+
+  const Scene scene = dam_break(tall_column(Lattice::square, false), water(0.114));
+  std::vector<double> fluid_x;
+  std::vector<double> fluid_z;
+  std::vector<double> wall_x;
+  std::vector<double> wall_z;
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+    const bool fluid = scene.particles.kind[i] == Kind::fluid;
+    (fluid ? fluid_x : wall_x).push_back(scene.particles.x[i]);
+    (fluid ? fluid_z : wall_z).push_back(scene.particles.z[i]);
+  }
+  evidence::Figure& figure =
+      check.figure("particles", "Dam break, particles of the beginning",
+                   "Square lattice of water and staggered rows of walls; right, the lower rear corner.");
+  for (const bool corner : {false, true}) {
+    auto& panel = figure.panel({.x = "x [m]", .y = "z [m]", .equal_aspect = true});
+    const auto drawn = [&](const std::vector<double>& x, const std::vector<double>& z, const std::string& label,
+                           evidence::Role role) {
+      std::vector<double> px;
+      std::vector<double> pz;
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        if (corner && std::max(x[i], z[i]) > 10 * scene.spacing) continue;
+        px.push_back(x[i]);
+        pz.push_back(z[i]);
+      }
+      panel.points(label, px, pz, role);
+    };
+    drawn(fluid_x, fluid_z, "water", evidence::Role::computed);
+    drawn(wall_x, wall_z, "walls", evidence::Role::bed);
+  }
+}
+
+TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrostatically", "[exact]") {
+  Check check("wcsph_scenes", "Particles of the beginning",
+              "Every scene on both lattices: the mass is that of the water's area, no particle is nearer to another "
+              "than the lattice has it, walls of the square lattice stand a spacing from the water's first particles "
+              "and half a spacing from its effective end, and the pressure of the density is that of water at rest.");
+  double mass_defect = 0;
+  Distances square;
+  Distances centred;
+  double pressure_error = 0;
+  for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
+    Distances& least = lattice == Lattice::square ? square : centred;
+    DamBreak dam = square_column(lattice, false);
+    dam.spacing = 0.3 / 12;
+    dam.wall_height = 21 * dam.spacing;
+    Flume with_flap = flap_flume();
+    with_flap.lattice = lattice;
+    Flume with_piston = with_flap;
+    with_piston.wavemaking = Wavemaking::piston;
+    const std::vector<std::pair<Scene, double>> scenes{
+        {dam_break(dam, water(0.3)), 0.09},
+        {tank({.width = 0.4, .depth = 0.2, .spacing = 0.02, .lattice = lattice}, water(0.2)), 0.08},
+        {flume(with_flap, water(0.013)), 0.06 * 0.013},
+        {flume(with_piston, water(0.013)), 0.06 * 0.013},
+        {periodic_layer({.period = 0.5, .depth = 0.2, .spacing = 0.02, .lattice = lattice}, water(0.2)), 0.1}};
+    for (const auto& [scene, area] : scenes) {
+      mass_defect = std::max(mass_defect, std::abs(fluid_mass(scene.particles) / (1000 * area) - 1));
+      const Distances here = distances(scene);
+      least.fluid = std::min(least.fluid, here.fluid);
+      least.wall = std::min(least.wall, here.wall);
+      const Settings settings = water(scene.still_water);
+      const TaitFluid fluid(settings.density, settings.sound_speed, settings.exponent);
+      for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+        const bool below_water = scene.particles.kind[i] == Kind::fluid || &scene == &scenes[1].first;
+        if (!below_water) continue;
+        const double depth = std::max(scene.still_water - scene.particles.z[i], 0.0);
+        const double expected = 1000 * 9.81 * depth;
+        pressure_error = std::max(pressure_error, std::abs(fluid.pressure(scene.particles.density[i]) - expected) /
+                                                      (1000 * 9.81 * scene.still_water));
+      }
+    }
+  }
+  check.that(
+      {.id = "mass",
+       .text = "The fluid's mass is rho_0 times the area of the water.",
+       .quantity = "relative defect",
+       .source = lattices},
+      {.value = mass_defect},
+      evidence::Roundoff{.operations = 10, .scale = 1, .reason = "dx^2 of rounded lengths; the sum is compensated"});
+  check.that({.id = "fluid-square",
+              .text = "Square lattice: neighbours are dx apart.",
+              .quantity = "distance/dx",
+              .source = lattices},
+             {.value = square.fluid},
+             evidence::Bound{.limit = 1e-10, .reason = "round-off of coordinates up to 60 dx", .expected = 1});
+  check.that({.id = "fluid-centred",
+              .text = "Body-centred lattice: neighbours are dx/sqrt 2 apart.",
+              .quantity = "distance/dx",
+              .source = lattices},
+             {.value = centred.fluid},
+             evidence::Bound{.limit = 1e-10, .reason = "round-off", .expected = 1 / std::numbers::sqrt2});
+  check.that({.id = "wall-square",
+              .text = "Square lattice: the first row of water is dx from the row of the wall.",
+              .quantity = "distance/dx",
+              .source = lattices},
+             {.value = square.wall},
+             evidence::Bound{.limit = 1e-10, .reason = "round-off; in the periodic layer dx too", .expected = 1});
+  check.that(
+      {.id = "wall-centred",
+       .text = "Body-centred lattice: its first particles are a quarter of a cell inside the water's end, half a "
+               "spacing in front of the wall, and a quarter beside its particles.",
+       .quantity = "distance/dx",
+       .source = lattices},
+      {.value = centred.wall},
+      evidence::Bound{.limit = 1e-10, .reason = "round-off", .expected = std::hypot(0.75, 0.25)});
+  check.that({.id = "hydrostatic",
+              .text = "The pressure is rho_0 g (z_s - z), in the water and in the walls of the tank.",
+              .quantity = "largest error over rho_0 g H",
+              .source = "Monaghan, J. Comput. Phys. 110 (1994) 399"},
+             {.value = pressure_error},
+             evidence::Roundoff{.operations = 10,
+                                .scale = 200 / 7.0,
+                                .reason = "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 200/7 multiplies the rounding of the "
+                                          "power, about 10 operations"});
+
+  const Scene with_flap = flume(flap_flume(), water(0.013));
+  double rearmost = 0;
+  const Paddle& paddle = with_flap.paddles.at(0);
+  for (double phase = 0; phase < 1; phase += 0.01) {
+    const double t = 0.308 * phase;
+    for (std::size_t i = 0; i < with_flap.particles.size(); ++i) {
+      if (with_flap.particles.kind[i] != Kind::paddle) continue;
+      rearmost = std::min(rearmost, carried(paddle.pose(t), paddle.rate(t), paddle.hinge_x, paddle.hinge_z,
+                                            with_flap.particles.x[i], with_flap.particles.z[i])
+                                        .x);
+    }
+  }
+  check.that({.id = "sweep",
+              .text = "The bottom reaches as far back as the paddle does.",
+              .quantity = "rearmost place of the paddle behind the end of the bottom",
+              .unit = "m",
+              .source = "interface of the scene"},
+             {.value = std::max(with_flap.extents.left - rearmost, 0.0)},
+             evidence::Bound{.limit = 0, .reason = "nothing sticks out"});
+  check.measure("rearmost place of the paddle over dx", rearmost / with_flap.spacing);
+
+  DamBreak odd = tall_column(Lattice::square, false);
+  CHECK(dam_break(odd, water(0.114)).warnings.empty());
+  odd.width = 0.0575;
+  const Scene rounded = dam_break(odd, water(0.114));
+  REQUIRE(rounded.warnings.size() == 1);
+  CHECK(rounded.warnings[0].find("width") != std::string::npos);
+  CHECK(rounded.warnings[0].find("0.05700") == std::string::npos);
+  CHECK(rounded.particles.count(Kind::fluid) == 5000);
+}

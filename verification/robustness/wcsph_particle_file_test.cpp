@@ -1,0 +1,220 @@
+// Particle files: what ParaView opens is read back, array by array.
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <H5Cpp.h>
+#include <pugixml.hpp>
+
+#include "seiche/io/atomic_file.hpp"
+#include "seiche/models/wcsph/particle_file.hpp"
+#include "seiche/models/wcsph/scene.hpp"
+#include "verification/robustness/refusals.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::wcsph;
+using verification::Check;
+using verification::Refusals;
+
+/// A folder of its own that is removed afterwards.
+class Scratch {
+ public:
+  Scratch() : path_(std::filesystem::temp_directory_path() / "seiche_wcsph_particle_file_test") {
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  Scratch(Scratch&&) = delete;
+  Scratch& operator=(Scratch&&) = delete;
+  ~Scratch() { std::filesystem::remove_all(path_); }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+Scene scene() {
+  return flume({.length = 0.4, .depth = 0.1, .stroke = 0.05, .frequency = 6, .spacing = 0.02}, {.sound_speed = 20});
+}
+
+std::vector<double> pressure_of(const Particles& particles) {
+  std::vector<double> pressure;
+  for (const double density : particles.density) pressure.push_back(400 * (density - 1000));
+  return pressure;
+}
+
+/// The same particles, the last first.
+Particles reversed(const Particles& particles) {
+  Particles result;
+  for (std::size_t i = particles.size(); i-- > 0;) {
+    result.add(particles.x[i], particles.z[i], particles.mass[i], particles.density[i], particles.kind[i],
+               particles.u[i], particles.w[i], particles.body[i]);
+    result.identity.back() = particles.identity[i];
+  }
+  return result;
+}
+
+void write(const std::filesystem::path& stem, const Particles& first, const Particles& second) {
+  ParticleFile file(stem);
+  file.frame(0, first, pressure_of(first));
+  file.frame(0.125, second, pressure_of(second));
+  file.close();
+}
+
+struct Dataset {
+  std::vector<hsize_t> shape;
+  bool integer = false;
+  std::vector<double> values;
+};
+
+/// What a DataItem of the XDMF leads to.
+Dataset opened(const std::filesystem::path& folder, const std::string& location) {
+  const std::size_t colon = location.find(':');
+  const H5::H5File file((folder / location.substr(0, colon)).string(), H5F_ACC_RDONLY);
+  const H5::DataSet set = file.openDataSet(location.substr(colon + 1));
+  Dataset result;
+  result.shape.resize(static_cast<std::size_t>(set.getSpace().getSimpleExtentNdims()));
+  set.getSpace().getSimpleExtentDims(result.shape.data());
+  result.integer = set.getTypeClass() == H5T_INTEGER;
+  result.values.resize(static_cast<std::size_t>(set.getSpace().getSimpleExtentNpoints()));
+  set.read(result.values.data(), H5::PredType::NATIVE_DOUBLE);
+  return result;
+}
+
+std::string dimensions(const Dataset& set) {
+  std::string text;
+  for (const hsize_t extent : set.shape) text += (text.empty() ? "" : " ") + std::to_string(extent);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
+  Check check(
+      "wcsph_particle_file", "Particle files for ParaView",
+      "Two frames of a flume, the particles of the second in another order: every DataItem of the XDMF leads to "
+      "an HDF5 dataset of the shape and type it states, values and order included; the same particles give the "
+      "same bytes; without close nothing is left.");
+  const Scratch scratch;
+  const Particles particles = scene().particles;
+  write(scratch.path() / "waves", particles, reversed(particles));
+
+  pugi::xml_document document;
+  REQUIRE(document.load_file((scratch.path() / "waves.xdmf").c_str()));
+  const pugi::xml_node series = document.child("Xdmf").child("Domain").child("Grid");
+  CHECK(series.attribute("CollectionType").value() == std::string("Temporal"));
+  const std::size_t count = particles.size();
+  std::vector<double> times;
+  double items = 0;
+  double mismatches = 0;
+  bool polyvertex = true;
+  double wrong_values = 0;
+  for (const pugi::xml_node grid : series.children("Grid")) {
+    times.push_back(grid.child("Time").attribute("Value").as_double());
+    const pugi::xml_node topology = grid.child("Topology");
+    polyvertex = polyvertex && topology.attribute("TopologyType").value() == std::string("Polyvertex") &&
+                 topology.attribute("NumberOfElements").as_ullong() == count;
+    const auto visit = [&](const pugi::xml_node& parent) {
+      const pugi::xml_node item = parent.child("DataItem");
+      const Dataset set = opened(scratch.path(), item.text().get());
+      ++items;
+      const bool integer = item.attribute("NumberType").value() == std::string("Int");
+      if (dimensions(set) != item.attribute("Dimensions").value() || integer != set.integer) ++mismatches;
+      return set;
+    };
+    const auto compare = [&](const Dataset& set, std::size_t width, auto expected) {
+      REQUIRE(set.values.size() == width * count);
+      for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < width; ++k) {
+          if (set.values[width * i + k] != expected(i, k)) ++wrong_values;
+        }
+      }
+    };
+    compare(visit(grid.child("Geometry")), 3, [&](std::size_t i, std::size_t k) {
+      return k == 0 ? particles.x[i] : k == 1 ? 0 : particles.z[i];
+    });
+    std::vector<std::string> names;
+    for (const pugi::xml_node attribute : grid.children("Attribute")) {
+      const std::string name = attribute.attribute("Name").value();
+      names.push_back(name);
+      const Dataset set = visit(attribute);
+      if (name == "velocity") {
+        CHECK(attribute.attribute("AttributeType").value() == std::string("Vector"));
+        compare(set, 3, [&](std::size_t i, std::size_t k) {
+          return k == 0 ? particles.u[i] : k == 1 ? 0 : particles.w[i];
+        });
+        continue;
+      }
+      compare(set, 1, [&](std::size_t i, std::size_t) {
+        if (name == "density") return particles.density[i];
+        if (name == "pressure") return 400 * (particles.density[i] - 1000);
+        if (name == "identity") return static_cast<double>(particles.identity[i]);
+        return static_cast<double>(particles.kind[i]);
+      });
+    }
+    std::sort(names.begin(), names.end());
+    CHECK(names == std::vector<std::string>{"density", "identity", "kind", "pressure", "velocity"});
+  }
+  const std::string format = "XDMF model and format, version 3";
+  check.that({.id = "frames", .text = "Both frames are there.", .quantity = "frames", .source = format},
+             {.value = static_cast<double>(times.size())},
+             evidence::Bound{.limit = 0, .reason = "a count", .expected = 2});
+  CHECK(times == std::vector<double>{0, 0.125});
+  check.that({.id = "topology",
+              .text = "Every particle is a vertex.",
+              .quantity = "Polyvertex of as many elements as particles",
+              .source = format},
+             {.value = polyvertex ? 1.0 : 0.0},
+             evidence::Qualitative{"attributes of Topology", "what ParaView draws as points"});
+  check.that({.id = "shapes",
+              .text = "Shape and type of every dataset are those that the XDMF states.",
+              .quantity = "mismatches among " + std::to_string(static_cast<int>(items)) + " items",
+              .source = format},
+             {.value = mismatches}, evidence::Bound{.limit = 0, .reason = "ParaView refuses what does not fit"});
+  check.that({.id = "values",
+              .text = "Values come back as they were, in the order of the identities.",
+              .quantity = "values that differ",
+              .source = "interface of the file"},
+             {.value = wrong_values}, evidence::Bound{.limit = 0, .reason = "they are copied"});
+
+  write(scratch.path() / "again", reversed(particles), particles);
+  const auto bytes = [&](const std::string& name) { return io::read_file(scratch.path() / name); };
+  check.that({.id = "bytes",
+              .text = "The same particles give the same bytes, whatever their order in memory.",
+              .quantity = "files equal",
+              .source = "interface of the file"},
+             {.value = bytes("waves.h5") == bytes("again.h5") ? 1.0 : 0.0},
+             evidence::Qualitative{"comparison of the two files", "results must be comparable by their files"});
+
+  {
+    ParticleFile abandoned(scratch.path() / "abandoned");
+    abandoned.frame(0, particles, pressure_of(particles));
+  }
+  long left = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(scratch.path())) {
+    if (entry.path().filename().string().find("abandoned") != std::string::npos) ++left;
+  }
+  check.that({.id = "atomic",
+              .text = "A run that ends before it closes its file leaves none.",
+              .quantity = "files left",
+              .source = "interface of the file"},
+             {.value = static_cast<double>(left)},
+             evidence::Bound{.limit = 0, .reason = "readers never see half a file"});
+
+  Refusals refusals(check);
+  ParticleFile file(scratch.path() / "bad");
+  file.frame(1, particles, pressure_of(particles));
+  refusals.refused("times", "Times that do not increase.", {"time = 1", "later than 1"},
+                   [&] { file.frame(1, particles, pressure_of(particles)); });
+  refusals.refused("time-nan", "A time that is not a number.", {"time", "nan"},
+                   [&] { file.frame(std::numeric_limits<double>::quiet_NaN(), particles, pressure_of(particles)); });
+  refusals.refused("pressures", "Fewer pressures than particles.", {"1 pressures", "must be as many"},
+                   [&] { file.frame(2, particles, std::vector<double>(1)); });
+  CHECK_THROWS_AS(ParticleFile("/proc/nowhere/file"), std::runtime_error);
+}
