@@ -30,8 +30,8 @@ using Viscosity = std::variant<Inviscid, ArtificialViscosity, LaminarSps>;
 enum class WallPressure {
   dynamic,  ///< their own density, advanced by (2)
   clamped,  ///< the same, never below rho_0: walls do not suck
-  /// From the fluid next to them, with its hydrostatic gradient (Adami, Hu and Adams 2012). Wants walls that go on with
-  /// the fluid's lattice for a support, three rows; staggered rows, twice as dense, push too hard.
+  /// From the fluid next to them, with its hydrostatic gradient (Adami, Hu and Adams 2012). The walls of a scene then
+  /// continue the lattice of the fluid for a support; staggered rows, twice as dense, would push too hard.
   extrapolated,
 };
 
