@@ -13,11 +13,10 @@ not yet arrived at $x = L$.
 
 **What to look at.** In linear theory itself the first wave at $x = L$ is almost absent, the second more than 20 per
 cent too low, the third too high. Agreement of the second wave with the settled one within 8 per cent would be an error.
-With the
-cubic spline and $h = 1.3\,dx$ of the publication waves lose height on their way, however fine the spacing; with more
-neighbours (Wendland kernel, $h = 2\,dx$) they do not, but a particle or two get past the flap. Note that period and
-wavelength of the design do not fit each other: with $T = 4.7$ s linear waves are 25.9 m long and, for this stroke, 1.08
-m high.
+With the cubic spline and $h = 1.3\,dx$ of the publication waves lose height on their way, however fine the spacing;
+with more neighbours (Wendland kernel, $h = 2\,dx$) they do not, but a particle or two get past the flap. Note that
+period and wavelength of the design do not fit each other: with $T = 4.7$ s linear waves are 25.9 m long and, for this
+stroke, 1.08 m high.
 */
 #include <algorithm>
 #include <array>

@@ -139,10 +139,9 @@ std::vector<Errors> judge(Check& check, const std::vector<Run>& runs) {
 const std::string article =
     "A circle of radius 1 with $u = (-x, z)$, no gravity, no viscosity, $c_0 = 14$, smoothed motion, from the exact "
     "pressure. Semi-axis from second moments, velocity against the exact linear field, energy, momentum. To t = 1, "
-    "where "
-    "the circle has become 2.3 times as long: beyond, rows of the lattice lie two smoothing lengths apart and the "
-    "cubic "
-    "spline without viscosity tears.";
+    "where the circle has become 2.3 times as long: beyond, rows of the lattice lie two smoothing lengths apart and "
+    "the "
+    "cubic spline without viscosity tears.";
 
 }  // namespace
 
