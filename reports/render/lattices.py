@@ -112,7 +112,8 @@ def plan(axis, panel, series):
     axis.update_datalim(numpy.column_stack(flat(x, y)))
     rest = numpy.median(z[numpy.isfinite(z)]) if numpy.isfinite(z).any() else 0
     quiet = 0.03 * (panel["z_max"] - panel["z_min"])     # a contour line there would trace noise
-    levels = [level for level in ticks(panel) if abs(level - rest) > quiet]
+    lowest, highest = (numpy.nanmin(z), numpy.nanmax(z)) if numpy.isfinite(z).any() else (0, 0)
+    levels = [level for level in ticks(panel) if abs(level - rest) > quiet and lowest < level < highest]
     if levels and numpy.isfinite(x + y).all():
         axis.contour(x, y, numpy.ma.masked_invalid(z), levels=levels, colors=INK, linewidths=0.35, linestyles="solid",
                      alpha=0.55, zorder=1.1)
