@@ -108,7 +108,7 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const distributed::Session session(argc, argv);
+  const distributed::Runtime runtime(argc, argv);
   Options options;
   CLI::App app("Plan flows on many processes; what follows -- is for PETSc", "seiche-parallel");
   add_options(app, options);

@@ -12,7 +12,7 @@
 #include "seiche/distributed/petsc.hpp"
 
 int main(int argc, char** argv) {
-  const seiche::distributed::Session session(argc, argv);
+  const seiche::distributed::Runtime runtime(argc, argv);
   std::vector<const char*> words(argv, argv + argc);
   if (seiche::distributed::rank() > 0) words.insert(words.end(), {"--out", "/dev/null"});
   const int failed = Catch::Session().run(static_cast<int>(words.size()), words.data());

@@ -8,28 +8,12 @@
 #include "reports/evidence/record_files.hpp"
 #include "seiche/io/atomic_file.hpp"
 #include "verification/check.hpp"
+#include "verification/scratch_folder.hpp"
 
 using namespace seiche;
 using namespace seiche::evidence;
 
 namespace {
-
-/// A folder of its own that is removed afterwards.
-class Scratch {
- public:
-  Scratch() : path_(std::filesystem::temp_directory_path() / "seiche_record_files_test") {
-    std::filesystem::remove_all(path_);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  Scratch(Scratch&&) = delete;
-  Scratch& operator=(Scratch&&) = delete;
-  ~Scratch() { std::filesystem::remove_all(path_); }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 Record sample() {
   Record record;
@@ -51,7 +35,7 @@ Record sample() {
 }  // namespace
 
 TEST_CASE("a record is read back as it was written", "[record]") {
-  const Scratch scratch;
+  const seiche::verification::ScratchFolder scratch("seiche_record_files_test");
   write(sample(), scratch.path());
   CHECK(std::filesystem::exists(scratch.path() / "sample.h5"));
   CHECK(std::filesystem::exists(scratch.path() / "sample.xdmf"));
@@ -74,7 +58,7 @@ TEST_CASE("numbers that are not finite become null, not invalid JSON", "[record]
 }
 
 TEST_CASE("a damaged record is an error that names the file", "[record]") {
-  const Scratch scratch;
+  const seiche::verification::ScratchFolder scratch("seiche_record_files_test");
   io::write_file(scratch.path() / "broken.json", "{\"case\": \"brok");
   try {
     read_summaries(scratch.path());
@@ -85,7 +69,7 @@ TEST_CASE("a damaged record is an error that names the file", "[record]") {
 }
 
 TEST_CASE("a file that is not committed leaves nothing behind and the old one in place", "[record]") {
-  const Scratch scratch;
+  const seiche::verification::ScratchFolder scratch("seiche_record_files_test");
   const auto target = scratch.path() / "file.txt";
   io::write_file(target, "old");
   {

@@ -13,6 +13,7 @@
 #include "seiche/models/wcsph/particle_file.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "verification/robustness/refusals.hpp"
+#include "verification/scratch_folder.hpp"
 
 namespace {
 
@@ -20,24 +21,6 @@ using namespace seiche;
 using namespace seiche::wcsph;
 using verification::Check;
 using verification::Refusals;
-
-/// A folder of its own that is removed afterwards.
-class Scratch {
- public:
-  Scratch() : path_(std::filesystem::temp_directory_path() / "seiche_wcsph_particle_file_test") {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  Scratch(Scratch&&) = delete;
-  Scratch& operator=(Scratch&&) = delete;
-  ~Scratch() { std::filesystem::remove_all(path_); }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 Scene scene() {
   return flume({.length = 0.4, .depth = 0.1, .stroke = 0.05, .frequency = 6, .spacing = 0.02}, {.sound_speed = 20});
@@ -101,7 +84,7 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
       "Two frames of a flume, the particles of the second in another order: every DataItem of the XDMF leads to "
       "an HDF5 dataset of the shape and type it states, values and order included; the same particles give the "
       "same bytes; without close nothing is left.");
-  const Scratch scratch;
+  const seiche::verification::ScratchFolder scratch("seiche_wcsph_particle_file_test");
   const Particles particles = scene().particles;
   write(scratch.path() / "waves", particles, reversed(particles));
 

@@ -1,6 +1,6 @@
 /// A flow of a lattice model whose lattice is shared out among processes, stepped by the one-step scheme.
 ///
-///     Session session(argc, argv);
+///     Runtime runtime(argc, argv);
 ///     PlanFlow flow(lattice.shape, 1, [&](const Patch& patch) { return part_of(lattice, patch); }, lattice.sides,
 ///                   velocity, settings);
 ///     while (flow.time() < 20) flow.advance(0.2);

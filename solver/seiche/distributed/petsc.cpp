@@ -17,7 +17,7 @@ void check(PetscErrorCode code) {
                                  specific == nullptr ? "" : specific));
 }
 
-Session::Session(int& argc, char** argv) {
+Runtime::Runtime(int& argc, char** argv) {
   // PETSc sees the program's name and what follows "--", and the program what precedes it.
   int end = 1;
   while (end < argc && std::string_view(argv[end]) != "--") ++end;
@@ -32,7 +32,7 @@ Session::Session(int& argc, char** argv) {
   check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr));
 }
 
-Session::~Session() {
+Runtime::~Runtime() {
   PetscPopErrorHandler();
   PetscFinalize();
 }

@@ -1,4 +1,4 @@
-/// PETSc as C++ sees it here: a session, owners of its objects, and errors as exceptions.
+/// PETSc as C++ sees it here: its life, owners of its objects, and errors as exceptions.
 #pragma once
 
 #include <stdexcept>
@@ -21,12 +21,12 @@ void check(PetscErrorCode code);
 
 /// MPI and PETSc from here to the end of the object's life. Takes PETSc's options off the command line's end: what
 /// follows "--" belongs to PETSc ("-- -pc_type icc -log_view"), what precedes it to the program.
-class Session {
+class Runtime {
  public:
-  Session(int& argc, char** argv);
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
-  ~Session();
+  Runtime(int& argc, char** argv);
+  Runtime(const Runtime&) = delete;
+  Runtime& operator=(const Runtime&) = delete;
+  ~Runtime();
 };
 
 int rank();   ///< of this process
