@@ -49,7 +49,7 @@ struct Array {
   std::vector<double> values;
 };
 
-/// A spatial field at one time, for ParaView: points (x, z) joined by a line, with values at the points.
+/// A spatial field at one time, for ParaView: points (x, z) with values at them.
 struct Snapshot {
   struct Field {
     std::string name;
@@ -60,6 +60,7 @@ struct Snapshot {
   std::vector<double> x;
   std::vector<double> z;  ///< height at which the points are shown: the surface elevation
   std::vector<Field> fields;
+  bool joined = true;  ///< by a line in the order of the points; false: particles
 };
 
 class Record {

@@ -92,8 +92,13 @@ std::vector<io::XdmfFrame> write_snapshots(io::Hdf5File& file, const Record& rec
       points[3 * i + 2] = snapshot.z.at(i);
     }
     const std::array<std::size_t, 2> shape{n, 3};
-    file.array(path + "/points", points, shape, "points", "m", "coordinates x, y, z of the surface");
-    io::XdmfFrame frame{.time = snapshot.time, .points = n, .points_path = path + "/points", .fields = {}};
+    file.array(path + "/points", points, shape, "points", "m", "coordinates x, y, z");
+    using Topology = io::XdmfFrame::Topology;
+    io::XdmfFrame frame{.time = snapshot.time,
+                        .points = n,
+                        .points_path = path + "/points",
+                        .fields = {},
+                        .topology = snapshot.joined ? Topology::polyline : Topology::polyvertex};
     for (const Snapshot::Field& field : snapshot.fields) {
       const std::string here = path + "/" + field.name;
       file.array(here, field.values, field.name, field.unit, "value at the points");

@@ -30,6 +30,7 @@ spacings.
 #include "seiche/exact/overturning_wave.hpp"
 #include "seiche/exact/wavemaker.hpp"
 #include "validation/case/case.hpp"
+#include "validation/measures/sph_particles.hpp"
 #include "validation/measures/sph_plunging.hpp"
 #include "validation/measures/sph_settings.hpp"
 #include "validation/measures/sph_speed_field.hpp"
@@ -193,6 +194,9 @@ void run(Run& run) {
   run.record.measure("period_of_linear_theory", linear.period());
   run.record.measure("particles", static_cast<double>(runs.front().back().particles));
   for (std::size_t m = 0; m < models.size(); ++m) claim(run, models[m], runs[m]);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    add_particles(run.record, frames[k] * run.real("period"), runs.front().back().frames[k], models.front().settings);
+  }
   draw(run, models, runs);
 }
 

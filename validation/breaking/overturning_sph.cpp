@@ -31,6 +31,7 @@ energy is within a few per cent of that of potential flow.
 #include "validation/case/case.hpp"
 #include "validation/measures/slope_guide.hpp"
 #include "validation/measures/sph_overturning.hpp"
+#include "validation/measures/sph_particles.hpp"
 #include "validation/measures/sph_settings.hpp"
 #include "validation/measures/sph_speed_field.hpp"
 #include "validation/measures/sph_study.hpp"
@@ -50,6 +51,10 @@ constexpr double overhang = 0.01 * wavelength;
 SteepWave wave_of(const Run& run) {
   return {
       .amplitude = 0.5 * run.real("height"), .wavelength = wavelength, .depth = run.real("depth"), .gravity = gravity};
+}
+
+wcsph::Settings settings_of(const Run& run, const SteepWave& wave) {
+  return sph_settings(run.values(), gravity, 1000, std::sqrt(gravity * wave.depth));
 }
 
 double period_of(const SteepWave& wave) {
@@ -113,7 +118,7 @@ Study compute(Run& run) {
   std::vector<double> until_landed = study.instants.times;
   until_landed.push_back(
       std::max(until_landed.back(), 1.06 * study.exact.touch_down_time().value_or(study.exact.end_time())));
-  const wcsph::Settings settings = sph_settings(run.values(), gravity, 1000, std::sqrt(gravity * wave.depth));
+  const wcsph::Settings settings = settings_of(run, wave);
   const auto columns = [&](std::size_t lattice) {
     return std::lround(static_cast<double>(run.integer("columns")) *
                        std::pow(0.5, 0.5 * static_cast<double>(lattices - 1 - lattice)));
@@ -306,6 +311,10 @@ void run(Run& run) {
   claim_events(run.record, study, period_of(wave));
   tabulate_variants(run.record, study);
   draw(run.record, study, sizes);
+  const SphOverturned& finest = study.runs.back();
+  for (std::size_t i = 0; i < finest.times.size(); ++i) {
+    add_particles(run.record, finest.times[i], finest.snapshots[i], settings_of(run, wave));
+  }
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ usual rule for the sound speed, ten times $\sqrt{gH}$, does not keep at a tenth.
 #include "validation/measures/column_front.hpp"
 #include "validation/measures/shifted_front.hpp"
 #include "validation/measures/sph_dam.hpp"
+#include "validation/measures/sph_particles.hpp"
 #include "validation/measures/sph_settings.hpp"
 
 namespace seiche::validation::cases {
@@ -56,13 +57,30 @@ void compare(Run& run, const SphCollapse& computed, const ColumnFront& data, con
   panel.points(data.label, data.T, data.X, Role::data);
 }
 
+/// T of the instants whose particles are kept, from the beginning to the end.
+std::vector<double> frames_of(const Run& run) {
+  const long count = run.integer("frames");
+  std::vector<double> frames;
+  for (long k = 0; k < count; ++k) {
+    frames.push_back(count == 1 ? run.real("last")
+                                : run.real("last") * static_cast<double>(k) / static_cast<double>(count - 1));
+  }
+  return frames;
+}
+
 void run(Run& run) {
   const SphDam dam = dam_of(run);
   const bool compared = run.text("data") != "none";
   ColumnFront data;
   if (compared) data = column_front(run.text("data"), run.record);
-  const SphCollapse computed = collapse(dam, data.unit(dam.settings.gravity, dam.geometry.width), run.real("last"), 200,
-                                        {}, {}, [&](double done) { run.progress(done); });
+  const double unit = data.unit(dam.settings.gravity, dam.geometry.width);
+  const std::vector<double> frames = frames_of(run);
+  const SphCollapse computed = collapse(
+      dam, unit, run.real("last"), 200, frames,
+      [&](std::size_t k, const wcsph::Flow& flow) {
+        add_particles(run.record, frames[k] / unit, flow.particles(), dam.settings);
+      },
+      [&](double done) { run.progress(done); });
   measure_run(run.record, computed);
   if (!computed.roundings.empty()) {
     evidence::Table table{.id = "roundings", .title = "Lengths that were rounded", .columns = {{"what", ""}}};
@@ -114,6 +132,7 @@ Case dam_break_sph() {
             real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
             real("density", 1000.0, "kg/m^3", {1e-6, 1e6}, "density at rest"),
             real("last", 3.2, "1", {0.01, 100}, "scaled time at the end"),
+            integer("frames", 9, {0, 10000}, "instants whose particles are kept for ParaView"),
             choice("data", std::string("martin_moyce_tall_wide"), data_choices(), "published front that is compared")},
            sph_parameters({.alpha = 0.3, .sound = 10 * std::sqrt(2.0)}, "sqrt(g times the height of the column)"));
   c.run = run;

@@ -4,14 +4,16 @@ Moyce (1952), as weakly compressible SPH computes it in figure 2 of the publicat
 
 **Set-up.** Walls $3.5a$ high; artificial viscosity $\alpha = 0.3$, XSPH $\epsilon = 0.5$, no density filter, $h =
 1.3\,dx$. The publication's 11103 particles are two in each of 50 by 100 cells and 1103 of the walls, whose corners
-are counted twice (tier `paper`); a square lattice with one in each cell gives the same front. $T = t\sqrt{2g/a}$.
+are counted twice (tier `paper`); a square lattice with one in each cell gives the same front. Tier `full`: five
+spacings from $a/25$ to $a/100$. $T = t\sqrt{2g/a}$.
 
 **What is compared.** The front with the points of the wider column, $a = 5.715$ cm: as it stands, and with one shift
 of the time origin, for the columns were let go by melting a diaphragm of waxed paper, which delays the start by a time
 that was not measured. The publication reports good agreement and no shift. Its volume-of-fluid curve cannot be
 repeated from the text.
 
-**What to look at.** As it stands the computed front is ahead by 7 to 11 per cent. Shifted, it goes through the points.
+**What to look at.** As it stands the computed front is ahead, by 7 to 11 per cent with the publication's spacing $a/50$
+and by 10 to 14 with $a/100$. Shifted, it goes through the points.
 */
 #include <algorithm>
 #include <array>
@@ -130,28 +132,28 @@ void claim(Run& run, const std::vector<SphCollapse>& runs, const ColumnFront& da
 }
 
 /// The same problem on the same lattice by an independent implementation.
-void claim_independent(Run& run, const SphCollapse& finest) {
+void claim_independent(Run& run, const SphCollapse& same) {
   constexpr std::array<double, 6> times{0.5, 1, 1.5, 2, 2.5, 3};
   constexpr std::array<double, 6> fronts{1.108, 1.440, 1.919, 2.501, 3.146, 3.839};
   constexpr std::array<double, 6> energies{0.998, 0.989, 0.973, 0.946, 0.915, 0.886};
   double front = 0;
   double energy = 0;
   for (std::size_t k = 0; k < times.size(); ++k) {
-    front = std::max(front, std::abs(linear_at(finest.front_curve(), times[k]) - fronts[k]));
-    energy = std::max(energy, std::abs(linear_at({finest.T, finest.energy}, times[k]) - energies[k]));
+    front = std::max(front, std::abs(linear_at(same.front_curve(), times[k]) - fronts[k]));
+    energy = std::max(energy, std::abs(linear_at({same.T, same.energy}, times[k]) - energies[k]));
   }
   const std::string known = "computed once by an independent implementation";
   run.record.check({.id = "independent-front",
                     .text = "The front is where an independent program has it.",
                     .quantity = "largest difference of X/a at T = 0.5, 1, ..., 3",
                     .source = known},
-                   {.value = front, .resolution = sph_resolution(finest.spacing, finest.particles)},
+                   {.value = front, .resolution = sph_resolution(same.spacing, same.particles)},
                    Bound{.limit = 0.02, .reason = "one spacing of the particles"});
   run.record.check({.id = "independent-energy",
                     .text = "It has lost as much energy.",
                     .quantity = "largest difference of E/E_0 at T = 0.5, 1, ..., 3",
                     .source = known},
-                   {.value = energy, .resolution = sph_resolution(finest.spacing, finest.particles)},
+                   {.value = energy, .resolution = sph_resolution(same.spacing, same.particles)},
                    Bound{.limit = 0.01, .reason = "a tenth of what is lost"});
 }
 
@@ -197,7 +199,7 @@ void draw(Run& run, const SphDam& dam, const std::vector<SphCollapse>& runs, con
 
 void run(Run& run) {
   const long finest = run.integer("cells");
-  const std::vector<long> ladder = sph_ladder(run.tier(), finest);
+  const std::vector<long> ladder = sph_ladder(run.tier(), finest, 5);
   std::vector<SphCollapse> runs(ladder.size());
   const double unit = std::sqrt(2 * 9.81 / a);
   climb(run, ladder.size(),
@@ -209,7 +211,10 @@ void run(Run& run) {
     run.record.measure(fmt::format("energy_at_T_{:.1f}", T), linear_at({runs.back().T, runs.back().energy}, T));
   }
   claim(run, runs, data);
-  if (finest == 50 && run.text("lattice") == "square") claim_independent(run, runs.back());
+  const auto known = std::ranges::find(ladder, 50);
+  if (known != ladder.end() && run.text("lattice") == "square") {
+    claim_independent(run, runs[static_cast<std::size_t>(known - ladder.begin())]);
+  }
   draw(run, dam_of(run, finest), runs, data);
 }
 
@@ -223,7 +228,7 @@ Case dam_break_sph_front() {
       "Moyce, Phil. Trans. R. Soc. Lond. A 244 (1952) 312";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = with(
-      {integer("cells", {30, 50, 50}, {10, 1000}, "particle spacings in the width of the column"),
+      {integer("cells", {30, 100, 50}, {10, 1000}, "particle spacings in the width of the column"),
        choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"}, "lattice of the particles")},
       sph_parameters({.alpha = 0.3, .sound = 10 * std::sqrt(2.0)}, "sqrt(g times the column's height)"));
   c.run = run;

@@ -78,7 +78,7 @@ void compare(Run& run, const std::vector<SphCollapse>& runs, const ColumnFront& 
 
 void run(Run& run) {
   const long finest = run.integer("cells");
-  const std::vector<long> ladder = sph_ladder(run.tier(), finest);
+  const std::vector<long> ladder = sph_ladder(run.tier(), finest, 5);
   std::vector<SphCollapse> runs(ladder.size());
   climb(run, ladder.size(), [&](std::size_t size) {
     runs[size] = collapse(dam_of(run, ladder[size]), std::sqrt(2 * gravity / width), 3.6, 360);
@@ -131,7 +131,7 @@ Case dam_break_sph_koshizuka() {
   c.source = "S. Koshizuka, Y. Oka, Nucl. Sci. Eng. 123 (1996) 421";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters =
-      with({integer("cells", {40, 40, 80}, {10, 1000}, "particle spacings in the width of the column")},
+      with({integer("cells", {40, 80, 80}, {10, 1000}, "particle spacings in the width of the column")},
            sph_parameters({.alpha = 0.1, .filter = 30, .sound = 10 * std::sqrt(2.0)}, "sqrt(g times its height)"));
   c.run = run;
   return c;

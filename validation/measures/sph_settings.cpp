@@ -40,7 +40,7 @@ std::vector<Parameter> sph_parameters(const SphDefaults& defaults, const std::st
              "pressure of wall particles: their own density, the same without suction, from the fluid beside them"),
       real("diffusion", defaults.diffusion, "1", {0, 1}, "coefficient of the density diffusion of delta-SPH; 0: none"),
       toggle("shifting", false, "particle shifting away from the free surface"),
-      real("courant", 0.3, "1", {0.01, 0.5}, "time step over h/(c + sigma)"),
+      real("courant", defaults.courant, "1", {0.01, 0.5}, "time step over h/(c + sigma)"),
   };
 }
 

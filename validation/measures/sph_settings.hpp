@@ -21,6 +21,7 @@ struct SphDefaults {
   double sound = 10;
   std::string walls = "dynamic";
   double diffusion = 0;
+  ByTier<double> courant = 0.3;
 };
 
 /// kernel, smoothing, viscosity, alpha, nu0, smagorinsky, isotropic, xsph, filter, sound, walls, diffusion, shifting,

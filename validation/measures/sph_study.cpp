@@ -7,9 +7,12 @@
 
 namespace seiche::validation {
 
-std::vector<long> sph_ladder(Tier tier, long finest) {
+std::vector<long> sph_ladder(Tier tier, long finest, int rungs) {
   if (tier == Tier::quick) return {finest};
-  return {finest / 2, std::lround(0.7 * static_cast<double>(finest)), finest};
+  std::vector<long> ladder;
+  for (int k = rungs - 1; k >= 0; --k)
+    ladder.push_back(std::lround(static_cast<double>(finest) * std::pow(0.5, 0.5 * k)));
+  return ladder;
 }
 
 void climb(Run& run, std::size_t sizes, const std::function<void(std::size_t)>& compute) {

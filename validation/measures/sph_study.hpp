@@ -9,8 +9,9 @@
 
 namespace seiche::validation {
 
-/// Numbers of spacings, ascending: of the quick tier only the finest, otherwise half of it, 0.7 of it and it.
-std::vector<long> sph_ladder(Tier tier, long finest);
+/// Numbers of spacings, ascending: of the quick tier only the finest, otherwise `rungs` of them, each 0.7 of the next.
+/// Particles scatter what they converge to, so that three lattices show a trend only over a factor wider than two.
+std::vector<long> sph_ladder(Tier tier, long finest, int rungs = 3);
 
 /// compute(size) for each index of the ladder, the costliest first, side by side as the tier allows.
 void climb(Run& run, std::size_t sizes, const std::function<void(std::size_t size)>& compute);

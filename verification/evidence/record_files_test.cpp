@@ -51,6 +51,20 @@ TEST_CASE("a record is read back as it was written", "[record]") {
   }
 }
 
+TEST_CASE("points of a snapshot are joined by a line or stand alone", "[record]") {
+  const seiche::verification::ScratchFolder scratch("seiche_record_files_test");
+  Record record = sample();
+  record.snapshot({.time = 2, .x = {0, 1}, .z = {0, 1}, .fields = {}, .joined = false});
+  write(record, scratch.path());
+  std::ifstream file(scratch.path() / "sample.xdmf");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t line = text.find("\"Polyline\"");
+  const std::size_t particles = text.find("\"Polyvertex\"");
+  REQUIRE(line != std::string::npos);
+  REQUIRE(particles != std::string::npos);
+  CHECK(line < particles);
+}
+
 TEST_CASE("numbers that are not finite become null, not invalid JSON", "[record]") {
   const auto json = nlohmann::json::parse(to_json(sample()));
   CHECK(json.at("measurements").at("infinite").is_null());
