@@ -108,6 +108,46 @@ class DirectSums {
     return result;
   }
 
+  /// The fluid after particle shifting over a time tau: -4 h u_max tau sum V_b [1 + 0.2 (W_ab/W(dx))^4] grad W_ab, at
+  /// most dx/10, with velocities and densities that follow their gradients; without the free surface, where
+  /// -sum V_b r_ab . grad W_ab < 1.5, and all that have such a neighbour.
+  [[nodiscard]] wcsph::Particles shifted(double tau) const {
+    std::vector<double> divergence(p_.size(), 2.0);
+    double fastest = 0;
+    for (std::size_t a = 0; a < p_.size(); ++a) {
+      if (!fluid(a)) continue;
+      fastest = std::max(fastest, velocity(a).norm());
+      divergence[a] = 0;
+      neighbours(a, [&](std::size_t b, const Pair& pair) {
+        divergence[a] -= p_.mass[b] / p_.density[b] * pair.r.dot(pair.gradient);
+      });
+    }
+    wcsph::Particles result = p_;
+    for (std::size_t a = 0; a < p_.size(); ++a) {
+      bool surface = divergence[a] < 1.5;
+      Vector crowd = Vector::Zero();
+      Vector density = Vector::Zero();
+      Matrix flow = Matrix::Zero();
+      neighbours(a, [&](std::size_t b, const Pair& pair) {
+        surface = surface || divergence[b] < 1.5;
+        const double volume = p_.mass[b] / p_.density[b];
+        crowd += volume * (1 + 0.2 * std::pow(pair.weight / weight(spacing_, smoothing_[a]), 4)) * pair.gradient;
+        flow += volume * (velocity(b) - velocity(a)) * pair.gradient.transpose();
+        density += volume * (p_.density[b] - p_.density[a]) * pair.gradient;
+      });
+      if (!fluid(a) || surface) continue;
+      Vector shift = -4 * smoothing_[a] * fastest * tau * crowd;
+      if (shift.norm() > 0.1 * spacing_) shift *= 0.1 * spacing_ / shift.norm();
+      const Vector change = flow * shift;
+      result.x[a] += shift.x();
+      result.z[a] += shift.y();
+      result.u[a] += change.x();
+      result.w[a] += change.y();
+      result.density[a] += density.dot(shift);
+    }
+    return result;
+  }
+
   /// max |h u_ab . r_ab/(r_ab^2 + 0.01 h^2)| added to the sound speed, over the smoothing length: 1/dt is its maximum
   /// over the Courant number.
   [[nodiscard]] double largest_step() const {

@@ -19,12 +19,10 @@ namespace {
 
 using namespace seiche::wcsph;
 
-void dam_break_steps(benchmark::State& state, Viscosity viscosity) {
+void dam_break_steps(benchmark::State& state, Settings settings) {
   const auto across = static_cast<double>(state.range(0));
   omp_set_num_threads(static_cast<int>(state.range(1)));
   constexpr double width = 0.057;
-  Settings settings;
-  settings.viscosity = viscosity;
   settings.sound_speed = sound_speed_for(settings.gravity, 4 * width);
   const Scene scene = dam_break({.width = width,
                                  .height = 2 * width,
@@ -42,18 +40,25 @@ void dam_break_steps(benchmark::State& state, Viscosity viscosity) {
   state.counters["particles"] = static_cast<double>(flow.particles().size());
 }
 
-BENCHMARK_CAPTURE(dam_break_steps, artificial_viscosity, ArtificialViscosity{0.3})
+const Settings standard{.viscosity = ArtificialViscosity{0.3}};
+const Settings diffusive{.viscosity = ArtificialViscosity{0.3}, .density_diffusion = 0.1};
+const Settings shifting{.viscosity = ArtificialViscosity{0.3}, .particle_shifting = true};
+
+BENCHMARK_CAPTURE(dam_break_steps, artificial_viscosity, standard)
     ->Args({50, 1})
     ->Args({50, 2})
     ->Args({690, 1})
     ->Args({690, 2})
     ->UseRealTime();
-BENCHMARK_CAPTURE(dam_break_steps, laminar_and_sps, LaminarSps{})
+BENCHMARK_CAPTURE(dam_break_steps, laminar_and_sps, Settings{.viscosity = LaminarSps{}})
     ->Args({50, 1})
     ->Args({50, 2})
     ->Args({690, 1})
     ->Args({690, 2})
     ->UseRealTime();
+
+BENCHMARK_CAPTURE(dam_break_steps, density_diffusion, diffusive)->Args({50, 1})->Args({50, 2})->UseRealTime();
+BENCHMARK_CAPTURE(dam_break_steps, particle_shifting, shifting)->Args({50, 1})->Args({50, 2})->UseRealTime();
 
 /// Rates alone.
 void dam_break_rates(benchmark::State& state) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "seiche/models/wcsph/neighbours.hpp"
+#include "seiche/models/wcsph/pair_loops.hpp"
 #include "seiche/models/wcsph/settings.hpp"
 #include "seiche/models/wcsph/stage.hpp"
 
@@ -25,18 +26,9 @@ class DensityDiffusion {
   void add(const Stage& stage, const Neighbours& neighbours, std::vector<double>& ddensity);
 
  private:
-  struct Gradient {
-    double x, z;
-  };
-
-  template <class Kernel>
-  void gradients(const Stage& stage, const Neighbours& neighbours);
-  template <class Kernel>
-  void diffuse(const Stage& stage, const Neighbours& neighbours, std::vector<double>& ddensity) const;
-
   double strength_;  ///< delta c_0
   KernelName kernel_;
-  std::vector<Gradient> gradients_;  ///< of fluid particles, then of their images
+  std::vector<DensityGradient> gradients_;  ///< of the records
 };
 
 }  // namespace seiche::wcsph

@@ -59,6 +59,7 @@ Flow::Engine::Engine(Particles particles, double spacing, const Settings& settin
       reference_z_(particles_.z),
       mean_spacing_(mean_spacing(particles_, settings.density)),
       rates_(settings, spacing),
+      shifting_(settings.kernel, spacing),
       stage_(fluid_, smoothing_, settings.variable_smoothing, rates_.sound_scale()),
       neighbours_(mean_spacing_, expected_box(particles_), settings.period),
       reserve_(settings.skin * support * smoothing_) {

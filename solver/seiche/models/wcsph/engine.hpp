@@ -6,6 +6,7 @@
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/neighbours.hpp"
+#include "seiche/models/wcsph/particle_shifting.hpp"
 #include "seiche/models/wcsph/right_hand_side.hpp"
 #include "seiche/models/wcsph/stage.hpp"
 
@@ -57,6 +58,7 @@ class Flow::Engine {
   std::vector<double> scratch_;
   double mean_spacing_;
   RightHandSide rates_;
+  ParticleShifting shifting_;
   Stage stage_;
   Neighbours neighbours_;
   State next_;              ///< what the step is moving to

@@ -6,7 +6,6 @@
 #include "seiche/divergence.hpp"
 #include "seiche/models/wcsph/density_filter.hpp"
 #include "seiche/models/wcsph/engine.hpp"
-#include "seiche/models/wcsph/particle_shifting.hpp"
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::wcsph {
@@ -175,7 +174,7 @@ void Flow::Engine::rearrange(double tau) {
   if (filter) {
     filter_density(settings_.kernel, smoothing_, settings_.density, stage_, neighbours_, particles_.density);
   }
-  if (settings_.particle_shifting) shift_particles(settings_.kernel, spacing_, tau, stage_, neighbours_, particles_);
+  if (settings_.particle_shifting) shifting_.apply(tau, stage_, neighbours_, particles_);
 }
 
 void Flow::Engine::report_bad_state() const {

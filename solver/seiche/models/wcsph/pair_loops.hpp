@@ -65,8 +65,36 @@ struct PairWork {
   double isotropic_factor;     ///< (2/3) C_I Delta^2
 };
 
+/// Gradient of the density, and the volume m/rho of fluid, 0 of walls.
+struct DensityGradient {
+  double x, z, volume;
+};
+
+/// Density diffusion: between gradients and diffusion, those of images are to be copied.
+struct DiffusionWork {
+  const Record* records;
+  const Cluster* clusters;
+  DensityGradient* gradients;
+  double* ddensity;  ///< is added to
+  double strength;   ///< delta c_0
+};
+
+/// Particle shifting: between surface and shift, what was found is to be copied to images.
+struct ShiftWork {
+  const Record* records;
+  const double* mass;
+  const Cluster* clusters;
+  double* at_surface;               ///< 1 or 0
+  double *x, *z, *u, *w, *density;  ///< are changed
+  double spacing;
+  double travel;  ///< 4 u_max tau [m]
+};
+
 /// Clusters first, ..., last - 1.
 using PairLoop = void (*)(const PairWork& work, std::size_t first, std::size_t last);
+
+using DiffusionLoop = void (*)(const DiffusionWork& work, std::size_t first, std::size_t last);
+using ShiftLoop = void (*)(const ShiftWork& work, std::size_t first, std::size_t last);
 
 struct IndexRange {
   std::int32_t begin, end;
@@ -89,6 +117,11 @@ struct PairLoops {
   PairLoop (*wall)(KernelName kernel, bool limited);
   /// Stress of fluid clusters.
   PairLoop (*strain)(KernelName kernel);
+  /// See density_diffusion.hpp and particle_shifting.hpp; of fluid clusters.
+  DiffusionLoop (*density_gradient)(KernelName kernel);
+  DiffusionLoop (*diffusion)(KernelName kernel);
+  ShiftLoop (*surface)(KernelName kernel);
+  ShiftLoop (*shift)(KernelName kernel);
   CandidateSearch search;
 };
 

@@ -1,64 +1,15 @@
 /// The loops of pair_loops.hpp for one kind of lanes; included by each version after its target is chosen, so nothing
 /// of the standard library is used here.
-///
-/// `Lanes` has Pack, a vector of Lanes::width doubles; on it positive and negative (largest or smallest of it and 0),
-/// largest, less (one bit per lane), where_less and inverse_root.
 #pragma once
 
-#include "seiche/models/wcsph/lane_kernels.hpp"
-#include "seiche/models/wcsph/pair_loops.hpp"
-#include "seiche/models/wcsph/side_by_side.hpp"
+#include "seiche/models/wcsph/diffusion_sums.hpp"
+#include "seiche/models/wcsph/lane_blocks.hpp"
+#include "seiche/models/wcsph/shifting_sums.hpp"
 
 namespace seiche::wcsph {
 
 /// eta^2 = 0.01 h_ab^2 in terms of h_a + h_b.
 inline constexpr double softening = 0.0025;
-/// Keeps 1/r finite at r = 0, far below any distance squared.
-inline constexpr double least_square = 1e-200;
-
-template <class Lanes>
-struct Block {
-  typename Lanes::Pack x, z, u, w, density, pressure, smoothing, sound;
-};
-
-template <class Lanes>
-SEICHE_INLINE Block<Lanes> load_block(const Record* records) {
-  Block<Lanes> a;
-  for (int l = 0; l < Lanes::width; ++l) {
-    const Record& record = records[l];
-    a.x[l] = record.x;
-    a.z[l] = record.z;
-    a.u[l] = record.u;
-    a.w[l] = record.w;
-    a.density[l] = record.density;
-    a.pressure[l] = record.pressure;
-    a.smoothing[l] = record.smoothing;
-    a.sound[l] = record.sound;
-  }
-  return a;
-}
-
-template <class Lanes>
-SEICHE_INLINE void store(typename Lanes::Pack values, double* to, const Cluster& cluster) {
-  if (cluster.count == Lanes::width) {
-    __builtin_memcpy(to + cluster.first, &values, sizeof values);
-  } else {
-    for (int l = 0; l < cluster.count; ++l) to[cluster.first + l] = values[l];
-  }
-}
-
-template <class Lanes>
-SEICHE_INLINE typename Lanes::Pack magnitude(typename Lanes::Pack value) {
-  return Lanes::largest(value, -value);
-}
-
-/// Records of the next candidates; those after them are on their way to the cache when their turn comes.
-SEICHE_INLINE void load_records(const Record* records, const std::int32_t* candidate, const Record* (&b)[abreast]) {
-  for (int k = 0; k < abreast; ++k) {
-    b[k] = records + candidate[k];
-    __builtin_prefetch(records + candidate[k + candidates_ahead]);
-  }
-}
 
 /// What depends on the places, smoothing lengths and densities of pairs.
 template <class Lanes>
@@ -214,24 +165,17 @@ void strain_stress(const PairWork& work, std::size_t first, std::size_t last) {
     for (const std::int32_t* candidate = cluster.begin; candidate < cluster.end; candidate += abreast) {
       const Record* b[abreast];
       load_records(work.records, candidate, b);
-      const Values x = Values::of([&](int k) { return a.x - b[k]->x; });
-      const Values z = Values::of([&](int k) { return a.z - b[k]->z; });
-      const Values square = x * x + (z * z + least_square);
-      const Values width = Values::of([&](int k) { return a.smoothing + b[k]->smoothing; });
-      const Values scaled = square * width;
-      const Values inverse_area = inverse_root(scaled * width);
-      const Values distance = scaled * inverse_area;
-      const Values inverse_width = distance * inverse_area;
-      const Shape shape(distance * inverse_width, inverse_area, inverse_width);
-      const Values squared = inverse_width * inverse_width;
+      const Distance<Lanes> pair(a, b);
+      const Shape shape(pair.s, pair.inverse_area, pair.inverse_width);
+      const Values squared = pair.inverse_width * pair.inverse_width;
       for (int k = 0; k < abreast; ++k) {
         const Pack slope = work.stress[candidate[k]].volume * squared.at[k] * shape.slope.at[k];
         const Pack u = slope * (a.u - b[k]->u);
         const Pack w = slope * (a.w - b[k]->w);
-        u_x += u * x.at[k];
-        u_z += u * z.at[k];
-        w_x += w * x.at[k];
-        w_z += w * z.at[k];
+        u_x += u * pair.x.at[k];
+        u_z += u * pair.z.at[k];
+        w_x += w * pair.x.at[k];
+        w_z += w * pair.z.at[k];
       }
     }
     const Pack xx = -Shape::slope_factor * u_x;
@@ -320,6 +264,20 @@ constexpr PairLoops loops_of() {
       .strain = [](KernelName kernel) -> PairLoop {
         return kernel == KernelName::cubic_spline ? strain_stress<Lanes, CubicSpline>
                                                   : strain_stress<Lanes, WendlandC2>;
+      },
+      .density_gradient = [](KernelName kernel) -> DiffusionLoop {
+        return kernel == KernelName::cubic_spline ? density_gradient<Lanes, CubicSpline>
+                                                  : density_gradient<Lanes, WendlandC2>;
+      },
+      .diffusion = [](KernelName kernel) -> DiffusionLoop {
+        return kernel == KernelName::cubic_spline ? density_diffusion<Lanes, CubicSpline>
+                                                  : density_diffusion<Lanes, WendlandC2>;
+      },
+      .surface = [](KernelName kernel) -> ShiftLoop {
+        return kernel == KernelName::cubic_spline ? find_surface<Lanes, CubicSpline> : find_surface<Lanes, WendlandC2>;
+      },
+      .shift = [](KernelName kernel) -> ShiftLoop {
+        return kernel == KernelName::cubic_spline ? shift<Lanes, CubicSpline> : shift<Lanes, WendlandC2>;
       },
       .search = search<Lanes>,
   };

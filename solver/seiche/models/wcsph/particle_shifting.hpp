@@ -12,14 +12,26 @@
 /// Appl. Mech. Eng. 315 (2017) 25 (coefficient).
 #pragma once
 
+#include <vector>
+
 #include "seiche/models/wcsph/kernel.hpp"
 #include "seiche/models/wcsph/neighbours.hpp"
+#include "seiche/models/wcsph/pair_loops.hpp"
 #include "seiche/models/wcsph/particles.hpp"
 #include "seiche/models/wcsph/stage.hpp"
 
 namespace seiche::wcsph {
 
-void shift_particles(KernelName kernel, double spacing, double tau, const Stage& stage, const Neighbours& neighbours,
-                     Particles& particles);
+class ParticleShifting {
+ public:
+  ParticleShifting(KernelName kernel, double spacing) : kernel_(kernel), spacing_(spacing) {}
+  /// @param stage  filled with the particles as they are
+  void apply(double tau, const Stage& stage, const Neighbours& neighbours, Particles& particles);
+
+ private:
+  KernelName kernel_;
+  double spacing_;
+  std::vector<double> at_surface_;  ///< of the records, 1 or 0
+};
 
 }  // namespace seiche::wcsph
