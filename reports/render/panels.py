@@ -122,8 +122,11 @@ def _draw_panel(axis, panel, looks, small=False):
     equal = panel.get("aspect") == "equal" or kind(panel) == "plan"
     if equal and not (panel.get("log_x") or panel.get("log_y")):
         axis.set_aspect("equal", adjustable="box")
-        ticks = 2 if (ratio(panel) or 1) > 6 else 4
+        shape = ratio(panel) or 1
+        ticks = 2 if shape > 6 else 4
         axis.yaxis.set_major_locator(matplotlib.ticker.MaxNLocator(ticks, steps=[1, 2, 2.5, 5, 10]))
+        if shape < 0.5:
+            axis.xaxis.set_major_locator(matplotlib.ticker.MaxNLocator(2, steps=[1, 2, 5, 10]))
     if panel.get("log_x") or panel.get("log_y"):
         axis.grid(True, which="major")
         _log_ticks(axis, panel)
