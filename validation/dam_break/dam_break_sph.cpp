@@ -11,11 +11,15 @@ it is $t\sqrt{g/a}$, as their front was published.
 published one (`data`): as it stands, and with one shift of the time origin, for laboratories let a column go by melting
 or pulling something. Points count until the far wall is near.
 
+Others' solvers are scored by the same: `seiche score dam_break_sph` takes a front, of any method, for any of the
+published columns.
+
 **What to look at.** The shift: 0.1 to 0.3 for Martin and Moyce, who melted a diaphragm. And the Mach number, which the
 usual rule for the sound speed, ten times $\sqrt{gH}$, does not keep at a tenth.
 */
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -106,6 +110,30 @@ void run(Run& run) {
       evidence::Bound{.limit = 0, .reason = "walls are tight"});
 }
 
+/// The published front that a submission is judged by, and X/a beyond which the far wall is felt.
+struct Judged {
+  ColumnFront data;
+  double farthest;
+};
+
+Judged judged_by(const Values& values, evidence::Record& record) {
+  if (values.text("data") == "none") {
+    throw std::invalid_argument("data = none: there is nothing to judge a front by; choose a published one");
+  }
+  return {column_front(values.text("data"), record), values.real("tank_length") / values.real("column_width") - 0.1};
+}
+
+std::vector<WantedTable> wanted(const Values& values) {
+  evidence::Record unused;
+  const Judged judged = judged_by(values, unused);
+  return {wanted_front(judged.data, judged.farthest)};
+}
+
+void judge(const Values& values, const Submitted& submitted, evidence::Record& record) {
+  const Judged judged = judged_by(values, record);
+  judge_front(judged.data, judged.farthest, submitted.at("front").front(), record);
+}
+
 std::vector<std::string> data_choices() {
   std::vector<std::string> choices = column_fronts();
   choices.emplace_back("none");
@@ -136,6 +164,7 @@ Case dam_break_sph() {
             choice("data", std::string("martin_moyce_tall_wide"), data_choices(), "published front that is compared")},
            sph_parameters({.alpha = 0.3, .sound = 10 * std::sqrt(2.0)}, "sqrt(g times the height of the column)"));
   c.run = run;
+  c.submission = {.tables = wanted, .judge = judge};
   return c;
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "validation/case/reference_source.hpp"
+#include "validation/measures/shifted_front.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -77,6 +78,67 @@ ColumnFront column_front(const std::string& name, evidence::Record& record) {
     result.X.push_back(table.column(found->front)[i]);
   }
   return result;
+}
+
+WantedTable wanted_front(const ColumnFront& data, double farthest) {
+  std::vector<double> T{0}, X{1};
+  T.insert(T.end(), data.T.begin(), data.T.end());
+  X.insert(X.end(), data.X.begin(), data.X.end());
+  double last = 0;
+  for (std::size_t i = 0; i < X.size(); ++i) {
+    if (X[i] <= farthest) last = T[i];
+  }
+  last = std::min(last - ShiftRange{}.lowest, T.back());
+  const auto intervals = static_cast<long>(std::ceil(last / 0.05));
+  std::vector<double> points;
+  for (long k = 0; k <= intervals; ++k) {
+    points.push_back(last * static_cast<double>(k) / static_cast<double>(intervals));
+  }
+  return {.name = "front",
+          .kind = WantedTable::Kind::series,
+          .abscissa = Column{"T", "1", data.tall ? "time t sqrt(2 g/a)" : "time t sqrt(g/a)"},
+          .quantities = {{.column = {"X", "1", "front over the width a of the column, from its rear wall"},
+                          .reference =
+                              [T, X](Place place) {
+                                return linear_at({T, X}, place.abscissa);
+                              }}},
+          .points = [points](double) { return points; },
+          .reference_role = data.measured ? evidence::Role::data : evidence::Role::peer};
+}
+
+void judge_front(const ColumnFront& data, double farthest, const SubmittedGroup& front, evidence::Record& record) {
+  const std::vector<double>& X = front.values.at("X");
+  const ShiftedFront fit = shifted_front({front.abscissa, X}, data.curve(), farthest);
+  record.measure("points", static_cast<double>(fit.points));
+  record.measure("rms_as_it_stands", fit.raw_rms);
+  record.measure("time_shift", fit.shift);
+  record.measure("rms_shifted", fit.rms);
+  using evidence::Bound;
+  record.check({.id = "shift",
+                .text = data.measured ? "The experiment is late by what its release explains, or not at all."
+                                      : "The other computation starts at the same time.",
+                .quantity = "shift of the time origin, in the unit of T",
+                .source = data.citation},
+               {.value = fit.shift},
+               data.measured
+                   ? Bound{.limit = 0.2,
+                           .reason = "-0.05 to 0.35: what holds the column takes 0.05 to 0.3 to melt or to be pulled "
+                                     "away, by other computations; nothing where it was computed with the release",
+                           .expected = 0.15}
+                   : Bound{.limit = 0.1, .reason = "both columns are free at once"});
+  record.check({.id = "rms",
+                .text = "With this one shift the front goes through the published points.",
+                .quantity = "rms difference of X/a",
+                .source = data.citation},
+               {.value = fit.rms}, Bound{.limit = data.uncertainty, .reason = "the standard uncertainty of a point"});
+  auto& panel =
+      record.figure("shifted", "Position of the front", "As it stands, and with one shift of the time origin.")
+          .panel({.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
+  std::vector<double> later = front.abscissa;
+  for (double& T : later) T += fit.shift;
+  panel.line("as it stands", front.abscissa, X, evidence::Role::computed);
+  panel.line(fmt::format("{:.2f} later", fit.shift), later, X, evidence::Role::peer);
+  panel.points(data.label, data.T, data.X, evidence::Role::data);
 }
 
 }  // namespace seiche::validation

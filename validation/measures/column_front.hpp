@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "validation/case/reference_table.hpp"
+#include "validation/case/submission.hpp"
 #include "validation/measures/agreement.hpp"
 
 namespace seiche::validation {
@@ -28,5 +29,13 @@ struct ColumnFront {
 const std::vector<std::string>& column_fronts();
 /// Reads the table and notes it in the record. Throws std::invalid_argument for another name.
 ColumnFront column_front(const std::string& name, evidence::Record& record);
+
+/// How somebody else's front is asked for: X/a from T = 0 on, at points as dense as a shift of the time origin needs.
+/// What is published is joined by straight lines, from the column at rest.
+/// @param farthest  X/a beyond which the far wall of the tank is felt
+WantedTable wanted_front(const ColumnFront& data, double farthest);
+/// Claims, measures and a figure for it: with one shift of the time origin the front is the published one, and the
+/// shift is what the release explains.
+void judge_front(const ColumnFront& data, double farthest, const SubmittedGroup& front, evidence::Record& record);
 
 }  // namespace seiche::validation
