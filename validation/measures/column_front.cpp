@@ -109,6 +109,7 @@ WantedTable wanted_front(const ColumnFront& data, double farthest) {
 void judge_front(const ColumnFront& data, double farthest, const SubmittedGroup& front, evidence::Record& record) {
   const std::vector<double>& X = front.values.at("X");
   const ShiftedFront fit = shifted_front({front.abscissa, X}, data.curve(), farthest);
+  const std::string resolution = fmt::format("{} points", front.abscissa.size());
   record.measure("points", static_cast<double>(fit.points));
   record.measure("rms_as_it_stands", fit.raw_rms);
   record.measure("time_shift", fit.shift);
@@ -119,7 +120,7 @@ void judge_front(const ColumnFront& data, double farthest, const SubmittedGroup&
                                       : "The other computation starts at the same time.",
                 .quantity = "shift of the time origin, in the unit of T",
                 .source = data.citation},
-               {.value = fit.shift},
+               {.value = fit.shift, .resolution = resolution},
                data.measured
                    ? Bound{.limit = 0.2,
                            .reason = "-0.05 to 0.35: what holds the column takes 0.05 to 0.3 to melt or to be pulled "
@@ -130,7 +131,8 @@ void judge_front(const ColumnFront& data, double farthest, const SubmittedGroup&
                 .text = "With this one shift the front goes through the published points.",
                 .quantity = "rms difference of X/a",
                 .source = data.citation},
-               {.value = fit.rms}, Bound{.limit = data.uncertainty, .reason = "the standard uncertainty of a point"});
+               {.value = fit.rms, .resolution = resolution},
+               Bound{.limit = data.uncertainty, .reason = "the standard uncertainty of a point"});
   auto& panel =
       record.figure("shifted", "Position of the front", "As it stands, and with one shift of the time origin.")
           .panel({.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
