@@ -14,7 +14,8 @@ wall, how high the water runs up, whether a jet falls back. As a number: the fro
 Martin and Moyce (1952), which was smaller, in the time $t\sqrt{g/a}$, as it stands and with one shift of the time
 origin.
 
-**What to look at.** Spray rises above the walls: there is no lid. What leaves the tank is counted.
+**What to look at.** Spray rises above the walls: there is no lid. What leaves the tank is counted: with the
+publication's particles 13 of 7200 pass through the walls, which are no denser than one of its two lattices.
 */
 #include <algorithm>
 #include <array>
@@ -177,12 +178,21 @@ void run(Run& run) {
   measure_run(run.record, runs.back().series);
   claim_front(run, runs, data);
   claim_events(run, runs.back());
-  run.record.check({.id = "contained",
-                    .text = "No particle leaves through a wall.",
-                    .quantity = "particles beside or below the tank at the end",
-                    .source = publication},
-                   {.value = static_cast<double>(runs.back().series.lost)},
-                   Bound{.limit = 0, .reason = "walls are tight, and spray that rises above them falls back inside"});
+  const evidence::Claim contained{.id = "contained",
+                                  .text = "No particle leaves through a wall.",
+                                  .quantity = "particles beside or below the tank at the end",
+                                  .source = publication};
+  const evidence::Measurement lost{
+      .value = static_cast<double>(runs.back().series.lost),
+      .resolution = sph_resolution(runs.back().series.spacing, runs.back().series.particles)};
+  const Bound none{.limit = 0, .reason = "walls are tight, and spray that rises above them falls back inside"};
+  if (finest == 60 && run.text("lattice") == "body_centred") {
+    run.record.known_failure(contained, lost, none,
+                             "the publication's walls have a particle in every spacing, its water two in every cell: "
+                             "where it strikes, some pass between them");
+  } else {
+    run.record.check(contained, lost, none);
+  }
   for (std::size_t k = 0; k < times.size(); ++k) {
     add_particles(run.record, times[k], runs.back().particles[k], dam_of(run, finest).settings);
   }
