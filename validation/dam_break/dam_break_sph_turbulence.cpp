@@ -15,7 +15,8 @@ Martin and Moyce (1952), which was smaller, in the time $t\sqrt{g/a}$, as it sta
 origin.
 
 **What to look at.** Spray rises above the walls: there is no lid. What leaves the tank is counted: with the
-publication's particles 13 of 7200 pass through the walls, which are no denser than one of its two lattices.
+publication's particles 13 of 7200 pass through the walls, which are no denser than one of its two lattices; a third row
+of wall particles keeps them all.
 */
 #include <algorithm>
 #include <array>
