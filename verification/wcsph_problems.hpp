@@ -62,6 +62,19 @@ inline wcsph::Particles random_blob(double spacing, double density, double speed
   return particles;
 }
 
+/// A jittered square of n x n particles of density 1000 with random velocities and densities.
+inline wcsph::Particles noisy_square(std::size_t n, double spacing) {
+  wcsph::Particles particles = lattice(n, n, spacing, 1000);
+  jitter(particles, 0.2 * spacing);
+  Noise noise(7);
+  for (std::size_t a = 0; a < particles.size(); ++a) {
+    particles.u[a] = noise();
+    particles.w[a] = noise();
+    particles.density[a] *= 1 + 0.02 * noise();
+  }
+  return particles;
+}
+
 /// A wall of two staggered rows on z = 0 from x = left to right, the second half a spacing below.
 inline void add_floor(wcsph::Particles& particles, double left, double right, double spacing, double density) {
   const double mass = density * spacing * spacing;

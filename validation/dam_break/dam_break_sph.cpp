@@ -24,6 +24,7 @@ usual rule for the sound speed, ten times $\sqrt{gH}$, does not keep at a tenth.
 #include <fmt/format.h>
 
 #include "validation/measures/column_front.hpp"
+#include "validation/measures/reference_case.hpp"
 #include "validation/measures/shifted_front.hpp"
 #include "validation/measures/sph_dam.hpp"
 #include "validation/measures/sph_particles.hpp"
@@ -51,25 +52,11 @@ void compare(Run& run, const SphCollapse& computed, const ColumnFront& data, con
              evidence::Panel& panel) {
   const double farthest = (dam.geometry.tank_length - 4 * dam.geometry.spacing) / dam.geometry.width;
   const ShiftedFront fit = shifted_front(computed.free_front(), data.curve(), farthest);
-  run.record.measure("points", static_cast<double>(fit.points));
-  run.record.measure("rms_as_it_stands", fit.raw_rms);
-  run.record.measure("time_shift", fit.shift);
-  run.record.measure("rms_shifted", fit.rms);
+  measure_shift(run.record, fit);
   std::vector<double> later = computed.T;
   for (double& T : later) T += fit.shift;
   panel.line(fmt::format("SPH, {:.2f} later", fit.shift), later, computed.front, Role::peer);
   panel.points(data.label, data.T, data.X, Role::data);
-}
-
-/// T of the instants whose particles are kept, from the beginning to the end.
-std::vector<double> frames_of(const Run& run) {
-  const long count = run.integer("frames");
-  std::vector<double> frames;
-  for (long k = 0; k < count; ++k) {
-    frames.push_back(count == 1 ? run.real("last")
-                                : run.real("last") * static_cast<double>(k) / static_cast<double>(count - 1));
-  }
-  return frames;
 }
 
 void run(Run& run) {
@@ -78,7 +65,7 @@ void run(Run& run) {
   ColumnFront data;
   if (compared) data = column_front(run.text("data"), run.record);
   const double unit = data.unit(dam.settings.gravity, dam.geometry.width);
-  const std::vector<double> frames = frames_of(run);
+  const std::vector<double> frames = evenly(0, run.real("last"), static_cast<int>(run.integer("frames")));
   const SphCollapse computed = collapse(
       dam, unit, run.real("last"), 200, frames,
       [&](std::size_t k, const wcsph::Flow& flow) {
@@ -160,7 +147,7 @@ Case dam_break_sph() {
             real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
             real("density", 1000.0, "kg/m^3", {1e-6, 1e6}, "density at rest"),
             real("last", 3.2, "1", {0.01, 100}, "scaled time at the end"),
-            integer("frames", 9, {0, 10000}, "instants whose particles are kept for ParaView"),
+            integer("frames", 9, {2, 10000}, "instants whose particles are kept for ParaView"),
             choice("data", std::string("martin_moyce_tall_wide"), data_choices(), "published front that is compared")},
            sph_parameters({.alpha = 0.3, .sound = 10 * std::sqrt(2.0)}, "sqrt(g times the height of the column)"));
   c.run = run;

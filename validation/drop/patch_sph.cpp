@@ -12,8 +12,8 @@ Hence $0.2\,h/c$ in the tier `full`.
 **What is compared.** The semi-axis $b = 2\sqrt{\sum m z^2/\sum m}$ and the velocities with the exact ones at $t = 0.5$
 and 1; momentum, angular momentum and energy with those of the beginning.
 
-**What to look at.** The velocities hardly improve with the spacing, and the Wendland kernel with more neighbours is several times
-better than the cubic spline with $h = 1.3\,dx$. Momenta are kept to rounding all the same.
+**What to look at.** The velocities hardly improve with the spacing, and the Wendland kernel with more neighbours is
+several times better than the cubic spline with $h = 1.3\,dx$. Momenta are kept to rounding all the same.
 */
 #include <algorithm>
 #include <array>

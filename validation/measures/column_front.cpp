@@ -9,7 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "validation/case/reference_source.hpp"
-#include "validation/measures/shifted_front.hpp"
+#include "validation/measures/reference_case.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -80,6 +80,13 @@ ColumnFront column_front(const std::string& name, evidence::Record& record) {
   return result;
 }
 
+void measure_shift(evidence::Record& record, const ShiftedFront& fit) {
+  record.measure("points", static_cast<double>(fit.points));
+  record.measure("rms_as_it_stands", fit.raw_rms);
+  record.measure("time_shift", fit.shift);
+  record.measure("rms_shifted", fit.rms);
+}
+
 WantedTable wanted_front(const ColumnFront& data, double farthest) {
   std::vector<double> T{0}, X{1};
   T.insert(T.end(), data.T.begin(), data.T.end());
@@ -89,11 +96,7 @@ WantedTable wanted_front(const ColumnFront& data, double farthest) {
     if (X[i] <= farthest) last = T[i];
   }
   last = std::min(last - ShiftRange{}.lowest, T.back());
-  const auto intervals = static_cast<long>(std::ceil(last / 0.05));
-  std::vector<double> points;
-  for (long k = 0; k <= intervals; ++k) {
-    points.push_back(last * static_cast<double>(k) / static_cast<double>(intervals));
-  }
+  const std::vector<double> points = evenly(0, last, static_cast<int>(std::ceil(last / 0.05)) + 1);
   return {.name = "front",
           .kind = WantedTable::Kind::series,
           .abscissa = Column{"T", "1", data.tall ? "time t sqrt(2 g/a)" : "time t sqrt(g/a)"},
@@ -110,10 +113,7 @@ void judge_front(const ColumnFront& data, double farthest, const SubmittedGroup&
   const std::vector<double>& X = front.values.at("X");
   const ShiftedFront fit = shifted_front({front.abscissa, X}, data.curve(), farthest);
   const std::string resolution = fmt::format("{} points", front.abscissa.size());
-  record.measure("points", static_cast<double>(fit.points));
-  record.measure("rms_as_it_stands", fit.raw_rms);
-  record.measure("time_shift", fit.shift);
-  record.measure("rms_shifted", fit.rms);
+  measure_shift(record, fit);
   using evidence::Bound;
   record.check({.id = "shift",
                 .text = data.measured ? "The experiment is late by what its release explains, or not at all."

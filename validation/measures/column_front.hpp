@@ -7,6 +7,7 @@
 #include "validation/case/reference_table.hpp"
 #include "validation/case/submission.hpp"
 #include "validation/measures/agreement.hpp"
+#include "validation/measures/shifted_front.hpp"
 
 namespace seiche::validation {
 
@@ -29,6 +30,9 @@ struct ColumnFront {
 const std::vector<std::string>& column_fronts();
 /// Reads the table and notes it in the record. Throws std::invalid_argument for another name.
 ColumnFront column_front(const std::string& name, evidence::Record& record);
+
+/// Keeps what one shift of the time origin makes of a front.
+void measure_shift(evidence::Record& record, const ShiftedFront& fit);
 
 /// How somebody else's front is asked for: X/a from T = 0 on, at points as dense as a shift of the time origin needs.
 /// What is published is joined by straight lines, from the column at rest.

@@ -197,14 +197,7 @@ TEST_CASE("every width of registers shifts particles as sums over all pairs do",
               "which the longest shift is cut off: places, velocities and densities against sums over all pairs. "
               "Particles at its edge and their neighbours stay.");
   constexpr double tau = 0.02;
-  Particles square = lattice(21, 21, spacing, 1000);
-  jitter(square, 0.2 * spacing);
-  Noise noise(7);
-  for (std::size_t a = 0; a < square.size(); ++a) {
-    square.u[a] = noise();
-    square.w[a] = noise();
-    square.density[a] *= 1 + 0.02 * noise();
-  }
+  const Particles square = noisy_square(21, spacing);
   for (const Version& version : runnable()) {
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
       const Settings settings{.kernel = kernel, .sound_speed = 20};

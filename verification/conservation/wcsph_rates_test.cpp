@@ -18,22 +18,9 @@ using seiche::evidence::Bound;
 const std::string source = "formulas (2)-(6) summed over all pairs";
 constexpr double spacing = 0.1;
 
-/// A jittered box that repeats itself in both directions, with random velocities and densities.
-Particles periodic_cloud(std::size_t n) {
-  Particles particles = lattice(n, n, spacing, 1000);
-  jitter(particles, 0.2 * spacing);
-  Noise noise(7);
-  for (std::size_t a = 0; a < particles.size(); ++a) {
-    particles.u[a] = noise();
-    particles.w[a] = noise();
-    particles.density[a] *= 1 + 0.02 * noise();
-  }
-  return particles;
-}
-
 /// A jittered layer over a floor, repeated in x.
 Particles layer(std::size_t columns, std::size_t rows) {
-  Particles particles = periodic_cloud(columns);
+  Particles particles = noisy_square(columns, spacing);
   Particles result;
   for (std::size_t a = 0; a < columns * rows; ++a) {
     result.add(particles.x[a], particles.z[a] + 0.5 * spacing, particles.mass[a], particles.density[a], Kind::fluid,
@@ -99,7 +86,7 @@ TEST_CASE("rates equal the sums over all pairs for every viscosity, kernel and b
       "Largest difference over the largest rate.");
   const double side = 16 * spacing;
   const std::vector<Setup> setups{{"blob", "free blob", random_blob(spacing, 1000, 1), {}},
-                                  {"box", "periodic box", periodic_cloud(16), {side, side}},
+                                  {"box", "periodic box", noisy_square(16, spacing), {side, side}},
                                   {"floor", "layer over a floor", layer(16, 10), {.x = side}}};
   const std::vector<Model> models{{"inviscid", "no viscosity", Inviscid{}},
                                   {"artificial", "artificial viscosity", ArtificialViscosity{0.3}},
@@ -150,7 +137,7 @@ TEST_CASE("rates equal the sums over all pairs with constant smoothing, clamped 
               "density diffusion with corrected gradients, whose correction here is the inverse of the matrix of first "
               "moments of the fluid.");
   const double side = 16 * spacing;
-  const std::vector<Setup> setups{{"box", "periodic box", periodic_cloud(16), {side, side}},
+  const std::vector<Setup> setups{{"box", "periodic box", noisy_square(16, spacing), {side, side}},
                                   {"floor", "layer over a floor", layer(16, 10), {.x = side}}};
   for (const Setup& setup : setups) {
     const Settings plain{.sound_speed = 20, .viscosity = ArtificialViscosity{0.1}, .period = setup.period};
@@ -187,9 +174,9 @@ TEST_CASE("the step rule is that of the sums over all pairs", "[conservation]") 
               "$\\Delta t = 0.3\\min_a h_a/(c_a + \\sigma_a)$ with $\\sigma_a$ the largest "
               "$|h_{ab}\\,u_{ab}\\cdot r_{ab}|/(r_{ab}^2 + 0.01 h_{ab}^2)$ over neighbours inside the support.");
   const double side = 16 * spacing;
-  Flow flow(periodic_cloud(16), spacing,
+  Flow flow(noisy_square(16, spacing), spacing,
             {.sound_speed = 20, .viscosity = ArtificialViscosity{0.1}, .period = {side, side}});
-  const double expected = DirectSums(periodic_cloud(16), spacing, flow.settings()).largest_step();
+  const double expected = DirectSums(noisy_square(16, spacing), spacing, flow.settings()).largest_step();
   check.that({.id = "step",
               .text = "The first step has the length of the rule.",
               .quantity = "dt",
