@@ -1,26 +1,43 @@
 # The registry of cases, generated from the files, and a ctest entry per case and tier, generated from the registry.
 
+# seiche_fingerprints(OUTPUT folder/check.cpp...): a rule for OUTPUT, the fingerprints of checks of this folder.
+function(seiche_fingerprints output)
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE here)
+  list(TRANSFORM ARGN PREPEND ${here}/ OUTPUT_VARIABLE checks)
+  file(GLOB_RECURSE code CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/solver/seiche/*.[ch]pp
+       ${PROJECT_SOURCE_DIR}/reports/evidence/*.[ch]pp ${PROJECT_SOURCE_DIR}/validation/*.[ch]pp
+       ${PROJECT_SOURCE_DIR}/verification/*.[ch]pp)
+  set(program ${PROJECT_SOURCE_DIR}/ci/cmake/fingerprints.py)
+  add_custom_command(OUTPUT ${output} DEPENDS ${code} ${program} VERBATIM COMMENT "Fingerprints of ${here}"
+    COMMAND ${Python3_EXECUTABLE} -B ${program} --source ${PROJECT_SOURCE_DIR} --toolchain "${SEICHE_TOOLCHAIN}"
+            --output ${output} ${checks})
+endfunction()
+
 # seiche_registry(OUT phenomenon/case.cpp...): OUT becomes the list of generated sources.
 function(seiche_registry out)
   set(declarations "")
   set(entries "")
-  set(generated "")
   foreach(source IN LISTS ARGN)
     cmake_path(GET source PARENT_PATH phenomenon)
     cmake_path(GET source STEM name)
-    string(APPEND declarations "namespace cases { Case ${name}(); }\nnamespace articles { extern const char* const ${name}; }\n")
-    string(APPEND entries "      {\"${name}\", \"${phenomenon}\", articles::${name}, cases::${name}},\n")
-    set(article ${CMAKE_CURRENT_BINARY_DIR}/articles/${name}.cpp)
-    add_custom_command(OUTPUT ${article}
-      COMMAND ${CMAKE_COMMAND} -DSOURCE=${CMAKE_CURRENT_SOURCE_DIR}/${source} -DNAME=${name} -DOUTPUT=${article}
-              -P ${PROJECT_SOURCE_DIR}/ci/cmake/ExtractArticle.cmake
-      DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${source} ${PROJECT_SOURCE_DIR}/ci/cmake/ExtractArticle.cmake VERBATIM)
-    list(APPEND generated ${article})
+    string(APPEND declarations "namespace cases { Case ${name}(); }\n"
+                               "namespace articles { extern const char* const ${name}; }\n"
+                               "namespace fingerprints { extern const char* const ${name}; }\n")
+    string(APPEND entries
+      "      {\"${name}\", \"${phenomenon}\", articles::${name}, fingerprints::${name}, cases::${name}},\n")
   endforeach()
   set(SEICHE_CASE_DECLARATIONS "${declarations}")
   set(SEICHE_CASE_ENTRIES "${entries}")
   configure_file(case/all_cases.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/all_cases.cpp)
-  set(${out} ${generated} ${CMAKE_CURRENT_BINARY_DIR}/all_cases.cpp PARENT_SCOPE)
+
+  set(articles ${CMAKE_CURRENT_BINARY_DIR}/articles.cpp)
+  set(program ${PROJECT_SOURCE_DIR}/ci/cmake/articles.py)
+  add_custom_command(OUTPUT ${articles} DEPENDS ${ARGN} ${program} VERBATIM COMMENT "Articles of the cases"
+    WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
+    COMMAND ${Python3_EXECUTABLE} -B ${program} --output ${articles} ${ARGN})
+  set(fingerprints ${CMAKE_CURRENT_BINARY_DIR}/case_fingerprints.cpp)
+  seiche_fingerprints(${fingerprints} ${ARGN})
+  set(${out} ${articles} ${fingerprints} ${CMAKE_CURRENT_BINARY_DIR}/all_cases.cpp PARENT_SCOPE)
 endfunction()
 
 # seiche_case_tests(command): the command writes the list of tests after every build; ctest reads it.

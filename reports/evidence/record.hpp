@@ -77,7 +77,7 @@ class Record {
   std::vector<std::string> atlas;  ///< tiles filled by the record as a whole
   std::map<std::string, ParameterValue> parameters;
   double wall_time = 0;
-  std::string fingerprint;  ///< of executable, case, tier and parameters: equal means it need not run again
+  std::string fingerprint;  ///< of code, toolchain, tier and parameters: equal means it need not run again
   std::map<std::string, std::string> reference_data;  ///< path of every reference table read -> SHA-256
   std::string error;                                  ///< why the run did not finish; empty if it did
 

@@ -60,6 +60,7 @@ struct Case {
   std::string name;        ///< the file's name
   std::string phenomenon;  ///< the folder's name
   std::string article;     ///< the file's opening comment
+  std::string fingerprint;  ///< of the code that decides its numbers, and of the toolchain
 };
 
 }  // namespace seiche::validation

@@ -24,6 +24,7 @@ struct Job {
   const Case* definition = nullptr;
   Values values;
 
+  /// Of everything that decides the numbers but the reference tables: equal means that it need not run again.
   [[nodiscard]] std::string fingerprint() const;
   /// A record with everything that is known before the case runs.
   [[nodiscard]] evidence::Record blank_record() const;

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include "seiche/linear/dense.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -72,12 +71,9 @@ LinearModes linear_modes(Model& model, double displacement) {
   }
   model.linearise({}, rest);
 
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(constraints.transpose());
-  const Eigen::MatrixXd basis = factors.householderQ();
-  const Eigen::MatrixXd kernel = basis.rightCols(q.cols() - factors.rank());
+  const Eigen::MatrixXd kernel = linear::complement(constraints.transpose());
   const Eigen::MatrixXd s = kernel.transpose() * stiffness * kernel;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (s + s.transpose()));
-  const Eigen::VectorXd& squares = solver.eigenvalues();
+  const auto [squares, vectors] = linear::symmetric_eigen(0.5 * (s + s.transpose()));
   LinearModes modes;
   modes.asymmetry = (s - s.transpose()).cwiseAbs().maxCoeff() / s.cwiseAbs().maxCoeff();
   const double least = 1e-10 * squares.maxCoeff();
@@ -87,7 +83,7 @@ LinearModes linear_modes(Model& model, double displacement) {
   }
   const Index waves = squares.size() - static_cast<Index>(modes.motionless);
   for (const double square : squares.tail(waves)) modes.frequencies.push_back(std::sqrt(square));
-  modes.rates = q * (kernel * solver.eigenvectors().rightCols(waves));
+  modes.rates = q * (kernel * vectors.rightCols(waves));
   return modes;
 }
 

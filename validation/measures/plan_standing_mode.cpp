@@ -8,8 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/mechanics/one_step.hpp"
-#include "seiche/mechanics/start.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/integrators.hpp"
 
 namespace seiche::validation {
 

@@ -74,11 +74,11 @@ AngleLaw angle_law(const ReflectionSeries& series, double last) {
 
 void sweep(std::vector<ReflectionSeries>& series, double time, std::size_t workers,
            const std::function<void(double)>& progress) {
-  struct Place {
+  struct Task {
     std::size_t series, angle;
     double cost;
   };
-  std::vector<Place> places;
+  std::vector<Task> tasks;
   double all = 0;
   for (std::size_t s = 0; s < series.size(); ++s) {
     ReflectionSeries& one = series[s];
@@ -88,20 +88,20 @@ void sweep(std::vector<ReflectionSeries>& series, double time, std::size_t worke
       ReflectionRun& run = one.reflections[k].run;
       run = {.amplitude = one.amplitude, .angle = radians(one.angles[k]), .spacing = one.spacing, .time = time};
       // Cells in a window of so many width units across go like 1/(a h^2).
-      places.push_back({s, k, run.duration() / run.tau() / (one.amplitude * one.spacing * one.spacing)});
-      all += places.back().cost;
+      tasks.push_back({s, k, run.duration() / run.tau() / (one.amplitude * one.spacing * one.spacing)});
+      all += tasks.back().cost;
     }
   }
-  std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.cost > b.cost; });
+  std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.cost > b.cost; });
   side_by_side(
-      places.size(), workers,
+      tasks.size(), workers,
       [&](std::size_t k) {
-        Reflection& reflection = series[places[k].series].reflections[places[k].angle];
+        Reflection& reflection = series[tasks[k].series].reflections[tasks[k].angle];
         reflection = reflect(ReflectionRun(reflection.run));
       },
       [&](std::size_t finished) {
         double done = 0;
-        for (std::size_t k = 0; k < finished; ++k) done += places[k].cost / all;
+        for (std::size_t k = 0; k < finished; ++k) done += tasks[k].cost / all;
         progress(done);
       });
 }

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "seiche/linear/dense.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::validation {
@@ -47,7 +48,7 @@ SteepWaveStart::SteepWaveStart(double amplitude, double wavelength, double depth
   // Columns grow like exp(n a): scaled to equal length before they are made orthogonal.
   const Eigen::VectorXd scale = matrix.colwise().norm().transpose();
   const Eigen::MatrixXd scaled = matrix * scale.cwiseInverse().asDiagonal();
-  const Eigen::VectorXd solution = scaled.colPivHouseholderQr().solve(right).cwiseQuotient(scale);
+  const Eigen::VectorXd solution = linear::least_squares(scaled, right).cwiseQuotient(scale);
   rate_.assign(solution.begin(), solution.end());
 }
 

@@ -3,10 +3,7 @@
 #include <cmath>
 
 #include "seiche/mechanics/composition.hpp"
-#include "seiche/mechanics/conservative_step.hpp"
-#include "seiche/mechanics/invariants.hpp"
-#include "seiche/mechanics/one_step.hpp"
-#include "seiche/mechanics/start.hpp"
+#include "seiche/models/rigid_chain/integrators.hpp"
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/flat_channel.hpp"

@@ -7,10 +7,7 @@
 
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/mechanics/composition.hpp"
-#include "seiche/mechanics/conservative_step.hpp"
-#include "seiche/mechanics/invariants.hpp"
-#include "seiche/mechanics/one_step.hpp"
-#include "seiche/mechanics/start.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/integrators.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 #include "verification/check.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
-#include "seiche/models/lagrangian_mesh_3d/model.hpp"
+#include "seiche/models/lagrangian_mesh_3d/integrators.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
 
 namespace seiche::verification {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
-#include "seiche/models/lagrangian_mesh_2d/model.hpp"
+#include "seiche/models/lagrangian_mesh_2d/integrators.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
 
 namespace seiche::verification {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "seiche/exact/lagrangian_mesh_dispersion.hpp"
-#include "seiche/mechanics/scheme.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_2d/integrators.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "verification/check.hpp"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/named_integrator.hpp"
+#include "seiche/models/rigid_chain/integrators.hpp"
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "verification/check.hpp"
 

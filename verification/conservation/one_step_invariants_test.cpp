@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seiche/mechanics/invariants.hpp"
-#include "seiche/mechanics/one_step.hpp"
+#include "seiche/models/rigid_chain/integrators.hpp"
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "verification/check.hpp"
 

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "seiche/mechanics/invariants.hpp"
-#include "seiche/mechanics/one_step.hpp"
+#include "seiche/models/rigid_chain/integrators.hpp"
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "verification/check.hpp"
 

@@ -11,9 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/mechanics/conservative_step.hpp"
-#include "seiche/mechanics/one_step.hpp"
-#include "seiche/mechanics/start.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/integrators.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 #include "verification/check.hpp"
 

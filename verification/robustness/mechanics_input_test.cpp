@@ -4,11 +4,8 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/mechanics/composition.hpp"
-#include "seiche/mechanics/conservative_step.hpp"
-#include "seiche/mechanics/invariants.hpp"
-#include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/reference_integrators.hpp"
-#include "seiche/mechanics/start.hpp"
+#include "seiche/models/rigid_chain/integrators.hpp"
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "verification/check.hpp"
 

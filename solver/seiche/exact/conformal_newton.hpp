@@ -1,9 +1,12 @@
 #pragma once
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <concepts>
 #include <limits>
+
+#include <Eigen/Core>
+
+#include "seiche/linear/dense.hpp"
 
 namespace seiche::exact {
 
@@ -26,7 +29,7 @@ double solve_newton(const System& system, Eigen::VectorXd& unknowns) {
   Eigen::MatrixXd jacobian;
   for (int step = 0; step < most_steps; ++step) {
     system.jacobian(unknowns, jacobian);
-    const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> factors(jacobian);
+    const linear::LuFactors factors(jacobian);
     Eigen::VectorXd correction = factors.solve(system.residual(unknowns));
     double size = correction.lpNorm<Eigen::Infinity>();
     if (!std::isfinite(size)) break;

@@ -1,7 +1,7 @@
 /// The solved solitary wave in units of the depth and of sqrt(gravity depth): equations in solitary_wave.hpp.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <optional>
 
 #include "seiche/exact/cauchy_velocity.hpp"

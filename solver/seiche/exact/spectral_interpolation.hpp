@@ -8,7 +8,7 @@
 /// Lagrange interpolation, SIAM Rev. 46 (2004) 501.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
 #include <vector>

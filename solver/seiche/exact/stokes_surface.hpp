@@ -1,7 +1,7 @@
 /// The solved Stokes wave in units of 1/k and sqrt(gravity/k): equations in stokes_wave.hpp.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <optional>
 
 #include "seiche/exact/cauchy_velocity.hpp"

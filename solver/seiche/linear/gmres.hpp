@@ -10,7 +10,8 @@
 #include <cstddef>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <Eigen/Jacobi>
 
 namespace seiche::linear {
 

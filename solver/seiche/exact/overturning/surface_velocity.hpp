@@ -21,7 +21,7 @@
 /// (1982) 477; Dold & Peregrine, An efficient boundary-integral method for steep unsteady water waves (1986).
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "seiche/exact/overturning/cauchy_kernel.hpp"
 #include "seiche/exact/overturning/surface.hpp"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
-#include "seiche/mechanics/start.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/integrators.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {

@@ -15,8 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "seiche/mechanics/invariants.hpp"
-#include "seiche/mechanics/scheme.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/integrators.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {

@@ -53,3 +53,5 @@ Flow::Flow(std::unique_ptr<Model>&& model, const VelocityAt& velocity, Scheme sc
                    .keeps_before = model->lattice().bottom != nullptr}) {}
 
 }  // namespace seiche::dispersive_shallow_water_2d
+
+template class seiche::plan_lattice::LatticeFlow<seiche::dispersive_shallow_water_2d::Model>;

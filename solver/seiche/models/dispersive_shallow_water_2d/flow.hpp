@@ -12,6 +12,7 @@
 
 #include <memory>
 
+#include "seiche/models/dispersive_shallow_water_2d/integrators.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/plan_lattice/lattice_flow.hpp"
 
@@ -36,3 +37,6 @@ class Flow : public plan_lattice::LatticeFlow<Model> {
 };
 
 }  // namespace seiche::dispersive_shallow_water_2d
+
+/// Compiled once, in flow.cpp.
+extern template class seiche::plan_lattice::LatticeFlow<seiche::dispersive_shallow_water_2d::Model>;

@@ -16,9 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "seiche/mechanics/invariants.hpp"
-#include "seiche/mechanics/scheme.hpp"
-#include "seiche/mechanics/start.hpp"
+#include "seiche/models/lagrangian_mesh_2d/integrators.hpp"
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
 
 namespace seiche::lagrangian_mesh_2d {

@@ -1,6 +1,6 @@
 #include "seiche/models/lagrangian_mesh_2d/impulsive_start.hpp"
 
-#include "seiche/mechanics/start.hpp"
+#include "seiche/models/lagrangian_mesh_2d/integrators.hpp"
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
 
 namespace seiche::lagrangian_mesh_2d {

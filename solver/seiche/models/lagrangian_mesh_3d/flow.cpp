@@ -17,3 +17,5 @@ Flow::Flow(std::unique_ptr<Model>&& model, const Velocity& velocity, Scheme sche
                    .smooth_start = smooth_start && model->nodes().driven().empty()}) {}
 
 }  // namespace seiche::lagrangian_mesh_3d
+
+template class seiche::plan_lattice::LatticeFlow<seiche::lagrangian_mesh_3d::Model>;

@@ -11,6 +11,7 @@
 #include <memory>
 #include <span>
 
+#include "seiche/models/lagrangian_mesh_3d/integrators.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/plan_lattice/lattice_flow.hpp"
 
@@ -39,3 +40,6 @@ class Flow : public plan_lattice::LatticeFlow<Model> {
 };
 
 }  // namespace seiche::lagrangian_mesh_3d
+
+/// Compiled once, in flow.cpp.
+extern template class seiche::plan_lattice::LatticeFlow<seiche::lagrangian_mesh_3d::Model>;

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "seiche/mechanics/start.hpp"
+#include "seiche/models/lagrangian_mesh_3d/integrators.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
