@@ -18,6 +18,7 @@
 ///     while (flow.time() < 3) flow.advance(flow.largest_step().tau);
 ///
 /// When not to use it: flows that dry out in the middle (particles always touch), and Galilean-fixed meshes.
+///
 /// Sources: Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, formulas (1)-(11);
 /// Toro, Shock-capturing methods for free-surface shallow flows (2001).
 #pragma once
