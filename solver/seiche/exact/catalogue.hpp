@@ -3,7 +3,7 @@
 ///
 /// For listings, the command line and Python. C++ code that uses one solution includes that solution's own header.
 ///
-/// To add one: a file entries/<name>.cpp that defines `ExactSolution <name>_entry()`, its declaration in
+/// To add one: a file `entries/<name>.cpp` that defines `ExactSolution <name>_entry()`, its declaration in
 /// entries/entries.hpp and its line in catalogue.cpp.
 #pragma once
 

@@ -9,8 +9,8 @@
 namespace seiche::io {
 
 /// Reads a CSV file: comments start with '#', the first other line names the columns (a unit may follow in brackets:
-/// "h [m]"), each further line holds as many finite numbers. Lines end with \n, \r\n or \r; a byte order mark at the
-/// beginning and double quotes around an entry are taken off.
+/// "h [m]"), each further line holds as many finite numbers. Lines end with `\n`, `\r\n` or `\r`; a byte order mark at
+/// the beginning and double quotes around an entry are taken off.
 ///
 /// No more than one line is held beside the numbers, and a line is given up at 1 MiB.
 ///

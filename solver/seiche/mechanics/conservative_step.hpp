@@ -1,6 +1,7 @@
 /// Fully conservative implicit variant of the one-step scheme: energy, constraints and momenta all to round-off.
 ///
-///     u~ = projection of u^n + (tau/2) W F_d on J_d u~ = 0,   q^{n+1} = q^n + tau S u~,   u^{n+1} = 2 u~ - u^n
+/// @f[ \tilde{u} = \text{projection of } u^n + \frac{\tau}{2} W F_d \text{ on } J_d \, \tilde{u} = 0 @f]
+/// @f[ q^{n+1} = q^n + \tau S \tilde{u}, \qquad u^{n+1} = 2 \tilde{u} - u^n @f]
 ///
 /// with discrete gradients over the segment q^n -> q^{n+1} (HasDiscreteGradients): for bilinear areas J_d is J at the
 /// middle, for a cubic potential F_d is Simpson's mean of F. Fixed point on q^{n+1}, started from the velocity

@@ -3,7 +3,8 @@
 /// Configuration q (whatever is moved: coordinates of nodes, markers that merely ride along), rates u (generalised
 /// velocities with inverse mass W), potential Pi, and constraints whose rates J(q) u vanish:
 ///
-///     u' = W (F + J^T lambda),   F = -grad Pi + external forces,   J u = 0,   q' = S(q) u          (Frank 1994, 3)
+/// @f[ \dot{u} = W (F + J^T \lambda), \qquad F = -\nabla \Pi + \text{external forces}, \qquad J u = 0, \qquad
+///     \dot{q} = S(q) \, u \tag{Frank 1994, 3} @f]
 ///
 /// J need not be the derivative of a function of q, nor q and u be of one length: S maps rates to the motion of q (a
 /// rotation into the bottom's tangent, a contact point sliding on a wall). W may hold walls (singular blocks).

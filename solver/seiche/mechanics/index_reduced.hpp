@@ -1,6 +1,7 @@
 /// The index-reduced form of the constrained equations: constraints differentiated twice, multipliers eliminated.
 ///
-///     A(q) lambda = -(J W F + B(u,u)),   u' = W (F + J^T lambda),   B(u,v) = (dJ/dq . S u) v
+/// @f[ A(q) \, \lambda = -(J W F + B(u, u)), \qquad \dot{u} = W (F + J^T \lambda), \qquad
+///     B(u, v) = \left( \frac{\partial J}{\partial q} \cdot S u \right) v @f]
 ///
 /// What Runge-Kutta methods integrate, and the acceleration that the corrected start needs. Not for prescribed nodes:
 /// their accelerations are not part of the model's interface.

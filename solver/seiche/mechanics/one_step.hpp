@@ -1,8 +1,9 @@
 /// Frank's conservative one-step scheme for constrained systems, one solve per step (Frank 1994, formulas 4, 5).
 ///
-///     q~ = q^n + (tau/2) S(q^n) u^n                                                        (4.1)
-///     u* = u^n + (tau/2) W F(q~),   u~ = projection of u* on J(q~) u~ = 0                  (5)
-///     q^{n+1} = q^n + tau S(q~) u~,   u^{n+1} = 2 u~ - u^n                                 (4.2)
+/// @f[ \tilde{q} = q^n + \frac{\tau}{2} S(q^n) \, u^n \tag{4.1} @f]
+/// @f[ u^* = u^n + \frac{\tau}{2} W F(\tilde{q}), \qquad
+///     \tilde{u} = \text{projection of } u^* \text{ on } J(\tilde{q}) \, \tilde{u} = 0 \tag{5} @f]
+/// @f[ q^{n+1} = q^n + \tau S(\tilde{q}) \, \tilde{u}, \qquad u^{n+1} = 2 \tilde{u} - u^n \tag{4.2} @f]
 ///
 /// Drift, kick, drift: second order, time-reversible, stable for omega tau < 2. Exact, for any multipliers however
 /// loosely solved: linear and angular momentum of a free body. Exact to tau lambda.(J u~): energy, if Pi is linear. For

@@ -1,6 +1,6 @@
 /// The W-orthogonal projection of rates on {u : J u = target}, at the linearised configuration:
 ///
-///     A mu = target - J u*,   u~ = u* + W J^T mu,   A = J W J^T                            (Frank 1994, 5)
+/// @f[ A \mu = \mathrm{target} - J u^*, \qquad \tilde{u} = u^* + W J^T \mu, \qquad A = J W J^T \tag{Frank 1994, 5} @f]
 ///
 /// mu is the impulse of the multipliers: lambda = 2 mu/tau in a step of length tau.
 #pragma once

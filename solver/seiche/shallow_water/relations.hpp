@@ -4,6 +4,7 @@
 ///     h_t + (h u)_x = 0,   (h u)_t + (h u^2 + g h^2/2)_x = 0
 ///
 /// Density is 1: multiply thrust and energy by the density of the fluid if it matters.
+///
 /// Sources: Stoker, Water Waves (1957); Toro, Shock-capturing methods for free-surface shallow flows (2001).
 #pragma once
 

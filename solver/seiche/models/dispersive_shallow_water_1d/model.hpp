@@ -3,14 +3,17 @@
 /// Particles i of mass m_i move along the bottom (rate p_i) and normal to it (rate r_i); markers (x_i, y_i) trace the
 /// surface; the volume between neighbouring markers, over the bottom b(x), is constant:
 ///
-///     T  = sum m (p^2 + alpha r^2)/2,   alpha = 1/3                                                            (8)
-///     Pi = rho g/2 sum dx (y_j^2 + y_j y_{j+1} + y_{j+1}^2)/3 - rho g/2 int b^2                                (9)
-///     V_j = dx ((y_j + y_{j+1})/2 - mean of b over the cell) = const                                          (10)
-///     x' = p c - r s,  y' = p s + r c,   c, s of the bottom's slope at x (channel.hpp: other frames)          (11)
-///     m p' = F_x c + F_y s,  alpha m r' = -F_x s + F_y c,   F = grad(sum lambda V - Pi)                       (12)
+/// @f[ T = \sum_i m_i \frac{p_i^2 + \alpha r_i^2}{2}, \qquad \alpha = 1/3 \tag{8} @f]
+/// @f[ \Pi = \frac{\rho g}{2} \sum_j \Delta x_j \frac{y_j^2 + y_j y_{j+1} + y_{j+1}^2}{3}
+///         - \frac{\rho g}{2} \int b^2 \, dx \tag{9} @f]
+/// @f[ V_j = \Delta x_j \left( \frac{y_j + y_{j+1}}{2} - \overline{b}_j \right) = \mathrm{const} \tag{10} @f]
+/// @f[ \dot{x} = p c - r s, \qquad \dot{y} = p s + r c \tag{11} @f]
+/// @f[ m \dot{p} = F_x c + F_y s, \qquad \alpha m \dot{r} = -F_x s + F_y c, \qquad
+///     F = \nabla \left( \sum_j \lambda_j V_j - \Pi \right) \tag{12} @f]
 ///
-/// In the limit of fine cells over a level bottom these are Serre's (Green and Naghdi's) equations (14). y counts from
-/// the still-water level, so that a lake at rest has lambda = 0 and stays at rest exactly.
+/// with b_j the mean of the bottom over cell j, and c, s the cosine and sine of its slope at x (channel.hpp: other
+/// frames). In the limit of fine cells over a level bottom these are Serre's (Green and Naghdi's) equations (14). y
+/// counts from the still-water level, so that a lake at rest has lambda = 0 and stays at rest exactly.
 ///
 /// The class is what mechanics::OneStep (scheme A), OneStep with drift feedback (B) and ConservativeStep (C) step:
 /// q = (x, y), u = (p, r). It is rarely used alone: see flow.hpp.

@@ -3,12 +3,17 @@
 /// Markers (x, y, z) on the surface move material columns of water that stay straight and normal to the bottom; the
 /// volume of every cell between the bilinear surface and the bottom is constant:
 ///
-///     T  = sum (m/2)[|w|^2 - (1 - alpha)(w.n)^2],   alpha = 1/3,  n = the bottom's normal                     (8, 11)
-///     Pi = g sum of int z^2/2 dA over the bilinear patches (less int b^2/2 dA: shoreline.hpp)                     (9)
-///     V_s = int z dA - int b dA = const                                                                          (10)
+/// @f[ T = \sum \frac{m}{2} \left[ |\mathbf{w}|^2 - (1 - \alpha) (\mathbf{w} \cdot \mathbf{n})^2 \right],
+///     \qquad \alpha = 1/3 \tag{8, 11} @f]
+/// @f[ \Pi = g \sum_s \int_s \frac{z^2}{2} \, dA \tag{9} @f]
+/// @f[ V_s = \int_s z \, dA - \int_s b \, dA = \mathrm{const} \tag{10} @f]
 ///
-/// all per unit density. In one dimension this is dispersive_shallow_water_1d; in the limit of fine cells over a level
-/// bottom the Green-Naghdi equations H_t + div(Hu) = 0, Du/Dt + g grad H = -(alpha/H) grad(H^2 D^2H/Dt^2).
+/// all per unit density, with w a marker's velocity, n the bottom's normal, and integrals over the bilinear patches s
+/// (Pi less int b^2/2 dA: shoreline.hpp). In one dimension this is dispersive_shallow_water_1d; in the limit of fine
+/// cells over a level bottom the Green-Naghdi equations
+///
+/// @f[ \frac{\partial H}{\partial t} + \nabla \cdot (H \mathbf{u}) = 0, \qquad
+///     \frac{D\mathbf{u}}{Dt} + g \nabla H = -\frac{\alpha}{H} \nabla \left( H^2 \frac{D^2 H}{Dt^2} \right) @f]
 ///
 /// z counts from still water: a lake at rest has lambda = 0 and stays at rest bit by bit over any bottom.
 ///

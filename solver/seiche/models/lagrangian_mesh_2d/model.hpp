@@ -2,8 +2,13 @@
 ///
 /// Nodes carry a quarter of the mass of the cells around them; every cell keeps its area:
 ///
-///     m r'' = sum lambda_s dV_s/dr - dPi/dr + m f,   V_s = ((x2 - x0)(y3 - y1) - (x3 - x1)(y2 - y0))/2 = const   (6)
-///     Pi = rho g sum over free edges (x_b - x_a)(y_a^2 + y_a y_b + y_b^2)/6 + contact points' moments           (7)
+/// @f[ m \ddot{\mathbf{r}} = \sum_s \lambda_s \frac{\partial V_s}{\partial \mathbf{r}}
+///                         - \frac{\partial \Pi}{\partial \mathbf{r}} + m \mathbf{f}, \qquad
+///     V_s = \frac{(x_2 - x_0)(y_3 - y_1) - (x_3 - x_1)(y_2 - y_0)}{2} = \mathrm{const} \tag{6} @f]
+/// @f[ \Pi = \rho g \sum_{ab} \frac{(x_b - x_a)(y_a^2 + y_a y_b + y_b^2)}{6} + \text{moments of contact points}
+///     \tag{7} @f]
+///
+/// with the sum (7) over the free edges ab.
 ///
 /// Pi is the exact energy of the polygon of water, counted from the still-water level y = 0: lambda is then the dynamic
 /// pressure p + rho g y in the limit of fine meshes, and a lake at rest stays at rest bit by bit on any mesh. The

@@ -3,8 +3,11 @@
 /// Nodes carry an eighth of the mass of the cells around them; every cell keeps its volume, that of the trilinear
 /// hexahedron of its corners, which is the mean of the two ways to cut each face into triangles:
 ///
-///     m r'' = sum lambda_s dV_s/dr - dPi/dr + m f,   V_s = const
-///     Pi = (rho g/2) sum over the free surface's bilinear patches of int z^2 dA
+/// @f[ m \ddot{\mathbf{r}} = \sum_s \lambda_s \frac{\partial V_s}{\partial \mathbf{r}}
+///                         - \frac{\partial \Pi}{\partial \mathbf{r}} + m \mathbf{f}, \qquad V_s = \mathrm{const} @f]
+/// @f[ \Pi = \frac{\rho g}{2} \sum \int z^2 \, dA @f]
+///
+/// with the last sum over the bilinear patches of the free surface.
 ///
 /// Pi counts from the still-water level z = 0: lambda is then the dynamic pressure p + rho g z in the limit of fine
 /// meshes, and a lake at rest stays at rest bit by bit.

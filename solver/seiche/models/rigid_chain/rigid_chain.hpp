@@ -1,6 +1,7 @@
 /// Masses joined by rigid links of unit length in space: the smallest system with every property of the models.
 ///
-///     f_s = (|r_b - r_a|^2 - 1)/2,   Pi = sum m (g z + k |r|^2/2 + c z^3/3)
+/// @f[ f_s = \frac{|\mathbf{r}_b - \mathbf{r}_a|^2 - 1}{2}, \qquad
+///     \Pi = \sum m \left( g z + \frac{k |\mathbf{r}|^2}{2} + \frac{c z^3}{3} \right) @f]
 ///
 /// The first link may be pinned to the origin. Consecutive links share one mass, so A = J M^-1 J^T is tridiagonal.
 /// The constraints are quadratic; linear, quadratic and cubic potentials are there to be switched on.

@@ -1,7 +1,7 @@
 /// Shallow water on a fixed grid of n equal cells by one of four finite-volume schemes: the peers that particle methods
 /// are measured against.
 ///
-///     U_i' = U_i - (tau/dx)(F_{i+1} - F_i) + (tau/dx) S_i
+/// @f[ U_i^{n+1} = U_i^n - \frac{\tau}{\Delta x} (F_{i+1} - F_i) + \frac{\tau}{\Delta x} S_i, \qquad U = (h, h u) @f]
 ///
 /// Mass and momentum that pass the ends, and the impulses of bed and friction, are booked: what is left over is
 /// round-off.

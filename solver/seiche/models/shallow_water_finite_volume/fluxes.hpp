@@ -1,6 +1,8 @@
 /// Numerical fluxes of the four schemes, each a pass over contiguous arrays.
 ///
-///     h_t + q_x = 0,   q_t + (q u + g h^2/2)_x = -g h z_x,   q = h u
+/// @f[ \frac{\partial h}{\partial t} + \frac{\partial q}{\partial x} = 0, \qquad
+///     \frac{\partial q}{\partial t} + \frac{\partial}{\partial x} \left( q u + \frac{g h^2}{2} \right)
+///     = -g h \frac{\partial z}{\partial x}, \qquad q = h u @f]
 ///
 /// Cells carry two ghosts at each end: cell i of the channel is entry i + ghosts. Face k lies left of cell k, face n is
 /// the right end. A scheme reads cells and writes fluxes; the update, the ends and the booking are the caller's

@@ -5,6 +5,7 @@
 /// the state ahead to the state behind. Isolated jumps are then exact to round-off and stay one particle wide.
 ///
 /// When not to use it: on an uneven bed, where the states beside the jump are not uniform.
+///
 /// Sources: Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method (the jump is handed
 /// from one particle to the next); Aguillon and Chalons, ESAIM M2AN 50 (2016) for the in-cell discontinuity.
 #pragma once

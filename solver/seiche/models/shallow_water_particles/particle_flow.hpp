@@ -1,12 +1,13 @@
 /// Conservative particle method for the one-dimensional shallow-water equations
 ///
-///     h_t + (h u)_x = 0
-///     (h u)_t + (h u^2 + g h^2/2)_x = -g h z_x + h f(x,t) - g n^2 u|u|/h^(1/3)
+/// @f[ \frac{\partial h}{\partial t} + \frac{\partial (h u)}{\partial x} = 0 @f]
+/// @f[ \frac{\partial (h u)}{\partial t} + \frac{\partial}{\partial x} \left( h u^2 + \frac{g h^2}{2} \right)
+///     = -g h \frac{\partial z}{\partial x} + h f(x, t) - g n^2 \frac{u |u|}{h^{1/3}} @f]
 ///
 /// Particle i is the water between edges X_i < X_(i+1); it keeps its mass m_i. Each edge k gets one velocity u*_k and
 /// one thrust p*_k = g h*^2/2 per step, and with a bed reaction R_i
 ///
-///     X_k <- X_k + tau u*_k,      m_i u_i <- m_i u_i + tau (p*_i - p*_(i+1) + R_i).
+/// @f[ X_k \leftarrow X_k + \tau u^*_k, \qquad m_i u_i \leftarrow m_i u_i + \tau (p^*_i - p^*_{i+1} + R_i) @f]
 ///
 /// Whatever u* and p* are, mass is exact, and momentum changes by booked impulses only. In the rules of Bogomolov,
 /// Zakharov and Zerkal (overlap: rebuild the particle of smaller density; gap: rebuild the faster one) the shared edge
@@ -17,6 +18,7 @@
 ///     while (flow.time() < 3) flow.advance(flow.largest_step().tau);
 ///
 /// When not to use it: flows that dry out in the middle (particles always touch), and Galilean-fixed meshes.
+///
 /// Sources: Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, formulas (1)-(11);
 /// Toro, Shock-capturing methods for free-surface shallow flows (2001).
 #pragma once

@@ -1,15 +1,17 @@
 /// Weakly compressible smoothed particle hydrodynamics in a vertical plane, with and without sub-particle-scale
 /// turbulence.
 ///
-///     d rho_a/dt = sum m_b u_ab . grad W_ab                                                                     (2)
-///     d u_a/dt   = -sum m_b (P_a/rho_a^2 + P_b/rho_b^2 + Pi_ab) grad W_ab + g      artificial viscosity         (3)
-///                  or, in place of Pi_ab, laminar viscosity and the stress of unresolved eddies                 (4)
-///     d r_a/dt   = u_a - eps sum (m_b/rho_ab) u_ab W_ab                                                         (6)
+/// @f[ \frac{d\rho_a}{dt} = \sum_b m_b \, \mathbf{u}_{ab} \cdot \nabla W_{ab} \tag{2} @f]
+/// @f[ \frac{d\mathbf{u}_a}{dt} = -\sum_b m_b \left( \frac{P_a}{\rho_a^2} + \frac{P_b}{\rho_b^2} + \Pi_{ab} \right)
+///                                \nabla W_{ab} + \mathbf{g} \tag{3} @f]
+/// @f[ \frac{d\mathbf{r}_a}{dt} = \mathbf{u}_a - \epsilon \sum_b \frac{m_b}{\rho_{ab}} \mathbf{u}_{ab} W_{ab}
+///     \tag{6} @f]
 ///
-/// with the equation of state of equation_of_state.hpp, h_ab the mean of both smoothing lengths, and the explicit
-/// midpoint rule (7), (8). Walls are dynamic particles: they obey (2) and (5) and stand where they are, or go with a
-/// paddle. Mass is constant; momentum of a free body is conserved to round-off; angular momentum and energy by the
-/// equations in continuous time, by the steps to their order.
+/// with Pi_ab the artificial viscosity or, in its place, laminar viscosity and the stress of unresolved eddies (4), the
+/// equation of state of equation_of_state.hpp, h_ab the mean of both smoothing lengths, and the explicit midpoint rule
+/// (7), (8). Walls are dynamic particles: they obey (2) and (5) and stand where they are, or go with a paddle. Mass is
+/// constant; momentum of a free body is conserved to round-off; angular momentum and energy by the equations in
+/// continuous time, by the steps to their order.
 ///
 ///     Flow flow(dam.particles(), dam.spacing, {.sound_speed = 15, .viscosity = ArtificialViscosity{0.3}});
 ///     flow.advance_to(0.25);

@@ -1,4 +1,4 @@
-/// Time series of particles for ParaView: <stem>.h5 and, through which it is opened, <stem>.xdmf.
+/// Time series of particles for ParaView: `<stem>.h5` and, through which it is opened, `<stem>.xdmf`.
 ///
 ///     ParticleFile file(folder / "dam_break");
 ///     file.frame(flow.time(), flow.particles(), flow.pressure());   // as often as wanted
