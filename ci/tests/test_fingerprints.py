@@ -42,6 +42,10 @@ def symbols(objects):
     return defines, needs
 
 
+# Catch2 itself, compiled there where it comes as a header.
+FRAME = {"verification/main.cpp"}
+
+
 class Fingerprints(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -75,7 +79,7 @@ class Fingerprints(unittest.TestCase):
         checks = list(self.checks())
         self.assertGreater(len(checks), 150)
         for check in checks:
-            missing = self.linked(check) - set(self.sources.deciding(check))
+            missing = self.linked(check) - set(self.sources.deciding(check)) - FRAME
             self.assertFalse(missing, f"{check} links what its fingerprint leaves out")
 
 
