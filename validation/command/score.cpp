@@ -148,6 +148,7 @@ int score(const Options& options) {
   }
   record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   evidence::write(record, options.out);
+  evidence::write_junit(options.out);
   print(record);
   fmt::print("record: {}\n", (std::filesystem::path(options.out) / (record.stem() + ".json")).string());
   return record.as_declared() ? 0 : 1;
