@@ -184,8 +184,10 @@ void add_score(CLI::App& app, Action& action) {
   command->add_option("--table", options->table, "which table --template shall print, where a case takes several");
   command->footer(
       "Between its points a result is joined by straight lines and taken at the reference's points; nothing is\n"
-      "extrapolated. Example: seiche score riemann --template > mine.csv, fill it in, seiche score riemann --data "
-      "mine.csv");
+      "extrapolated.\n"
+      "Examples:\n"
+      "  seiche score riemann --template > mine.csv          # fill it in\n"
+      "  seiche score riemann --data mine.csv --solver mine --out evidence");
   command->callback([options, &action] { action = [options] { return score(*options); }; });
 }
 
