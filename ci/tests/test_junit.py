@@ -62,7 +62,8 @@ class Junit(unittest.TestCase):
         seiche("run", "riemann", "--out", self.out)
         data = self.out.parent / "mine.csv"
         data.write_text(filled(seiche("score", "riemann", "--template").stdout, 0.5, 0))
-        self.assertEqual(seiche("score", "riemann", "--data", data, "--solver", "mine", "--out", self.out).returncode, 1)
+        result = seiche("score", "riemann", "--data", data, "--solver", "mine", "--out", self.out)
+        self.assertEqual(result.returncode, 1, result.stdout)
         shown = self.shown()
         self.assertIsNone(shown["dam_break.riemann", "depth"])
         self.assertEqual(shown["dam_break.riemann.mine", "depth"][:2], ("failure", "fail"))
