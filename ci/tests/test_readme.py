@@ -19,6 +19,7 @@ BUILD = SEICHE.parent
 DOCUMENTS = [path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md",
                                *sorted(SOURCE.glob("examples/*/README.md"))] if path.exists()]
 
+DOCS = "ctest ci.docs runs it"
 WHOLE_BUILD = "sets up and builds everything; CI runs it (.ci/run, .github/workflows/ci.yml)"
 LONG = "a tier of an hour or more"
 PETSC = "needs PETSc and MPI"
@@ -37,6 +38,7 @@ NOT_RUN = {
         "ctest -L full": LONG,
         "ctest -L paper": LONG,
         "seiche report DIR --pdf report.pdf": PATTERN,
+        "ci/docs": DOCS,
         "cmake --install build/release": "installs for the whole machine; the examples' READMEs install elsewhere",
         "ci/petsc": PETSC,
         "cmake --preset petsc && cmake --build --preset petsc --target seiche_parallel": PETSC,
@@ -50,7 +52,7 @@ NOT_RUN = {
         "ci/build release verify_evidence": WHOLE_BUILD,
         "ci/test": WHOLE_BUILD,
         "ci/tidy": WHOLE_BUILD,
-        "ci/docs": "ctest ci.docs runs it",
+        "ci/docs": DOCS,
         "ci/sanitize": WHOLE_BUILD,
         "ci/setup": INSTALLS,
         "ci/setup clang-format": INSTALLS,
@@ -248,7 +250,11 @@ class Readme(unittest.TestCase):
                 self.prepare(example)
                 self.succeed(example, self.place.shell(example))
 
-    def test_what_is_prepared_is_shown(self):
+    def test_reasons_and_preparations_are_of_this_project(self):
+        tests = (SOURCE / "ci/CMakeLists.txt").read_text()
+        for reasons in NOT_RUN.values():
+            for name in re.findall(r"ctest (ci\.\w+)", " ".join(reasons.values())):
+                self.assertIn(name, tests)
         shown = {command.removeprefix("./") for path in DOCUMENTS for _, text in snippets(path)
                  for command in commands_in(text)}
         self.assertLessEqual(set(BEFORE), shown)
