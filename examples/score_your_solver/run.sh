@@ -16,7 +16,7 @@ mkdir -p "$out"
 "$python" "$here/textbook_finite_volume.py" --flux hll --order 2 --output "$out/hll_muscl.h5"
 
 # 3. Their scores, each a record beside that of our own run. Status 1 would mean that a claim is not met.
-"$seiche" run riemann --set particles=200 --set time_step=0.0125 --out "$out/evidence"
+"$seiche" run riemann --set particles=200 --out "$out/evidence"
 "$seiche" score riemann --data "$out/rusanov.csv" --solver textbook-rusanov --out "$out/evidence"
 "$seiche" score riemann --data "$out/hll_muscl.h5" --map position=x,depth=h,velocity=u --solver textbook-hll-muscl \
   --out "$out/evidence"

@@ -20,10 +20,14 @@ struct Summary {
   struct Outcome {
     std::string id;
     std::string text;
+    std::string unit;
+    std::string resolution;
     std::string verdict;
     std::string declared;
+    std::string declared_reason;
     std::string note;
     double measured = 0;
+    double uncertainty = 0;
     double limit = 0;
     double expected = 0;
   };
@@ -34,6 +38,8 @@ struct Summary {
   std::string solver;
   std::string error;
   std::string fingerprint;
+  std::string commit;  ///< of the program that wrote the record; "-dirty" after it for uncommitted changes
+  std::string date;    ///< ISO 8601
   double wall_time = 0;
   std::vector<Outcome> claims;
   std::map<std::string, double> measurements;
@@ -47,7 +53,16 @@ Summary read_summary(const std::filesystem::path& json_file);
 /// All records of a directory, sorted by file name. A file that is not a record is an error naming it.
 std::vector<Summary> read_summaries(const std::filesystem::path& directory);
 
-/// JUnit XML of all claims: a test suite per record, a test case per claim; undeclared verdicts are failures.
-void write_junit(const std::vector<Summary>& records, const std::filesystem::path& file);
+/// Writes junit.xml over all records of a directory, in the form that CI systems read: a test suite per record with
+/// totals, in it a test case `run` (did it finish, in what time) and one per claim with what was measured as
+/// properties.
+///
+/// | verdict                                | test case                                        |
+/// |----------------------------------------|--------------------------------------------------|
+/// | pass, as declared                      | passed                                           |
+/// | fail or inconclusive, as declared      | skipped, with the measured value and the reason  |
+/// | fail, inconclusive, an undeclared pass | failure of that type                             |
+/// | error, or the run did not finish       | error                                            |
+void write_junit(const std::filesystem::path& directory);
 
 }  // namespace seiche::evidence

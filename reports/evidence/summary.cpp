@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <pugixml.hpp>
-#include <sstream>
 
 #include "reports/evidence/record_files.hpp"
 #include "seiche/io/atomic_file.hpp"
@@ -20,10 +18,14 @@ double number(const nlohmann::json& value) {
 Summary::Outcome outcome_from(const nlohmann::json& claim) {
   return {.id = claim.at("id"),
           .text = claim.at("text"),
+          .unit = claim.at("unit"),
+          .resolution = claim.at("resolution"),
           .verdict = claim.at("verdict"),
           .declared = claim.at("declared"),
+          .declared_reason = claim.at("declared_reason"),
           .note = claim.at("note"),
           .measured = number(claim.at("measured")),
+          .uncertainty = number(claim.at("uncertainty")),
           .limit = number(claim.at("criterion").at("limit")),
           .expected = number(claim.at("expected"))};
 }
@@ -46,10 +48,13 @@ Summary read_summary(const std::filesystem::path& json_file) {
     s.solver = json.at("solver");
     s.error = json.at("error");
     s.fingerprint = json.at("fingerprint");
+    const auto& provenance = json.at("provenance");
+    s.commit = provenance.at("commit").get<std::string>() + (provenance.at("dirty").get<bool>() ? "-dirty" : "");
+    s.date = provenance.at("date");
     s.wall_time = number(json.at("wall_time"));
     for (const auto& claim : json.at("claims")) s.claims.push_back(outcome_from(claim));
     for (const auto& [quantity, value] : json.at("measurements").items()) s.measurements[quantity] = number(value);
-    s.reference_data = json.at("provenance").at("reference_data").get<std::map<std::string, std::string>>();
+    s.reference_data = provenance.at("reference_data").get<std::map<std::string, std::string>>();
     return s;
   } catch (const nlohmann::json::exception& failure) {
     throw std::runtime_error(fmt::format("{} is not a record: {}", json_file.string(), failure.what()));
@@ -69,42 +74,6 @@ std::vector<Summary> read_summaries(const std::filesystem::path& directory) {
   summaries.reserve(files.size());
   for (const auto& file : files) summaries.push_back(read_summary(file));
   return summaries;
-}
-
-void write_junit(const std::vector<Summary>& records, const std::filesystem::path& file) {
-  pugi::xml_document document;
-  pugi::xml_node root = document.append_child("testsuites");
-  root.append_attribute("name") = "seiche";
-  for (const Summary& record : records) {
-    pugi::xml_node suite = root.append_child("testsuite");
-    suite.append_attribute("name") = (record.group + "." + record.name).c_str();
-    suite.append_attribute("tests") = static_cast<int>(record.claims.size()) + (record.error.empty() ? 0 : 1);
-    suite.append_attribute("time") = record.wall_time;
-    int failures = 0;
-    for (const Summary::Outcome& claim : record.claims) {
-      pugi::xml_node test = suite.append_child("testcase");
-      test.append_attribute("classname") = record.name.c_str();
-      test.append_attribute("name") = claim.id.c_str();
-      if (claim.verdict == claim.declared) continue;
-      ++failures;
-      pugi::xml_node failure = test.append_child("failure");
-      failure.append_attribute("message") =
-          fmt::format("{}: measured {:.17g}, expected {:.17g} within {:.3g}; verdict {}, declared {}", claim.text,
-                      claim.measured, claim.expected, claim.limit, claim.verdict, claim.declared)
-              .c_str();
-    }
-    suite.append_attribute("failures") = failures;
-    suite.append_attribute("errors") = record.error.empty() ? 0 : 1;
-    if (!record.error.empty()) {
-      pugi::xml_node test = suite.append_child("testcase");
-      test.append_attribute("classname") = record.name.c_str();
-      test.append_attribute("name") = "run";
-      test.append_child("error").append_attribute("message") = record.error.c_str();
-    }
-  }
-  std::ostringstream text;
-  document.save(text, "  ");
-  io::write_file(file, text.str());
 }
 
 }  // namespace seiche::evidence

@@ -4,7 +4,7 @@ import os
 import pathlib
 import shutil
 
-from render import atlas, gallery, pages, records
+from render import atlas, badge, gallery, pages, records
 from render.command import MARKER
 from render.formulas import Formulas
 from render.records import Broken
@@ -60,6 +60,7 @@ def build(evidence, stage, out, options):
         _copy(_HERE / "assets" / asset, stage / "assets" / asset, None)
     _copy_figures(loaded, drawn, stage)
     _copy_data(evidence, loaded, broken, stage / "data", out / "data")
+    badge.write(stage / "badge.json", cases, broken)
     (stage / MARKER).write_text("A report made by reports/render; replaced as a whole by its next run.\n")
     store.save()
     return (f"{pages.plural(summary['claims'], 'claim')} in {pages.plural(len(cases), 'case')}, "

@@ -80,7 +80,7 @@ void add_run(CLI::App& app, Action& action) {
   command->add_option("--out", options->run.directory, "folder for the records")->capture_default_str();
   command->add_flag("--resume", options->run.resume, "keep what an earlier run of the same program finished");
   command->add_flag("--help-parameters", options->help_parameters, "show what the cases let you set, and stop");
-  command->footer("Example: seiche run riemann --set right_depth=0.1 --set scheme=M2 --out evidence");
+  command->footer("Example:\n  seiche run riemann --set right_depth=0.1 --set scheme=M2 --out evidence");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

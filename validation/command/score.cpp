@@ -148,6 +148,7 @@ int score(const Options& options) {
   }
   record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   evidence::write(record, options.out);
+  evidence::write_junit(options.out);
   print(record);
   fmt::print("record: {}\n", (std::filesystem::path(options.out) / (record.stem() + ".json")).string());
   return record.as_declared() ? 0 : 1;
@@ -183,8 +184,10 @@ void add_score(CLI::App& app, Action& action) {
   command->add_option("--table", options->table, "which table --template shall print, where a case takes several");
   command->footer(
       "Between its points a result is joined by straight lines and taken at the reference's points; nothing is\n"
-      "extrapolated. Example: seiche score riemann --template > mine.csv, fill it in, seiche score riemann --data "
-      "mine.csv");
+      "extrapolated.\n"
+      "Examples:\n"
+      "  seiche score riemann --template > mine.csv          # fill it in\n"
+      "  seiche score riemann --data mine.csv --solver mine --out evidence");
   command->callback([options, &action] { action = [options] { return score(*options); }; });
 }
 

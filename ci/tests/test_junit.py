@@ -1,0 +1,107 @@
+"""junit.xml as CI systems read it: its form, its totals, and that it never says better than the exit status."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+from lxml import etree
+
+import junit
+
+SEICHE = os.environ["SEICHE"]
+
+
+def seiche(*words):
+    return subprocess.run([SEICHE, *map(str, words)], capture_output=True, text=True, timeout=120)
+
+
+def filled(template, h, u):
+    """A template of case riemann with one depth and velocity everywhere."""
+    lines = [line for line in template.splitlines() if not line.startswith("#")]
+    return "\n".join([lines[0], *(f"{line.split(',')[0]},{h},{u}" for line in lines[1:])]) + "\n"
+
+
+class Junit(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="seiche-test-")
+        self.addCleanup(scratch.cleanup)
+        self.out = pathlib.Path(scratch.name) / "evidence"
+
+    def shown(self):
+        """Outcomes of the test cases of a file without faults."""
+        self.assertEqual(junit.faults(self.out / "junit.xml"), [])
+        return junit.outcomes(self.out / "junit.xml")
+
+    def test_passes_and_declared_failures(self):
+        result = seiche("run", "riemann", "dry_dam_break", "--out", self.out)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        shown = self.shown()
+        self.assertIsNone(shown["dam_break.riemann", "run"])
+        self.assertIsNone(shown["dam_break.riemann", "mass"])
+        element, kind, message = shown["dam_break.dry_dam_break", "maccormack"]
+        self.assertEqual((element, kind), ("skipped", "declared fail"))
+        self.assertIn("Measured 0", message)
+        self.assertIn("Reason: ", message)
+
+    def test_properties_hold_the_numbers(self):
+        seiche("run", "riemann", "--out", self.out)
+        suite = etree.parse(str(self.out / "junit.xml")).find("testsuite")
+        of_run = {node.get("name"): node.get("value") for node in suite.find("properties")}
+        self.assertEqual((of_run["tier"], of_run["solver"]), ("quick", "seiche"))
+        self.assertGreater(float(of_run["wall_time"]), 0)
+        self.assertTrue(of_run["commit"])
+        depth = next(test for test in suite.iter("testcase") if test.get("name") == "depth")
+        of_claim = {node.get("name"): node.get("value") for node in depth.find("properties")}
+        self.assertLess(float(of_claim["measured"]), float(of_claim["limit"]))
+        self.assertGreaterEqual(float(of_claim["uncertainty"]), 0)
+        self.assertEqual((of_claim["unit"], of_claim["verdict"], of_claim["declared"]), ("m", "pass", "pass"))
+
+    def test_scores_are_written_beside_our_own(self):
+        seiche("run", "riemann", "--out", self.out)
+        data = self.out.parent / "mine.csv"
+        data.write_text(filled(seiche("score", "riemann", "--template").stdout, 0.5, 0))
+        result = seiche("score", "riemann", "--data", data, "--solver", "mine", "--out", self.out)
+        self.assertEqual(result.returncode, 1, result.stdout)
+        shown = self.shown()
+        self.assertIsNone(shown["dam_break.riemann", "depth"])
+        self.assertEqual(shown["dam_break.riemann.mine", "depth"][:2], ("failure", "fail"))
+
+    def test_inconclusive_is_a_failure(self):
+        data = self.out.parent / "mine.csv"
+        data.write_text(filled(seiche("score", "riemann", "--template").stdout, 0.5, 0))
+        result = seiche("score", "riemann", "--data", data, "--uncertainty", "h=10,u=10", "--out", self.out)
+        self.assertEqual(result.returncode, 1, result.stdout)
+        kinds = {shown[:2] for shown in self.shown().values() if shown}
+        self.assertIn(("failure", "inconclusive"), kinds)
+
+
+class Faults(unittest.TestCase):
+    """The judge is judged: each change for the worse is found."""
+
+    GOOD = """<testsuites name="seiche" tests="2" failures="1" errors="0" skipped="0" time="1.500">
+      <testsuite name="a" timestamp="2026-01-02T03:04:05" tests="2" failures="1" errors="0" skipped="0" time="1.500">
+        <properties><property name="tier" value="quick"/></properties>
+        <testcase classname="a" name="run" time="1.500"/>
+        <testcase classname="a" name="b" time="0.000"><failure type="fail" message="m">m</failure></testcase>
+      </testsuite></testsuites>"""
+
+    def faults(self, text):
+        with tempfile.NamedTemporaryFile("w", suffix=".xml") as file:
+            file.write(text)
+            file.flush()
+            return junit.faults(file.name)
+
+    def test_each_change_for_the_worse_is_found(self):
+        self.assertEqual(self.faults(self.GOOD), [])
+        for before, after in [('skipped="0"', ""), ('failures="1"', 'failures="0"'), ('tests="2"', 'tests="3"'),
+                              ('"1.500"', '"1.5e0"'), ('time="1.500"/>', 'time="9.000"/>'), ('name="b"', 'name="run"'),
+                              ("failure", "inconclusive"), (' message="m"', ""), ("05\"", "05Z\"")]:
+            with self.subTest(before=before):
+                self.assertIn(before, self.GOOD)
+                self.assertNotEqual(self.faults(self.GOOD.replace(before, after)), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

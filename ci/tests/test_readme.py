@@ -1,0 +1,276 @@
+"""Every command that the READMEs show is run as it stands there, in its order, in a copy of the place it speaks of.
+
+What is not run is named in NOT_RUN with the reason; nothing else is left out, and nothing is named that is not there.
+"""
+
+import csv
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SEICHE = pathlib.Path(os.environ["SEICHE"])
+SOURCE = pathlib.Path(os.environ["SEICHE_SOURCE"])
+BUILD = SEICHE.parent
+
+DOCUMENTS = [path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md",
+                               *sorted(SOURCE.glob("examples/*/README.md"))] if path.exists()]
+
+DOCS = "ctest ci.docs runs it"
+WHOLE_BUILD = "sets up and builds everything; CI runs it (.ci/run, .github/workflows/ci.yml)"
+LONG = "a tier of an hour or more"
+PETSC = "needs PETSc and MPI"
+PATTERN = "a pattern, its words are to be replaced"
+INSTALLS = "installs packages"
+CTEST = "a part of ctest, which runs this test"
+RELEASE = "makes a release"
+
+NOT_RUN = {
+    "README.md": {
+        "ci/report": WHOLE_BUILD,
+        "ci/test": WHOLE_BUILD,
+        "ci/setup": INSTALLS,
+        "ci/long full": LONG,
+        "ci/long paper": LONG,
+        "ctest -L full": LONG,
+        "ctest -L paper": LONG,
+        "seiche report DIR --pdf report.pdf": PATTERN,
+        "ci/docs": DOCS,
+        "cmake --install build/release": "installs for the whole machine; the examples' READMEs install elsewhere",
+        "ci/petsc": PETSC,
+        "cmake --preset petsc && cmake --build --preset petsc --target seiche_parallel": PETSC,
+        "mpirun -n 4 build/petsc/seiche-parallel hump --columns 800 --rows 400 --time 20 --every 5 --out run": PETSC,
+        "seiche run mach_reflection --set angle=... --set amplitude=...": PATTERN,
+        "import h5py": "reads the fields of a run that needs PETSc",
+        "#!/bin/bash": "a job of a cluster; its syntax is checked",
+    },
+    "CONTRIBUTING.md": {
+        "ci/build release seiche_command": WHOLE_BUILD,
+        "ci/build release verify_evidence": WHOLE_BUILD,
+        "ci/test": WHOLE_BUILD,
+        "ci/tidy": WHOLE_BUILD,
+        "ci/docs": DOCS,
+        "ci/sanitize": WHOLE_BUILD,
+        "ci/setup": INSTALLS,
+        "ci/setup clang-format": INSTALLS,
+        "ci/long full": LONG,
+        "ctest --preset release -R '^bore.moving_bore'": CTEST,
+        "ctest --preset release -R '^evidence: '": CTEST,
+        "ctest --preset release -R 'every reference table'": CTEST,
+        "clang-format -i $(git ls-files '*.cpp' '*.hpp')": "changes the sources",
+        "version=$(sed -nE 's/^project\\(seiche VERSION ([0-9.]+).*/\\1/p' CMakeLists.txt)": RELEASE,
+    },
+    "examples/score_your_solver/README.md": {
+        "./run.sh": "ctest ci.score_walkthrough runs it",
+        "ci/build release": WHOLE_BUILD,
+    },
+}
+
+
+def fill_in_template(folder):
+    """What the reader's own solver would do to mine.csv: here, the exact solution at the template's points."""
+    lines = [line for line in (folder / "mine.csv").read_text().splitlines() if not line.startswith("#")]
+    points = [word for row in csv.reader(lines[1:]) for word in ("--at", f"x={row[0]},t=6")]
+    exact = subprocess.run([SEICHE, "exact", "riemann", "--set", "jump=20", "--set", "right_depth=0.1", *points],
+                           check=True, capture_output=True, text=True)
+    (folder / "mine.csv").write_text(exact.stdout)
+
+
+def other_evidence(folder):
+    subprocess.run([SEICHE, "run", "riemann", "--set", "particles=100", "--out", "other_evidence"], cwd=folder,
+                   check=True, capture_output=True)
+
+
+def textbook_result(folder):
+    program = SOURCE / "examples/score_your_solver/textbook_finite_volume.py"
+    subprocess.run([sys.executable, program, "--flux", "rusanov", "--order", "1", "--output", "rusanov.csv"],
+                   cwd=folder, check=True, capture_output=True)
+
+
+# What must be there before a command, because the text says that the reader has it. (`./seiche` counts as `seiche`.)
+BEFORE = {
+    "seiche compare evidence other_evidence": other_evidence,
+    "seiche score riemann --data rusanov.csv --solver textbook-rusanov --out evidence": textbook_result,
+    "seiche score riemann --data mine.csv --solver mine --out evidence": fill_in_template,
+}
+
+PROGRAMS = ("seiche", "./seiche", "build/release/seiche", "./run.sh", "cmake", "ctest", "mpirun", "clang-format",
+            "sha256sum")
+
+
+def is_command(line):
+    first = line.split(maxsplit=1)[0]
+    return first in PROGRAMS or re.fullmatch(r"\.?ci/[a-z-]+", first)
+
+
+def kind_of(block):
+    """What a block of code is in; shell when every line begins with a command."""
+    if block.startswith("#!/bin/bash"):
+        return "script"
+    if block.startswith("#include"):
+        return "c++"
+    if block.startswith("import "):
+        return "python"
+    if re.match(r"[a-z_/]+/ {2,}\S", block):
+        return "layout"
+    if all(line == "..." or line.startswith("cd ") or is_command(line) for line in commands_in(block)):
+        return "shell"
+    return None
+
+
+def commands_in(block):
+    """Lines of a shell block, continued lines joined, comments gone."""
+    joined = re.sub(r"\\\n\s*", "", block)
+    lines = [re.sub(r"(^|\s+)# .*", "", line).strip() for line in joined.splitlines()]
+    return [line for line in lines if line]
+
+
+def snippets(path):
+    """(kind, text) of every block of code and of every command in running text, in the document's order."""
+    text = path.read_text()
+    pattern = re.compile(r"^```(?P<language>\w*)\n(?P<fenced>(?:.*\n)*?)```$"
+                         r"|(?<=\n\n)(?P<indented>(?: {4}.*\n|\n(?= {4}))+)"
+                         r"|`(?P<inline>[^`]+)`", re.M)
+    for match in pattern.finditer(text):
+        if match["inline"]:
+            inline = " ".join(match["inline"].split())
+            if is_command(inline) and (" " in inline or "/" in inline):
+                yield "inline", inline
+        elif match["fenced"] is not None and match["language"] not in ("", "sh", "bash"):
+            yield match["language"], match["fenced"]
+        else:
+            block = match["fenced"] or re.sub(r"^ {4}", "", match["indented"], flags=re.M)
+            yield kind_of(block), block
+
+
+class Place:
+    """A checkout with its build as the text speaks of them, made of links; what commands write stays in it."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.checkout = folder / "seiche"
+        self.directory = self.checkout
+        release = self.checkout / "build/release"
+        release.mkdir(parents=True)
+        self.link(SOURCE, self.checkout, besides={"build", ".git"})
+        self.link(BUILD, release, besides={"evidence", "Testing"})
+        for name in ("home", "tmp", "bin"):
+            (folder / name).mkdir()
+        (folder / "bin/seiche").symlink_to(SEICHE)
+        (folder / "bin/python3").symlink_to(sys.executable)
+        self.environment = {**os.environ, "HOME": str(folder / "home"), "PATH": f"{folder}/bin:{os.environ['PATH']}",
+                            "PYTHONPATH": str(release / "python")}
+
+    @staticmethod
+    def link(source, target, besides):
+        for entry in source.iterdir():
+            if entry.name not in besides:
+                (target / entry.name).symlink_to(entry)
+
+    def run(self, *words, **options):
+        return subprocess.run(words, cwd=self.directory, env=self.environment, capture_output=True, text=True,
+                              timeout=300, **options)
+
+    def shell(self, command):
+        if command.startswith("cd "):
+            self.directory = self.directory / command.split()[1]
+            return subprocess.CompletedProcess(command, 0 if self.directory.is_dir() else 1, "", "no such folder")
+        return self.run("bash", "-c", command.replace("/tmp/", f"{self.folder}/tmp/"))
+
+
+class Readme(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="seiche-test-")
+        self.addCleanup(scratch.cleanup)
+        self.place = Place(pathlib.Path(scratch.name))
+
+    def succeed(self, what, result):
+        self.assertEqual(result.returncode, 0, f"{what}\n{result.stdout}{result.stderr}")
+
+    def check(self, path):
+        """Runs a document; returns the names of what it left out."""
+        not_run = NOT_RUN.get(str(path.relative_to(SOURCE)), {})
+        left_out = set()
+        for kind, text in snippets(path):
+            first = text.strip().splitlines()[0]
+            if kind == "script":
+                self.succeed(text, self.place.run("bash", "-n", input=text))
+            if kind in ("shell", "inline"):
+                left_out |= self.run_commands(kind, commands_in(text) if kind == "shell" else [text], not_run)
+            elif first in not_run:
+                left_out.add(first)
+            elif kind == "python":
+                self.succeed(text, self.place.run(sys.executable, "-", input=text))
+            elif kind == "c++":
+                self.succeed(text, self.compile(text))
+            elif kind == "layout":
+                for entry in re.findall(r"^([a-z_/]+/) ", text, re.M):
+                    self.assertTrue((SOURCE / entry).is_dir(), entry)
+            else:
+                self.fail(f"{path}: neither run nor left out:\n{text}")
+        return left_out
+
+    def prepare(self, command):
+        name = command.removeprefix("./")
+        if name in BEFORE:
+            BEFORE[name](self.place.directory)
+
+    def run_commands(self, kind, commands, not_run):
+        directory = self.place.directory
+        if kind == "inline":
+            self.place.directory = self.place.checkout
+        left_out = set()
+        for command in commands:
+            if command in not_run:
+                left_out.add(command)
+            elif command != "...":
+                self.prepare(command)
+                with self.subTest(command=command):
+                    self.succeed(command, self.place.shell(command))
+        if kind == "inline":
+            self.place.directory = directory
+        return left_out
+
+    def compile(self, snippet):
+        """A snippet's includes, and its statements in a function."""
+        lines = snippet.splitlines()
+        includes = [line for line in lines if line.startswith("#include")]
+        program = "\n".join([*includes, "int main() {", *(line for line in lines if line not in includes), "}\n"])
+        return self.place.run("g++", "-std=c++20", "-fsyntax-only", f"-I{SOURCE}/solver", "-xc++", "-", input=program)
+
+    def test_help_examples(self):
+        for command in ("run", "score", "exact"):
+            said = self.place.run(SEICHE, command, "--help").stdout
+            examples = re.findall(r"^ +(seiche .*?)(?: +# .*)?$", said.partition("Example")[2], re.M)
+            self.assertTrue(examples, said)
+            for example in examples:
+                self.prepare(example)
+                self.succeed(example, self.place.shell(example))
+
+    def test_reasons_and_preparations_are_of_this_project(self):
+        tests = (SOURCE / "ci/CMakeLists.txt").read_text()
+        for reasons in NOT_RUN.values():
+            for name in re.findall(r"ctest (ci\.\w+)", " ".join(reasons.values())):
+                self.assertIn(name, tests)
+        shown = {command.removeprefix("./") for path in DOCUMENTS for _, text in snippets(path)
+                 for command in commands_in(text)}
+        self.assertLessEqual(set(BEFORE), shown)
+
+
+def document_test(path):
+    def test(self):
+        left_out = self.check(path)
+        self.assertEqual(left_out, set(NOT_RUN.get(str(path.relative_to(SOURCE)), {})), "left out, but no longer there")
+    return test
+
+
+for document in DOCUMENTS:
+    name = re.sub(r"\W+", "_", str(document.relative_to(SOURCE).with_suffix("")))
+    setattr(Readme, f"test_{name}", document_test(document))
+
+
+if __name__ == "__main__":
+    unittest.main()

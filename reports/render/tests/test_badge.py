@@ -1,0 +1,62 @@
+"""The badge is green only when every verdict is known and as declared."""
+import json
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
+
+from render import records  # noqa: E402
+from render.badge import badge  # noqa: E402
+from render.tests.test_report import claim, record, render  # noqa: E402
+
+
+def declared(verdict):
+    return {"verdict": verdict, "declared": verdict, "declared_reason": "known"}
+
+
+class Badge(unittest.TestCase):
+    def check(self, raw, color, *words, broken=()):
+        made = badge(records.cases([records.Record(f"{one['case']}.json", one) for one in raw]), broken)
+        self.assertEqual((made["schemaVersion"], made["label"], made["color"]), (1, "seiche", color), made)
+        self.assertEqual(made["isError"], color == "red")
+        for word in words:
+            self.assertIn(word, made["message"])
+
+    def test_green_when_all_is_as_declared(self):
+        self.check([record("a"), record("b")], "brightgreen", "2 of 2 claims pass")
+        known = record("b", claims=[claim("one"), claim("two", **declared("fail"))])
+        self.check([record("a"), known], "green", "2 of 3 claims pass, 1 declared failure")
+
+    def test_never_green_when_a_verdict_is_not_known(self):
+        self.check([record("a", claims=[claim("one", **declared("inconclusive"))])], "yellow",
+                   "1 declared inconclusive")
+        self.check([], "lightgrey", "0 of 0 claims pass")
+        self.check([record("a", claims=[])], "lightgrey")
+
+    def test_red_when_anything_is_not_as_declared(self):
+        for verdict in ("fail", "inconclusive", "error"):
+            self.check([record("a"), record("b", claims=[claim("one", verdict=verdict)])], "red",
+                       "1 of 2 claims pass", "1 unexpected")
+        self.check([record("a", claims=[claim("one", declared="fail", declared_reason="thought so")])], "red",
+                   "1 unexpected")
+        self.check([record("a"), record("b", status="error", error="killed")], "red", "1 unfinished")
+        self.check([record("a")], "red", "1 broken record", broken=[records.Broken("b.json", ["not JSON"])])
+
+    def test_another_solver_counts_too(self):
+        wrong = record("a", solver="mine", claims=[claim("one", verdict="fail")])
+        self.check([record("a"), wrong], "red", "1 of 2 claims pass, 1 unexpected")
+
+    def test_it_stands_beside_the_first_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            evidence = pathlib.Path(folder) / "evidence"
+            evidence.mkdir()
+            (evidence / "a.json").write_text(json.dumps(record("a")), encoding="utf-8")
+            self.assertEqual(render(evidence, evidence / "report")[0], 0)
+            made = json.loads((evidence / "report" / "badge.json").read_text(encoding="utf-8"))
+        self.assertEqual(made["message"], "1 of 1 claims pass")
+
+
+if __name__ == "__main__":
+    unittest.main()

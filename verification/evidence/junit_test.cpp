@@ -1,0 +1,139 @@
+#include <map>
+#include <string>
+
+#include <pugixml.hpp>
+
+#include "reports/evidence/record_files.hpp"
+#include "verification/check.hpp"
+#include "verification/scratch_folder.hpp"
+
+using namespace seiche;
+using namespace seiche::evidence;
+
+namespace {
+
+/// One claim for every pair of verdict and declaration.
+Record sample(const std::string& solver) {
+  Record record;
+  record.name = "sample";
+  record.group = "evidence";
+  record.title = "Sample";
+  record.solver = solver;
+  record.wall_time = 1.5;
+  const Bound bound{.limit = 1, .reason = "r"};
+  const auto claim = [](const char* id) {
+    return Claim{.id = id, .text = "It holds.", .quantity = "q", .unit = "m", .source = "s"};
+  };
+  record.check(claim("pass"), {.value = 0.5, .uncertainty = 0.1, .resolution = "N = 10"}, bound);
+  record.check(claim("fail"), {.value = 2}, bound);
+  record.check(claim("inconclusive"), {.value = 0.9, .uncertainty = 0.5}, bound);
+  record.known_failure(claim("declared-fail"), {.value = 3}, bound, "it folds");
+  record.known_failure(claim("undeclared-pass"), {.value = 0.25}, bound, "it folds");
+  return record;
+}
+
+struct Junit {
+  verification::ScratchFolder scratch{"seiche_junit_test"};
+  pugi::xml_document document;
+
+  pugi::xml_node read() {
+    write_junit(scratch.path());
+    REQUIRE(document.load_file((scratch.path() / "junit.xml").c_str()));
+    return document.child("testsuites");
+  }
+};
+
+pugi::xml_node find(pugi::xml_node parent, const std::string& name) {
+  for (const pugi::xml_node child : parent.children()) {
+    if (child.attribute("name").value() == name) return child;
+  }
+  return {};
+}
+
+std::string property(pugi::xml_node node, const std::string& name) {
+  return find(node.child("properties"), name).attribute("value").value();
+}
+
+/// The element that says why a test case did not pass, with its type.
+std::string outcome(pugi::xml_node test) {
+  for (const char* element : {"failure", "error", "skipped"}) {
+    if (const pugi::xml_node node = test.child(element)) {
+      return std::string(element) + ": " + node.attribute("type").value();
+    }
+  }
+  return "passed";
+}
+
+}  // namespace
+
+TEST_CASE("JUnit shows every verdict as what it is", "[junit]") {
+  Junit junit;
+  write(sample("seiche"), junit.scratch.path());
+  const pugi::xml_node suite = find(junit.read(), "evidence.sample");
+  const std::map<std::string, std::string> expected{{"run", "passed"},
+                                                    {"pass", "passed"},
+                                                    {"fail", "failure: fail"},
+                                                    {"inconclusive", "failure: inconclusive"},
+                                                    {"declared-fail", "skipped: declared fail"},
+                                                    {"undeclared-pass", "failure: undeclared pass"}};
+  std::map<std::string, std::string> shown;
+  for (const pugi::xml_node test : suite.children("testcase")) shown[test.attribute("name").value()] = outcome(test);
+  CHECK(shown == expected);
+  const std::string reason = find(suite, "declared-fail").child("skipped").attribute("message").value();
+  CHECK(reason.find("Measured 3 ") != std::string::npos);
+  CHECK(reason.find("within 1 m") != std::string::npos);
+  CHECK(reason.find("it folds") != std::string::npos);
+  CHECK(find(suite, "declared-fail").child("skipped").text().get() == reason);
+}
+
+TEST_CASE("JUnit carries the numbers of a claim and the facts of its run as properties", "[junit]") {
+  Junit junit;
+  write(sample("seiche"), junit.scratch.path());
+  const pugi::xml_node suite = find(junit.read(), "evidence.sample");
+  CHECK(property(suite, "wall_time") == "1.5");
+  CHECK(property(suite, "tier") == "quick");
+  CHECK(property(suite, "solver") == "seiche");
+  CHECK_FALSE(property(suite, "commit").empty());
+  const pugi::xml_node test = find(suite, "pass");
+  CHECK(property(test, "measured") == "0.5");
+  CHECK(property(test, "uncertainty") == "0.1");
+  CHECK(property(test, "limit") == "1");
+  CHECK(property(test, "expected") == "0");
+  CHECK(property(test, "unit") == "m");
+  CHECK(property(test, "resolution") == "N = 10");
+  CHECK(property(test, "verdict") == "pass");
+  CHECK(property(test, "declared") == "pass");
+}
+
+TEST_CASE("JUnit totals are those of the suites, and of two solvers of one case no test shares its name", "[junit]") {
+  Junit junit;
+  write(sample("seiche"), junit.scratch.path());
+  write(sample("other"), junit.scratch.path());
+  const pugi::xml_node root = junit.read();
+  CHECK(std::string(root.attribute("time").value()) == "3.000");
+  CHECK(root.attribute("tests").as_int() == 12);
+  CHECK(root.attribute("failures").as_int() == 6);
+  CHECK(root.attribute("skipped").as_int() == 2);
+  CHECK(root.attribute("errors").as_int() == 0);
+  std::map<std::string, int> names;
+  for (const pugi::xml_node suite : root.children("testsuite")) {
+    CHECK(suite.attribute("tests").as_int() == 6);
+    for (const pugi::xml_node test : suite.children("testcase")) {
+      ++names[std::string(test.attribute("classname").value()) + "." + test.attribute("name").value()];
+    }
+  }
+  CHECK(names.size() == 12);
+}
+
+TEST_CASE("JUnit of a run that did not finish is an error, whatever bytes its message holds", "[junit]") {
+  Junit junit;
+  Record record;
+  record.name = "broken";
+  record.group = "evidence";
+  record.error = "diverged\x1b[31m <at> \"t = 1\"";
+  write(record, junit.scratch.path());
+  const pugi::xml_node suite = find(junit.read(), "evidence.broken");
+  CHECK(suite.attribute("errors").as_int() == 1);
+  const pugi::xml_node error = find(suite, "run").child("error");
+  CHECK(std::string(error.attribute("message").value()) == "diverged?[31m <at> \"t = 1\"");
+}
