@@ -1,9 +1,9 @@
-# What `cmake --install` puts where. The components:
+# What `cmake --install` puts where. The components are the Debian packages of SeichePackage.cmake:
 #
-#   command      seiche with its renderer, reference data, examples, and completion
+#   command      seiche with its renderer, reference data, examples, completion and manual
 #   development  libseiche.a, its headers, find_package(seiche)
 #   python       the Python module
-#   parallel     seiche-parallel                                                            where PETSc is there
+#   parallel     seiche-parallel and its manual                                             where PETSc is there
 #   distributed  libseiche_distributed.a, its headers, find_package(seiche COMPONENTS distributed)        "
 #
 # Nothing installed holds a path of the source, the build or the prefix.
@@ -51,7 +51,21 @@ foreach(path IN LISTS data)
   endif()
 endforeach()
 
+# seiche_manual(target component PAGE.1.in): the page PAGE.1 from the template and from what the program's --help prints.
+function(seiche_manual target component template)
+  cmake_path(GET template STEM LAST_ONLY page)
+  set(page ${PROJECT_BINARY_DIR}/manual/${page}.gz)
+  add_custom_command(OUTPUT ${page} VERBATIM
+    COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/ci/manual.py $<TARGET_FILE:${target}>
+            ${PROJECT_SOURCE_DIR}/${template} ${page} --version ${PROJECT_VERSION}
+    DEPENDS ${target} ${PROJECT_SOURCE_DIR}/ci/manual.py ${PROJECT_SOURCE_DIR}/${template}
+    COMMENT "Writing the manual of ${target}")
+  add_custom_target(${target}_manual ALL DEPENDS ${page})
+  install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
+endfunction()
+
 install(TARGETS seiche_command RUNTIME COMPONENT command)
+seiche_manual(seiche_command command validation/command/seiche.1.in)
 install(FILES ${PROJECT_SOURCE_DIR}/validation/command/seiche-completion.bash RENAME seiche
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT command)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command
@@ -61,6 +75,7 @@ install(PROGRAMS ${PROJECT_SOURCE_DIR}/examples/score_your_solver/run.sh
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 if(SEICHE_WITH_PETSC)
   install(TARGETS seiche_parallel RUNTIME COMPONENT parallel)
+  seiche_manual(seiche_parallel parallel validation/parallel/seiche-parallel.1.in)
 endif()
 
 # Below the prefix, where the interpreter looks for modules below its own. Debian's has two places: one for packages
@@ -75,3 +90,4 @@ if(SEICHE_PYTHON_MODULE)
   set(SEICHE_PYTHON_DIRECTORY ${python_directory} CACHE STRING "Where the Python module is installed, below the prefix")
   install(TARGETS seiche_python LIBRARY DESTINATION ${SEICHE_PYTHON_DIRECTORY} COMPONENT python)
 endif()
+
