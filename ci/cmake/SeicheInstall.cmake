@@ -91,3 +91,4 @@ if(SEICHE_PYTHON_MODULE)
   install(TARGETS seiche_python LIBRARY DESTINATION ${SEICHE_PYTHON_DIRECTORY} COMPONENT python)
 endif()
 
+include(SeichePackage)
