@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Scores two textbook solvers beside ours on the dam break of case `riemann`. Usage: run.sh [FOLDER for the results]
-# SEICHE and PYTHON choose the programs.
+# SEICHE and PYTHON choose the programs; without SEICHE it is the checkout's, or the one on the PATH.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-seiche=${SEICHE:-$here/../../build/release/seiche}
+built=$here/../../build/release/seiche
+if [[ -x $built ]]; then seiche=${SEICHE:-$built}; else seiche=${SEICHE:-seiche}; fi
 python=${PYTHON:-python3}
 out=${1:-score_your_solver}
 mkdir -p "$out"

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "validation/case/data_folder.hpp"
+
 namespace seiche::validation {
 namespace {
 
@@ -92,11 +94,7 @@ double ColumnUncertainty::of(double entry) const {
 }
 
 std::filesystem::path reference_folder() {
-  for (const char* place : {SEICHE_REFERENCE_DATA, SEICHE_INSTALLED_REFERENCE_DATA}) {
-    if (std::filesystem::is_directory(place)) return place;
-  }
-  throw std::runtime_error(fmt::format("reference data are neither at {} nor at {}", SEICHE_REFERENCE_DATA,
-                                       SEICHE_INSTALLED_REFERENCE_DATA));
+  return data_folder("reference_data");
 }
 
 std::vector<std::string> reference_sources() {

@@ -38,7 +38,7 @@ struct ReferenceSource {
   std::map<std::string, std::map<std::string, std::string>> codes;
 };
 
-/// The folder reference_data of the source tree, or where it was installed. Throws std::runtime_error if there is none.
+/// The folder reference_data of this program. Throws std::runtime_error if there is none.
 std::filesystem::path reference_folder();
 
 /// Names of the tables, one per folder that holds source.toml, sorted.

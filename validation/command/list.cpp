@@ -7,6 +7,7 @@
 
 #include "seiche/exact/catalogue.hpp"
 #include "seiche/io/atomic_file.hpp"
+#include "validation/case/data_folder.hpp"
 #include "validation/case/registry.hpp"
 #include "validation/command/commands.hpp"
 
@@ -84,7 +85,7 @@ void print_table() {
 
 /// CMake code with an add_test entry per case and tier; `seiche_tiers` is set by the file that ctest reads before.
 void write_ctest(const std::string& file, const std::string& evidence) {
-  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::string program = validation::running_program().string();
   std::string text = "# Written by 'seiche list --ctest' after every build.\n";
   for (const Case& one : validation::all_cases()) {
     for (const Tier tier : one.tiers) {

@@ -1,5 +1,6 @@
-#include <array>
+#include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -7,9 +8,9 @@
 #include <thread>
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include "validation/case/data_folder.hpp"
 #include "validation/command/commands.hpp"
 
 namespace seiche::command {
@@ -22,13 +23,10 @@ struct Options {
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
 };
 
-/// The renderer of the checkout this program was built from, or the installed one.
-std::string renderer() {
-  for (const char* place : {SEICHE_RENDERER, SEICHE_INSTALLED_RENDERER}) {
-    if (std::filesystem::exists(std::filesystem::path(place) / "__main__.py")) return place;
-  }
-  throw std::runtime_error(
-      fmt::format("the report's renderer is neither at {} nor at {}", SEICHE_RENDERER, SEICHE_INSTALLED_RENDERER));
+/// The interpreter that the build was configured with, unless the user names another.
+std::string python() {
+  const char* chosen = std::getenv("SEICHE_PYTHON");  // NOLINT(concurrency-mt-unsafe): no threads here
+  return chosen != nullptr && *chosen != '\0' ? chosen : SEICHE_PYTHON;
 }
 
 int report(const Options& options) {
@@ -39,14 +37,15 @@ int report(const Options& options) {
   }
   const std::string out =
       options.out.empty() ? (std::filesystem::path(options.evidence) / "report").string() : options.out;
-  std::vector<std::string> words{
-      SEICHE_PYTHON, renderer(), options.evidence, "--out", out, "--jobs", std::to_string(options.jobs)};
+  std::vector<std::string> words{python(), validation::data_folder("render").string(), options.evidence, "--out", out,
+                                 "--jobs", std::to_string(options.jobs)};
   if (!options.pdf.empty()) words.insert(words.end(), {"--pdf", options.pdf});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  execv(SEICHE_PYTHON, arguments.data());
-  throw std::runtime_error(fmt::format("cannot start {}: {}", SEICHE_PYTHON, std::strerror(errno)));
+  execvp(arguments.front(), arguments.data());
+  throw std::runtime_error(fmt::format("cannot start the Python interpreter {}: {}; SEICHE_PYTHON names another",
+                                       words.front(), std::strerror(errno)));
 }
 
 }  // namespace
@@ -58,6 +57,9 @@ void add_report(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "folder for the report; DIR/report if not given");
   command->add_option("--pdf", options->pdf, "also print the report to this PDF file (needs Chromium)");
   command->add_option("--jobs,-j", options->jobs, "how many figures are drawn at once")->check(CLI::Range(1U, 1024U));
+  command->footer(
+      "The environment's SEICHE_PYTHON names the Python interpreter, which needs numpy, h5py, matplotlib, jinja2 and\n"
+      "markdown.");
   command->callback([options, &action] { action = [options] { return report(*options); }; });
 }
 

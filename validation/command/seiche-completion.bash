@@ -8,7 +8,7 @@ _seiche() {
     --config | --data | --out | --pdf) COMPREPLY=($(compgen -f -- "$word")); return ;;
     *)
       if ((COMP_CWORD == 1)); then
-        words="list run report exact score compare --help --version"
+        words="$("$program" --help 2>/dev/null | awk '/^Subcommands:/ {on = 1} on && /^  [a-z]/ {print $1}') --help --version"
       elif [[ $word == -* ]]; then
         words=$("$program" "${COMP_WORDS[1]}" --help 2>/dev/null | grep -o -- '--[a-z-]*')
       else

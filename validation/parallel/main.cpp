@@ -111,6 +111,9 @@ int main(int argc, char** argv) {
   const distributed::Runtime runtime(argc, argv);
   Options options;
   CLI::App app("Plan flows on many processes; what follows -- is for PETSc", "seiche-parallel");
+  app.footer(
+      "Exit status: 0 every claim has its declared verdict, 1 a check failed, 2 wrong usage or input,\n"
+      "3 the run could not finish (diverged, disk full, killed).");
   add_options(app, options);
   try {
     app.parse(argc, argv);
