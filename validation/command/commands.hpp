@@ -1,21 +1,73 @@
-/// The subcommands of `seiche`. Each adds itself to the command line and, when called, returns the exit status:
-/// 0 all as declared, 1 a check failed, 2 wrong usage or input, 3 the run could not finish.
+/// The subcommands of `seiche` and what the command line says to each; main.cpp alone reads the command line, and says
+/// there what each option means. Each returns the exit status: 0 all as declared, 1 a check failed, 2 wrong usage or
+/// input, 3 the run could not finish.
 #pragma once
 
-#include <functional>
+#include <algorithm>
+#include <string>
+#include <thread>
+#include <vector>
 
-#include <CLI/CLI.hpp>
+#include "validation/case/runner.hpp"
 
 namespace seiche::command {
 
-/// What main() runs after parsing: set by the subcommand that was called.
-using Action = std::function<int()>;
+struct ListOptions {
+  bool json = false;
+  std::string ctest;
+  std::string evidence;
+};
+int list(const ListOptions& options);
 
-void add_list(CLI::App& app, Action& action);
-void add_run(CLI::App& app, Action& action);
-void add_report(CLI::App& app, Action& action);
-void add_exact(CLI::App& app, Action& action);
-void add_score(CLI::App& app, Action& action);
-void add_compare(CLI::App& app, Action& action);
+struct RunOptions {
+  std::vector<std::string> cases;
+  std::string tier;
+  std::vector<std::string> settings;
+  std::string config;
+  bool help_parameters = false;
+  validation::RunOptions run = {.jobs = std::max(1U, std::thread::hardware_concurrency())};
+};
+int run(const RunOptions& options);
+
+struct ReportOptions {
+  std::string evidence = "evidence";
+  std::string out;
+  std::string pdf;
+  unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+};
+int report(const ReportOptions& options);
+
+struct ExactOptions {
+  std::string name;
+  std::vector<std::string> settings;
+  std::vector<std::string> points;
+  std::string grid;
+  std::string format = "csv";
+  std::string out;
+  bool integrals = false;
+  bool self_test = false;
+};
+int exact_command(const ExactOptions& options);
+
+struct ScoreOptions {
+  std::string name;
+  std::vector<std::string> data;
+  std::string solver = "yours";
+  std::vector<std::string> map;
+  std::vector<std::string> uncertainty;
+  std::vector<std::string> settings;
+  std::string config;
+  std::string out = "evidence";
+  std::string table;
+  bool template_only = false;
+};
+int score(const ScoreOptions& options);
+
+struct CompareOptions {
+  std::string before;
+  std::string after;
+  double factor = 1.05;
+};
+int compare(const CompareOptions& options);
 
 }  // namespace seiche::command

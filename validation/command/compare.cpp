@@ -1,6 +1,5 @@
 #include <cmath>
 #include <map>
-#include <memory>
 #include <set>
 
 #include <fmt/format.h>
@@ -13,12 +12,6 @@ namespace seiche::command {
 namespace {
 
 using evidence::Summary;
-
-struct Options {
-  std::string before;
-  std::string after;
-  double factor = 1.05;
-};
 
 std::vector<Summary> records_in(const std::string& directory) {
   if (!std::filesystem::is_directory(directory)) {
@@ -81,7 +74,9 @@ bool compare_record(const std::string& key, const Summary& before, const Summary
   return worse;
 }
 
-int compare(const Options& options) {
+}  // namespace
+
+int compare(const CompareOptions& options) {
   if (options.after.empty()) return print_side_by_side(records_in(options.before)) ? 0 : 1;
   const auto before = by_name(options.before);
   const auto after = by_name(options.after);
@@ -104,22 +99,6 @@ int compare(const Options& options) {
   }
   fmt::print("{}\n", worse ? "something got worse" : "nothing got worse");
   return worse ? 1 : 0;
-}
-
-}  // namespace
-
-void add_compare(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
-      "compare",
-      "What changed between two sets of records: verdicts, errors, times (status 1 if anything got worse);\n"
-      "of one set: the solvers of each case side by side (status 1 unless all are as declared)");
-  command->add_option("A", options->before, "folder with records, the earlier ones of two")->required();
-  command->add_option("B", options->after, "folder with the later records");
-  command->add_option("--factor", options->factor, "smallest change of an error that is shown")
-      ->capture_default_str()
-      ->check(CLI::Range(1.0, 1e6));
-  command->callback([options, &action] { action = [options] { return compare(*options); }; });
 }
 
 }  // namespace seiche::command

@@ -1,5 +1,4 @@
 #include <limits>
-#include <memory>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -15,17 +14,6 @@ namespace seiche::command {
 namespace {
 
 using exact::ExactSolution;
-
-struct Options {
-  std::string name;
-  std::vector<std::string> settings;
-  std::vector<std::string> points;
-  std::string grid;
-  std::string format = "csv";
-  std::string out;
-  bool integrals = false;
-  bool self_test = false;
-};
 
 void print_catalogue() {
   for (const ExactSolution& s : exact::catalogue()) {
@@ -81,7 +69,9 @@ int print_self_test(const exact::Evaluator& evaluator) {
   return all ? 0 : 1;
 }
 
-int exact_command(const Options& options) {
+}  // namespace
+
+int exact_command(const ExactOptions& options) {
   if (options.name == "list") {
     print_catalogue();
     return 0;
@@ -120,29 +110,6 @@ int exact_command(const Options& options) {
     io::write_file(options.out, text);
   }
   return 0;
-}
-
-}  // namespace
-
-void add_exact(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("exact", "Print an exact solution; 'seiche exact list' shows them all");
-  command->add_option("NAME", options->name, "name of the solution, or list")->required();
-  command->add_option("--set", options->settings, "parameters, as name=value; may be repeated");
-  command->add_option("--at", options->points, "points, as x=1,y=-0.2,t=2; may be repeated");
-  command->add_option("--grid", options->grid, "points, as x=-10:10:401,t=2 (FROM:TO:COUNT); NaN outside the fluid");
-  command->add_option("--format", options->format, "csv, json or hdf5")
-      ->check(CLI::IsMember({"csv", "json", "hdf5"}))
-      ->capture_default_str();
-  command->add_option("--out", options->out, "file to write instead of printing; HDF5 always goes to a file, NAME.h5");
-  command->add_flag("--integrals", options->integrals, "also the scalar results and the numerical uncertainty");
-  command->add_flag("--self-test", options->self_test, "check the solution against its own identities, and stop");
-  command->footer(
-      "Examples:\n"
-      "  seiche exact solitary --set amplitude=0.3 --at x=0,y=-0.5 --integrals\n"
-      "  seiche exact riemann --set right_depth=0.1 --grid x=-10:10:401,t=2\n"
-      "  seiche exact stokes --set amplitude=0.3 --grid x=0:6.28:65,y=-1:0.4:29 --format hdf5 --out wave.h5");
-  command->callback([options, &action] { action = [options] { return exact_command(*options); }; });
 }
 
 }  // namespace seiche::command

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <memory>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,12 +17,6 @@ using validation::Case;
 using validation::Parameter;
 using validation::Tier;
 using Json = nlohmann::ordered_json;
-
-struct Options {
-  bool json = false;
-  std::string ctest;
-  std::string evidence;
-};
 
 std::vector<std::string> tiers_of(const Case& one) {
   std::vector<std::string> names;
@@ -103,24 +96,15 @@ void write_ctest(const std::string& file, const std::string& evidence) {
 
 }  // namespace
 
-void add_list(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
-  CLI::App* list = app.add_subcommand("list", "Show the cases and the exact solutions");
-  list->add_flag("--json", options->json, "as JSON, with every parameter");
-  list->add_option("--ctest", options->ctest, "write add_test entries for ctest to this file")->group("");
-  list->add_option("--evidence", options->evidence, "folder that those tests write to")->group("");
-  list->callback([options, &action] {
-    action = [options] {
-      if (!options->ctest.empty()) {
-        write_ctest(options->ctest, options->evidence);
-      } else if (options->json) {
-        print_json();
-      } else {
-        print_table();
-      }
-      return 0;
-    };
-  });
+int list(const ListOptions& options) {
+  if (!options.ctest.empty()) {
+    write_ctest(options.ctest, options.evidence);
+  } else if (options.json) {
+    print_json();
+  } else {
+    print_table();
+  }
+  return 0;
 }
 
 }  // namespace seiche::command

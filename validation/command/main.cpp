@@ -1,30 +1,147 @@
+/// The command line, option by option. All in one file: the parser's header takes longer to compile than all
+/// commands together.
 #include <exception>
+#include <functional>
+#include <memory>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "reports/evidence/build_facts.hpp"
 #include "validation/command/commands.hpp"
 
+namespace seiche::command {
 namespace {
 
-int run(int argc, char** argv) {
+/// What is called after parsing: set by the subcommand that was named.
+using Action = std::function<int()>;
+
+void add_list(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ListOptions>();
+  CLI::App* command = app.add_subcommand("list", "Show the cases and the exact solutions");
+  command->add_flag("--json", options->json, "as JSON, with every parameter");
+  command->add_option("--ctest", options->ctest, "write add_test entries for ctest to this file")->group("");
+  command->add_option("--evidence", options->evidence, "folder that those tests write to")->group("");
+  command->callback([options, &action] { action = [options] { return list(*options); }; });
+}
+
+void add_run(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "Run cases and write their records");
+  command->add_option("CASE", options->cases, "names of cases, see 'seiche list'");
+  command->add_option("--tier", options->tier, "quick (default), full or paper; without CASE: every case of the tier");
+  command->add_option("--set", options->settings, "parameter of the case, as name=value; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--config", options->config, "TOML file with parameters; tables [CASE] for single cases");
+  command->add_option("--jobs,-j", options->run.jobs, "how many cases run at once")->check(CLI::Range(1U, 1024U));
+  command->add_option("--out", options->run.directory, "folder for the records")->capture_default_str();
+  command->add_flag("--resume", options->run.resume, "keep what an earlier run of the same program finished");
+  command->add_flag("--help-parameters", options->help_parameters, "show what the cases let you set, and stop");
+  command->footer("Example:\n  seiche run riemann --set right_depth=0.1 --set scheme=M2 --out evidence");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+void add_report(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = app.add_subcommand("report", "Make the HTML report from records");
+  command->add_option("DIR", options->evidence, "folder with the records")->capture_default_str();
+  command->add_option("--out", options->out, "folder for the report; DIR/report if not given");
+  command->add_option("--pdf", options->pdf, "also print the report to this PDF file (needs Chromium)");
+  command->add_option("--jobs,-j", options->jobs, "how many figures are drawn at once")->check(CLI::Range(1U, 1024U));
+  command->footer(
+      "The environment's SEICHE_PYTHON names the Python interpreter, which needs numpy, h5py, matplotlib, jinja2 and\n"
+      "markdown.");
+  command->callback([options, &action] { action = [options] { return report(*options); }; });
+}
+
+void add_exact(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ExactOptions>();
+  CLI::App* command = app.add_subcommand("exact", "Print an exact solution; 'seiche exact list' shows them all");
+  command->add_option("NAME", options->name, "name of the solution, or list")->required();
+  command->add_option("--set", options->settings, "parameters, as name=value; may be repeated");
+  command->add_option("--at", options->points, "points, as x=1,y=-0.2,t=2; may be repeated");
+  command->add_option("--grid", options->grid, "points, as x=-10:10:401,t=2 (FROM:TO:COUNT); NaN outside the fluid");
+  command->add_option("--format", options->format, "csv, json or hdf5")
+      ->check(CLI::IsMember({"csv", "json", "hdf5"}))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "file to write instead of printing; HDF5 always goes to a file, NAME.h5");
+  command->add_flag("--integrals", options->integrals, "also the scalar results and the numerical uncertainty");
+  command->add_flag("--self-test", options->self_test, "check the solution against its own identities, and stop");
+  command->footer(
+      "Examples:\n"
+      "  seiche exact solitary --set amplitude=0.3 --at x=0,y=-0.5 --integrals\n"
+      "  seiche exact riemann --set right_depth=0.1 --grid x=-10:10:401,t=2\n"
+      "  seiche exact stokes --set amplitude=0.3 --grid x=0:6.28:65,y=-1:0.4:29 --format hdf5 --out wave.h5");
+  command->callback([options, &action] { action = [options] { return exact_command(*options); }; });
+}
+
+void add_score(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ScoreOptions>();
+  CLI::App* command = app.add_subcommand("score", "Judge somebody else's result against a case's reference");
+  command->add_option("CASE", options->name, "name of a case that scores others, see 'seiche list'")->required();
+  command
+      ->add_option("--data", options->data,
+                   "CSV or HDF5 file with the result (its content decides which); repeated where a case takes several "
+                   "tables")
+      ->allow_extra_args(false)
+      ->check(CLI::ExistingFile);
+  command->add_option("--solver", options->solver, "what to call the solver in the report")->capture_default_str();
+  command
+      ->add_option("--map", options->map,
+                   "column=quantity,... where the file names columns (datasets) differently; may be repeated")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--uncertainty", options->uncertainty,
+                   "quantity=value,...: your result's standard numerical uncertainty, in the wanted unit, or relative "
+                   "to the reference's largest value as in h=1%; none stated counts as 0")
+      ->allow_extra_args(false);
+  command->add_option("--set", options->settings, "parameters of the case, as name=value,...; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--config", options->config, "TOML file with parameters");
+  command->add_option("--out", options->out, "folder for the record")->capture_default_str();
+  command->add_flag("--template", options->template_only, "print the CSV file to fill in, and stop");
+  command->add_option("--table", options->table, "which table --template shall print, where a case takes several");
+  command->footer(
+      "Between its points a result is joined by straight lines and taken at the reference's points; nothing is\n"
+      "extrapolated.\n"
+      "Examples:\n"
+      "  seiche score riemann --template > mine.csv          # fill it in\n"
+      "  seiche score riemann --data mine.csv --solver mine --out evidence");
+  command->callback([options, &action] { action = [options] { return score(*options); }; });
+}
+
+void add_compare(CLI::App& app, Action& action) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* command = app.add_subcommand(
+      "compare",
+      "What changed between two sets of records: verdicts, errors, times (status 1 if anything got worse);\n"
+      "of one set: the solvers of each case side by side (status 1 unless all are as declared)");
+  command->add_option("A", options->before, "folder with records, the earlier ones of two")->required();
+  command->add_option("B", options->after, "folder with the later records");
+  command->add_option("--factor", options->factor, "smallest change of an error that is shown")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 1e6));
+  command->callback([options, &action] { action = [options] { return compare(*options); }; });
+}
+
+int parse_and_call(int argc, char** argv) {
   CLI::App app{
       "seiche: verification and validation of free-surface water-wave solvers.\n"
       "Start with 'seiche list', then 'seiche run CASE' and 'seiche report'."};
-  app.set_version_flag("--version", std::string(seiche::build_facts::version));
+  app.set_version_flag("--version", std::string(build_facts::version));
   app.require_subcommand(0, 1);
   app.footer(
       "Exit status: 0 every claim has its declared verdict, 1 a check failed, 2 wrong usage or input,\n"
       "3 the run could not finish (diverged, disk full, killed).");
 
-  seiche::command::Action action;
-  seiche::command::add_list(app, action);
-  seiche::command::add_run(app, action);
-  seiche::command::add_report(app, action);
-  seiche::command::add_exact(app, action);
-  seiche::command::add_score(app, action);
-  seiche::command::add_compare(app, action);
+  Action action;
+  add_list(app, action);
+  add_run(app, action);
+  add_report(app, action);
+  add_exact(app, action);
+  add_score(app, action);
+  add_compare(app, action);
 
   try {
     app.parse(argc, argv);
@@ -42,10 +159,11 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
+}  // namespace seiche::command
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return seiche::command::parse_and_call(argc, argv);
   } catch (const std::invalid_argument& wrong) {
     fmt::print(stderr, "seiche: {}\n", wrong.what());
     return 2;

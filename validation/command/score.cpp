@@ -2,7 +2,6 @@
 #include <cctype>
 #include <chrono>
 #include <filesystem>
-#include <memory>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -22,19 +21,6 @@ namespace {
 using validation::Case;
 using validation::Values;
 using validation::WantedTable;
-
-struct Options {
-  std::string name;
-  std::vector<std::string> data;
-  std::string solver = "yours";
-  std::vector<std::string> map;
-  std::vector<std::string> uncertainty;
-  std::vector<std::string> settings;
-  std::string config;
-  std::string out = "evidence";
-  std::string table;
-  bool template_only = false;
-};
 
 /// Names of everything that may be mapped; `with_uncertainty`: that may have an uncertainty.
 std::vector<std::string> known_columns(const std::vector<WantedTable>& wanted, bool with_uncertainty) {
@@ -117,7 +103,9 @@ void require_solver_name(const std::string& name) {
   }
 }
 
-int score(const Options& options) {
+}  // namespace
+
+int score(const ScoreOptions& options) {
   const Case& one = validation::find_case(options.name);
   if (!one.submission) {
     throw std::invalid_argument(
@@ -152,43 +140,6 @@ int score(const Options& options) {
   print(record);
   fmt::print("record: {}\n", (std::filesystem::path(options.out) / (record.stem() + ".json")).string());
   return record.as_declared() ? 0 : 1;
-}
-
-}  // namespace
-
-void add_score(CLI::App& app, Action& action) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("score", "Judge somebody else's result against a case's reference");
-  command->add_option("CASE", options->name, "name of a case that scores others, see 'seiche list'")->required();
-  command
-      ->add_option("--data", options->data,
-                   "CSV or HDF5 file with the result (its content decides which); repeated where a case takes several "
-                   "tables")
-      ->allow_extra_args(false)
-      ->check(CLI::ExistingFile);
-  command->add_option("--solver", options->solver, "what to call the solver in the report")->capture_default_str();
-  command
-      ->add_option("--map", options->map,
-                   "column=quantity,... where the file names columns (datasets) differently; may be repeated")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--uncertainty", options->uncertainty,
-                   "quantity=value,...: your result's standard numerical uncertainty, in the wanted unit, or relative "
-                   "to the reference's largest value as in h=1%; none stated counts as 0")
-      ->allow_extra_args(false);
-  command->add_option("--set", options->settings, "parameters of the case, as name=value,...; may be repeated")
-      ->allow_extra_args(false);
-  command->add_option("--config", options->config, "TOML file with parameters");
-  command->add_option("--out", options->out, "folder for the record")->capture_default_str();
-  command->add_flag("--template", options->template_only, "print the CSV file to fill in, and stop");
-  command->add_option("--table", options->table, "which table --template shall print, where a case takes several");
-  command->footer(
-      "Between its points a result is joined by straight lines and taken at the reference's points; nothing is\n"
-      "extrapolated.\n"
-      "Examples:\n"
-      "  seiche score riemann --template > mine.csv          # fill it in\n"
-      "  seiche score riemann --data mine.csv --solver mine --out evidence");
-  command->callback([options, &action] { action = [options] { return score(*options); }; });
 }
 
 }  // namespace seiche::command
