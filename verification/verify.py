@@ -1,6 +1,6 @@
 """Runs the tests whose code changed since they last ran, several at once, and keeps the evidence of the others.
 
-    verify.py --build DIR --fingerprints FILE.json --evidence DIR [--jobs N]
+    verify.py --build DIR --evidence DIR [--rooms ROOM...] [--jobs N]
 
 A test file runs as a process of its room's program. It counts as done while its fingerprint (ci/cmake/fingerprints.py),
 the reference tables and the records it wrote are the same. Status 1 if a test fails; it runs again the next time.
@@ -79,15 +79,15 @@ def left(seconds, jobs):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, required=True)
-    parser.add_argument("--fingerprints", type=pathlib.Path, required=True)
     parser.add_argument("--evidence", type=pathlib.Path, required=True)
-    parser.add_argument("--reference-data", type=pathlib.Path, required=True)
+    parser.add_argument("--rooms", nargs="*", help="of verification; all if none is named")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
 
-    tables = digest_of_tables(options.reference_data)
-    wanted = {check: hashlib.sha256((code + tables).encode()).hexdigest()
-              for check, code in json.loads(options.fingerprints.read_text()).items()}
+    tables = digest_of_tables(pathlib.Path(__file__).resolve().parent.parent / "reference_data")
+    fingerprints = json.loads((options.build / "verification/fingerprints.json").read_text())
+    wanted = {check: hashlib.sha256((code + tables).encode()).hexdigest() for check, code in fingerprints.items()
+              if not options.rooms or pathlib.PurePath(check).parts[1] in options.rooms}
     kept = Kept(options.build / "verification/kept.json")
     todo = [check for check in wanted if not kept.holds(check, wanted[check], options.evidence)]
     todo.sort(key=lambda check: -kept.seconds(check, 1e9))  # the longest first, those never run before them

@@ -114,6 +114,21 @@ class Command(unittest.TestCase):
         self.refused(run(), "tier")
         self.refused(seiche("fly"), "fly")
 
+    def test_resume_keeps_numbers_and_renews_the_article(self):
+        words = ["run", "moving_bore", "--resume", "--out", self.out]
+        seiche(*words)
+        record = self.record("moving_bore")
+        stale = {**record, "article": "An older text.", "wall_time": 1234.5}
+        (self.out / "moving_bore.json").write_text(json.dumps(stale))
+        result = seiche(*words)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertIn("kept", result.stdout)
+        self.assertEqual(self.record("moving_bore"), {**record, "wall_time": 1234.5})
+        # Another fingerprint is another computation.
+        (self.out / "moving_bore.json").write_text(json.dumps({**stale, "fingerprint": "0" * 64}))
+        self.assertNotIn("kept", seiche(*words).stdout)
+        self.assertNotEqual(self.record("moving_bore")["wall_time"], 1234.5)
+
     def test_configuration_file(self):
         config = self.out.parent / "case.toml"
         config.write_text("particles = 50\n[riemann]\nright_depth = 0.5\n")

@@ -48,6 +48,9 @@ struct Summary {
   [[nodiscard]] bool as_declared() const;
 };
 
+/// Gives a written record another article, where it has not this one: the text decides no number.
+void refresh_article(const std::filesystem::path& json_file, const std::string& article);
+
 /// Reads a record back. @throws std::runtime_error naming the file when it is not a record.
 Summary read_summary(const std::filesystem::path& json_file);
 /// All records of a directory, sorted by file name. A file that is not a record is an error naming it.

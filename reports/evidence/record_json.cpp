@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/evidence/record_files.hpp"
+#include "seiche/io/atomic_file.hpp"
 
 namespace seiche::evidence {
 namespace {
@@ -92,7 +93,19 @@ Json describe(const Provenance& p, const std::map<std::string, std::string>& ref
           {"reference_data", Json(reference_data.empty() ? Json::object() : Json(reference_data))}};
 }
 
+/// Text from outside (a path, a message) may not be UTF-8; it is shown with replacement characters, not refused.
+std::string text_of(const Json& json) {
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
+
+void refresh_article(const std::filesystem::path& json_file, const std::string& article) {
+  Json json = Json::parse(io::read_file(json_file));
+  if (json.at("article") == article) return;
+  json["article"] = article;
+  io::write_file(json_file, text_of(json));
+}
 
 std::string to_json(const Record& record) {
   Json parameters = Json::object();
@@ -135,8 +148,7 @@ std::string to_json(const Record& record) {
                      {"wall_time", number(record.wall_time)},
                      {"fingerprint", record.fingerprint},
                      {"provenance", describe(provenance(), record.reference_data)}};
-  // Text from outside (a path, a message) may not be UTF-8; it is shown with replacement characters, not refused.
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return text_of(json);
 }
 
 }  // namespace seiche::evidence

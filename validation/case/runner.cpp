@@ -54,7 +54,9 @@ Outcome run_all(const std::vector<Job>& jobs, const RunOptions& options) {
     while (next != jobs.end() && children.size() < options.jobs) {
       const Job& job = *next++;
       if (options.resume && is_done(job, options.directory)) {
-        const auto old = evidence::read_summary(options.directory / (job.definition->name + ".json"));
+        const auto file = options.directory / (job.definition->name + ".json");
+        evidence::refresh_article(file, job.definition->article);
+        const auto old = evidence::read_summary(file);
         worst = worse(worst, old.as_declared() ? Outcome::as_declared : Outcome::failed);
         display.skipped(job.definition->name);
       } else {
