@@ -239,13 +239,15 @@ class Steps(unittest.TestCase):
     def test_options_reach_the_command(self):
         text = (self.folder / "bad.csv").read_text().replace("x,h,u", "place,depth,u")
         (self.folder / "other.csv").write_text(text)
+        given = {"case": "riemann", "data": f"{self.folder}/other.csv\n", "solver": "mine", "map": "place=x,depth=h"}
         for steps in (self.github, self.gitlab):
-            status, said, work = steps(case="riemann", data=f"{self.folder}/other.csv\n", solver="mine",
-                                       map="place=x,depth=h", uncertainty="h=10,u=10", set="left_depth=1.5")
+            status, said, work = steps(**given, set="time=5", uncertainty="h=1%")
             self.assertEqual(status, 1, said)
             record = json.loads((work / "seiche/riemann.mine.json").read_text())
-            self.assertEqual(record["parameters"]["left_depth"]["value"], 1.5)
-            self.assertIn("inconclusive", [claim["verdict"] for claim in record["claims"]])
+            self.assertEqual(record["parameters"]["time"]["value"], 5)
+            status, said, _ = steps(**given, uncertainty="h=-1")
+            self.assertEqual(status, 2, said)
+            self.assertIn("h = -1", said)
 
     def test_wrong_input_is_status_2(self):
         for given, word in [({"case": "rieman", "data": "mine.csv"}, "mine.csv"),

@@ -1,5 +1,6 @@
 """junit.xml as CI systems read it: its form, its totals, and that it never says better than the exit status."""
 
+import math
 import os
 import pathlib
 import subprocess
@@ -69,12 +70,21 @@ class Junit(unittest.TestCase):
         self.assertEqual(shown["dam_break.riemann.mine", "depth"][:2], ("failure", "fail"))
 
     def test_inconclusive_is_a_failure(self):
-        data = self.out.parent / "mine.csv"
-        data.write_text(filled(seiche("score", "riemann", "--template").stdout, 0.5, 0))
-        result = seiche("score", "riemann", "--data", data, "--uncertainty", "h=10,u=10", "--out", self.out)
-        self.assertEqual(result.returncode, 1, result.stdout)
-        kinds = {shown[:2] for shown in self.shown().values() if shown}
-        self.assertIn(("failure", "inconclusive"), kinds)
+        """The depth at gauges in a parabolic bowl (Thacker 1981), late by as much as its author's uncertainty of time."""
+        template = seiche("score", "thacker", "--template", "--table", "gauges").stdout
+        rows = [line.split(",") for line in template.splitlines() if not line.startswith("#")][1:]
+        data = self.out.parent / "late.csv"
+        with data.open("w") as file:
+            print("x,t,h", file=file)
+            for x, t in ((float(row[0]), float(row[1])) for row in rows):
+                middle = 1.875 - 0.5 * math.cos(math.sqrt(9.81) * (t - 0.05))
+                print(x, t, max(0.0, 0.5 * (1 - (x - middle) ** 2)), sep=",", file=file)
+        result = seiche("score", "thacker", "--data", data, "--solver", "late", "--uncertainty", "t=0.05",
+                        "--out", self.out)
+        self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
+        element, kind, message = self.shown()["basin.thacker.late", "h-shift"]
+        self.assertEqual((element, kind), ("failure", "inconclusive"))
+        self.assertTrue(message.startswith("inconclusive, declared pass: "), message)
 
 
 class Faults(unittest.TestCase):
