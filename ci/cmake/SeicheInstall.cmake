@@ -4,7 +4,7 @@
 #   development  libseiche.a, its headers, find_package(seiche)
 #   python       the Python module
 #   parallel     seiche-parallel and its manual                                             where PETSc is there
-#   distributed  libseiche_distributed.a, its headers, find_package(seiche COMPONENTS distributed)        
+#   distributed  libseiche_distributed.a, its headers, find_package(seiche COMPONENTS distributed)   with PETSc too
 #
 # Nothing installed holds a path of the source, the build or the prefix.
 

@@ -15,7 +15,8 @@ from made_packages import packages
 from somebody_else import NOBODY, use
 
 SOURCES = ("/etc/apt/sources.list.d/debian.sources", "/etc/apt/sources.list.d/ubuntu.sources", "/etc/apt/sources.list")
-ENTER = 'mount -t proc proc "$0/proc" && exec chroot "$@"'
+# What a running system has: /proc, where the command finds itself, and the shared memory of Python's processes.
+ENTER = 'mount -t proc proc "$0/proc" && mount -t tmpfs -o mode=1777 tmpfs "$0/dev/shm" && exec chroot "$@"'
 
 
 class CleanRoot:
