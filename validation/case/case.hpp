@@ -57,9 +57,9 @@ struct Case {
   Submission submission;  ///< how somebody else's result is judged; empty if it cannot be
 
   // Filled in by the registry.
-  std::string name;        ///< the file's name
-  std::string phenomenon;  ///< the folder's name
-  std::string article;     ///< the file's opening comment
+  std::string name;         ///< the file's name
+  std::string phenomenon;   ///< the folder's name
+  std::string article;      ///< the file's opening comment
   std::string fingerprint;  ///< of the code that decides its numbers, and of the toolchain
 };
 

@@ -6,9 +6,9 @@
 
 namespace seiche::validation {
 
-/// share/seiche/<name>, in the folder above `program`'s (installed: PREFIX/bin beside PREFIX/share) or in its own (built:
-/// the build tree's share/seiche holds links to the source, see ci/cmake/SeicheInstall.cmake). The program's own place
-/// decides, never where it was built: an installed tree can be moved and does not read another's data.
+/// share/seiche/<name>, in the folder above `program`'s (installed: PREFIX/bin beside PREFIX/share) or in its own
+/// (built: the build tree's share/seiche holds links to the source, see ci/cmake/SeicheInstall.cmake). The program's
+/// own place decides, never where it was built: an installed tree can be moved and does not read another's data.
 /// @throws std::runtime_error naming both places if neither holds it
 std::filesystem::path data_folder(const std::filesystem::path& program, const std::string& name);
 

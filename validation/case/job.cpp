@@ -35,8 +35,8 @@ int exit_status(Outcome outcome) {
 }
 
 std::string Job::fingerprint() const {
-  return evidence::sha256(fmt::format("{}\n{}\n{}\n{}", definition->fingerprint, definition->name,
-                                      name(values.tier()), values.canonical()));
+  return evidence::sha256(fmt::format("{}\n{}\n{}\n{}", definition->fingerprint, definition->name, name(values.tier()),
+                                      values.canonical()));
 }
 
 evidence::Record Job::blank_record() const {

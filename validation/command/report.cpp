@@ -30,8 +30,13 @@ int report(const ReportOptions& options) {
   }
   const std::string out =
       options.out.empty() ? (std::filesystem::path(options.evidence) / "report").string() : options.out;
-  std::vector<std::string> words{python(), validation::data_folder("render").string(), options.evidence, "--out", out,
-                                 "--jobs", std::to_string(options.jobs)};
+  std::vector<std::string> words{python(),
+                                 validation::data_folder("render").string(),
+                                 options.evidence,
+                                 "--out",
+                                 out,
+                                 "--jobs",
+                                 std::to_string(options.jobs)};
   if (!options.pdf.empty()) words.insert(words.end(), {"--pdf", options.pdf});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());

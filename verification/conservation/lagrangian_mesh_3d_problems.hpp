@@ -6,8 +6,8 @@
 #include <random>
 #include <utility>
 
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_3d/integrators.hpp"
+#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
 
 namespace seiche::verification {

@@ -1,9 +1,9 @@
-#include "seiche/models/rigid_chain/integrators.hpp"
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "seiche/models/rigid_chain/integrators.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::rigid_chain {
