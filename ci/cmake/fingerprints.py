@@ -80,9 +80,9 @@ class Sources:
 
     def implementing(self, header):
         including = self.including(str(pathlib.PurePath(header).parent)).get(header, set())
-        parts = {path for path in including if not (self.root / path).with_suffix(".hpp").is_file()}
+        parts = {path for path in including - self.cases if not (self.root / path).with_suffix(".hpp").is_file()}
         own = str(pathlib.PurePath(header).with_suffix(".cpp"))
-        found = parts | {own} if (self.root / own).is_file() else parts or including
+        found = parts | {own} if (self.root / own).is_file() else parts or including - self.cases
         return found | self.cases if header == REGISTRY else found
 
     def deciding(self, check):

@@ -22,8 +22,8 @@ times better, and converge.
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
-#include "validation/measures/side_by_side.hpp"
-#include "validation/measures/sph_settings.hpp"
+#include "validation/case/on_threads.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -116,7 +116,7 @@ void run(Run& run) {
   const double fine = run.real("dx");
   const std::array spacings{2 * fine, fine};
   std::vector<Rest> results(options.size() * spacings.size());
-  side_by_side(
+  on_threads(
       results.size(), workers_of(run.tier()),
       [&](std::size_t k) {
         const std::size_t costly_first = results.size() - 1 - k;

@@ -23,7 +23,7 @@ step, with zero: not one bit may differ.
 
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/reference_case.hpp"
+#include "validation/case/reference_case.hpp"
 
 namespace seiche::validation::cases {
 namespace {

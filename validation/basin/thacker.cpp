@@ -25,7 +25,7 @@ with hydrostatic reconstruction beside it, whose shoreline is the last cell that
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_evidence.hpp"
 
 namespace seiche::validation::cases {
 namespace {

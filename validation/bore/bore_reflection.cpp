@@ -24,7 +24,7 @@ reproduced.
 #include "seiche/exact/bore_reflection.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_table.hpp"
-#include "validation/measures/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_evidence.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -18,7 +18,7 @@ jumps, and then both that leave it.
 
 #include "seiche/exact/colliding_bores.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_evidence.hpp"
 
 namespace seiche::validation::cases {
 namespace {

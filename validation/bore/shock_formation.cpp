@@ -19,7 +19,7 @@ which starts at that of a simple wave and must settle to that behind a bore.
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/shallow_water/relations.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_evidence.hpp"
 
 namespace seiche::validation::cases {
 namespace {

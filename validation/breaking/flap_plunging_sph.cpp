@@ -30,12 +30,12 @@ spacings.
 #include "seiche/exact/overturning_wave.hpp"
 #include "seiche/exact/wavemaker.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/sph_particles.hpp"
-#include "validation/measures/sph_plunging.hpp"
-#include "validation/measures/sph_settings.hpp"
-#include "validation/measures/sph_speed_field.hpp"
-#include "validation/measures/sph_study.hpp"
-#include "validation/measures/straight_line.hpp"
+#include "validation/studies/wcsph/particle_frames.hpp"
+#include "validation/breaking/sph_plunging.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
+#include "validation/studies/wcsph/speed_field.hpp"
+#include "validation/studies/wcsph/spacing_ladder.hpp"
+#include "validation/instruments/straight_line.hpp"
 
 namespace seiche::validation::cases {
 namespace {

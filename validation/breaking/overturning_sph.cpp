@@ -29,13 +29,13 @@ energy is within a few per cent of that of potential flow.
 
 #include "seiche/exact/dispersion.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/slope_guide.hpp"
-#include "validation/measures/sph_overturning.hpp"
-#include "validation/measures/sph_particles.hpp"
-#include "validation/measures/sph_settings.hpp"
-#include "validation/measures/sph_speed_field.hpp"
-#include "validation/measures/sph_study.hpp"
-#include "validation/measures/steep_wave_start.hpp"
+#include "reports/evidence/slope_guide.hpp"
+#include "validation/breaking/sph_overturning.hpp"
+#include "validation/studies/wcsph/particle_frames.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
+#include "validation/studies/wcsph/speed_field.hpp"
+#include "validation/studies/wcsph/spacing_ladder.hpp"
+#include "validation/instruments/sph_steep_wave.hpp"
 
 namespace seiche::validation::cases {
 namespace {

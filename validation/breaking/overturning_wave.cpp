@@ -21,8 +21,8 @@ throws a thick jet near the crest.
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/overturning_wave.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/agreement.hpp"
-#include "validation/measures/reference_case.hpp"
+#include "validation/instruments/agreement.hpp"
+#include "validation/case/reference_case.hpp"
 
 namespace seiche::validation::cases {
 namespace {

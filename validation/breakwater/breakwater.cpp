@@ -30,10 +30,10 @@ sinusoidal, and the total, a small difference, has twice the frequency.
 
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/berm_history.hpp"
-#include "validation/measures/berm_load.hpp"
-#include "validation/measures/lagrangian_mesh_figure.hpp"
-#include "validation/measures/surface_modes.hpp"
+#include "validation/breakwater/berm_history.hpp"
+#include "validation/breakwater/berm_load.hpp"
+#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
+#include "validation/breakwater/surface_modes.hpp"
 
 namespace seiche::validation::cases {
 namespace {

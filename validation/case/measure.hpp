@@ -2,7 +2,7 @@
 
 namespace seiche::validation {
 
-/// What is measured of a submitted quantity s beside its reference r; formulas: validation/measures/agreement.hpp.
+/// What is measured of a submitted quantity s beside its reference r; formulas: validation/instruments/agreement.hpp.
 enum class Measure {
   value,            ///< the submitted number itself; scalars only
   relative_error,   ///< (s - r)/|r|; scalars only

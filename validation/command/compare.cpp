@@ -6,7 +6,7 @@
 
 #include "reports/evidence/record_files.hpp"
 #include "validation/command/commands.hpp"
-#include "validation/command/side_by_side.hpp"
+#include "validation/command/solvers_table.hpp"
 
 namespace seiche::command {
 namespace {

@@ -13,7 +13,7 @@
 #include "validation/case/submitted.hpp"
 #include "validation/command/commands.hpp"
 #include "validation/command/settings.hpp"
-#include "validation/measures/score.hpp"
+#include "validation/case/score.hpp"
 
 namespace seiche::command {
 namespace {

@@ -23,12 +23,12 @@ usual rule for the sound speed, ten times $\sqrt{gH}$, does not keep at a tenth.
 
 #include <fmt/format.h>
 
-#include "validation/measures/column_front.hpp"
-#include "validation/measures/reference_case.hpp"
-#include "validation/measures/shifted_front.hpp"
-#include "validation/measures/sph_dam.hpp"
-#include "validation/measures/sph_particles.hpp"
-#include "validation/measures/sph_settings.hpp"
+#include "validation/dam_break/column_front.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/shifted_front.hpp"
+#include "validation/dam_break/sph_dam.hpp"
+#include "validation/studies/wcsph/particle_frames.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases {
 namespace {

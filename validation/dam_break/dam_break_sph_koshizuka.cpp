@@ -17,11 +17,11 @@ experiment is later than both.
 
 #include <fmt/format.h>
 
-#include "validation/measures/column_front.hpp"
-#include "validation/measures/shifted_front.hpp"
-#include "validation/measures/sph_dam.hpp"
-#include "validation/measures/sph_settings.hpp"
-#include "validation/measures/sph_study.hpp"
+#include "validation/dam_break/column_front.hpp"
+#include "validation/instruments/shifted_front.hpp"
+#include "validation/dam_break/sph_dam.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
+#include "validation/studies/wcsph/spacing_ladder.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -25,13 +25,13 @@ of wall particles keeps them all.
 #include <fmt/format.h>
 
 #include "seiche/models/wcsph/front.hpp"
-#include "validation/measures/column_front.hpp"
-#include "validation/measures/shifted_front.hpp"
-#include "validation/measures/sph_dam.hpp"
-#include "validation/measures/sph_particles.hpp"
-#include "validation/measures/sph_settings.hpp"
-#include "validation/measures/sph_speed_field.hpp"
-#include "validation/measures/sph_study.hpp"
+#include "validation/dam_break/column_front.hpp"
+#include "validation/instruments/shifted_front.hpp"
+#include "validation/dam_break/sph_dam.hpp"
+#include "validation/studies/wcsph/particle_frames.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
+#include "validation/studies/wcsph/speed_field.hpp"
+#include "validation/studies/wcsph/spacing_ladder.hpp"
 
 namespace seiche::validation::cases {
 namespace {

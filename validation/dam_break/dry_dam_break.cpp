@@ -23,7 +23,7 @@ has no answer over a dry bed.
 
 #include "seiche/exact/dam_break.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_evidence.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -8,7 +8,7 @@ Zerkal).
 is
 $\Delta x^2/\tau$ and spreads the dam over the whole channel.
 */
-#include "validation/measures/wet_dam_break.hpp"
+#include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases {
 

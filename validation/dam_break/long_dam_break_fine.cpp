@@ -6,7 +6,7 @@ A longer channel: dam at $x = 100$ m in $[0, 200]$ m, $h_0/h_1 = 0.1$, 200 parti
 
 **What to look at.** After 78 m the bore is still one particle, a third of a metre late.
 */
-#include "validation/measures/wet_dam_break.hpp"
+#include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases {
 

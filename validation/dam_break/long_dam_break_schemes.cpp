@@ -13,7 +13,7 @@ rounds the corners of the fan. Compare with 200 and 22 particles in the next two
 
 #include "seiche/exact/dam_break.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_evidence.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -25,8 +25,8 @@ scheme loses its order.
 
 #include "seiche/exact/riemann.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/flow_evidence.hpp"
-#include "validation/measures/score.hpp"
+#include "validation/studies/shallow_water/flow_evidence.hpp"
+#include "validation/case/score.hpp"
 
 namespace seiche::validation::cases {
 namespace {

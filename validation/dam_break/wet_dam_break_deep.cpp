@@ -8,7 +8,7 @@ $\tau = 0.05$ s (their figure 23).
 
 **What to look at.** The bore in one particle, and the plateau: flat, with no oscillation on either side.
 */
-#include "validation/measures/wet_dam_break.hpp"
+#include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases {
 

@@ -12,7 +12,7 @@ Bogomolov, Zakharov and Zerkal show steps 0, 40, 80 and 120 with $\tau = 0.05$ s
 particles have expanded to two and a half times their first width, and in the position of the bore, which the start
 leaves a quarter of a cell behind.
 */
-#include "validation/measures/wet_dam_break.hpp"
+#include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases {
 

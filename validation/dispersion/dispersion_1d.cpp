@@ -30,8 +30,8 @@ are roundings: the program solves what the formula describes.
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
-#include "validation/measures/reference_case.hpp"
-#include "validation/measures/standing_mode.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/dispersive_standing_mode.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -26,7 +26,7 @@ for the errors of the pressure and of the inertia cancel; at an angle $\theta$ a
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
-#include "validation/measures/plan_standing_mode.hpp"
+#include "validation/instruments/plan_standing_mode.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -24,11 +24,11 @@ several times better than the cubic spline with $h = 1.3\,dx$. Momenta are kept 
 #include "seiche/exact/stretching_drop.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
-#include "validation/measures/agreement.hpp"
-#include "validation/measures/side_by_side.hpp"
-#include "validation/measures/slope_guide.hpp"
-#include "validation/measures/sph_particles.hpp"
-#include "validation/measures/sph_settings.hpp"
+#include "validation/instruments/agreement.hpp"
+#include "validation/case/on_threads.hpp"
+#include "reports/evidence/slope_guide.hpp"
+#include "validation/studies/wcsph/particle_frames.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -235,7 +235,7 @@ void run(Run& run) {
   const double finest = run.real("dx");
   const std::vector<double> ladder{2 * finest, std::sqrt(2.0) * finest, finest};
   std::vector<Stretched> runs(ladder.size());
-  side_by_side(
+  on_threads(
       ladder.size(), workers_of(run.tier()),
       [&](std::size_t k) {
         const std::size_t costly_first = ladder.size() - 1 - k;

@@ -15,7 +15,7 @@ semi-axes and the pressure in time.
 
 #include "seiche/exact/stretching_drop.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/reference_case.hpp"
+#include "validation/case/reference_case.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -18,7 +18,7 @@ for them. For the particles the water moves 43 m and the jump stays: to the last
 
 #include "seiche/exact/bore.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_evidence.hpp"
 
 namespace seiche::validation::cases {
 namespace {

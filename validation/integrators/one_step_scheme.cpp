@@ -31,7 +31,7 @@ then drifts by their work on the rounding of the rates; reprojecting the velocit
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
-#include "validation/measures/integrator_runs.hpp"
+#include "validation/integrators/integrator_runs.hpp"
 
 namespace seiche::validation::cases {
 namespace {

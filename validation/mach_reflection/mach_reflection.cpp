@@ -31,10 +31,10 @@ grows by more than 1 % in the last fifth of the run is marked, and the limit of 
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/fine_limit.hpp"
-#include "validation/measures/reflection_reference.hpp"
-#include "validation/measures/reflection_run.hpp"
-#include "validation/measures/side_by_side.hpp"
+#include "validation/instruments/fine_limit.hpp"
+#include "validation/mach_reflection/reflection_reference.hpp"
+#include "validation/mach_reflection/reflection_run.hpp"
+#include "validation/case/on_threads.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -98,7 +98,7 @@ std::vector<Configuration> compute(Run& run) {
   if (run.real("second_angle") > 0) all.push_back({.angle = run.real("second_angle")});
   for (Configuration& one : all) one.ladder.resize(factors.size());
   const std::size_t count = all.size() * factors.size();
-  side_by_side(
+  on_threads(
       count, workers_of(run.tier()),
       [&](std::size_t k) {
         Configuration& one = all[k % all.size()];

@@ -17,10 +17,10 @@ follow a power of $h$.
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
-#include "validation/measures/reflection_reference.hpp"
-#include "validation/measures/reflection_run.hpp"
-#include "validation/measures/side_by_side.hpp"
-#include "validation/measures/slope_guide.hpp"
+#include "validation/mach_reflection/reflection_reference.hpp"
+#include "validation/mach_reflection/reflection_run.hpp"
+#include "validation/case/on_threads.hpp"
+#include "reports/evidence/slope_guide.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -114,7 +114,7 @@ void run(Run& run) {
   variants.back().run.tolerance = 1e-10;
 
   std::vector<Reflection> reflections(variants.size());
-  side_by_side(
+  on_threads(
       variants.size(), workers_of(run.tier()), [&](std::size_t k) { reflections[k] = reflect(variants[k].run); },
       [&](std::size_t finished) {
         run.progress(static_cast<double>(finished) / static_cast<double>(variants.size()));

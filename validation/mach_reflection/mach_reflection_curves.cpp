@@ -28,10 +28,10 @@ $a_i = 0.3$) the plateau is lower; 0.99 of it is the criterion there, and no cla
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/reflection_comparison.hpp"
-#include "validation/measures/reflection_figures.hpp"
-#include "validation/measures/reflection_reference.hpp"
-#include "validation/measures/side_by_side.hpp"
+#include "validation/mach_reflection/reflection_comparison.hpp"
+#include "validation/mach_reflection/reflection_figures.hpp"
+#include "validation/mach_reflection/reflection_reference.hpp"
+#include "validation/case/on_threads.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -17,9 +17,9 @@ resonance both stems still grow at the end.
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
-#include "validation/measures/reflection_reference.hpp"
-#include "validation/measures/reflection_run.hpp"
-#include "validation/measures/side_by_side.hpp"
+#include "validation/mach_reflection/reflection_reference.hpp"
+#include "validation/mach_reflection/reflection_run.hpp"
+#include "validation/case/on_threads.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -57,7 +57,7 @@ std::vector<Pair> compute(Run& run) {
     for (const Configuration& one : published()) pairs.push_back({one, {}, {}});
   }
   const std::size_t count = 2 * pairs.size();
-  side_by_side(
+  on_threads(
       count, workers_of(run.tier()),
       [&](std::size_t k) {
         Pair& pair = pairs[k % pairs.size()];

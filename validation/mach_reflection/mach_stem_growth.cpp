@@ -20,7 +20,7 @@ larger angle with the wall. Along the stem the height hardly changes.
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/reflection_run.hpp"
+#include "validation/mach_reflection/reflection_run.hpp"
 
 namespace seiche::validation::cases {
 namespace {

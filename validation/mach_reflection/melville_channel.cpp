@@ -24,12 +24,12 @@ the wall; it too is below two for thirty depths. Neither looks like an approach 
 #include "seiche/exact/mach_reflection.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/fine_limit.hpp"
-#include "validation/measures/oblique_wave.hpp"
-#include "validation/measures/reflection_reference.hpp"
-#include "validation/measures/row_crests.hpp"
-#include "validation/measures/side_by_side.hpp"
-#include "validation/measures/surface_part.hpp"
+#include "validation/instruments/fine_limit.hpp"
+#include "validation/mach_reflection/oblique_wave.hpp"
+#include "validation/mach_reflection/reflection_reference.hpp"
+#include "validation/instruments/row_crests.hpp"
+#include "validation/case/on_threads.hpp"
+#include "validation/mach_reflection/surface_part.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -126,7 +126,7 @@ std::vector<Ladder> compute(Run& run) {
   std::vector<Ladder> all(2, Ladder(factors.size()));
   const std::vector<double> angles{run.real("angle"), run.real("second_angle")};
   const std::size_t count = angles.size() * factors.size();
-  side_by_side(
+  on_threads(
       count, workers_of(run.tier()),
       [&](std::size_t k) {
         all[k % 2][k / 2] = grow({.amplitude = run.real("amplitude"),

@@ -21,8 +21,8 @@ The volumes of the cells err by the time step alone; with the conservative schem
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
-#include "validation/measures/plan_manufactured_flow.hpp"
-#include "validation/measures/refinement.hpp"
+#include "validation/instruments/plan_manufactured_flow.hpp"
+#include "validation/case/refinement.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -13,7 +13,7 @@ the surface at the source. Try `--set p0=-0.1 --set half_width=6.5 --set time=80
 **What to look at.** The ridge plot, in the frame of the source: solitons lean to the right because they are faster.
 */
 #include "validation/case/case.hpp"
-#include "validation/measures/pressure_regimes.hpp"
+#include "validation/moving_pressure/pressure_regimes.hpp"
 
 namespace seiche::validation::cases {
 namespace {

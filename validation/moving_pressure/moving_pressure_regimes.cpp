@@ -20,7 +20,7 @@ one does.
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
-#include "validation/measures/pressure_regimes.hpp"
+#include "validation/moving_pressure/pressure_regimes.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -16,7 +16,7 @@ particle methods round it off, spectral ones ring.
 
 #include "seiche/exact/stokes_wave.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/reference_case.hpp"
+#include "validation/case/reference_case.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -19,7 +19,7 @@ others: `seiche score carrier_greenspan_runup` takes the largest run-up, and the
 
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/reference_case.hpp"
+#include "validation/case/reference_case.hpp"
 
 namespace seiche::validation::cases {
 namespace {

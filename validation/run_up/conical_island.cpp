@@ -20,7 +20,7 @@ wave has passed the sides. In front the run-up converges with the first order of
 in case A with 0.5, 0.35, 0.25 m. The higher the wave, the more the model climbs above the laboratory: it has neither
 friction nor breaking.
 */
-#include "validation/measures/conical_island.hpp"
+#include "validation/run_up/island_flow.hpp"
 
 #include <array>
 #include <cmath>
@@ -31,7 +31,7 @@ friction nor breaking.
 #include "seiche/divergence.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_table.hpp"
-#include "validation/measures/reference_case.hpp"
+#include "validation/case/reference_case.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -24,9 +24,9 @@ and, with finer markers, rises a little less: what dispersion does.
 
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/processor_time.hpp"
-#include "validation/measures/reference_case.hpp"
-#include "validation/measures/solitary_climb.hpp"
+#include "validation/instruments/processor_time.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -23,9 +23,9 @@ comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85,
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
-#include "validation/measures/reference_case.hpp"
-#include "validation/measures/run_down.hpp"
-#include "validation/measures/solitary_climb.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/run_up/run_down.hpp"
+#include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases {
 namespace {

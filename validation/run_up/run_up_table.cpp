@@ -28,9 +28,9 @@ friction does.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_source.hpp"
 #include "validation/case/reference_table.hpp"
-#include "validation/measures/frank_runup.hpp"
-#include "validation/measures/reference_case.hpp"
-#include "validation/measures/solitary_climb.hpp"
+#include "validation/run_up/frank_runup.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -26,8 +26,8 @@ and flow without friction part. Elsewhere the model is nearer to the measurement
 #include "validation/case/case.hpp"
 #include "validation/case/reference_source.hpp"
 #include "validation/case/reference_table.hpp"
-#include "validation/measures/agreement.hpp"
-#include "validation/measures/solitary_climb.hpp"
+#include "validation/instruments/agreement.hpp"
+#include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases {
 namespace {

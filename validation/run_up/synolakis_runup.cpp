@@ -21,7 +21,7 @@ at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as high as the theori
 #include "validation/case/case.hpp"
 #include "validation/case/reference_source.hpp"
 #include "validation/case/reference_table.hpp"
-#include "validation/measures/solitary_climb.hpp"
+#include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -1,6 +1,6 @@
 /*
 A solitary wave runs against a vertical wall over a level bottom and climbs it: the same flow as the head-on collision
-of two equal waves. The exact run-up of the Euler equations is known to many digits (`wall_runup`). This case shows what
+of two equal waves. The exact run-up of the Euler equations is known to many digits (`wall_run_up_exact`). This case shows what
 Serre's equations, to which Frank's one-dimensional model converges over a level bottom, make of it.
 
 **Set-up.** Depth and gravity are 1. Serre's wave starts where all but $10^{-4}$ of its height is before the wall. The
@@ -24,8 +24,8 @@ a velocity that is uniform over the depth knows nothing.
 #include "seiche/exact/wall_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_table.hpp"
-#include "validation/measures/reference_case.hpp"
-#include "validation/measures/solitary_climb.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases {
 namespace {

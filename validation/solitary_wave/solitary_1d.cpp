@@ -26,10 +26,10 @@ and steps. What the latter buys is in the histories: energy and every cell's vol
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
-#include "validation/measures/reference_case.hpp"
-#include "validation/measures/serre_history.hpp"
-#include "validation/measures/serre_wave.hpp"
-#include "validation/measures/slope_guide.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/solitary_wave/serre_history.hpp"
+#include "validation/solitary_wave/serre_wave.hpp"
+#include "reports/evidence/slope_guide.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -39,10 +39,10 @@ The highest wave leaves the first column of the coarsest mesh sheared, which fol
 #include "validation/case/case.hpp"
 #include "validation/case/reference_source.hpp"
 #include "validation/case/reference_table.hpp"
-#include "validation/measures/crest_track.hpp"
-#include "validation/measures/lagrangian_mesh_figure.hpp"
-#include "validation/measures/reference_case.hpp"
-#include "validation/measures/solitary_mesh.hpp"
+#include "validation/instruments/crest_track.hpp"
+#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/mesh_solitary_wave.hpp"
 
 namespace seiche::validation::cases {
 namespace {

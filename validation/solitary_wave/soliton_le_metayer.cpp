@@ -28,10 +28,10 @@ the machine, nothing is claimed of them: the point of Basilisk is from another o
 
 #include "seiche/mechanics/composition.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/processor_time.hpp"
-#include "validation/measures/reference_case.hpp"
-#include "validation/measures/serre_wave.hpp"
-#include "validation/measures/slope_guide.hpp"
+#include "validation/instruments/processor_time.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/solitary_wave/serre_wave.hpp"
+#include "reports/evidence/slope_guide.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -27,7 +27,7 @@ mesh: it would fold there in the end, long after the wave has gone, and its runs
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/plan_soliton.hpp"
+#include "validation/instruments/plan_soliton.hpp"
 
 namespace seiche::validation::cases {
 namespace {

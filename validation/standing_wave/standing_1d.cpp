@@ -35,8 +35,8 @@ are near Tadjbakhsh and Keller's; shorter ones slow down too little.
 
 #include "seiche/exact/standing_wave.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/reference_case.hpp"
-#include "validation/measures/standing_mode.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/dispersive_standing_mode.hpp"
 
 namespace seiche::validation::cases {
 namespace {

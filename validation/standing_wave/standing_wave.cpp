@@ -20,7 +20,7 @@ amplitudes and compare the difference of frequencies with that of the references
 
 #include "seiche/exact/standing_wave.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/reference_case.hpp"
+#include "validation/case/reference_case.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -26,7 +26,7 @@ hydrostatic reconstruction beside it.
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_evidence.hpp"
 
 namespace seiche::validation::cases {
 namespace {

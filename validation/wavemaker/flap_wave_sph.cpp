@@ -29,9 +29,9 @@ stroke, 1.08 m high.
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/models/wcsph/volume_fraction.hpp"
-#include "validation/measures/agreement.hpp"
-#include "validation/measures/sph_settings.hpp"
-#include "validation/measures/sph_study.hpp"
+#include "validation/instruments/agreement.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
+#include "validation/studies/wcsph/spacing_ladder.hpp"
 
 namespace seiche::validation::cases {
 namespace {

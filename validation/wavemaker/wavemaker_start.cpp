@@ -17,7 +17,7 @@ transient.
 
 #include "seiche/exact/wavemaker_transient.hpp"
 #include "validation/case/case.hpp"
-#include "validation/measures/reference_case.hpp"
+#include "validation/case/reference_case.hpp"
 
 namespace seiche::validation::cases {
 namespace {

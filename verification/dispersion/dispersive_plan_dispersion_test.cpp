@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "validation/measures/plan_standing_mode.hpp"
+#include "validation/instruments/plan_standing_mode.hpp"
 #include "verification/check.hpp"
 
 namespace {

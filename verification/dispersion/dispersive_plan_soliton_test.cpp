@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "validation/measures/plan_soliton.hpp"
+#include "validation/instruments/plan_soliton.hpp"
 #include "verification/check.hpp"
 
 namespace {

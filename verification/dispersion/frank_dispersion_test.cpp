@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "validation/measures/standing_mode.hpp"
+#include "validation/instruments/dispersive_standing_mode.hpp"
 #include "verification/check.hpp"
 
 using namespace seiche;

@@ -8,7 +8,7 @@
 
 #include "seiche/exact/lagrangian_mesh_dispersion.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
-#include "validation/measures/linear_modes.hpp"
+#include "validation/instruments/mesh_linear_modes.hpp"
 #include "verification/check.hpp"
 
 using namespace seiche;

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "validation/measures/agreement.hpp"
+#include "validation/instruments/agreement.hpp"
 #include "verification/check.hpp"
 
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "seiche/exact/overturning_wave.hpp"
-#include "validation/measures/polyline_distance.hpp"
-#include "validation/measures/shifted_front.hpp"
-#include "validation/measures/steep_wave_start.hpp"
+#include "validation/instruments/polyline_distance.hpp"
+#include "validation/instruments/shifted_front.hpp"
+#include "validation/instruments/sph_steep_wave.hpp"
 #include "verification/check.hpp"
 
 namespace {

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <boost/math/tools/minima.hpp>
 
-#include "validation/measures/reflection_pattern.hpp"
-#include "validation/measures/wall_history.hpp"
+#include "validation/instruments/reflection_pattern.hpp"
+#include "validation/instruments/wall_history.hpp"
 #include "verification/check.hpp"
 #include "verification/evidence/reflection_problems.hpp"
 

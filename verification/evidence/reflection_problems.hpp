@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "seiche/exact/kadomtsev_petviashvili.hpp"
-#include "validation/measures/surface_lattice.hpp"
+#include "validation/instruments/surface_lattice.hpp"
 
 namespace seiche::verification {
 

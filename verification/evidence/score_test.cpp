@@ -8,7 +8,7 @@
 
 #include "seiche/io/csv_table.hpp"
 #include "validation/case/submitted.hpp"
-#include "validation/measures/score.hpp"
+#include "validation/case/score.hpp"
 #include "verification/check.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "seiche/models/lagrangian_mesh_2d/impulsive_start.hpp"
-#include "validation/measures/solitary_mesh.hpp"
+#include "validation/instruments/mesh_solitary_wave.hpp"
 #include "verification/check.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 
 #include "seiche/models/wcsph/lane_kernels.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"
-#include "seiche/models/wcsph/side_by_side.hpp"
+#include "seiche/models/wcsph/candidate_packs.hpp"
 
 namespace seiche::wcsph {
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "seiche/models/wcsph/kernel.hpp"
-#include "seiche/models/wcsph/side_by_side.hpp"
+#include "seiche/models/wcsph/candidate_packs.hpp"
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::wcsph {

@@ -7,7 +7,7 @@
 #pragma GCC target("arch=x86-64-v3")
 
 #include "seiche/models/wcsph/pair_sums.hpp"
-#include "seiche/models/wcsph/side_by_side.hpp"
+#include "seiche/models/wcsph/candidate_packs.hpp"
 
 namespace seiche::wcsph {
 namespace {

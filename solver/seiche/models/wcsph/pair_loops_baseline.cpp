@@ -2,7 +2,7 @@
 
 #include "seiche/models/wcsph/pair_loops.hpp"
 #include "seiche/models/wcsph/pair_sums.hpp"
-#include "seiche/models/wcsph/side_by_side.hpp"
+#include "seiche/models/wcsph/candidate_packs.hpp"
 
 namespace seiche::wcsph {
 namespace {

@@ -1,0 +1,152 @@
+#include "validation/breaking/sph_overturning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/dispersion.hpp"
+#include "seiche/models/wcsph/scene.hpp"
+#include "validation/instruments/sph_steep_wave.hpp"
+
+namespace seiche::validation {
+namespace {
+
+using wcsph::Contour;
+
+/// A window of one wavelength that begins in the trough behind the crest, which runs with the linear wave.
+wcsph::Box window_at(const SteepWave& wave, double time, double lowest) {
+  const double k = 2 * std::numbers::pi / wave.wavelength;
+  const double left = exact::AiryDispersion(wave.gravity, wave.depth).phase_speed(k) * time - 0.5 * wave.wavelength;
+  return {left, left + wave.wavelength, lowest, wave.depth + 4 * wave.amplitude};
+}
+
+wcsph::VolumeFraction fraction_of(const wcsph::Flow& flow, const SphOverturning& setup) {
+  wcsph::Box basin = wcsph::unbounded;
+  basin.bottom = 0;
+  return {flow.particles(), flow.smoothing_length(), basin, setup.settings.kernel, {.x = setup.wave.wavelength}};
+}
+
+std::vector<Contour> surface_of(const wcsph::Flow& flow, const SphOverturning& setup) {
+  return wcsph::free_surface(fraction_of(flow, setup), window_at(setup.wave, flow.time(), flow.smoothing_length()),
+                             0.5 * flow.spacing());
+}
+
+double mean_level(const wcsph::Flow& flow, const SphOverturning& setup) {
+  return fraction_of(flow, setup)
+             .mean_elevation(0, setup.wave.wavelength)
+             .value_or(std::numeric_limits<double>::quiet_NaN()) -
+         setup.wave.depth;
+}
+
+double fastest(const wcsph::Particles& particles) {
+  double largest = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.kind[i] == wcsph::Kind::fluid)
+      largest = std::max(largest, std::hypot(particles.u[i], particles.w[i]));
+  }
+  return largest;
+}
+
+/// Energy above that of still water.
+double wave_energy(const wcsph::Flow& flow, const SteepWave& wave) {
+  const wcsph::Totals totals = flow.totals();
+  return totals.energy() - 0.5 * totals.mass * wave.gravity * wave.depth;
+}
+
+wcsph::Scene scene_of(const SphOverturning& setup) {
+  const SteepWave& wave = setup.wave;
+  const SteepWaveStart start(wave.amplitude, wave.wavelength, wave.depth, wave.gravity);
+  const auto pressure = [&](double x, double z) {
+    return setup.settings.density * start.pressure_over_density(x, z - wave.depth);
+  };
+  wcsph::Scene scene = wcsph::periodic_layer({.period = wave.wavelength,
+                                              .depth = wave.depth,
+                                              .elevation = [&](double x) { return start.elevation(x); },
+                                              .velocity =
+                                                  [&](double x, double z) {
+                                                    const auto [u, w] = start.velocity(x, z - wave.depth);
+                                                    return wcsph::Velocity{u, w};
+                                                  },
+                                              .pressure = pressure,
+                                              .spacing = setup.spacing(),
+                                              .lattice = setup.lattice},
+                                             setup.settings);
+  const wcsph::TaitFluid fluid(setup.settings.density, setup.settings.sound_speed, setup.settings.exponent);
+  wcsph::Particles& p = scene.particles;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.kind[i] == wcsph::Kind::wall) p.density[i] = fluid.density_at(pressure(p.x[i], p.z[i]));
+  }
+  return scene;
+}
+
+}  // namespace
+
+SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched) {
+  const wcsph::Scene scene = scene_of(setup);
+  wcsph::Settings settings = setup.settings;
+  settings.period = scene.period;
+  wcsph::Flow flow(scene.particles, scene.spacing, settings, scene.paddles);
+  SphOverturned result{.spacing = scene.spacing,
+                       .smoothing_length = flow.smoothing_length(),
+                       .particles = scene.particles.count(wcsph::Kind::fluid)};
+  const double first_energy = wave_energy(flow, setup.wave);
+  const double interval = times.back() / static_cast<double>(watched);
+  const double hole = 4 * scene.spacing * scene.spacing;
+  const auto look = [&] {
+    const std::vector<Contour> curves = surface_of(flow, setup);
+    if (std::isnan(result.hangs_over) && wcsph::overturns(curves, overhang)) result.hangs_over = flow.time();
+    if (std::isnan(result.touches) && !std::isnan(result.hangs_over) && wcsph::touches_down(curves, hole)) {
+      result.touches = flow.time();
+    }
+    return curves;
+  };
+  std::size_t next = 0;
+  for (long n = 0; n <= watched; ++n) {
+    const double watch = static_cast<double>(n) * interval;
+    for (; next < times.size() && times[next] <= watch + 1e-9 * interval; ++next) {
+      flow.advance_to(times[next]);
+      const std::vector<Contour> curves = look();
+      const Contour* main = wcsph::main_surface(curves);
+      if (main == nullptr) throw std::runtime_error(fmt::format("no water surface at t = {:g} s", flow.time()));
+      Polylines surface{{main->x, main->z}};
+      for (double& y : surface.front().y) y -= setup.wave.depth;
+      result.times.push_back(times[next]);
+      result.surfaces.push_back(std::move(surface));
+      result.speed.push_back(fastest(flow.particles()));
+      result.snapshots.push_back(flow.particles());
+      result.kinetic.push_back(flow.totals().kinetic / setup.settings.density);
+      result.energy.push_back(wave_energy(flow, setup.wave) / first_energy);
+      result.level.push_back(mean_level(flow, setup));
+    }
+    if (watch > flow.time()) flow.advance_to(watch);
+    look();
+  }
+  result.steps = flow.steps();
+  result.extremes = flow.extremes();
+  return result;
+}
+
+Polylines exact_surface(const exact::OverturningWave& wave, double time, std::size_t points) {
+  auto profile = wave.profile(time, points);
+  return {{std::move(profile.x), std::move(profile.y)}};
+}
+
+double exact_overhang_time(const exact::OverturningWave& wave, double overhang, double end) {
+  const auto hangs = [&](double time) {
+    auto profile = wave.profile(time, 2001);
+    return wcsph::overhang({.x = std::move(profile.x), .z = std::move(profile.y)}).extent >= overhang;
+  };
+  double before = 0;
+  double after = end;
+  if (!hangs(after)) return std::numeric_limits<double>::quiet_NaN();
+  for (int halving = 0; halving < 24; ++halving) {
+    const double middle = 0.5 * (before + after);
+    (hangs(middle) ? after : before) = middle;
+  }
+  return after;
+}
+
+}  // namespace seiche::validation

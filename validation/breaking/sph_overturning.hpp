@@ -1,0 +1,57 @@
+/// A steep wave turns over in a periodic box of particles: from the same surface, velocities and pressures as
+/// exact::OverturningWave, judged by the distance of its surface from that one's.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "seiche/exact/overturning_wave.hpp"
+#include "seiche/models/wcsph/flow.hpp"
+#include "seiche/models/wcsph/free_surface.hpp"
+#include "seiche/models/wcsph/lattice.hpp"
+#include "validation/instruments/polyline_distance.hpp"
+
+namespace seiche::validation {
+
+struct SteepWave {
+  double amplitude, wavelength, depth, gravity;  ///< [m], [m/s^2]
+};
+
+struct SphOverturning {
+  SteepWave wave;
+  long columns;  ///< particle spacings in a wavelength
+  wcsph::Lattice lattice = wcsph::Lattice::square;
+  wcsph::Settings settings;
+
+  [[nodiscard]] double spacing() const { return wave.wavelength / static_cast<double>(columns); }
+};
+
+/// What one computation left: surfaces, elevations above the level at rest, and when things happened.
+struct SphOverturned {
+  double spacing = 0;
+  double smoothing_length = 0;
+  std::size_t particles = 0;
+  long steps = 0;
+  std::vector<double> times;
+  std::vector<Polylines> surfaces;          ///< the main one at these times
+  std::vector<double> speed;                ///< largest of the fluid there [m/s]
+  std::vector<wcsph::Particles> snapshots;  ///< there
+  std::vector<double> kinetic;              ///< there, kinetic energy over the density [m^4/s^2]
+  std::vector<double> energy;               ///< there, over that of the beginning; counted from still water
+  std::vector<double> level;                ///< there, mean elevation [m]: 0 for water that keeps its volume
+  double hangs_over = std::numeric_limits<double>::quiet_NaN();  ///< first time with the overhang asked for [s]
+  double touches = std::numeric_limits<double>::quiet_NaN();     ///< first time with a closed cavity [s]
+  wcsph::Extremes extremes;
+};
+
+/// @param times     ascending; the run ends at the last one
+/// @param overhang  [m] by which the front must hang over to count
+/// @param watched   instants in between at which overhang and cavity are looked for
+SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched);
+
+/// The exact surface at a time as one curve of the box [0, L].
+Polylines exact_surface(const exact::OverturningWave& wave, double time, std::size_t points = 1601);
+/// First time at which the exact surface hangs over by as much [s]; NaN if it does not before `end`.
+double exact_overhang_time(const exact::OverturningWave& wave, double overhang, double end);
+
+}  // namespace seiche::validation

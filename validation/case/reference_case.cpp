@@ -1,0 +1,56 @@
+#include "validation/case/reference_case.hpp"
+
+#include <fmt/format.h>
+
+namespace seiche::validation {
+namespace {
+
+constexpr const char* tolerance_reason =
+    "the case's parameter `tolerance`; by default 5 %, the limit of tsunami benchmarks against exact solutions "
+    "(Synolakis "
+    "et al. 2008)";
+
+}  // namespace
+
+void claim_identities(evidence::Record& record, const exact::SelfTest& identities, double uncertainty,
+                      const std::string& source) {
+  record.measure("reference_uncertainty", uncertainty);
+  int k = 0;
+  for (const exact::Identity& identity : identities) {
+    record.check({.id = fmt::format("identity-{}", ++k),
+                  .text = fmt::format("The reference satisfies its own identity: {}.", identity.name),
+                  .quantity = "relative defect",
+                  .source = source},
+                 {.value = identity.defect}, evidence::Bound{.limit = identity.limit, .reason = identity.reason});
+  }
+}
+
+Parameter tolerance_parameter() {
+  return real("tolerance", 0.05, "1", {1e-12, 1}, "relative error that still passes a submitted result");
+}
+
+Requirement within_tolerance(Measure measure, const Values& values, const std::string& text, const std::string& source,
+                             double expected) {
+  return {.measure = measure,
+          .criterion = evidence::Bound{.limit = values.real("tolerance"),
+                                       .reason = tolerance_reason,
+                                       .expected = expected,
+                                       .relative = expected != 0},
+          .text = text,
+          .source = source};
+}
+
+WantedQuantity wanted_number(const Column& column, double reference, const Values& values, const std::string& text,
+                             const std::string& source) {
+  return {.column = column,
+          .reference = [reference](Place) { return reference; },
+          .requirements = {within_tolerance(Measure::value, values, text, source, reference)}};
+}
+
+std::vector<double> evenly(double first, double last, int count) {
+  std::vector<double> values;
+  for (int k = 0; k < count; ++k) values.push_back(first + (last - first) * k / (count - 1));
+  return values;
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,283 @@
+#include "validation/case/score.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "validation/instruments/agreement.hpp"
+#include "validation/case/score_figures.hpp"
+
+namespace seiche::validation {
+namespace {
+
+using Kind = WantedTable::Kind;
+
+struct MeasureText {
+  Measure measure;
+  const char* id;
+  const char* name;
+  const char* unit;  ///< empty: the quantity's; "x": the abscissa's
+};
+
+constexpr std::array<MeasureText, 12> measure_texts{{
+    {Measure::value, "value", "value", ""},
+    {Measure::relative_error, "relative_error", "relative error", "1"},
+    {Measure::largest_error, "largest_error", "largest error", ""},
+    {Measure::relative_l1, "relative_l1", "relative L1 error", "1"},
+    {Measure::relative_l2, "relative_l2", "relative L2 error", "1"},
+    {Measure::relative_linf, "relative_linf", "relative Linf error", "1"},
+    {Measure::amplitude_ratio, "amplitude_ratio", "amplitude ratio", "1"},
+    {Measure::shift, "shift", "shift", "x"},
+    {Measure::arrival_error, "arrival_error", "error of arrival", "x"},
+    {Measure::peak_error, "peak_error", "error of the peak", ""},
+    {Measure::peak_shift, "peak_shift", "shift of the peak", "x"},
+    {Measure::skill, "skill", "Willmott's index of agreement", "1"},
+}};
+
+const MeasureText& text_of(Measure measure) {
+  return measure_texts.at(static_cast<std::size_t>(measure));
+}
+
+/// A measure and its standard uncertainty.
+struct Measured {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double uncertainty = 0;
+};
+using Measures = std::map<Measure, Measured>;
+
+/// Judges one quantity in one group.
+class QuantityScore {
+ public:
+  QuantityScore(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group,
+                const std::map<std::string, StatedUncertainty>& uncertainty)
+      : table_(table), quantity_(quantity), group_(group), uncertainty_(uncertainty) {
+    if (table.kind == Kind::scalars) {
+      measure_scalar();
+    } else {
+      measure_curve();
+    }
+  }
+
+  void measure(evidence::Record& record) const {
+    for (const auto& [measure, measured] : measures_) {
+      record.measure(quantity_.column.name + "_" + text_of(measure).id + suffix(), measured.value);
+    }
+    if (table_.kind == Kind::scalars) {
+      record.measure(quantity_.column.name + "_reference" + suffix(), quantity_.reference({group_.value, 0}));
+    } else {
+      record.measure(quantity_.column.name + "_coverage" + suffix(), agreement_.coverage);
+    }
+  }
+
+  void claim(evidence::Record& record) const {
+    if (table_.kind != Kind::scalars) {
+      record.check({.id = table_.name + "-coverage",
+                    .text = fmt::format("The reference points of the {} are covered.", table_.name),
+                    .quantity = "share of the reference points within the submitted ones",
+                    .source = "what the case asks for"},
+                   {.value = agreement_.coverage, .resolution = resolution()},
+                   evidence::Bound{.limit = 1 - table_.least_coverage,
+                                   .reason = "N cell centres leave half a cell out at either end, 1/N of the points",
+                                   .expected = 1});
+    }
+    for (const Requirement& requirement : quantity_.requirements) claim(requirement, record);
+  }
+
+  [[nodiscard]] std::vector<std::variant<double, std::string>> row() const {
+    std::vector<std::variant<double, std::string>> entries{quantity_.column.name, group_.value};
+    if (table_.kind == Kind::scalars) {
+      entries.emplace_back(value(Measure::value));
+      entries.emplace_back(quantity_.reference({group_.value, 0}));
+      entries.emplace_back(value(Measure::relative_error));
+      return entries;
+    }
+    entries.emplace_back(static_cast<double>(group_.abscissa.size()));
+    entries.emplace_back(agreement_.coverage);
+    for (const Measure m : {Measure::relative_l1, Measure::relative_l2, Measure::relative_linf, Measure::skill,
+                            Measure::amplitude_ratio, Measure::shift, Measure::peak_error}) {
+      entries.emplace_back(value(m));
+    }
+    return entries;
+  }
+
+ private:
+  [[nodiscard]] double value(Measure measure) const { return measures_.at(measure).value; }
+
+  [[nodiscard]] std::string suffix() const {
+    return table_.group && table_.groups.size() > 1 ? fmt::format("_{}_{:g}", table_.group->name, group_.value) : "";
+  }
+
+  /// Standard uncertainty stated of a column, with what a relative one refers to.
+  [[nodiscard]] double stated(const std::string& column, double scale) const {
+    const auto found = uncertainty_.find(column);
+    if (found == uncertainty_.end()) return 0;
+    return found->second.relative ? found->second.value * scale : found->second.value;
+  }
+
+  [[nodiscard]] std::string resolution() const {
+    std::string text = fmt::format("{} point{}", std::max<std::size_t>(group_.abscissa.size(), 1),
+                                   group_.abscissa.size() > 1 ? "s" : "");
+    if (table_.group) text += fmt::format(", {} = {:g} {}", table_.group->name, group_.value, table_.group->unit);
+    return text;
+  }
+
+  void measure_scalar() {
+    const double submitted = group_.values.at(quantity_.column.name).front();
+    const double reference = quantity_.reference({group_.value, 0});
+    const double u = stated(quantity_.column.name, std::abs(reference));
+    measures_[Measure::value] = {submitted, u};
+    if (reference != 0) {
+      measures_[Measure::relative_error] = {(submitted - reference) / std::abs(reference), u / std::abs(reference)};
+    } else {
+      measures_[Measure::relative_error] = {};
+    }
+  }
+
+  void measure_curve() {
+    const std::vector<double> x = table_.points(group_.value);
+    std::vector<double> y;
+    for (const double at : x) y.push_back(quantity_.reference({group_.value, at}));
+    const Curve submitted{group_.abscissa, group_.values.at(quantity_.column.name)};
+    try {
+      agreement_ = agreement(submitted, {x, y});
+    } catch (const std::invalid_argument& uncovered) {
+      throw std::invalid_argument(fmt::format("column {}: {}", table_.abscissa->name, uncovered.what()));
+    }
+    const Agreement& a = agreement_;
+    double l1 = 0;
+    double l2 = 0;
+    double linf = 0;
+    for (const double r : a.reference) {
+      l1 += std::abs(r);
+      l2 += r * r;
+      linf = std::max(linf, std::abs(r));
+    }
+    const auto n = static_cast<double>(a.reference.size());
+    const auto [lowest, highest] = std::minmax_element(a.reference.begin(), a.reference.end());
+    const double u = stated(quantity_.column.name, linf);
+    const double u_x = stated(table_.abscissa->name, x.back() - x.front());
+    const auto over = [&](double size) { return u > 0 ? u / size : 0; };
+    measures_ = {{Measure::largest_error, {a.largest_error, u}},
+                 {Measure::relative_l1, {a.relative_l1, over(l1 / n)}},
+                 {Measure::relative_l2, {a.relative_l2, over(std::sqrt(l2 / n))}},
+                 {Measure::relative_linf, {a.relative_linf, over(linf)}},
+                 {Measure::amplitude_ratio, {a.amplitude_ratio, std::sqrt(2.0) * over(*highest - *lowest)}},
+                 {Measure::shift, {a.shift, u_x}},
+                 {Measure::peak_error, {a.peak - a.reference_peak, u}},
+                 {Measure::peak_shift, {a.peak_at - a.reference_peak_at, u_x}},
+                 {Measure::skill, {a.skill, 0}}};
+    if (table_.kind == Kind::series) {
+      const double level = a.reference.front() + table_.arrival_fraction * (*highest - a.reference.front());
+      const double arrival = first_crossing(submitted, level);
+      measures_[Measure::arrival_error] = {arrival - first_crossing({a.x, a.reference}, level), u_x};
+    }
+  }
+
+  void claim(const Requirement& requirement, evidence::Record& record) const {
+    const MeasureText& text = text_of(requirement.measure);
+    const auto found = measures_.find(requirement.measure);
+    if (found == measures_.end()) {
+      throw std::logic_error(fmt::format("{}: {} cannot be measured here", quantity_.column.name, text.name));
+    }
+    const Measured& measured = found->second;
+    // Standard to expanded, as the criterion takes it.
+    const auto* budget = std::get_if<evidence::Uncertainty>(&requirement.criterion);
+    const double coverage = budget != nullptr ? budget->coverage : 2;
+    const std::string unit = *text.unit == '\0'  ? quantity_.column.unit
+                             : *text.unit == 'x' ? table_.abscissa->unit
+                                                 : text.unit;
+    const std::string stated_text =
+        measured.uncertainty > 0 ? fmt::format("u_num = {:.3g} {}", measured.uncertainty, unit) : "u_num not stated: 0";
+    record.check({.id = quantity_.column.name + "-" + text.id,
+                  .text = requirement.text,
+                  .quantity = fmt::format("{} of {}", text.name, quantity_.column.name),
+                  .unit = unit,
+                  .source = requirement.source},
+                 {.value = measured.value,
+                  .uncertainty = coverage * measured.uncertainty,
+                  .resolution = resolution() + ", " + stated_text},
+                 requirement.criterion);
+  }
+
+  const WantedTable& table_;
+  const WantedQuantity& quantity_;
+  const SubmittedGroup& group_;
+  const std::map<std::string, StatedUncertainty>& uncertainty_;
+  Agreement agreement_;
+  Measures measures_;
+};
+
+evidence::Table blank_table(const WantedTable& wanted) {
+  evidence::Table table{.id = wanted.name + "-measures",
+                        .title = fmt::format("Measures of the submitted {}", wanted.name),
+                        .caption = {},
+                        .columns = {{"quantity", "1"}},
+                        .rows = {},
+                        .atlas = {}};
+  table.columns.emplace_back(wanted.group ? wanted.group->name : "group", wanted.group ? wanted.group->unit : "1");
+  if (wanted.kind == Kind::scalars) {
+    table.caption = "Submitted, reference, and their relative difference, in the units asked for.";
+    for (const char* name : {"submitted", "reference", "relative error"}) table.columns.emplace_back(name, "1");
+    return table;
+  }
+  table.caption =
+      "The submitted values, joined by straight lines, at the reference points; nothing is extrapolated. Shift and "
+      "peak "
+      "in the units asked for.";
+  for (const char* name : {"points", "coverage", "relative L1", "relative L2", "relative Linf", "skill",
+                           "amplitude ratio", "shift", "error of the peak"}) {
+    table.columns.emplace_back(name, "1");
+  }
+  return table;
+}
+
+}  // namespace
+
+StatedUncertainty uncertainty_from(const std::string& quantity, const std::string& text) {
+  StatedUncertainty stated;
+  stated.relative = text.ends_with('%');
+  const char* end = text.data() + text.size() - (stated.relative ? 1 : 0);
+  const auto [stopped, failure] = std::from_chars(text.data(), end, stated.value);
+  if (failure != std::errc() || stopped != end || !std::isfinite(stated.value) || stated.value < 0) {
+    throw std::invalid_argument(
+        fmt::format("uncertainty {} = {}: must be a number at least 0, or a percentage", quantity, text));
+  }
+  if (stated.relative) stated.value /= 100;
+  return stated;
+}
+
+void score(const std::vector<WantedTable>& wanted, const Submitted& submitted,
+           const std::map<std::string, StatedUncertainty>& uncertainty, evidence::Record& record) {
+  for (const WantedTable& table : wanted) {
+    const auto found = submitted.find(table.name);
+    if (found == submitted.end()) continue;
+    evidence::Table summary = blank_table(table);
+    for (const WantedQuantity& quantity : table.quantities) {
+      for (const SubmittedGroup& group : found->second) {
+        const QuantityScore one(table, quantity, group, uncertainty);
+        one.measure(record);
+        one.claim(record);
+        summary.rows.push_back(one.row());
+      }
+    }
+    record.table(std::move(summary));
+    if (table.kind != Kind::scalars) draw_submitted(table, found->second, record);
+  }
+}
+
+void measure_own(const std::vector<WantedTable>& wanted, const Submitted& own, evidence::Record& record) {
+  for (const WantedTable& table : wanted) {
+    const auto found = own.find(table.name);
+    if (found == own.end()) continue;
+    for (const WantedQuantity& quantity : table.quantities) {
+      for (const SubmittedGroup& group : found->second) QuantityScore(table, quantity, group, {}).measure(record);
+    }
+  }
+}
+
+}  // namespace seiche::validation

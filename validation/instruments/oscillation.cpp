@@ -1,0 +1,82 @@
+#include "validation/instruments/oscillation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "validation/instruments/peak.hpp"
+
+namespace seiche::validation {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+double mean(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+std::vector<Crest> crests_above(double threshold, std::span<const double> x, std::span<const double> y) {
+  std::vector<Crest> crests;
+  for (std::size_t k = 1; k + 1 < x.size(); ++k) {
+    if (!(y[k] > y[k - 1] && y[k] >= y[k + 1])) continue;
+    Peak top;
+    for (const std::size_t i : {k - 1, k, k + 1}) top.add(x[i], y[i]);
+    if (top.value() > threshold) crests.push_back({top.time(), top.value()});
+  }
+  return crests;
+}
+
+double correlation(std::span<const double> a, std::span<const double> b) {
+  const double mean_a = mean(a);
+  const double mean_b = mean(b);
+  double ab = 0;
+  double aa = 0;
+  double bb = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ab += (a[i] - mean_a) * (b[i] - mean_b);
+    aa += (a[i] - mean_a) * (a[i] - mean_a);
+    bb += (b[i] - mean_b) * (b[i] - mean_b);
+  }
+  const double scale = std::sqrt(aa) * std::sqrt(bb);
+  return scale > 0 ? ab / scale : unknown;
+}
+
+Period period_of(std::span<const double> samples, double interval) {
+  std::vector<double> lag;
+  std::vector<double> likeness;
+  bool crossed = false;
+  for (std::size_t k = 1; k <= samples.size() / 2; ++k) {
+    const std::size_t overlap = samples.size() - k;
+    const double c = correlation(samples.first(overlap), samples.subspan(k));
+    crossed = crossed || c < 0;
+    if (!crossed) continue;
+    lag.push_back(static_cast<double>(k) * interval);
+    likeness.push_back(c);
+  }
+  const std::vector<Crest> peaks = crests_above(0, lag, likeness);
+  double highest = 0;
+  for (const Crest& peak : peaks) highest = std::max(highest, peak.height);
+  const auto first =
+      std::find_if(peaks.begin(), peaks.end(), [&](const Crest& peak) { return peak.height >= 0.9 * highest; });
+  if (first == peaks.end()) return {unknown, unknown};
+  return {first->place, first->height};
+}
+
+std::vector<double> distances(std::span<const Crest> crests) {
+  std::vector<double> result;
+  for (std::size_t k = 1; k < crests.size(); ++k) result.push_back(crests[k].place - crests[k - 1].place);
+  return result;
+}
+
+double relative_spread(std::span<const double> values) {
+  if (values.size() < 2) return unknown;
+  const double middle = mean(values);
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value - middle));
+  return largest / std::abs(middle);
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,34 @@
+#include "validation/instruments/peak.hpp"
+
+namespace seiche::validation {
+
+void Peak::add(double t, double value) {
+  const Point now{t, value};
+  if (count_ == 0 || value > highest_.value) {
+    before_ = count_ == 0 ? now : last_;
+    highest_ = now;
+    time_ = t;
+    value_ = value;
+    highest_is_last_ = true;
+  } else if (highest_is_last_) {
+    if (before_.t < highest_.t) refine(now);
+    highest_is_last_ = false;
+  }
+  last_ = now;
+  ++count_;
+}
+
+void Peak::refine(Point after) {
+  const double left = before_.t - highest_.t;
+  const double right = after.t - highest_.t;
+  const double slope_left = (before_.value - highest_.value) / left;
+  const double slope_right = (after.value - highest_.value) / right;
+  const double curvature = (slope_right - slope_left) / (right - left);
+  if (!(curvature < 0)) return;
+  const double slope = slope_left - curvature * left;  // of the parabola at its middle point
+  const double shift = -slope / (2 * curvature);
+  time_ = highest_.t + shift;
+  value_ = highest_.value + 0.5 * slope * shift;
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,32 @@
+#include "validation/instruments/processor_time.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <limits>
+
+namespace seiche::validation {
+
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+double shortest_time(const std::function<void()>& work) {
+  constexpr double batch_seconds = 0.02;
+  constexpr double all_seconds = 0.3;
+  const double first = processor_seconds();
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int batch = 0; batch < 3 && processor_seconds() - first < all_seconds; ++batch) {
+    int calls = 0;
+    const double begin = processor_seconds();
+    double spent = 0;
+    do {
+      work();
+      ++calls;
+      spent = processor_seconds() - begin;
+    } while (spent < batch_seconds);
+    shortest = std::min(shortest, spent / calls);
+  }
+  return shortest;
+}
+
+}  // namespace seiche::validation

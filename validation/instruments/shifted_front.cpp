@@ -1,0 +1,72 @@
+#include "validation/instruments/shifted_front.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "validation/instruments/straight_line.hpp"
+
+namespace seiche::validation {
+namespace {
+
+/// Where a front stood before it was let go.
+double front_at(Curve computed, double time) {
+  return linear_at(computed, std::max(time, computed.x.front()));
+}
+
+}  // namespace
+
+ShiftedFront shifted_front(Curve computed, Curve measured, double farthest, ShiftRange range) {
+  const double latest = computed.x.back() + std::min(range.lowest, 0.0);
+  std::vector<std::size_t> used;
+  for (std::size_t i = 0; i < measured.x.size(); ++i) {
+    if (measured.y[i] <= farthest && measured.x[i] <= latest) used.push_back(i);
+  }
+  if (used.size() < 2) {
+    throw std::invalid_argument(
+        fmt::format("{} of the published points lie before X = {:.4g} and T = {:.4g}: two are needed, run longer or "
+                    "compare nothing",
+                    used.size(), farthest, latest));
+  }
+  const auto rms = [&](double shift) {
+    double sum = 0;
+    for (const std::size_t i : used) sum += std::pow(front_at(computed, measured.x[i] - shift) - measured.y[i], 2);
+    return std::sqrt(sum / static_cast<double>(used.size()));
+  };
+  ShiftedFront result{.points = used.size(), .raw_rms = rms(0)};
+  for (const std::size_t i : used) {
+    result.raw_off.push_back(front_at(computed, measured.x[i]) / measured.y[i] - 1);
+  }
+  // A grid first: the rms may have several minima where the front is jagged.
+  constexpr int grid = 200;
+  double step = (range.highest - range.lowest) / grid;
+  double best = range.lowest;
+  for (int k = 0; k <= grid; ++k) {
+    const double shift = range.lowest + k * step;
+    if (rms(shift) < rms(best)) best = shift;
+  }
+  for (int halving = 0; halving < 20; ++halving) {
+    for (const double shift : {best - step, best + step}) {
+      if (shift >= range.lowest && shift <= range.highest && rms(shift) < rms(best)) best = shift;
+    }
+    step /= 2;
+  }
+  result.shift = best;
+  result.rms = rms(best);
+  return result;
+}
+
+double slope_between(Curve curve, double from, double to) {
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (curve.x[i] <= from || curve.x[i] >= to) continue;
+    x.push_back(curve.x[i]);
+    y.push_back(curve.y[i]);
+  }
+  return x.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : straight_line(x, y).slope;
+}
+
+}  // namespace seiche::validation

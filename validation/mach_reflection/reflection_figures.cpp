@@ -1,0 +1,263 @@
+#include "validation/mach_reflection/reflection_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/mach_reflection.hpp"
+#include "validation/case/reference_table.hpp"
+#include "validation/case/reference_case.hpp"
+
+namespace seiche::validation {
+namespace {
+
+using evidence::Measurement;
+using evidence::Panel;
+using evidence::Role;
+using exact::MachReflection;
+
+/// "a = 0.3: h = 0.5, tau = 0.25, t = 318 .. 720".
+std::string name_of(const ReflectionSeries& series) {
+  const std::vector<double> ends = series.all([](const Reflection& r) { return r.time.back(); });
+  const auto [first, last] = std::minmax_element(ends.begin(), ends.end());
+  return fmt::format("a = {:g}: h = {:g}, tau = {:g}, t = {:.0f} .. {:.0f}", series.amplitude, series.spacing,
+                     series.reflections.front().run.tau(), *first, *last);
+}
+
+using Kappa = double (ReflectionRun::*)() const;
+
+struct Axis {
+  std::string label;
+  Kappa kappa;
+};
+const std::vector<Axis>& axes() {
+  static const std::vector<Axis> both = {{"psi_i/sqrt(3 a_i)", &ReflectionRun::kappa},
+                                         {"tan(psi_i)/(sqrt(3 a_i) cos(psi_i))", &ReflectionRun::kappa_finite_angle}};
+  return both;
+}
+
+std::vector<double> kappas(const ReflectionSeries& series, Kappa kappa) {
+  return series.all([kappa](const Reflection& r) { return (r.run.*kappa)(); });
+}
+
+/// Both branches, with the cusp of the upper one.
+void theory_curve(Panel& panel, double (*ratio)(double), double last) {
+  std::vector<double> kappa = evenly(0.1, 1, 46);
+  for (double step = 1e-4; step < 0.05; step *= 1.6) kappa.push_back(1 + step);
+  for (double k = 1.05; k <= last; k += 0.05) kappa.push_back(k);
+  std::vector<double> values;
+  for (const double k : kappa) values.push_back(ratio(k));
+  panel.line("theory of small waves", kappa, values, Role::exact);
+}
+
+double largest(const std::vector<ReflectionSeries>& series, Kappa kappa) {
+  double last = 1.3;
+  for (const ReflectionSeries& one : series) last = std::max(last, kappas(one, kappa).back());
+  return std::min(last + 0.05, 2.7);
+}
+
+/// Where runs did not become steady: their limits.
+void limits(Panel& panel, const std::vector<ReflectionSeries>& series, Kappa kappa) {
+  std::vector<double> at, limit, error;
+  for (const ReflectionSeries& one : series) {
+    for (const Reflection& r : one.reflections) {
+      if (r.limit.steady()) continue;
+      at.push_back((r.run.*kappa)());
+      limit.push_back(r.limit_ratio().value);
+      error.push_back(r.limit_ratio().uncertainty);
+    }
+  }
+  if (!at.empty()) panel.points("limit where a_w still grows by more than 1 %", at, limit, Role::data, error);
+}
+
+}  // namespace
+
+void draw_amplitudes(evidence::Record& record, const std::vector<ReflectionSeries>& series) {
+  auto& figure = record.figure(
+      "amplitudes", "Amplitudes at the wall and of the reflected wave",
+      "Over the measured incident amplitude; bars: the scatter along the crests. Left over the parameter of Miles "
+      "(1977), "
+      "right over that for finite angles of Li, Yeh and Kodama (2011). Thin: Frank's largest a_w/a_i, 3.5, and his "
+      "a_r/a_i of regular reflection, 0.95. a_w at the end of the run; where it has grown by more than 1 % in the last "
+      "fifth also its limit.",
+      {"frank-fig-7"});
+  for (const Axis& axis : axes()) {
+    const double last = largest(series, axis.kappa);
+    auto& panel = figure.panel({.x = axis.label, .y = "a_w/a_i", .x_max = last, .y_min = 1, .y_max = 4.1});
+    theory_curve(
+        panel, [](double k) { return MachReflection::wall_ratio(k); }, last);
+    for (const ReflectionSeries& one : series) {
+      panel.points(name_of(one), kappas(one, axis.kappa),
+                   one.all([](const Reflection& r) { return r.wall_ratio().value; }), Role::computed,
+                   one.all([](const Reflection& r) { return r.wall_ratio().uncertainty; }));
+    }
+    limits(panel, series, axis.kappa);
+    panel.line("Frank (1994)", std::vector{0.1, last}, std::vector{3.5, 3.5}, Role::guide);
+  }
+  for (const Axis& axis : axes()) {
+    const double last = largest(series, axis.kappa);
+    auto& panel = figure.panel({.x = axis.label, .y = "a_r/a_i", .x_max = last, .y_min = 0, .y_max = 1.1});
+    theory_curve(
+        panel, [](double k) { return MachReflection::reflected_ratio(k); }, last);
+    for (const ReflectionSeries& one : series) {
+      panel.points(name_of(one), kappas(one, axis.kappa),
+                   one.all([](const Reflection& r) { return r.reflected_ratio().value; }), Role::computed,
+                   one.all([](const Reflection& r) { return r.reflected_ratio().uncertainty; }));
+    }
+    panel.line("Frank (1994)", std::vector{0.1, last}, std::vector(2, regular_from), Role::guide);
+  }
+}
+
+void draw_regimes(evidence::Record& record, const std::vector<ReflectionSeries>& series) {
+  auto& figure = record.figure("regimes", "Regular and irregular reflection",
+                               "Irregular: a_r below 0.95 a_i, or, on lattices so coarse that no a_r reaches that, "
+                               "below 0.99 of the largest. Curves: the boundary of Miles (1977) and kappa = 1 for "
+                               "finite angles. Horizontal: "
+                               "transitions in experiments as quoted by Frank (1994).",
+                               {"frank-fig-8"});
+  auto& panel =
+      figure.panel({.x = "a_i [depth]", .y = "psi_i [deg]", .x_min = 0, .x_max = 0.4, .y_min = 0, .y_max = 60});
+  const std::vector<double> fine = evenly(1e-4, 0.4, 200);
+  std::vector<double> miles, finite;
+  for (const double a : fine) {
+    miles.push_back(degrees(std::sqrt(3 * a)));
+    finite.push_back(resonant_angle(a));
+  }
+  panel.line("psi = sqrt(3a)", fine, miles, Role::exact);
+  panel.line("tan(psi)/cos(psi) = sqrt(3a)", fine, finite, Role::exact);
+  std::vector<double> irregular_a, irregular_psi, regular_a, regular_psi;
+  for (const ReflectionSeries& one : series) {
+    for (std::size_t k = 0; k < one.angles.size(); ++k) {
+      const double ratio = one.reflections[k].reflected_ratio().value;
+      if (!std::isfinite(ratio)) continue;
+      (ratio < one.regular_ratio() ? irregular_a : regular_a).push_back(one.amplitude);
+      (ratio < one.regular_ratio() ? irregular_psi : regular_psi).push_back(one.angles[k]);
+    }
+  }
+  if (!irregular_a.empty()) panel.points("irregular", irregular_a, irregular_psi);
+  if (!regular_a.empty()) panel.points("regular", regular_a, regular_psi);
+  const io::Table published = reference_table("mach_reflection_angles_published", record);
+  for (std::size_t k = 0; k < published.column("angle").size(); ++k) {
+    if (std::lround(published.column("quantity")[k]) != 1) continue;
+    const double angle = published.column("angle")[k];
+    switch (std::lround(published.column("source")[k])) {
+      case 1:
+        panel.points("Tanaka (1993)", std::vector{published.column("a_from")[k]}, std::vector{angle}, Role::data,
+                     std::vector{0.5});
+        break;
+      case 3:
+        panel.line("Chen", std::vector{0.0, 0.4}, std::vector{angle, angle}, Role::guide);
+        break;
+      default:
+        panel.line("Perroud (1957)", std::vector{0.0, 0.4}, std::vector{angle, angle}, Role::guide);
+    }
+  }
+}
+
+void draw_angle_law(evidence::Record& record, const ReflectionSeries& series, const AngleLaw& law, double last) {
+  auto& figure = record.figure("angle-law", "The reflected amplitude against the square of the angle",
+                               fmt::format("{}. Fit up to {:g} deg.", name_of(series), last), {"frank-ar-law"});
+  auto& panel = figure.panel({.x = "psi_i^2 [rad^2]", .y = "a_r [depth]", .x_min = 0, .y_min = 0});
+  std::vector<double> square, amplitude, error;
+  for (const Reflection& r : series.reflections) {
+    if (!r.pattern.reflected) continue;
+    square.push_back(r.run.angle * r.run.angle);
+    amplitude.push_back(r.pattern.reflected->amplitude.value);
+    error.push_back(r.pattern.reflected->amplitude.uncertainty);
+  }
+  panel.points("computed", square, amplitude, Role::computed, error);
+  const auto through = [&](const std::string& label, double factor, Role role) {
+    const double end = std::min(1.05 * square.back(), 1.05 * series.amplitude / factor);
+    panel.line(label, std::vector{0.0, end}, std::vector{0.0, factor * end}, role);
+  };
+  through(fmt::format("{:.3f} psi_i^2, fitted", law.factor), law.factor, Role::computed);
+  through("0.62 psi_i^2, Frank (1994)", 0.62, Role::data);
+  through("psi_i^2/3, Miles (1977)", 1.0 / 3, Role::exact);
+}
+
+void draw_reflected_angles(evidence::Record& record, const std::vector<ReflectionSeries>& series) {
+  auto& figure =
+      record.figure("angles", "The angle of reflection",
+                    "Bars: twice the standard error of the line through the reflected crest. Where "
+                    "reflection is irregular, psi_r falls as psi_i grows; Miles (1977) has sqrt(3 a_i) there, "
+                    "drawn up to it. Then the two angles are equal.");
+  auto& panel = figure.panel({.x = "psi_i [deg]", .y = "psi_r [deg]", .y_min = 15, .y_max = 60});
+  for (const ReflectionSeries& one : series) {
+    panel.points(name_of(one), one.angles, one.all([](const Reflection& r) { return r.reflected_angle().value; }),
+                 Role::computed, one.all([](const Reflection& r) { return r.reflected_angle().uncertainty; }));
+  }
+  for (const ReflectionSeries& one : series) {
+    const double edge = degrees(std::sqrt(3 * one.amplitude));
+    panel.line(fmt::format("Miles, a = {:g}", one.amplitude), std::vector{std::min(one.angles.front(), edge), edge},
+               std::vector{edge, edge}, Role::guide);
+  }
+  panel.line("psi_r = psi_i", std::vector{15.0, 60.0}, std::vector{15.0, 60.0}, Role::exact);
+}
+
+void draw_growth(evidence::Record& record, const std::vector<ReflectionSeries>& series) {
+  auto& figure = record.figure("growth", "The amplitude at the wall as time goes on",
+                               "Over the measured incident amplitude, against the slow time of weakly nonlinear waves. "
+                               "The nearer to resonance, the slower.");
+  for (const ReflectionSeries& one : series) {
+    const double slow = std::pow(one.amplitude, 1.5);
+    auto& panel = figure.panel({.x = "a_i^(3/2) t [sqrt(depth/g)]",
+                                .y = "a_w/a_i",
+                                .title = fmt::format("a = {:g}, h = {:g}", one.amplitude, one.spacing)});
+    const std::size_t stride = std::max<std::size_t>(one.angles.size() / 5, 1);
+    for (std::size_t k = 0; k < one.angles.size(); ++k) {
+      const Reflection& r = one.reflections[k];
+      if (k % stride != 0 && &r != &one.highest()) continue;
+      std::vector<double> ratio = r.wall;
+      for (double& value : ratio) value /= r.pattern.incident_amplitude.value;
+      std::vector<double> time = r.time;
+      for (double& t : time) t *= slow;
+      panel.line(fmt::format("{:g} deg{}", one.angles[k], r.limit.steady() ? "" : ", growing"), time, ratio);
+    }
+  }
+}
+
+void tabulate_reflections(evidence::Record& record, const std::vector<ReflectionSeries>& series) {
+  evidence::Table table{.id = "runs",
+                        .title = "All runs",
+                        .caption =
+                            "kappa': for finite angles. Growth: of a_w in the last fifth of the run; a run that "
+                            "grows by more than 1 % is not steady, and the limit is what counts.",
+                        .columns = {{"a", "depth"},
+                                    {"psi_i", "deg"},
+                                    {"kappa", "1"},
+                                    {"kappa'", "1"},
+                                    {"h", "depth"},
+                                    {"end", "sqrt(depth/g)"},
+                                    {"a_i", "depth"},
+                                    {"a_w/a_i", "1"},
+                                    {"growth", "1"},
+                                    {"steady", ""},
+                                    {"limit", "1"},
+                                    {"uncertainty", "1"},
+                                    {"a_r/a_i", "1"},
+                                    {"psi_r", "deg"},
+                                    {"stem angle", "deg"},
+                                    {"iterations", "1"},
+                                    {"cells", "1"},
+                                    {"processor time", "s"}},
+                        .rows = {},
+                        .atlas = {}};
+  const auto rounded = [](double value, double per_unit) { return std::round(value * per_unit) / per_unit; };
+  for (const ReflectionSeries& one : series) {
+    for (std::size_t k = 0; k < one.angles.size(); ++k) {
+      const Reflection& r = one.reflections[k];
+      table.rows.push_back({one.amplitude, one.angles[k], rounded(r.run.kappa(), 1e4),
+                            rounded(r.run.kappa_finite_angle(), 1e4), one.spacing, std::round(r.time.back()),
+                            rounded(r.pattern.incident_amplitude.value, 1e5), rounded(r.wall_ratio().value, 1e4),
+                            rounded(r.limit.growth, 1e4), std::string(r.limit.steady() ? "yes" : "no"),
+                            rounded(r.limit_ratio().value, 1e4), rounded(r.limit_ratio().uncertainty, 1e4),
+                            rounded(r.reflected_ratio().value, 1e4), rounded(r.reflected_angle().value, 1e2),
+                            rounded(degrees(r.stem.value), 1e3), rounded(r.iterations, 10),
+                            static_cast<double>(r.cells), rounded(r.seconds, 10)});
+    }
+  }
+  record.table(std::move(table));
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,170 @@
+#include "validation/mach_reflection/reflection_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/mach_reflection.hpp"
+#include "seiche/require.hpp"
+
+namespace seiche::validation {
+namespace {
+
+using exact::MachReflection;
+
+constexpr double between_heights = 2.5;  // time between two values of a_w
+constexpr long patterns = 20;            // in the last two fifths, for the path of the stem's end
+
+double thread_seconds() {
+  std::timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+evidence::Measurement over(const evidence::Measurement& a, const evidence::Measurement& b,
+                           const std::string& resolution) {
+  const double value = a.value / b.value;
+  return {.value = value,
+          .uncertainty = std::abs(value) * std::hypot(a.uncertainty / a.value, b.uncertainty / b.value),
+          .resolution = resolution};
+}
+
+template <class Flow>
+Reflection follow(Flow& flow, const ReflectionRun& run, const std::function<void(double)>& progress) {
+  Reflection result{.run = run};
+  const double begin = thread_seconds();
+  const double end = run.duration();
+  const long steps = std::max(1L, std::lround(std::ceil(end / run.tau() - 1e-9)));
+  const double tau = end / static_cast<double>(steps);
+  const long every = std::max(1L, std::lround(between_heights / tau));
+  const long every_pattern = std::max(1L, 2 * steps / 5 / patterns);
+  std::vector<double> wall_x;
+  std::vector<double> stem_length;
+  // The height that the nodes show changes as the crest passes between them: a mean over several steps.
+  double heights = 0;
+  double times = 0;
+  long summed = 0;
+  for (long step = 1; step <= steps; ++step) {
+    flow.advance(tau);
+    const SurfaceLattice now = surface_of(flow);
+    heights += five_node_height(now, wall_crest(now, 0.5 * run.amplitude), 0);
+    times += flow.time();
+    ++summed;
+    if (step % every == 0 || step == steps) {
+      result.time.push_back(times / static_cast<double>(summed));
+      result.wall.push_back(heights / static_cast<double>(summed));
+      heights = times = 0;
+      summed = 0;
+      if (progress) progress(static_cast<double>(step) / static_cast<double>(steps));
+    }
+    if ((steps - step) % every_pattern == 0 && 5 * (steps - step) <= 2 * steps) {
+      result.pattern = measured_reflection(surface_of(flow), run.amplitude);
+      wall_x.push_back(result.pattern.wall.x);
+      stem_length.push_back(result.pattern.stem_length.value);
+    }
+  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  result.surface = part_of(surface_of(flow), {-infinity, infinity, infinity}, result.pattern.wall.x);
+  result.limit = wall_limit(result.time, result.wall);
+  result.stem = stem_angle(wall_x, stem_length);
+  result.worst_corner = flow.worst_corner().shape;
+  result.cells = flow.model().constraints();
+  const auto& solver = flow.model().solver();
+  result.iterations = static_cast<double>(solver.iterations()) / static_cast<double>(std::max(solver.solutions(), 1L));
+  result.seconds = thread_seconds() - begin;
+  return result;
+}
+
+}  // namespace
+
+WaveModel wave_model_named(std::string_view name) {
+  if (name == "plan") return WaveModel::plan;
+  if (name == "hexahedra") return WaveModel::hexahedra;
+  throw std::invalid_argument(fmt::format("model = {}: must be one of plan, hexahedra", name));
+}
+
+double degrees(double radians) {
+  return radians * 180 / std::numbers::pi;
+}
+
+double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+std::string id_of(double number) {
+  std::string id = fmt::format("{:g}", number);
+  std::replace(id.begin(), id.end(), '.', '_');
+  return id;
+}
+
+double ReflectionRun::kappa() const {
+  return MachReflection(amplitude, angle).kappa();
+}
+
+double ReflectionRun::kappa_finite_angle() const {
+  return MachReflection(amplitude, angle, MachReflection::Theory::kodama_yeh).kappa();
+}
+
+double ReflectionRun::settled_time() const {
+  const double kappa = kappa_finite_angle();
+  const double settling = 3 / (std::pow(3 * amplitude, 1.5) * kappa * std::max(std::abs(1 - kappa), 0.03));
+  return 250 * std::sqrt(0.3 / amplitude) + 4 * settling;
+}
+
+std::string ReflectionRun::resolution() const {
+  return fmt::format("{}h = {:g}, tau = {:g}, t = {:.0f}",
+                     model == WaveModel::plan ? "" : fmt::format("{} layers, ", layers), spacing, tau(), duration());
+}
+
+double Reflection::wall_at(double when) const {
+  const auto after = std::lower_bound(time.begin(), time.end(), when);
+  if (after == time.end()) return wall.back();
+  if (after == time.begin()) return wall.front();
+  const auto k = static_cast<std::size_t>(after - time.begin());
+  return std::lerp(wall[k - 1], wall[k], (when - time[k - 1]) / (time[k] - time[k - 1]));
+}
+
+evidence::Measurement Reflection::wall_ratio() const {
+  const evidence::Measurement end{.value = wall.back(), .resolution = {}};
+  return over(end, pattern.incident_amplitude, run.resolution());
+}
+
+evidence::Measurement Reflection::limit_ratio() const {
+  return over(limit.amplitude, pattern.incident_amplitude, run.resolution());
+}
+
+evidence::Measurement Reflection::reflected_ratio() const {
+  if (!pattern.reflected) return {.resolution = run.resolution()};
+  return over(pattern.reflected->amplitude, pattern.incident_amplitude, run.resolution());
+}
+
+evidence::Measurement Reflection::reflected_angle() const {
+  if (!pattern.reflected) return {.resolution = run.resolution()};
+  const evidence::Measurement& angle = pattern.reflected->angle;
+  return {.value = degrees(angle.value), .uncertainty = degrees(angle.uncertainty), .resolution = run.resolution()};
+}
+
+std::string Reflection::growth_flag() const {
+  return limit.steady() ? "steady" : fmt::format("growth {:.1f} %: not steady", 100 * limit.growth);
+}
+
+Reflection reflect(const ReflectionRun& run, const std::function<void(double)>& progress) {
+  require_positive("spacing", run.spacing);
+  require_within("time", run.time, 0, 1e6);
+  const ObliqueWave wave(run.amplitude, run.angle);
+  ReflectionWindow window = window_until(run.duration(), wave, run.spacing);
+  if (run.height > 0) window.height = run.height;
+  if (run.model == WaveModel::hexahedra) {
+    auto flow = layered_reflection_flow(wave, window, run.layers, {.tolerance = run.tolerance});
+    return follow(flow, run, progress);
+  }
+  auto flow = reflection_flow(wave, window, {.tolerance = run.tolerance});
+  return follow(flow, run, progress);
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,85 @@
+/// One run of a solitary wave that meets a wall at an angle, and what is measured of it. Depth 1, gravity 1.
+///
+/// How long a stem takes to reach its height: the Kadomtsev-Petviashvili equation gives exp(-t/t_s),
+///
+///     t_s = 3/(S^3 kappa |1 - kappa|),   S = sqrt(3a),   kappa = tan(psi)/(S cos(psi)),
+///
+/// which has no end at kappa = 1. A run of 250 sqrt(0.3/a) + 4 t_s, with |1 - kappa| no less than 0.03, forms the
+/// pattern and shows the approach to its limit.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "validation/mach_reflection/oblique_wave.hpp"
+#include "validation/instruments/reflection_pattern.hpp"
+#include "validation/mach_reflection/surface_part.hpp"
+#include "validation/instruments/wall_history.hpp"
+
+namespace seiche::validation {
+
+/// Which model carries the water: water columns seen from above, or layers of hexahedra.
+enum class WaveModel { plan, hexahedra };
+/// Throws std::invalid_argument listing the names.
+WaveModel wave_model_named(std::string_view name);
+
+double degrees(double radians);
+double radians(double degrees);
+/// A number as a part of an id: "0_3".
+std::string id_of(double number);
+
+/// What to run.
+struct ReflectionRun {
+  double amplitude = 0.3;
+  double angle = 0;      ///< psi [rad]
+  double spacing = 0.5;  ///< of the lattice at rest
+  double step = 0.5;     ///< over the spacing
+  double time = 0;       ///< how long; 0 for settled_time()
+  WaveModel model = WaveModel::plan;
+  std::size_t layers = 2;   ///< of hexahedra
+  double height = 0;        ///< of the window; 0 for what window_until() finds sufficient
+  double tolerance = 1e-7;  ///< relative residual of the solver
+
+  [[nodiscard]] double tau() const { return step * spacing; }
+  [[nodiscard]] double kappa() const;               ///< psi/sqrt(3a)
+  [[nodiscard]] double kappa_finite_angle() const;  ///< tan(psi)/(sqrt(3a) cos(psi))
+  [[nodiscard]] double settled_time() const;
+  /// The time that will be run.
+  [[nodiscard]] double duration() const { return time > 0 ? time : settled_time(); }
+  /// "h = 0.5, tau = 0.25, t = 600".
+  [[nodiscard]] std::string resolution() const;
+};
+
+/// What came of it.
+struct Reflection {
+  ReflectionRun run;
+  std::vector<double> time;
+  std::vector<double> wall;    ///< a_w then, means over 2.5 time units
+  ReflectionPattern pattern;   ///< at the end
+  SurfacePart surface;         ///< at the end, x from the crest on the wall
+  WallLimit limit;             ///< of a_w
+  evidence::Measurement stem;  ///< angle of the path of the stem's end [rad], over the last two fifths
+  double worst_corner = 1;     ///< shape of the worst corner of the lattice at the end
+  std::size_t cells = 0;
+  double iterations = 0;  ///< of the solver, per solution
+  double seconds = 0;     ///< processor time
+
+  /// a_w at a time, linearly between its values; the last of them after it.
+  [[nodiscard]] double wall_at(double when) const;
+  /// a_w/a_i at the end and for t -> infinity, a_r/a_i, psi_r [deg]; NaN without a reflected crest.
+  [[nodiscard]] evidence::Measurement wall_ratio() const;
+  [[nodiscard]] evidence::Measurement limit_ratio() const;
+  [[nodiscard]] evidence::Measurement reflected_ratio() const;
+  [[nodiscard]] evidence::Measurement reflected_angle() const;
+  /// "growth 1.3 %: not steady" or "steady".
+  [[nodiscard]] std::string growth_flag() const;
+};
+
+/// Throws std::invalid_argument for what cannot be run, Divergence where it breaks down, std::runtime_error if there
+/// is no pattern to be measured at the end.
+/// @param progress  told the share of the time that is done
+Reflection reflect(const ReflectionRun& run, const std::function<void(double)>& progress = {});
+
+}  // namespace seiche::validation

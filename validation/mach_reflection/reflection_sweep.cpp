@@ -1,0 +1,109 @@
+#include "validation/mach_reflection/reflection_sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "validation/case/on_threads.hpp"
+
+namespace seiche::validation {
+
+const Reflection& ReflectionSeries::highest() const {
+  return *std::max_element(reflections.begin(), reflections.end(), [](const Reflection& a, const Reflection& b) {
+    return a.wall_ratio().value < b.wall_ratio().value;
+  });
+}
+
+double ReflectionSeries::regular_ratio() const {
+  double largest = 0;
+  for (const Reflection& reflection : reflections) {
+    largest = std::fmax(largest, reflection.reflected_ratio().value);
+  }
+  return largest > regular_from ? regular_from : regular_from_largest * largest;
+}
+
+evidence::Measurement ReflectionSeries::boundary() const {
+  const double regular = regular_ratio();
+  for (std::size_t k = 1; k < reflections.size(); ++k) {
+    const evidence::Measurement below = reflections[k - 1].reflected_ratio();
+    const evidence::Measurement above = reflections[k].reflected_ratio();
+    if (!(below.value < regular && above.value >= regular)) continue;
+    const double slope = (above.value - below.value) / (angles[k] - angles[k - 1]);
+    const double scatter = std::max(below.uncertainty, above.uncertainty) / slope;
+    return {.value = angles[k - 1] + (regular - below.value) / slope,
+            .uncertainty = std::min(scatter, angles[k] - angles[k - 1]),
+            .resolution = fmt::format("h = {:g}, between {:g} and {:g} deg", spacing, angles[k - 1], angles[k])};
+  }
+  return {};
+}
+
+double resonant_angle(double amplitude) {
+  const double s = std::sqrt(3 * amplitude);
+  return degrees(std::asin((std::sqrt(1 + 4 * s * s) - 1) / (2 * s)));
+}
+
+AngleLaw angle_law(const ReflectionSeries& series, double last) {
+  std::vector<double> square;
+  std::vector<double> amplitude;
+  for (std::size_t k = 0; k < series.angles.size(); ++k) {
+    const Reflection& reflection = series.reflections[k];
+    if (series.angles[k] > last || !reflection.pattern.reflected) continue;
+    square.push_back(reflection.run.angle * reflection.run.angle);
+    amplitude.push_back(reflection.pattern.reflected->amplitude.value);
+  }
+  if (square.size() < 3) throw std::invalid_argument("a law of the angle needs three reflected waves or more");
+  double product = 0;
+  double squares = 0;
+  for (std::size_t k = 0; k < square.size(); ++k) {
+    product += amplitude[k] * square[k];
+    squares += square[k] * square[k];
+  }
+  AngleLaw law{.factor = product / squares};
+  double left = 0;
+  for (std::size_t k = 0; k < square.size(); ++k) {
+    const double residual = amplitude[k] - law.factor * square[k];
+    left += residual * residual;
+    law.largest_residual = std::max(law.largest_residual, std::abs(residual) / amplitude[k]);
+  }
+  law.uncertainty = 2 * std::sqrt(left / static_cast<double>(square.size() - 1) / squares);
+  return law;
+}
+
+void sweep(std::vector<ReflectionSeries>& series, double time, std::size_t workers,
+           const std::function<void(double)>& progress) {
+  struct Task {
+    std::size_t series, angle;
+    double cost;
+  };
+  std::vector<Task> tasks;
+  double all = 0;
+  for (std::size_t s = 0; s < series.size(); ++s) {
+    ReflectionSeries& one = series[s];
+    std::sort(one.angles.begin(), one.angles.end());
+    one.reflections.assign(one.angles.size(), Reflection{});
+    for (std::size_t k = 0; k < one.angles.size(); ++k) {
+      ReflectionRun& run = one.reflections[k].run;
+      run = {.amplitude = one.amplitude, .angle = radians(one.angles[k]), .spacing = one.spacing, .time = time};
+      // Cells in a window of so many width units across go like 1/(a h^2).
+      tasks.push_back({s, k, run.duration() / run.tau() / (one.amplitude * one.spacing * one.spacing)});
+      all += tasks.back().cost;
+    }
+  }
+  std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.cost > b.cost; });
+  on_threads(
+      tasks.size(), workers,
+      [&](std::size_t k) {
+        Reflection& reflection = series[tasks[k].series].reflections[tasks[k].angle];
+        reflection = reflect(ReflectionRun(reflection.run));
+      },
+      [&](std::size_t finished) {
+        double done = 0;
+        for (std::size_t k = 0; k < finished; ++k) done += tasks[k].cost / all;
+        progress(done);
+      });
+}
+
+}  // namespace seiche::validation

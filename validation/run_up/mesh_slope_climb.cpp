@@ -1,0 +1,65 @@
+#include "validation/run_up/mesh_slope_climb.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "validation/instruments/peak.hpp"
+
+namespace seiche::validation {
+
+using lagrangian_mesh_2d::Flow;
+
+Flow MeshSlopeClimb::start() const {
+  const auto elevation = [&](double x) { return wave.elevation(x - crest); };
+  const auto columns = static_cast<std::size_t>(std::max(1L, std::lround(toe / spacing)));
+  auto mesh = lagrangian_mesh_2d::layer_mesh_with_slope({.begin = 0,
+                                                         .end = toe,
+                                                         .depth = 1,
+                                                         .columns = columns,
+                                                         .rows = static_cast<std::size_t>(rows),
+                                                         .elevation = elevation},
+                                                        tan_slope, blend);
+  // Sheared columns reach above the surface where it falls.
+  const auto velocity = [&](Point r) {
+    const exact::Velocity v = wave.velocity(r.x - crest, std::min(r.y, elevation(r.x)));
+    return Point{v.u, v.v};
+  };
+  const double lowest = beyond_folds ? -std::numeric_limits<double>::infinity() : 0.0;
+  return Flow(std::move(mesh), velocity, scheme, {.hourglass = hourglass, .lowest_corner = lowest});
+}
+
+std::string MeshSlopeClimb::resolution() const {
+  return fmt::format("h1 = {:g}, {} rows, tau = {:g}", spacing, rows, tau);
+}
+
+MeshSlopeRun climb_slope(const MeshSlopeClimb& climb, const std::function<void(const Flow&)>& after_step) {
+  MeshSlopeRun run{.flow = climb.start(), .fold = {}};
+  Flow& flow = run.flow;
+  const double energy = flow.energy();
+  Peak level;
+  constexpr double fallen = 0.98;
+  const double latest = 3 * MeshSlopeClimb::toe;
+  double defect = 0;
+  while (flow.time() < latest &&
+         (level.value() < 0.5 * climb.wave.amplitude() || flow.surface_y().back() > fallen * level.value())) {
+    flow.advance(climb.tau);
+    defect = std::max(defect, std::abs(flow.energy() / energy - 1));
+    if (flow.surface_y().back() > level.value()) run.energy_defect = defect;
+    level.add(flow.time(), flow.surface_y().back());
+    if (!run.fold) {
+      const lagrangian_mesh_2d::Corner worst = flow.worst_corner();
+      if (worst.shape <= 0) {
+        run.fold = {.time = flow.time(), .place = flow.x()[flow.model().mesh().corners(worst.cell)[0]]};
+      }
+    }
+    if (after_step) after_step(flow);
+  }
+  run.runup = level.value();
+  run.time = level.time();
+  return run;
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,62 @@
+#include "validation/run_up/run_down.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "seiche/divergence.hpp"
+#include "validation/instruments/peak.hpp"
+
+namespace seiche::validation {
+
+using dispersive::Flow;
+
+namespace {
+
+bool in_the_water(const Flow& flow, double place) {
+  const auto finite = [](std::span<const double> values) {
+    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  };
+  const double cell = flow.x()[1] - flow.x()[0];
+  return finite(flow.x()) && finite(flow.y()) && finite(flow.p()) && finite(flow.r()) &&
+         place >= flow.x().front() - cell && place <= *std::max_element(flow.x().begin(), flow.x().end()) + cell;
+}
+
+}  // namespace
+
+RunDown run_down(const SolitaryClimb& climb) {
+  constexpr double fallen = 0.9;
+  const double end = climb.time_to(-climb.cot_slope) + 5 * climb.cot_slope + 20;  // up, down and away
+  RunDown fate;
+  Flow flow = climb.start();
+  const double energy = flow.energy();
+  Peak edge;
+  double after_lowest = -std::numeric_limits<double>::infinity();
+  try {
+    while (flow.time() < end) {
+      flow.advance(climb.step(flow));
+      const double shoreline = flow.y().back();
+      if (!fate.fell) {
+        edge.add(flow.time(), shoreline);
+        fate.fell = edge.value() > climb.amplitude && shoreline < fallen * edge.value();
+      } else if (shoreline < fate.lowest) {
+        fate.lowest = shoreline;
+        after_lowest = -std::numeric_limits<double>::infinity();
+      } else {
+        after_lowest = std::max(after_lowest, shoreline);
+      }
+    }
+  } catch (const Divergence& failure) {
+    fate.failure = failure.what();
+    fate.failure_time = failure.time();
+    fate.failure_place = failure.place();
+    fate.sound = std::isfinite(failure.time()) && in_the_water(flow, failure.place());
+  }
+  fate.runup = edge.value();
+  fate.runup_time = edge.time();
+  fate.later = after_lowest;
+  fate.energy = flow.energy() / energy;
+  return fate;
+}
+
+}  // namespace seiche::validation

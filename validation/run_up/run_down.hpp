@@ -1,0 +1,30 @@
+/// What becomes of a solitary wave that has climbed a slope and runs back, until the reflected wave has left or the run
+/// fails.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "validation/run_up/solitary_climb.hpp"
+
+namespace seiche::validation {
+
+struct RunDown {
+  double runup = 0;                                                ///< first maximum
+  double runup_time = 0;                                           ///< since the start
+  bool fell = false;                                               ///< that maximum was passed
+  double lowest = 0;                                               ///< of the shoreline after it
+  double later = 0;                                                ///< highest of the shoreline after that
+  double energy = 1;                                               ///< at the end, over that of the start
+  std::string failure;                                             ///< empty if the run went through
+  double failure_time = std::numeric_limits<double>::quiet_NaN();  ///< since the start
+  double failure_place = std::numeric_limits<double>::quiet_NaN();
+  bool sound = true;  ///< the state before the failure is finite, and the place of failure in its water
+
+  [[nodiscard]] bool through() const { return failure.empty(); }
+};
+
+/// Follows a wave up and down the slope until the reflected wave is away; a Divergence becomes the result's failure.
+RunDown run_down(const SolitaryClimb& climb);
+
+}  // namespace seiche::validation

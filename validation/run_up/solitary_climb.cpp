@@ -1,0 +1,159 @@
+#include "validation/run_up/solitary_climb.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/solitary_asymptotic.hpp"
+#include "validation/instruments/peak.hpp"
+
+namespace seiche::validation {
+
+using dispersive::Channel;
+using dispersive::End;
+using dispersive::Flow;
+
+namespace {
+
+constexpr double margin = 1e-4;      // of the wave's height, beyond the toe and at the far wall
+constexpr double highest_land = 20;  // as far as the slope goes
+constexpr double courant = 0.3;      // of the longest stable step
+constexpr double fallen = 0.9;       // of the highest: it was the maximum
+
+}  // namespace
+
+double SolitaryClimb::reach(double fraction) const {
+  return std::acosh(std::sqrt(1 / fraction)) / std::sqrt(0.75 * amplitude);
+}
+
+double SolitaryClimb::crest() const {
+  return -cot_slope - reach(margin);
+}
+
+double SolitaryClimb::time_to(double x) const {
+  return (x - crest()) / exact::SerreSolitary(amplitude).speed();
+}
+
+Flow SolitaryClimb::start() const {
+  const double wall = crest() - reach(margin);
+  const double beyond = wall - 1 - reach(margin);
+  Channel channel{.left = End::wall,
+                  .right = cot_slope > 0 ? End::tip : End::wall,
+                  .kinetics = kinetics,
+                  .tip_mass = tip_mass,
+                  .breaking = breaking};
+  if (cot_slope > 0) {
+    channel.bottom = std::make_shared<PiecewiseLinearBottom>(
+        std::vector{beyond, -cot_slope, 0.0, highest_land * cot_slope}, std::vector{-1.0, -1.0, 0.0, highest_land});
+  } else {
+    channel.bottom = std::make_shared<LevelBottom>(1.0);
+  }
+  return {channel, solitary_markers(channel, wall, 0, spacing, {.amplitude = amplitude, .crest = crest()}), scheme};
+}
+
+double SolitaryClimb::step(const Flow& flow) const {
+  return std::min(tau_over_spacing * spacing, courant * flow.stable_step());
+}
+
+void SolitaryClimb::advance_to(Flow& flow, double time) const {
+  flow.advance_to(time, tau_over_spacing * spacing, {}, courant);
+}
+
+std::string SolitaryClimb::resolution() const {
+  return fmt::format("h = {:g}, tau = {:g} h", spacing, tau_over_spacing);
+}
+
+RunUp run_up(const SolitaryClimb& climb, const Watch& watch) {
+  Flow flow = climb.start();
+  Peak edge;
+  edge.add(flow.time(), flow.y().back());
+  // The water's edge rises above the wave's own height: what was before was not the run-up.
+  while (flow.time() < watch.latest && !(edge.value() > climb.amplitude && flow.y().back() < fallen * edge.value())) {
+    flow.advance(climb.step(flow));
+    edge.add(flow.time(), flow.y().back());
+    if (watch.ledger) flow.observe();
+    if (watch.after_step) watch.after_step(flow);
+  }
+  RunUp run{.height = edge.value(), .time = edge.time(), .steps = flow.steps(), .markers = flow.x().size()};
+  if (watch.ledger) run.ledger = flow.ledger();
+  return run;
+}
+
+void claim_energy(evidence::Record& record, const SolitaryClimb& climb, const RunUp& run) {
+  const mechanics::InvariantsLedger::Entry& energy = run.ledger.entry("energy");
+  const evidence::Claim claim{.id = "energy",
+                              .text = "Energy is kept while the wave climbs.",
+                              .quantity = "largest change over the energy of the wave",
+                              .source = "Frank (1994), section 1.2"};
+  const evidence::Measurement measured{.value = energy.largest_defect / energy.initial,
+                                       .resolution = climb.resolution()};
+  record.measure("energy_defect", measured.value);
+  record.measure("worst_cell_volume_defect", run.ledger.entry("volume_worst").largest_defect);
+  if (climb.scheme.stepping == dispersive::Stepping::conservative) {
+    record.check(claim, measured,
+                 evidence::Roundoff{.operations = static_cast<double>(run.steps),
+                                    .reason = "the discrete gradients are exact: one rounded energy per step"});
+    return;
+  }
+  const double omega = 2 * std::sqrt(0.75 * climb.amplitude) * exact::SerreSolitary(climb.amplitude).speed();
+  record.check(claim, measured,
+               evidence::Bound{.limit = std::pow(omega * climb.tau_over_spacing * climb.spacing, 2) / 4,
+                               .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega = 2 c "
+                                         "sqrt(3A/4), the rate at which the wave passes"});
+}
+
+std::vector<Parameter> step_parameters() {
+  return {
+      real("tau_over_h", 0.25, "1", {1e-3, 2}, "time step over the spacing; shorter steps in shallow water"),
+      choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"},
+             "stepping; Frank's is the first"),
+  };
+}
+
+std::vector<Parameter> climb_parameters(ByTier<double> spacing) {
+  return joined({{real("h", spacing, "depth", {1e-3, 1}, "distance of the markers at rest")}, step_parameters()});
+}
+
+std::vector<Parameter> slope_parameters() {
+  return {
+      choice("tip_mass", std::string("elementary"), {"elementary", "consistent"},
+             "mass of the shoreline marker: V/4 of its triangle, as Frank has it, or V/6, which converges faster"),
+      choice("kinetics", std::string("frank"), {"frank", "green_naghdi"},
+             "kinetic energy over a slope: Frank's, or that of Green and Naghdi"),
+  };
+}
+
+SolitaryClimb climb_from(const Values& values, double cot_slope, double amplitude) {
+  SolitaryClimb climb{.cot_slope = cot_slope, .amplitude = amplitude};
+  for (const Parameter& one : values.declared()) {
+    if (one.name == "h") climb.spacing = values.real(one.name);
+    if (one.name == "tau_over_h") climb.tau_over_spacing = values.real(one.name);
+    if (one.name == "scheme") climb.scheme.stepping = dispersive::stepping_named(values.text(one.name));
+    if (one.name == "tip_mass" && values.text(one.name) == "consistent") {
+      climb.tip_mass = dispersive::TipMass::consistent;
+    }
+    if (one.name == "kinetics" && values.text(one.name) == "green_naghdi") {
+      climb.kinetics = dispersive::Kinetics::green_naghdi;
+    }
+  }
+  return climb;
+}
+
+std::vector<Parameter> joined(std::vector<std::vector<Parameter>> lists) {
+  std::vector<Parameter> all;
+  for (std::vector<Parameter>& list : lists) std::move(list.begin(), list.end(), std::back_inserter(all));
+  return all;
+}
+
+double runup_law(double cot_slope, double amplitude) {
+  return 2.831 * std::sqrt(cot_slope) * std::pow(amplitude, 1.25);
+}
+
+double backwash_limit(double cot_slope) {
+  return 0.479 * std::pow(cot_slope, -10.0 / 9);
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,86 @@
+/*
+A solitary wave of the full Euler equations runs against a vertical wall and climbs it: the same flow as the head-on
+collision of two equal waves. The largest run-up follows from fully nonlinear potential flow, started from two exact
+solitary waves and followed with a spectral boundary-integral method.
+
+**What is compared.** The case computes the run-up for a sequence of amplitudes with two numbers of markers and shows it
+beside the series of Su and Mirie, $R = 2a + a^2/2 + 3a^3/4$, and of Byatt-Smith, $R = 2a + a^2/2$. It scores others:
+submit the largest elevation at the wall.
+
+**What to look at.** The series hold to a per cent up to $a \approx 0.45$; beyond, the water shoots up the wall as a
+thin sheet, and the exact values leave every series.
+*/
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/wall_runup.hpp"
+#include "validation/case/case.hpp"
+#include "validation/case/reference_table.hpp"
+#include "validation/case/reference_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+
+const std::string source = "Su and Mirie (1980); Cooker, Weidman and Bale (1997)";
+
+void run(Run& run) {
+  const double depth = run.real("depth");
+  const double amplitude = run.real("amplitude");
+  const exact::WallRunup wall(amplitude, depth);
+  claim_identities(run.record, wall.self_test(), wall.uncertainty(), source);
+  run.record.measure("runup", wall.runup());
+  run.record.measure("su_mirie", exact::WallRunup::su_mirie(amplitude, depth));
+
+  const io::Table table = reference_table("wall_runup_exact", run.record);
+  const std::vector<double>& a = table.column("a");
+  const std::vector<double>& r = table.column("R");
+  std::vector<double> ratio;
+  for (std::size_t k = 0; k < a.size(); ++k) ratio.push_back(r[k] / a[k]);
+  const std::vector<double> fine = evenly(0.05, a.back(), 101);
+  std::vector<double> su_mirie;
+  std::vector<double> byatt_smith;
+  for (const double at : fine) {
+    su_mirie.push_back(exact::WallRunup::su_mirie(at) / at);
+    byatt_smith.push_back(exact::WallRunup::byatt_smith(at) / at);
+  }
+  auto& panel = run.record
+                    .figure("runup", "Run-up over amplitude",
+                            fmt::format("Exact values (tabulated, and this run's at a = {:g} depth) beside the series.",
+                                        amplitude / depth))
+                    .panel({.x = "amplitude/depth", .y = "run-up/amplitude"});
+  panel.points("exact, tabulated", a, ratio, Role::exact);
+  panel.points("this run", std::vector{amplitude / depth}, std::vector{wall.runup() / amplitude}, Role::computed);
+  panel.line("Su and Mirie", fine, su_mirie, Role::guide);
+  panel.line("Byatt-Smith", fine, byatt_smith, Role::guide);
+}
+
+std::vector<WantedTable> wanted(const Values& values) {
+  const exact::WallRunup wall(values.real("amplitude"), values.real("depth"));
+  return {{.name = "numbers",
+           .quantities = {wanted_number({"runup", "m", "largest elevation of the water at the wall"}, wall.runup(),
+                                        values, "The run-up is that of fully nonlinear potential flow.", source)}}};
+}
+
+}  // namespace
+
+Case wall_run_up_exact() {
+  Case c;
+  c.title = "A solitary wave climbs a vertical wall";
+  c.source =
+      "C. H. Su, R. M. Mirie, J. Fluid Mech. 98 (1980) 509; M. J. Cooker, P. D. Weidman, D. S. Bale, J. Fluid Mech. "
+      "342 "
+      "(1997) 141";
+  c.parameters = {
+      real("amplitude", 0.3, "m", {1e-6, 1e6}, "of the incident wave, 0.05 to 0.6 depth"),
+      real("depth", 1.0, "m", {1e-6, 1e6}, "depth"),
+      tolerance_parameter(),
+  };
+  c.run = run;
+  c.submission = {.tables = wanted};
+  return c;
+}
+
+}  // namespace seiche::validation::cases

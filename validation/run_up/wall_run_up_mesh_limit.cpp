@@ -1,0 +1,348 @@
+/*
+The water that a high solitary wave throws up a vertical wall is a thin sheet. Particles at its surface crowd together
+there, and cells of the Lagrangian mesh that follow them become so thin that they fold: a corner turns inside out while
+areas, energy and pressure are still in order. This case shows where the model ends and how far it can be pushed.
+
+**Set-up.** As in `wall_run_up_mesh`. Every variant of the method is given higher and higher waves until the mesh folds
+before the largest run-up. The variants: the conservative scheme; fewer rows; columns at the wall wider or narrower; a
+start from an impulse at the surface, which gives the mesh no vorticity; the hourglass potential, which resists the
+pattern of nodes that changes no area; a barrier that keeps corners of cells from closing.
+
+**What is compared.** The run-up with the exact values of the Euler equations for $A = 0.5$ and $0.6$; the largest
+height that reaches its run-up; the largest whose reflection runs through.
+
+**What to look at.** Frank's own model carries waves up to $A = 0.56$ to their run-up. At $A = 0.5$ it folds afterwards,
+when the sheet falls, whatever the scheme and the columns. At $A = 0.6$ it folds before: only the top row fails, whose
+surface nodes slide towards the wall faster than the row beneath. The barrier lets $A = 0.5$ run through and leaves the
+run-up as it is. The hourglass potential brings $A = 0.6$ to its run-up, on 16 rows within half a per cent; with barrier
+and wide columns besides it runs through, but then the run-up is too low. Nothing tried here carries $A = 0.7$ on fine
+meshes.
+*/
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "validation/case/case.hpp"
+#include "validation/case/reference_table.hpp"
+#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
+#include "validation/run_up/mesh_wall_climb.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+
+const std::string source = "Frank (1994), chapter 2";
+
+struct Variant {
+  std::string name;
+  std::string title;
+  std::function<void(MeshWallClimb&)> change;
+};
+
+std::vector<Variant> variants() {
+  using Climb = MeshWallClimb;
+  return {
+      {"frank", "Frank's model", [](Climb&) {}},
+      {"conservative", "conservative scheme", [](Climb& c) { c.stepping = mechanics::Stepping::conservative; }},
+      {"half_rows", "half as many rows", [](Climb& c) { c.rows /= 2; }},
+      {"coarse", "mesh twice as coarse", [](Climb& c) { c = c.refined(0.5); }},
+      {"impulse", "start from an impulse", [](Climb& c) { c.surface_impulse = true; }},
+      {"narrow", "columns half as wide at the wall", [](Climb& c) { c.wall_columns = 0.5; }},
+      {"wide", "columns twice as wide at the wall", [](Climb& c) { c.wall_columns = 2; }},
+      {"hourglass_0.1", "hourglass 0.1", [](Climb& c) { c.settings.hourglass = 0.1; }},
+      {"hourglass_0.3", "hourglass 0.3", [](Climb& c) { c.settings.hourglass = 0.3; }},
+      {"hourglass_0.6", "hourglass 0.6", [](Climb& c) { c.settings.hourglass = 0.6; }},
+      {"hourglass_1", "hourglass 1", [](Climb& c) { c.settings.hourglass = 1; }},
+      {"barrier", "corner barrier 1", [](Climb& c) { c.settings.corner_barrier = 1; }},
+      {"barrier_hourglass", "corner barrier 1, hourglass 0.6",
+       [](Climb& c) {
+         c.settings.corner_barrier = 1;
+         c.settings.hourglass = 0.6;
+       }},
+      {"all", "barrier 1, hourglass 1, columns three times as wide, impulse",
+       [](Climb& c) {
+         c.settings.corner_barrier = 1;
+         c.settings.hourglass = 1;
+         c.wall_columns = 3;
+         c.surface_impulse = true;
+       }},
+  };
+}
+
+/// One wave by one variant.
+struct Fate {
+  double amplitude = 0;
+  double runup = 0;
+  bool reached = false;  ///< its largest run-up
+  bool through = false;  ///< the whole reflection
+  bool barrier = false;
+  std::optional<MeshWallRun::Fold> fold;
+};
+
+struct Told {
+  Variant variant;
+  std::vector<Fate> fates;
+
+  [[nodiscard]] const Fate* at(double amplitude) const {
+    const auto found = std::find_if(fates.begin(), fates.end(),
+                                    [&](const Fate& fate) { return std::abs(fate.amplitude - amplitude) < 1e-9; });
+    return found == fates.end() ? nullptr : &*found;
+  }
+  /// Up to which all waves are so; 0 if the first is not.
+  [[nodiscard]] double largest(bool Fate::*is) const {
+    double amplitude = 0;
+    for (const Fate& fate : fates) {
+      if (!(fate.*is)) break;
+      amplitude = fate.amplitude;
+    }
+    return amplitude;
+  }
+};
+
+/// The exact waves, which take longer to compute than the meshes need.
+class Waves {
+ public:
+  const exact::SolitaryWave& operator()(double amplitude) {
+    return waves_.try_emplace(std::lround(1e6 * amplitude), amplitude).first->second;
+  }
+
+ private:
+  std::map<long, exact::SolitaryWave> waves_;
+};
+
+std::vector<Told> tell(Run& run, Waves& waves) {
+  constexpr double lowest = 0.5;
+  constexpr double enough = 0.6;         // all variants are tried up to there
+  constexpr double energy_limit = 0.01;  // a mesh that has crumpled against the barrier is no run-up
+  const double step = 0.1 / static_cast<double>(run.integer("heights"));
+  std::vector<Told> all;
+  const std::vector<Variant> tried = variants();
+  for (const Variant& variant : tried) {
+    Told told{.variant = variant, .fates = {}};
+    for (int k = 0;; ++k) {
+      const double amplitude = lowest + k * step;
+      if (amplitude > run.real("highest") + 1e-9) break;
+      MeshWallClimb climb = MeshWallClimb::with_rows(waves(amplitude), run.integer("rows"));
+      variant.change(climb);
+      const MeshWallRun up = climb_wall(climb);
+      Fate fate{.amplitude = amplitude, .runup = up.runup, .fold = up.fold};
+      fate.reached = up.fell && up.climb_energy_defect < energy_limit;
+      fate.through = !up.fold;
+      fate.barrier = climb.settings.corner_barrier > 0;
+      told.fates.push_back(fate);
+      if (!told.fates.back().reached && amplitude > enough - 1e-9) break;
+    }
+    all.push_back(std::move(told));
+    run.progress(0.9 * static_cast<double>(all.size()) / static_cast<double>(tried.size()));
+  }
+  return all;
+}
+
+const Told& find(const std::vector<Told>& all, const std::string& name) {
+  return *std::find_if(all.begin(), all.end(), [&](const Told& one) { return one.variant.name == name; });
+}
+
+double exact_runup(const io::Table& exact, double amplitude) {
+  for (std::size_t k = 0; k < exact.column("a").size(); ++k) {
+    if (std::abs(exact.column("a")[k] - amplitude) < 1e-9) return exact.column("R")[k];
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+void tabulate(evidence::Record& record, const std::vector<Told>& all, const io::Table& exact) {
+  evidence::Table table{
+      .id = "fates",
+      .title = "How far variants of the method go",
+      .caption =
+          "Run-up less the exact one, in per cent of it, and whether the reflection runs through or when and "
+          "where the mesh folds; then the largest height tried up to which the run-up is reached, and up to "
+          "which the reflection runs through.",
+      .columns = {{"variant", ""},
+                  {"A = 0.5", "%"},
+                  {"its end", ""},
+                  {"A = 0.6", "%"},
+                  {"its end ", ""},
+                  {"run-up", "depth"},
+                  {"reflection", "depth"}},
+      .rows = {},
+      .atlas = {}};
+  const auto rounded = [](double value, double scale) { return std::round(value * scale) / scale; };
+  for (const Told& told : all) {
+    std::vector<std::variant<double, std::string>> row{told.variant.title};
+    for (const double amplitude : {0.5, 0.6}) {
+      const Fate* fate = told.at(amplitude);
+      if (fate == nullptr || !fate->reached) {
+        row.emplace_back(std::string("not reached"));
+      } else {
+        const double error = fate->runup / exact_runup(exact, amplitude) - 1;
+        row.emplace_back(rounded(100 * error, 100));
+        record.measure(fmt::format("{}_a_{:g}_over_exact_less_1", told.variant.name, amplitude), error);
+      }
+      row.emplace_back(fate == nullptr ? std::string("not tried")
+                       : fate->through ? std::string("through")
+                                       : fmt::format("t = {:.2f}, x = {:.2f}", fate->fold->time, fate->fold->place));
+    }
+    const double reached = told.largest(&Fate::reached);
+    const double through = told.largest(&Fate::through);
+    row.emplace_back(rounded(reached, 1e4));
+    row.emplace_back(rounded(through, 1e4));
+    record.measure(fmt::format("{}_largest_run_up", told.variant.name), reached);
+    record.measure(fmt::format("{}_largest_reflection", told.variant.name), through);
+    table.rows.push_back(std::move(row));
+  }
+  record.table(std::move(table));
+}
+
+void draw_runup(evidence::Record& record, const std::vector<Told>& all, const io::Table& exact) {
+  auto& panel = record
+                    .figure("runup", "Run-up of the variants",
+                            "Up to the first height that does not reach its largest run-up; exact values of the Euler "
+                            "equations end at A = 0.6.")
+                    .panel({.x = "A [depth]", .y = "R/A", .x_min = 0.38});
+  std::vector<double> ratio;
+  for (std::size_t k = 0; k < exact.column("a").size(); ++k)
+    ratio.push_back(exact.column("R")[k] / exact.column("a")[k]);
+  panel.points("Euler equations", exact.column("a"), ratio, Role::exact);
+  const std::vector<std::string> shown{"frank", "coarse", "hourglass_1", "barrier_hourglass", "all"};
+  for (const std::string& name : shown) {
+    const Told& told = find(all, name);
+    std::vector<double> amplitude;
+    std::vector<double> runup;
+    for (const Fate& fate : told.fates) {
+      if (!fate.reached) break;
+      amplitude.push_back(fate.amplitude);
+      runup.push_back(fate.runup / fate.amplitude);
+    }
+    if (!runup.empty()) {
+      panel.points(told.variant.title, amplitude, runup, name == "frank" ? Role::computed : Role::peer);
+    }
+  }
+}
+
+void draw_meshes(Run& run, Waves& waves) {
+  const MeshWindow window{.begin = -1.2, .end = 0.05};
+  const auto axes = [&](const std::string& title) {
+    evidence::Axes above = mesh_axes(title, window);
+    above.y_min = 0;
+    return above;
+  };
+  auto& figure =
+      run.record.figure("folds", "The mesh at the wall",
+                        "The upper half of the water: Frank's model before the step in which the mesh folds, "
+                        "and with the hourglass potential, kappa_0 = 0.6, at the same time.");
+  for (const double amplitude : {0.5, 0.6}) {
+    const MeshWallClimb plain = MeshWallClimb::with_rows(waves(amplitude), run.integer("rows"));
+    const MeshWallRun folded = climb_wall(plain);
+    const double time = folded.flow.time();
+    draw_mesh(figure.panel(axes(fmt::format("A = {:g}, t = {:.2f}", amplitude, time))), "mesh", folded.flow, window);
+    MeshWallClimb held = plain;
+    held.settings.hourglass = 0.6;
+    lagrangian_mesh_2d::Flow flow = held.start();
+    flow.advance_to(time, held.tau);
+    draw_mesh(figure.panel(axes("with the potential")), "mesh", flow, window);
+  }
+}
+
+void claim_limits(evidence::Record& record, const std::vector<Told>& all, const std::string& resolution) {
+  const auto told = [&](const std::string& name) -> const Told& { return find(all, name); };
+  const evidence::Qualitative reaches{
+      .detector =
+          "the contact point falls again before any corner folds and before 1 % of the energy is lost or gained",
+      .reason = "the Euler equations have a solution that does"};
+  const evidence::Qualitative goes{.detector = "no corner folds until the crest is half way back",
+                                   .reason = "the Euler equations have a solution that does"};
+  const auto end_of = [](const Fate& fate) { return fate.fold ? fate.fold->what : std::string("it runs through"); };
+  const auto is = [](bool yes) { return yes ? 1.0 : 0.0; };
+  const Fate& half = *told("frank").at(0.5);
+  const Fate& high = *told("frank").at(0.6);
+  for (const Fate& fate : {half, high}) {
+    if (!fate.fold) continue;
+    record.measure(fmt::format("fold_time_a_{:g}", fate.amplitude), fate.fold->time);
+    record.measure(fmt::format("fold_place_a_{:g}", fate.amplitude), fate.fold->place);
+  }
+  record.check({.id = "frank-run-up",
+                .text = "Frank's model carries A = 0.5 to its largest run-up.",
+                .quantity = "it does",
+                .source = source},
+               {.value = is(half.reached), .resolution = resolution}, reaches);
+  record.known_failure({.id = "frank-reflection",
+                        .text = "Frank's model carries A = 0.5 through the reflection.",
+                        .quantity = "it does",
+                        .source = source},
+                       {.value = is(half.through), .resolution = resolution}, goes,
+                       "the sheet at the wall falls freely and crumples; nothing resists node motions that change no "
+                       "area: " +
+                           end_of(half));
+  record.known_failure({.id = "frank-high",
+                        .text = "Frank's model carries A = 0.6 to its largest run-up.",
+                        .quantity = "it does",
+                        .source = source},
+                       {.value = is(high.reached), .resolution = resolution}, reaches,
+                       "a surface node feels the pressure half a cell below it; in the thin sheet that lets the node "
+                       "next to the wall cross the wall's line: " +
+                           end_of(high));
+  const auto own = [&](const std::string& id, const std::string& text, bool so,
+                       const evidence::Qualitative& criterion) {
+    record.check({.id = id, .text = text, .quantity = "it does", .source = "not in the thesis"},
+                 {.value = is(so), .resolution = resolution}, criterion);
+  };
+  own("barrier", "With the corner barrier A = 0.5 runs through.", told("barrier").at(0.5)->through, goes);
+  own("hourglass", "With the hourglass potential, kappa_0 = 1, A = 0.6 reaches its largest run-up.",
+      told("hourglass_1").at(0.6)->reached, reaches);
+  own("all", "With barrier, hourglass potential, and wide columns at the wall A = 0.6 runs through.",
+      told("all").at(0.6)->through, goes);
+  record.check(
+      {.id = "barrier-neutral",
+       .text = "The barrier does not change the run-up of A = 0.5.",
+       .quantity = "difference of run-ups",
+       .unit = "depth",
+       .source = "not in the thesis"},
+      {.value = std::abs(told("barrier").at(0.5)->runup - half.runup), .resolution = resolution},
+      evidence::Bound{.limit = 0, .reason = "no corner is below the shape at which it acts until the water falls"});
+  double stated = 1;
+  for (const Told& one : all) {
+    for (const Fate& fate : one.fates) {
+      if (fate.barrier || !fate.fold) continue;
+      if (!(std::abs(fate.fold->place) < 2 * MeshWallClimb::distance)) stated = 0;
+    }
+  }
+  record.check({.id = "stated",
+                .text = "A run without the barrier that stops says when and where, before its mesh is out of the tank.",
+                .quantity = "all do",
+                .source = source},
+               {.value = stated, .resolution = resolution},
+               evidence::Qualitative{.detector = "the failure's place is in the tank",
+                                     .reason = "a failure must not pass as a result"});
+}
+
+void run(Run& run) {
+  Waves waves;
+  const std::vector<Told> all = tell(run, waves);
+  const io::Table exact = reference_table("wall_runup_exact", run.record);
+  tabulate(run.record, all, exact);
+  draw_runup(run.record, all, exact);
+  draw_meshes(run, waves);
+  claim_limits(run.record, all, MeshWallClimb::with_rows(waves(0.5), run.integer("rows")).resolution());
+}
+
+}  // namespace
+
+Case wall_run_up_mesh_limit() {
+  Case c;
+  c.title = "Where the mesh folds: high solitary waves at a vertical wall";
+  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {
+      integer("rows", {8, 16, 16}, {4, 32}, "of the mesh; columns are twice as wide as rows are high"),
+      integer("heights", {2, 5, 5}, {1, 10}, "of waves tried in each tenth of a depth from 0.5 on"),
+      real("highest", 0.7, "depth", {0.6, 0.8}, "of the heights tried"),
+  };
+  c.run = run;
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,219 @@
+#include "validation/studies/shallow_water/flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
+#include "seiche/models/shallow_water_particles/initial.hpp"
+#include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/require.hpp"
+#include "validation/instruments/processor_time.hpp"
+
+namespace seiche::validation {
+namespace {
+
+namespace particles = shallow_water_particles;
+namespace cells = shallow_water_finite_volume;
+
+// ---- particles
+
+/// The uniform stretches of the initial state that hold water, with the number of particles each gets: as many per
+/// metre as over the whole channel, so that the same number means the same width for every scheme.
+particles::Particles initial_particles(const FlowProblem& problem, const Discretisation& d) {
+  std::vector<double> ends{problem.start};
+  for (const double jump : problem.jumps) {
+    if (jump > problem.start && jump < problem.end) ends.push_back(jump);
+  }
+  ends.push_back(problem.end);
+  std::vector<particles::Stretch> stretches;
+  double wet = 0;
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const State state = problem.exact(0.5 * (ends[k] + ends[k + 1]), 0);
+    if (state.depth <= 0) continue;
+    stretches.push_back({ends[k], ends[k + 1], state});
+    wet += ends[k + 1] - ends[k];
+  }
+  if (stretches.empty()) throw std::invalid_argument("depth = 0 everywhere: there must be water somewhere");
+  const long count = std::lround(static_cast<double>(d.particles) * wet / problem.length());
+  return particles::uniform_stretches(stretches, static_cast<std::size_t>(std::max(1L, count)), d.equal_masses);
+}
+
+particles::Scheme particle_scheme(const Discretisation& d) {
+  particles::Scheme scheme;
+  scheme.level = d.scheme == "G1"   ? particles::Level::godunov
+                 : d.scheme == "M2" ? particles::Level::muscl
+                                    : particles::Level::hand_over;
+  scheme.theta = d.theta;
+  scheme.courant = d.courant;
+  scheme.self_similar_particles = d.exact_start ? 8 : 0;
+  return scheme;
+}
+
+particles::End particle_end(FlowProblem::End kind, State at_start) {
+  switch (kind) {
+    case FlowProblem::End::wall:
+      return particles::Wall{};
+    case FlowProblem::End::dry:
+      return particles::Vacuum{};
+    case FlowProblem::End::stream:
+      break;
+  }
+  if (at_start.velocity == 0) return particles::Wall{};
+  return particles::Piston{[u = at_start.velocity](double) { return u; }};
+}
+
+class ParticleRun : public Flow {
+ public:
+  ParticleRun(const FlowProblem& problem, const Discretisation& d)
+      : Flow(d, problem.gravity),
+        flow_(initial_particles(problem, d),
+              {.left = particle_end(problem.left, problem.exact(problem.start, 0)),
+               .right = particle_end(problem.right, problem.exact(problem.end, 0))},
+              {.gravity = problem.gravity, .bed = {}, .manning = 0, .body_force = {}}, particle_scheme(d)) {}
+
+  [[nodiscard]] double time() const override { return flow_.time(); }
+  [[nodiscard]] Profile profile() const override { return flow_.measured_profile(); }
+  [[nodiscard]] double mass_defect() const override { return flow_.mass_defect(); }
+  [[nodiscard]] double momentum_defect() const override { return flow_.momentum_defect(); }
+  [[nodiscard]] double max_courant() const override { return flow_.largest_courant(); }
+
+ private:
+  void step(double tau) override { flow_.advance(tau); }
+  [[nodiscard]] double largest_step(double /*courant*/) const override { return flow_.largest_step().tau; }
+
+  particles::ParticleFlow flow_;
+};
+
+// ---- cells
+
+cells::Scheme cell_scheme(const std::string& name) {
+  if (name == "lax_friedrichs") return cells::Scheme::lax_friedrichs;
+  if (name == "maccormack") return cells::Scheme::mac_cormack;
+  if (name == "roe") return cells::Scheme::roe;
+  return cells::Scheme::muscl_hll;
+}
+
+cells::End cell_end(FlowProblem::End kind, State at_start) {
+  switch (kind) {
+    case FlowProblem::End::wall:
+      return cells::End::wall();
+    case FlowProblem::End::dry:
+      return cells::End::free();
+    case FlowProblem::End::stream:
+      break;
+  }
+  return cells::End::inflow(at_start);
+}
+
+/// The problem's initial state as an exact solution, with breakpoints at its jumps.
+struct InitialState {
+  const FlowProblem* problem;
+  [[nodiscard]] State at(double x, double /*t*/) const { return problem->exact(x, 0); }
+  [[nodiscard]] std::vector<double> breakpoints(double /*t*/) const {
+    std::vector<double> breaks = problem->breakpoints(0);
+    breaks.insert(breaks.end(), problem->jumps.begin(), problem->jumps.end());
+    std::sort(breaks.begin(), breaks.end());
+    return breaks;
+  }
+};
+
+cells::FiniteVolumeFlow cell_flow(const FlowProblem& problem, const Discretisation& d) {
+  std::vector<double> edges;
+  for (long k = 0; k <= d.particles; ++k) {
+    edges.push_back(problem.start + problem.length() * static_cast<double>(k) / static_cast<double>(d.particles));
+  }
+  std::vector<double> depth;
+  std::vector<double> discharge;
+  for (const exact::CellMean& mean : exact::cell_averages(InitialState{&problem}, edges, 0)) {
+    depth.push_back(mean.depth);
+    discharge.push_back(mean.discharge);
+  }
+  cells::FiniteVolumeFlow::Settings settings;
+  settings.scheme = cell_scheme(d.scheme);
+  settings.gravity = problem.gravity;
+  settings.theta = d.theta;
+  settings.left = cell_end(problem.left, problem.exact(problem.start, 0));
+  settings.right = cell_end(problem.right, problem.exact(problem.end, 0));
+  return {settings, problem.start, problem.end, depth, discharge};
+}
+
+class CellRun : public Flow {
+ public:
+  CellRun(const FlowProblem& problem, const Discretisation& d)
+      : Flow(d, problem.gravity), flow_(cell_flow(problem, d)) {}
+
+  [[nodiscard]] double time() const override { return flow_.time(); }
+  [[nodiscard]] Profile profile() const override {
+    Profile profile;
+    profile.edges = flow_.edges();
+    for (std::size_t i = 0; i < flow_.cells(); ++i) profile.means.push_back({flow_.depth()[i], flow_.velocity()[i]});
+    // The difference schemes have no curve of their own between cell edges.
+    profile.reconstruction = [edges = profile.edges, means = profile.means](double x) {
+      const auto above = std::upper_bound(edges.begin(), edges.end(), x) - edges.begin();
+      return means[static_cast<std::size_t>(std::clamp<long>(above - 1, 0, static_cast<long>(means.size()) - 1))];
+    };
+    return profile;
+  }
+  [[nodiscard]] double mass_defect() const override { return flow_.mass_defect(); }
+  [[nodiscard]] double momentum_defect() const override { return flow_.momentum_defect(); }
+  [[nodiscard]] double max_courant() const override { return flow_.largest_courant(); }
+
+ private:
+  void step(double tau) override { flow_.step(tau); }
+  [[nodiscard]] double largest_step(double courant) const override { return courant / flow_.courant_number(1.0); }
+
+  cells::FiniteVolumeFlow flow_;
+};
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+std::string Discretisation::text() const {
+  const std::string step =
+      time_step > 0 ? fmt::format("tau = {:g} s", time_step) : fmt::format("Courant number {:g}", courant);
+  return fmt::format("{}, N = {}{}, {}", scheme, particles, equal_masses ? " of equal masses" : "", step);
+}
+
+void Flow::advance_to(double time, const std::function<void(double)>& after_step) {
+  const double fixed = discretisation_.time_step;
+  // A remainder below this share of a step is rounding of the times, not a step.
+  constexpr double negligible = 1e-9;
+  while (true) {
+    const double remaining = time - this->time();
+    const double wanted = fixed > 0 ? fixed : largest_step(discretisation_.courant);
+    if (remaining <= negligible * wanted) break;
+    const double begin = processor_seconds();
+    step(remaining < wanted * (1 + negligible) ? remaining : wanted);
+    seconds_ += processor_seconds() - begin;
+    ++steps_;
+    if (after_step) after_step(this->time());
+  }
+}
+
+double Flow::momentum_scale() const {
+  const Profile now = profile();
+  double sum = 0;
+  for (std::size_t i = 0; i < now.means.size(); ++i) {
+    const State s = now.means[i];
+    sum += s.depth * (now.edges[i + 1] - now.edges[i]) *
+           (std::abs(s.velocity) + shallow_water::celerity(gravity_, std::max(0.0, s.depth)));
+  }
+  return sum;
+}
+
+std::unique_ptr<Flow> make_flow(const FlowProblem& problem, const Discretisation& d) {
+  require_at_least("particles", d.particles, 4);
+  require_not_negative("time_step", d.time_step);
+  if (contains(particle_schemes, d.scheme)) return std::make_unique<ParticleRun>(problem, d);
+  if (contains(peer_schemes, d.scheme)) return std::make_unique<CellRun>(problem, d);
+  throw std::invalid_argument(fmt::format("scheme = {} is unknown", d.scheme));
+}
+
+}  // namespace seiche::validation
