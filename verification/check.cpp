@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <limits>
 
 #include "reports/evidence/record_files.hpp"
 
@@ -38,30 +39,37 @@ Check::~Check() {
   }
 }
 
-void Check::expect(const std::string& id, evidence::Verdict declared) {
+void Check::expect(const std::string& id) {
   const auto& claims = record_.claims();
   const auto found = std::find_if(claims.begin(), claims.end(), [&](const auto& c) { return c.claim.id == id; });
   const evidence::Judgement& j = found->judgement;
-  CAPTURE(found->claim.text, j.measured, j.uncertainty, j.expected, j.limit, j.note);
-  CHECK(evidence::name(j.verdict) == evidence::name(declared));
+  CAPTURE(found->claim.text, j.measured, j.uncertainty.value_or(std::numeric_limits<double>::quiet_NaN()), j.expected, j.limit, j.note);
+  CHECK(evidence::name(j.verdict) == evidence::name(found->declared()));
+  CHECK(found->as_declared());
 }
 
 void Check::that(const evidence::Claim& claim, const evidence::Measurement& measurement,
                  const evidence::Criterion& criterion) {
   record_.check(claim, measurement, criterion);
-  expect(claim.id, evidence::Verdict::pass);
+  expect(claim.id);
 }
 
 void Check::that(const evidence::Claim& claim, const evidence::ObservedOrder& observed,
                  const evidence::Order& criterion) {
   record_.check(claim, observed, criterion);
-  expect(claim.id, evidence::Verdict::pass);
+  expect(claim.id);
 }
 
 void Check::known_failure(const evidence::Claim& claim, const evidence::Measurement& measurement,
                           const evidence::Criterion& criterion, const std::string& reason) {
   record_.known_failure(claim, measurement, criterion, reason);
-  expect(claim.id, evidence::Verdict::fail);
+  expect(claim.id);
+}
+
+void Check::known_failure(const evidence::Claim& claim, const evidence::Measurement& measurement,
+                          const evidence::Criterion& criterion, const evidence::KnownFailure& failure) {
+  record_.known_failure(claim, measurement, criterion, failure);
+  expect(claim.id);
 }
 
 }  // namespace seiche::verification

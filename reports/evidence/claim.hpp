@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,24 @@ struct Claim {
   std::string source;  ///< where the claim comes from: citation, section, formula
 };
 
+/// What only a run can tell of the criterion that was declared: see Amount in reports/evidence/criterion.hpp.
+struct Told {
+  std::optional<double> expected;
+  std::optional<double> limit;
+  std::optional<double> operations;
+  std::optional<double> scale;
+  std::optional<double> data;
+  std::optional<double> input;
+};
+
 /// One measured number.
 struct Measurement {
   double value = std::numeric_limits<double>::quiet_NaN();
-  double uncertainty = 0;  ///< half-width of its numerical uncertainty, same unit; 0 where none was estimated
-  std::string resolution;  ///< "N = 200, tau = 0.05 s"
+  /// Half-width (95 %) of its numerical uncertainty, same unit; 0: exact to round-off; none: not estimated.
+  std::optional<double> uncertainty = {};
+  std::string resolution = {};  ///< "N = 200, tau = 0.05 s"
+  std::string where = {};       ///< place and time of an extreme, "t = 0.35 s"
+  Told told = {};
 };
 
 /// A convergence order with its 95 % confidence interval, from a least-squares line through log(error), log(size).

@@ -99,7 +99,7 @@ void add_claim(pugi::xml_node suite, const Summary::Outcome& claim, Totals& tota
   if (claim.verdict == "error") {
     ++totals.errors;
     add_outcome(test, "error", "error", in_numbers(claim));
-  } else if (claim.verdict != claim.declared) {
+  } else if (!claim.as_declared) {
     ++totals.failures;
     const bool undeclared_pass = claim.verdict == "pass";
     add_outcome(test, "failure", undeclared_pass ? "undeclared pass" : claim.verdict,

@@ -24,8 +24,9 @@ ObservedOrder observed_order(const std::vector<double>& sizes, const std::vector
       throw std::invalid_argument(fmt::format("observed order: size = {:g}, must be positive and finite", sizes[k]));
     }
     if (!std::isfinite(errors[k]) || errors[k] < 0) {
-      result.note = fmt::format("the error at size {:g} is not a finite number", sizes[k]);
-      return result;
+      return {.sizes = sizes,
+              .errors = errors,
+              .note = fmt::format("the error at size {:g} is not a finite number", sizes[k])};
     }
     if (errors[k] <= floor || errors[k] == 0) {
       left_out.push_back(fmt::format("{:g}", sizes[k]));

@@ -1,6 +1,7 @@
 #include "reports/evidence/record.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cctype>
 #include <stdexcept>
 
@@ -19,27 +20,41 @@ void require_identifier(const char* what, const std::string& id) {
 }  // namespace
 
 Verdict Record::check(const Claim& claim, const Measurement& measurement, const Criterion& criterion) {
-  return keep({claim, criterion, judge(measurement, criterion), Verdict::pass, {}});
+  const Criterion used = settled(criterion, measurement.told);
+  return keep({claim, used, judge(measurement, used)});
 }
 
 Verdict Record::check(const Claim& claim, const ObservedOrder& observed, const Order& criterion) {
-  return keep({claim, criterion, judge(observed, criterion), Verdict::pass, {}});
+  return keep({claim, criterion, judge(observed, criterion)});
 }
 
 Verdict Record::known_failure(const Claim& claim, const Measurement& measurement, const Criterion& criterion,
-                              const std::string& reason) {
-  return keep({claim, criterion, judge(measurement, criterion), Verdict::fail, reason});
+                              const KnownFailure& failure) {
+  const Criterion used = settled(criterion, measurement.told);
+  return keep({claim, used, judge(measurement, used), failure});
 }
 
 Verdict Record::known_failure(const Claim& claim, const ObservedOrder& observed, const Order& criterion,
-                              const std::string& reason) {
-  return keep({claim, criterion, judge(observed, criterion), Verdict::fail, reason});
+                              const KnownFailure& failure) {
+  return keep({claim, criterion, judge(observed, criterion), failure});
 }
 
 Verdict Record::keep(JudgedClaim judged) {
   require_identifier("claim id", judged.claim.id);
-  if (judged.declared != Verdict::pass && judged.declared_reason.empty()) {
-    throw std::invalid_argument(fmt::format("claim '{}': a declared failure needs its reason", judged.claim.id));
+  if (judged.known_failure) {
+    const KnownFailure& failure = *judged.known_failure;
+    if (failure.reason.empty()) {
+      throw std::invalid_argument(fmt::format("claim '{}': a declared failure needs its reason", judged.claim.id));
+    }
+    if (!std::isfinite(failure.value) || !(failure.width >= 0) || !std::isfinite(failure.width)) {
+      throw std::invalid_argument(fmt::format("claim '{}': a declared failure of {:g} +- {:g}, must be a finite band",
+                                              judged.claim.id, failure.value, failure.width));
+    }
+    Judgement& judgement = judged.judgement;
+    if (judgement.verdict == Verdict::fail && !failure.holds(judgement.measured)) {
+      judgement.note = fmt::format("outside the band {:g} +- {:g} in which it was declared to fail{}{}", failure.value,
+                                   failure.width, judgement.note.empty() ? "" : "; ", judgement.note);
+    }
   }
   const auto earlier = std::find_if(claims_.begin(), claims_.end(),
                                     [&](const JudgedClaim& other) { return other.claim.id == judged.claim.id; });
@@ -47,20 +62,21 @@ Verdict Record::keep(JudgedClaim judged) {
     claims_.push_back(std::move(judged));
     return claims_.back().judgement.verdict;
   }
-  // A claim that failed once in a run has failed.
-  if (judged.judgement.verdict > earlier->judgement.verdict) *earlier = std::move(judged);
+  // A claim that failed once in a run has failed; a surprise is worse than what was declared.
+  const auto rank = [](const JudgedClaim& c) { return std::pair(!c.as_declared(), c.judgement.verdict); };
+  if (rank(judged) > rank(*earlier)) *earlier = std::move(judged);
   return earlier->judgement.verdict;
 }
 
-Figure& Record::figure(const std::string& id, const std::string& figure_title, const std::string& caption,
+Figure& Exhibit::figure(const std::string& id, const std::string& figure_title, const std::string& caption,
                        const std::vector<std::string>& tiles) {
   require_identifier("figure id", id);
   const bool taken = std::any_of(figures_.begin(), figures_.end(), [&](const Figure& f) { return f.id == id; });
-  if (taken) throw std::invalid_argument(fmt::format("figure id '{}' is used twice in record '{}'", id, name));
+  if (taken) throw std::invalid_argument(fmt::format("figure id '{}' is used twice", id));
   return figures_.emplace_back(id, figure_title, caption, tiles);
 }
 
-Table& Record::table(Table table) {
+Table& Exhibit::table(Table table) {
   require_identifier("table id", table.id);
   for (const auto& row : table.rows) {
     if (row.size() != table.columns.size()) {
@@ -73,7 +89,7 @@ Table& Record::table(Table table) {
 
 bool Record::as_declared() const {
   return error.empty() && std::all_of(claims_.begin(), claims_.end(),
-                                      [](const JudgedClaim& c) { return c.judgement.verdict == c.declared; });
+                                      [](const JudgedClaim& c) { return c.as_declared(); });
 }
 
 std::string Record::stem() const {

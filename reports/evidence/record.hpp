@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -28,8 +29,19 @@ struct JudgedClaim {
   Claim claim;
   Criterion criterion;
   Judgement judgement;
-  Verdict declared = Verdict::pass;
-  std::string declared_reason;
+  std::optional<KnownFailure> known_failure = {};
+
+  [[nodiscard]] Verdict declared() const { return known_failure ? Verdict::fail : Verdict::pass; }
+  /// The declared verdict, and a declared failure of the declared size.
+  [[nodiscard]] bool as_declared() const {
+    return judgement.verdict == declared() && (!known_failure || known_failure->holds(judgement.measured));
+  }
+};
+
+/// A claim that does not apply at the parameters of this run, and why.
+struct ClaimLeftOut {
+  Claim claim;
+  std::string reason;
 };
 
 struct Table {
@@ -63,7 +75,33 @@ struct Snapshot {
   bool joined = true;  ///< by a line in the order of the points; false: particles
 };
 
-class Record {
+/// What a run shows: numbers, arrays, figures, tables. No verdicts.
+class Exhibit {
+ public:
+  /// Keeps a number that no claim may use.
+  void measure(const std::string& quantity, double value) { measurements_[quantity] = value; }
+  void array(Array array) { arrays_.push_back(std::move(array)); }
+  void snapshot(Snapshot snapshot) { snapshots_.push_back(std::move(snapshot)); }
+  /// Adds a figure or a table; the reference stays valid for the exhibit's life.
+  Figure& figure(const std::string& id, const std::string& figure_title, const std::string& caption,
+                 const std::vector<std::string>& tiles = {});
+  Table& table(Table table);
+
+  [[nodiscard]] const std::map<std::string, double>& measurements() const { return measurements_; }
+  [[nodiscard]] const std::deque<Figure>& figures() const { return figures_; }
+  [[nodiscard]] const std::deque<Table>& tables() const { return tables_; }
+  [[nodiscard]] const std::vector<Array>& arrays() const { return arrays_; }
+  [[nodiscard]] const std::vector<Snapshot>& snapshots() const { return snapshots_; }
+
+ private:
+  std::map<std::string, double> measurements_;
+  std::deque<Figure> figures_;
+  std::deque<Table> tables_;
+  std::vector<Array> arrays_;
+  std::vector<Snapshot> snapshots_;
+};
+
+class Record : public Exhibit {
  public:
   // Identity, set by whoever owns the record.
   std::string name;                 ///< case or check: [a-z0-9_]+, also the file's name
@@ -84,43 +122,35 @@ class Record {
   /// Judges a measurement and keeps the result. A claim judged again under the same id keeps its worst verdict.
   Verdict check(const Claim& claim, const Measurement& measurement, const Criterion& criterion);
   Verdict check(const Claim& claim, const ObservedOrder& observed, const Order& criterion);
-  /// The same for a claim that the method is known not to meet: the declared verdict is fail, for the reason given, and
-  /// a pass is as unexpected as a fail elsewhere.
+  /// The same for a claim that the method is known not to meet.
   Verdict known_failure(const Claim& claim, const Measurement& measurement, const Criterion& criterion,
-                        const std::string& reason);
+                        const KnownFailure& failure);
   Verdict known_failure(const Claim& claim, const ObservedOrder& observed, const Order& criterion,
-                        const std::string& reason);
-
-  /// Keeps a number that no claim may use.
-  void measure(const std::string& quantity, double value) { measurements_[quantity] = value; }
-  void array(Array array) { arrays_.push_back(std::move(array)); }
-  void snapshot(Snapshot snapshot) { snapshots_.push_back(std::move(snapshot)); }
-  /// Adds a figure or a table; the reference stays valid for the record's life.
-  Figure& figure(const std::string& id, const std::string& figure_title, const std::string& caption,
-                 const std::vector<std::string>& tiles = {});
-  Table& table(Table table);
+                        const KnownFailure& failure);
+  // Transition: a failure without a band.
+  Verdict known_failure(const Claim& claim, const Measurement& measurement, const Criterion& criterion,
+                        const std::string& reason) {
+    return known_failure(claim, measurement, criterion, KnownFailure{measurement.value, 0, reason});
+  }
+  Verdict known_failure(const Claim& claim, const ObservedOrder& observed, const Order& criterion,
+                        const std::string& reason) {
+    return known_failure(claim, observed, criterion, KnownFailure{observed.order, 0, reason});
+  }
+  /// Keeps a claim that was judged elsewhere, or could not be.
+  Verdict keep(JudgedClaim judged);
+  void leave_out(ClaimLeftOut claim) { left_out_.push_back(std::move(claim)); }
 
   [[nodiscard]] const std::vector<JudgedClaim>& claims() const { return claims_; }
-  [[nodiscard]] const std::map<std::string, double>& measurements() const { return measurements_; }
-  [[nodiscard]] const std::deque<Figure>& figures() const { return figures_; }
-  [[nodiscard]] const std::deque<Table>& tables() const { return tables_; }
-  [[nodiscard]] const std::vector<Array>& arrays() const { return arrays_; }
-  [[nodiscard]] const std::vector<Snapshot>& snapshots() const { return snapshots_; }
+  [[nodiscard]] const std::vector<ClaimLeftOut>& left_out() const { return left_out_; }
 
-  /// The run finished and every claim has its declared verdict.
+  /// The run finished and every claim came out as declared.
   [[nodiscard]] bool as_declared() const;
   /// The name without extension of the record's files: the name, and the solver's where it is not ours.
   [[nodiscard]] std::string stem() const;
 
  private:
-  Verdict keep(JudgedClaim judged);
-
   std::vector<JudgedClaim> claims_;
-  std::map<std::string, double> measurements_;
-  std::deque<Figure> figures_;
-  std::deque<Table> tables_;
-  std::vector<Array> arrays_;
-  std::vector<Snapshot> snapshots_;
+  std::vector<ClaimLeftOut> left_out_;
 };
 
 }  // namespace seiche::evidence

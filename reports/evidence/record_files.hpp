@@ -26,8 +26,9 @@ struct Summary {
     std::string declared;
     std::string declared_reason;
     std::string note;
+    bool as_declared = false;
     double measured = 0;
-    double uncertainty = 0;
+    double uncertainty = 0;  ///< NaN: not estimated
     double limit = 0;
     double expected = 0;
   };
@@ -64,6 +65,7 @@ std::vector<Summary> read_summaries(const std::filesystem::path& directory);
 /// |----------------------------------------|--------------------------------------------------|
 /// | pass, as declared                      | passed                                           |
 /// | fail or inconclusive, as declared      | skipped, with the measured value and the reason  |
+/// | fail outside its declared band,        |                                                  |
 /// | fail, inconclusive, an undeclared pass | failure of that type                             |
 /// | error, or the run did not finish       | error                                            |
 void write_junit(const std::filesystem::path& directory);

@@ -27,18 +27,37 @@ Json any(const std::variant<Types...>& value) {
       value);
 }
 
+/// The caps of what the run told.
+Json caps_of(std::initializer_list<std::pair<const char*, Amount>> amounts) {
+  Json caps = Json::object();
+  for (const auto& [name_of, amount] : amounts) {
+    if (!amount.stated()) caps[name_of] = number(amount.cap());
+  }
+  return caps;
+}
+
 Json describe(const Roundoff& c) {
-  return {{"kind", "roundoff"}, {"reason", c.reason}, {"operations", c.operations}, {"scale", c.scale}};
+  return {{"kind", "roundoff"},
+          {"reason", c.reason},
+          {"operations", number(c.operations.value())},
+          {"scale", number(c.scale.value())},
+          {"caps", caps_of({{"operations", c.operations}, {"scale", c.scale}, {"expected", c.expected}})}};
 }
 Json describe(const Order& c) {
   return {{"kind", "order"}, {"reason", c.reason}, {"theory", c.theory}, {"tolerance", c.tolerance}};
 }
 Json describe(const Bound& c) {
-  return {{"kind", "bound"}, {"reason", c.reason}, {"relative", c.relative}};
+  return {{"kind", "bound"}, {"reason", c.reason}, {"relative", c.relative},
+          {"caps", caps_of({{"limit", c.limit}, {"expected", c.expected}})}};
 }
 Json describe(const Uncertainty& c) {
-  return {{"kind", "uncertainty"}, {"reason", c.reason},     {"data", c.data},
-          {"input", c.input},      {"coverage", c.coverage}, {"useful", number(c.useful)}};
+  return {{"kind", "uncertainty"},
+          {"reason", c.reason},
+          {"data", number(c.data.value())},
+          {"input", number(c.input.value())},
+          {"coverage", c.coverage},
+          {"useful", number(c.useful)},
+          {"caps", caps_of({{"expected", c.expected}, {"data", c.data}, {"input", c.input}})}};
 }
 Json describe(const Qualitative& c) {
   return {{"kind", "qualitative"}, {"reason", c.reason}, {"detector", c.detector}};
@@ -55,12 +74,15 @@ Json describe(const JudgedClaim& judged) {
           {"source", judged.claim.source},
           {"resolution", j.resolution},
           {"measured", number(j.measured)},
-          {"uncertainty", number(j.uncertainty)},
+          {"uncertainty", j.uncertainty ? number(*j.uncertainty) : Json(nullptr)},
           {"expected", number(j.expected)},
           {"criterion", criterion},
           {"verdict", name(j.verdict)},
-          {"declared", name(judged.declared)},
-          {"declared_reason", judged.declared_reason},
+          {"declared", name(judged.declared())},
+          {"declared_reason", judged.known_failure ? judged.known_failure->reason : ""},
+          {"declared_band", judged.known_failure ? Json::array({judged.known_failure->value, judged.known_failure->width})
+                                                 : Json(nullptr)},
+          {"as_declared", judged.as_declared()},
           {"note", j.note}};
 }
 
@@ -115,6 +137,10 @@ std::string to_json(const Record& record) {
   }
   Json claims = Json::array();
   for (const JudgedClaim& judged : record.claims()) claims.push_back(describe(judged));
+  Json left_out = Json::array();
+  for (const ClaimLeftOut& one : record.left_out()) {
+    left_out.push_back({{"id", one.claim.id}, {"text", one.claim.text}, {"reason", one.reason}});
+  }
   Json measurements = Json::object();
   for (const auto& [quantity, value] : record.measurements()) measurements[quantity] = number(value);
   Json figures = Json::array();
@@ -139,6 +165,7 @@ std::string to_json(const Record& record) {
                      {"error", record.error},
                      {"parameters", parameters},
                      {"claims", claims},
+                     {"left_out", left_out},
                      {"measurements", measurements},
                      {"figures", figures},
                      {"tables", tables},

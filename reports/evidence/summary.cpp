@@ -24,6 +24,7 @@ Summary::Outcome outcome_from(const nlohmann::json& claim) {
           .declared = claim.at("declared"),
           .declared_reason = claim.at("declared_reason"),
           .note = claim.at("note"),
+          .as_declared = claim.at("as_declared"),
           .measured = number(claim.at("measured")),
           .uncertainty = number(claim.at("uncertainty")),
           .limit = number(claim.at("criterion").at("limit")),
@@ -34,7 +35,7 @@ Summary::Outcome outcome_from(const nlohmann::json& claim) {
 
 bool Summary::as_declared() const {
   return error.empty() &&
-         std::all_of(claims.begin(), claims.end(), [](const Outcome& c) { return c.verdict == c.declared; });
+         std::all_of(claims.begin(), claims.end(), [](const Outcome& c) { return c.as_declared; });
 }
 
 Summary read_summary(const std::filesystem::path& json_file) {

@@ -17,54 +17,88 @@ void require_reason(const std::string& reason) {
   if (reason.empty()) throw std::invalid_argument("criterion: reason is empty, must say where the limit comes from");
 }
 
+std::string joined(const std::string& a, const std::string& b) {
+  return a.empty() || b.empty() ? a + b : a + "; " + b;
+}
+
+/// "worst at t = 0.35 s" where the measurement says where.
+std::string place(const Measurement& m) {
+  return m.where.empty() ? "" : "at " + m.where;
+}
+
+Judgement unfit(Judgement judgement, Verdict verdict, const std::string& why) {
+  judgement.verdict = verdict;
+  judgement.note = joined(why, judgement.note);
+  return judgement;
+}
+
 /// Judges |value - expected| <= limit for a value known to +- uncertainty.
 Judgement within(const Measurement& m, double expected, double limit) {
-  Judgement j{.measured = m.value,
-              .uncertainty = m.uncertainty,
-              .expected = expected,
-              .limit = limit,
-              .resolution = m.resolution,
-              .note = {}};
+  const Judgement j{.measured = m.value,
+                    .uncertainty = m.uncertainty,
+                    .expected = expected,
+                    .limit = limit,
+                    .resolution = m.resolution,
+                    .note = place(m)};
+  const double half_width = m.uncertainty.value_or(0);
   const double distance = std::abs(m.value - expected);
-  if (!std::isfinite(distance) || std::isnan(limit)) {
-    j.verdict = Verdict::fail;
-    j.note = "the measured value is not a finite number";
-  } else if (std::isfinite(m.uncertainty) && distance + m.uncertainty <= limit) {
-    j.verdict = Verdict::pass;
-  } else if (distance - m.uncertainty > limit) {
-    j.verdict = Verdict::fail;
-  } else {
-    j.verdict = Verdict::inconclusive;
-    j.note = "the numerical uncertainty straddles the limit";
+  if (!std::isfinite(m.value)) return unfit(j, Verdict::error, "the measured value is not a finite number");
+  if (!std::isfinite(expected)) return unfit(j, Verdict::error, "the expected value is not a finite number");
+  if (!std::isfinite(limit)) return unfit(j, Verdict::error, "the limit is not a finite number");
+  if (std::isnan(half_width) || half_width < 0) return unfit(j, Verdict::error, "the uncertainty is not a number");
+  if (distance + half_width <= limit) return unfit(j, Verdict::pass, "");
+  if (distance - half_width > limit) return unfit(j, Verdict::fail, "");
+  return unfit(j, Verdict::inconclusive, "the numerical uncertainty straddles the limit");
+}
+
+/// What the run told is more than the criterion allows it to be: empty if it is not.
+std::string beyond_cap(const char* name, const Amount& amount) {
+  if (std::abs(amount.value()) <= amount.cap() || !std::isfinite(amount.value())) return "";
+  return fmt::format("{} = {:.3g} exceeds {:.3g}, beyond which the claim says nothing", name, amount.value(),
+                     amount.cap());
+}
+
+Judgement capped(Judgement judgement, std::initializer_list<std::pair<const char*, Amount>> amounts) {
+  for (const auto& [name, amount] : amounts) {
+    const std::string beyond = beyond_cap(name, amount);
+    if (!beyond.empty() && judgement.verdict != Verdict::error) {
+      judgement = unfit(std::move(judgement), Verdict::inconclusive, beyond);
+    }
   }
-  return j;
+  return judgement;
 }
 
 Judgement apply(const Measurement& m, const Roundoff& c) {
   require_reason(c.reason);
   constexpr double standard_deviations = 4;
-  const double limit = standard_deviations * std::numeric_limits<double>::epsilon() * std::sqrt(c.operations) * c.scale;
-  return within(m, c.expected, limit);
+  const double limit = standard_deviations * std::numeric_limits<double>::epsilon() *
+                       std::sqrt(c.operations.value()) * c.scale.value();
+  return capped(within(m, c.expected.value(), limit),
+                {{"operations", c.operations}, {"scale", c.scale}, {"expected", c.expected}});
 }
 
 Judgement apply(const Measurement& m, const Bound& c) {
   require_reason(c.reason);
-  return within(m, c.expected, c.relative ? c.limit * std::abs(c.expected) : c.limit);
+  const double limit = c.relative ? c.limit.value() * std::abs(c.expected.value()) : c.limit.value();
+  return capped(within(m, c.expected.value(), limit), {{"limit", c.limit}, {"expected", c.expected}});
 }
 
 Judgement apply(const Measurement& m, const Uncertainty& c) {
   require_reason(c.reason);
   // m.uncertainty is an expanded (95 %) half-width; the criterion combines standard uncertainties.
-  const double numerical = m.uncertainty / c.coverage;
-  const double expanded = c.coverage * std::hypot(numerical, c.input, c.data);
-  Judgement j = within({.value = m.value, .uncertainty = 0, .resolution = m.resolution}, c.expected, expanded);
+  const double numerical = m.uncertainty.value_or(0) / c.coverage;
+  const double expanded = c.coverage * std::hypot(numerical, c.input.value(), c.data.value());
+  Measurement plain = m;
+  plain.uncertainty.reset();
+  Judgement j = within(plain, c.expected.value(), expanded);
   j.uncertainty = m.uncertainty;
-  if (!(expanded <= c.useful)) {
-    j.verdict = Verdict::inconclusive;
-    j.note = fmt::format("the expanded uncertainty {:.3g} exceeds {:.3g}, the largest that still decides", expanded,
-                         c.useful);
-  }
-  return j;
+  if (j.verdict == Verdict::error) return j;
+  j = capped(std::move(j), {{"expected", c.expected}, {"data", c.data}, {"input", c.input}});
+  if (!m.uncertainty) return unfit(std::move(j), Verdict::inconclusive, "its numerical uncertainty was not estimated");
+  if (expanded <= c.useful) return j;
+  return unfit(std::move(j), Verdict::inconclusive,
+               fmt::format("the expanded uncertainty {:.3g} exceeds {:.3g}, the largest that still decides", expanded,
+                           c.useful));
 }
 
 Judgement apply(const Measurement& m, const Qualitative& c) {
@@ -92,9 +126,34 @@ Judgement judge(const Measurement& measurement, const Criterion& criterion) {
   return std::visit([&](const auto& c) { return apply(measurement, c); }, criterion);
 }
 
+Criterion settled(const Criterion& criterion, const Told& told) {
+  const auto settle = [](Amount& amount, const std::optional<double>& number, const char* name) {
+    if (amount.stated() && number) {
+      throw std::invalid_argument(fmt::format("criterion: {} is stated beforehand, the run must not tell it", name));
+    }
+    if (amount.stated()) return;
+    if (!number) throw std::invalid_argument(fmt::format("criterion: the run did not tell {}", name));
+    amount = amount.with(*number);
+  };
+  Criterion result = criterion;
+  std::visit(
+      [&](auto& c) {
+        if constexpr (requires { c.expected.stated(); }) settle(c.expected, told.expected, "what is expected");
+        if constexpr (requires { c.operations; }) settle(c.operations, told.operations, "the operations");
+        if constexpr (requires { c.scale; }) settle(c.scale, told.scale, "the scale");
+        if constexpr (requires { c.limit; }) settle(c.limit, told.limit, "the limit");
+        if constexpr (requires { c.data; }) settle(c.data, told.data, "the uncertainty of the data");
+        if constexpr (requires { c.input; }) settle(c.input, told.input, "the uncertainty of the input");
+      },
+      result);
+  return result;
+}
+
 Judgement judge(const ObservedOrder& observed, const Order& criterion) {
   require_reason(criterion.reason);
-  Judgement j{.verdict = Verdict::inconclusive,
+  const bool broken = std::any_of(observed.errors.begin(), observed.errors.end(),
+                                  [](double error) { return !std::isfinite(error); });
+  Judgement j{.verdict = broken ? Verdict::error : Verdict::inconclusive,
               .measured = observed.order,
               .uncertainty = observed.half_width,
               .expected = criterion.theory,
@@ -108,6 +167,11 @@ Judgement judge(const ObservedOrder& observed, const Order& criterion) {
     j.verdict = Verdict::fail;
   }
   return j;
+}
+
+Judgement error(const std::string& what) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  return {.verdict = Verdict::error, .measured = nothing, .expected = nothing, .limit = nothing, .note = what};
 }
 
 }  // namespace seiche::evidence

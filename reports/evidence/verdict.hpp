@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,19 +19,27 @@ Verdict verdict_from(std::string_view name);
 struct Judgement {
   Verdict verdict = Verdict::error;
   double measured = 0;
-  double uncertainty = 0;
+  std::optional<double> uncertainty = {};  ///< none: not estimated
   double expected = 0;
   double limit = 0;
-  std::string resolution;
-  std::string note;
+  std::string resolution = {};
+  std::string note = {};
 };
 
-/// Judges a number. A non-finite value fails. Where the measurement has an uncertainty that straddles the limit of a
-/// Bound the verdict is inconclusive. Throws std::invalid_argument for a criterion without a reason, or for Order.
+/// A criterion with what the run told of it. @throws std::invalid_argument naming what the run had to tell and did not
+Criterion settled(const Criterion& criterion, const Told& told);
+
+/// Judges a number by a settled criterion. A value, an uncertainty or a limit that is not a finite number is an error.
+/// Where the measurement has an uncertainty that straddles the limit of a Bound, and where the run told more than the
+/// cap of an amount, the verdict is inconclusive. Throws std::invalid_argument for a criterion without a reason, or for
+/// Order.
 Judgement judge(const Measurement& measurement, const Criterion& criterion);
 
 /// Judges an observed order: pass with its interval inside the allowed one, fail with the intervals disjoint,
-/// inconclusive otherwise or with fewer than four usable points.
+/// inconclusive otherwise or with fewer than four usable points, an error where an error norm is not a finite number.
 Judgement judge(const ObservedOrder& observed, const Order& criterion);
+
+/// The judgement of a claim whose measurement failed.
+Judgement error(const std::string& what);
 
 }  // namespace seiche::evidence

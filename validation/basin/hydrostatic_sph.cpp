@@ -92,7 +92,7 @@ Rest stay(const Settings& settings, double spacing, double time) {
   return rest;
 }
 
-void claim(Run& run, const Option& option, const Rest& rest, double spacing) {
+void claim(Running& run, const Option& option, const Rest& rest, double spacing) {
   const std::string resolution = sph_resolution(spacing, rest.particles);
   const auto judge = [&](const std::string& id, const std::string& text, const std::string& quantity, double value,
                          double limit, const std::string& reason) {
@@ -110,7 +110,7 @@ void claim(Run& run, const Option& option, const Rest& rest, double spacing) {
         0.5 * spacing / depth, "half a spacing");
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double gravity = 9.81;
   const Settings base = sph_settings(run.values(), gravity, 1000, std::sqrt(2 * gravity * depth));
   const double fine = run.real("dx");

@@ -163,7 +163,7 @@ void draw(evidence::Record& record, const std::vector<Lake>& lakes) {
   }
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const std::vector<Lake> all = lakes(run);
   const std::vector<NamedScheme> named = schemes(run.text("scheme"));
   const double time = run.real("time");

@@ -30,7 +30,7 @@ Bed bumps() {
           [](double x) { return 0.15 * std::sqrt(std::numbers::pi) * std::erf(x - 5) - 0.05 / 3 * std::cos(3 * x); }};
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double level = run.real("surface");
   const double gravity = run.real("gravity");
   const long steps = run.integer("steps");
@@ -105,6 +105,7 @@ void run(Run& run) {
 
 Case lake_at_rest_particles() {
   Case c;
+  c.former_names = {"lake_at_rest"};
   c.title = "A lake at rest over an uneven bed";
   c.source = "E. Audusse et al., A fast and stable well-balanced scheme, SIAM J. Sci. Comput. 25 (2004) 2050";
   c.tiers = {Tier::quick, Tier::full};

@@ -121,7 +121,7 @@ exact::Thacker bowl_of(const Values& values) {
           values.real("displacement")};
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double gravity = run.real("gravity");
   const double radius = run.real("radius");
   const double depth = run.real("depth");

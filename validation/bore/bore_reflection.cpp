@@ -88,7 +88,7 @@ void draw_sketches(evidence::Record& record, const FlowProblem& problem, const M
   }
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const Mirrored solution = solution_of(run.values());
   const exact::BoreReflection& reflection = solution.reflection;
   const double gravity = run.real("gravity");
@@ -147,7 +147,7 @@ void run(Run& run) {
                          .scale = reflection.reflected_depth(),
                          .reason = "eight rounded operations per step, and per particle the jump has passed"});
 
-  const io::Table printed = reference_table("bogomolov_zakharov_zerkal", run.record);
+  const io::Table printed = reference_table("bogomolov_zakharov_zerkal", run.record.reference_data);
   if (run.as_published()) {
     run.record.check({.id = "printed-exact",
                       .text = "The paper's 1.45 m follows from the jump conditions.",

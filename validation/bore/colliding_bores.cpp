@@ -25,7 +25,7 @@ namespace {
 
 using evidence::Role;
 
-void run(Run& run) {
+void run(Running& run) {
   const double gravity = run.real("gravity");
   const exact::CollidingBores bores(gravity, run.real("left_depth"), run.real("still_depth"), run.real("right_depth"),
                                     30, 70);

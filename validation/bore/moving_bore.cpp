@@ -72,7 +72,7 @@ void draw_exact(evidence::Record& record, const FlowProblem& problem, double tim
 }
 
 /// Follows energy and edges step by step: D is exact, and the paths of edges show the jump as a kink.
-void follow(Run& run, const exact::Bore& bore, long n, double tau, long steps) {
+void follow(Running& run, const exact::Bore& bore, long n, double tau, long steps) {
   const double u1 = bore.behind_velocity();
   const double gravity = bore.gravity();
   particles::ParticleFlow flow(
@@ -144,7 +144,7 @@ void follow(Run& run, const exact::Bore& bore, long n, double tau, long steps) {
   panel.line("exact bore", front, times, Role::exact);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double gravity = run.real("gravity");
   const exact::Bore bore(gravity, run.real("still_depth"), run.real("front_depth"), 0, start);
   const FlowProblem problem =
@@ -183,7 +183,7 @@ void run(Run& run) {
                          .reason = "edges as large as the channel are rounded once per step, and a width is "
                                    "their difference, N times smaller"});
 
-  const io::Table printed = reference_table("bogomolov_zakharov_zerkal", run.record);
+  const io::Table printed = reference_table("bogomolov_zakharov_zerkal", run.record.reference_data);
   run.record.measure("speed", bore.speed());
   run.record.measure("velocity", bore.behind_velocity());
   if (run.as_published()) {

@@ -51,7 +51,7 @@ double bore_depth(double gravity, double depth, double speed) {
   return low;
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double gravity = run.real("gravity");
   const double speed = run.real("piston_velocity");
   const double depth = 1;

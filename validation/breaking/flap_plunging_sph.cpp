@@ -64,7 +64,7 @@ std::vector<Model> models_of(const Run& run) {
   return {standard, stress};
 }
 
-void claim(Run& run, const Model& model, const std::vector<SphPlunged>& runs) {
+void claim(Running& run, const Model& model, const std::vector<SphPlunged>& runs) {
   const SphPlunged& finest = runs.back();
   const std::string resolution = sph_resolution(finest.spacing, finest.particles);
   run.record.check({.id = "plunges-" + model.id,
@@ -111,7 +111,7 @@ void claim(Run& run, const Model& model, const std::vector<SphPlunged>& runs) {
       "the flume, the paddle and its first phase are not stated, and decide when the second wave breaks");
 }
 
-void draw(Run& run, const std::vector<Model>& models, const std::vector<std::vector<SphPlunged>>& runs) {
+void draw(Running& run, const std::vector<Model>& models, const std::vector<std::vector<SphPlunged>>& runs) {
   const exact::OverturningWave cosine({.amplitude = height / 2,
                                        .wavelength = wavelength,
                                        .depth = depth,
@@ -171,7 +171,7 @@ void draw(Run& run, const std::vector<Model>& models, const std::vector<std::vec
   }
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const std::vector<Model> models = models_of(run);
   const long finest = run.integer("layers");
   const std::vector<long> ladder = sph_ladder(run.tier(), finest);

@@ -103,7 +103,7 @@ struct Study {
   std::vector<std::vector<PolylineDistance>> distances;  ///< [instant][run]
 };
 
-Study compute(Run& run) {
+Study compute(Running& run) {
   const SteepWave wave = wave_of(run);
   Study study{.exact = exact::OverturningWave({.amplitude = wave.amplitude,
                                                .wavelength = wave.wavelength,
@@ -300,7 +300,7 @@ void draw(evidence::Record& record, const Study& study, const std::vector<double
   }
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const SteepWave wave = wave_of(run);
   const Study study = compute(run);
   std::vector<double> sizes;

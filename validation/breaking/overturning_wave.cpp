@@ -52,7 +52,7 @@ std::vector<double> instants_of(const OverturningWave& wave) {
   return {0.5 * vertical, vertical, last};
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const OverturningWave wave = wave_of(run.values());
   run.progress(0.6);
   claim_identities(run.record, wave.self_test(), wave.uncertainty(), source);

@@ -267,7 +267,7 @@ void claim_small_wave(evidence::Record& record, const BermHistory& history, cons
                                "times the height for what is not linear: the depth over the berm is 0.4"});
 }
 
-void run_in_time(Run& run, const Berm& berm, const Resolution& mesh, const std::vector<StandingLoad>& loads) {
+void run_in_time(Running& run, const Berm& berm, const Resolution& mesh, const std::vector<StandingLoad>& loads) {
   lagrangian_mesh_2d::Model model(berm.mesh(mesh.columns(berm), mesh.rows));
   const StandingLoad& load = nearest(loads, run.real("wavelength"));
   const SurfaceMode mode = surface_modes(model)[static_cast<std::size_t>(&load - loads.data())];
@@ -306,7 +306,7 @@ void run_in_time(Run& run, const Berm& berm, const Resolution& mesh, const std::
             "mesh", wave.flow, window);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const Berm berm{.rise = 1 - run.real("berm_depth"), .width = run.real("berm_width")};
   const Resolution mesh{run.real("columns_per_depth"), static_cast<std::size_t>(run.integer("rows"))};
   const bool as_given = berm.rise == Berm{}.rise && berm.width == Berm{}.width;

@@ -60,17 +60,22 @@ evidence::Record Job::blank_record() const {
 }
 
 Ending run_job(const Job& job, const std::filesystem::path& directory, const Run::Progress& progress) {
-  Run run(job.values, progress);
+  Running run(job.values, progress);
   run.record = job.blank_record();
   const auto begin = std::chrono::steady_clock::now();
   try {
-    job.definition->run(run);
+    if (job.definition->study) {
+      job.definition->study.run(run, run.record);
+    } else {
+      job.definition->run(run);
+    }
     require_claims(run.record);
   } catch (const std::invalid_argument& refused) {
     return {Outcome::wrong_input, fmt::format("{}: {}", job.definition->name, refused.what())};
   } catch (const std::exception& failure) {
     run.record.error = failure.what();
   }
+  run.record.reference_data.merge(std::map(run.tables_read()));
   run.record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   try {
     evidence::write(run.record, directory);
@@ -81,7 +86,7 @@ Ending run_job(const Job& job, const std::filesystem::path& directory, const Run
   if (run.record.as_declared()) return {Outcome::as_declared, {}};
   std::string undeclared;
   for (const evidence::JudgedClaim& claim : run.record.claims()) {
-    if (claim.judgement.verdict == claim.declared) continue;
+    if (claim.as_declared()) continue;
     undeclared += fmt::format("{}{}: {}, measured {:.6g}, expected {:.6g} within {:.3g}",
                               undeclared.empty() ? "" : "; ", claim.claim.id, evidence::name(claim.judgement.verdict),
                               claim.judgement.measured, claim.judgement.expected, claim.judgement.limit);
@@ -94,6 +99,7 @@ void write_error_record(const Job& job, const std::filesystem::path& directory, 
   evidence::Record record = job.blank_record();
   record.error = reason;
   record.wall_time = wall_time;
+  if (job.definition->study) fail_all(job.definition->study.claims(job.values), reason, record);
   evidence::write(record, directory);
 }
 

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "validation/case/reference_table.hpp"
+
 namespace seiche::validation {
 namespace {
 
@@ -154,6 +156,10 @@ std::string Values::canonical() const {
   std::string text;
   for (const auto& [name, value] : values_) text += name + "=" + to_text(value) + "\n";
   return text;
+}
+
+io::Table Values::table(const std::string& source) const {
+  return reference_table(source, *tables_read_);
 }
 
 }  // namespace seiche::validation

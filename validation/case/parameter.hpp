@@ -2,11 +2,13 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "seiche/io/table.hpp"
 #include "validation/case/tier.hpp"
 
 namespace seiche::validation {
@@ -56,8 +58,15 @@ class Values {
   [[nodiscard]] const std::vector<Parameter>& declared() const { return declared_; }
   [[nodiscard]] const std::map<std::string, Value, std::less<>>& all() const { return values_; }
   [[nodiscard]] Tier tier() const { return tier_; }
+  /// Whether every parameter has its quick default, which is the publication's own where there is one.
+  [[nodiscard]] bool as_published() const { return canonical() == Values(declared_, Tier::quick).canonical(); }
   /// "name=value" per line with 17 digits: equal text means equal run.
   [[nodiscard]] std::string canonical() const;
+
+  /// A table of reference_data/. What was read is kept, for the record. @throws std::runtime_error as reference_table()
+  [[nodiscard]] io::Table table(const std::string& source) const;
+  /// Path -> SHA-256 of the tables read with these values and their copies.
+  [[nodiscard]] const std::map<std::string, std::string>& tables_read() const { return *tables_read_; }
 
  private:
   [[nodiscard]] const Parameter& find(std::string_view name) const;
@@ -68,6 +77,8 @@ class Values {
   std::vector<Parameter> declared_;
   std::map<std::string, Value, std::less<>> values_;
   Tier tier_;
+  std::shared_ptr<std::map<std::string, std::string>> tables_read_ =
+      std::make_shared<std::map<std::string, std::string>>();
 };
 
 }  // namespace seiche::validation

@@ -10,7 +10,7 @@
 #include "validation/case/reference_source.hpp"
 
 namespace seiche::validation {
-io::Table reference_table(const std::string& source, evidence::Record& record) {
+io::Table reference_table(const std::string& source, std::map<std::string, std::string>& read) {
   const std::filesystem::path folder = reference_folder() / source;
   const std::filesystem::path table = folder / "table.csv";
   const toml::table description = toml::parse_file((folder / "source.toml").string());
@@ -19,7 +19,7 @@ io::Table reference_table(const std::string& source, evidence::Record& record) {
     throw std::runtime_error(
         fmt::format("{} has SHA-256 {}, which is not the one in source.toml", table.string(), digest));
   }
-  record.reference_data[table.string()] = digest;
+  read[table.string()] = digest;
   return io::read_csv(table);
 }
 

@@ -29,7 +29,9 @@ std::size_t edits(std::string_view a, std::string_view b) {
 
 const Case& find_case(std::string_view name) {
   const auto& cases = all_cases();
-  const auto found = std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return c.name == name; });
+  const auto found = std::find_if(cases.begin(), cases.end(), [&](const Case& c) {
+    return c.name == name || std::find(c.former_names.begin(), c.former_names.end(), name) != c.former_names.end();
+  });
   if (found != cases.end()) return *found;
   const auto nearest = std::min_element(cases.begin(), cases.end(), [&](const Case& a, const Case& b) {
     return edits(a.name, name) < edits(b.name, name);

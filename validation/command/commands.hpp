@@ -14,6 +14,9 @@ namespace seiche::command {
 
 struct ListOptions {
   bool json = false;
+  std::string claims;  ///< name of the case
+  std::string tier = "quick";
+  std::vector<std::string> settings;
   std::string ctest;
   std::string evidence;
 };

@@ -51,13 +51,13 @@ bool compare_record(const std::string& key, const Summary& before, const Summary
     const auto found = old.find(claim.id);
     if (found == old.end()) {
       line(claim.id, fmt::format("new: {}", claim.verdict));
-      worse = worse || claim.verdict != claim.declared;
+      worse = worse || !claim.as_declared;
       continue;
     }
     const Summary::Outcome& was = *found->second;
     if (was.verdict != claim.verdict) {
       line(claim.id, fmt::format("verdict {} -> {}", was.verdict, claim.verdict));
-      worse = worse || claim.verdict != claim.declared;
+      worse = worse || !claim.as_declared;
     }
     const double from = error_of(was);
     const double to = error_of(claim);

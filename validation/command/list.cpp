@@ -9,6 +9,7 @@
 #include "validation/case/data_folder.hpp"
 #include "validation/case/registry.hpp"
 #include "validation/command/commands.hpp"
+#include "validation/command/settings.hpp"
 
 namespace seiche::command {
 namespace {
@@ -94,11 +95,62 @@ void write_ctest(const std::string& file, const std::string& evidence) {
   io::write_file(file, text);
 }
 
+std::string text_of(const evidence::Amount& amount) {
+  if (amount.stated()) return fmt::format("{:g}", amount.value());
+  return fmt::format("as the run tells, at most {:g}", amount.cap());
+}
+
+/// The criterion in one line, with what it states beforehand.
+std::string text_of(const evidence::Criterion& criterion) {
+  struct Describe {
+    std::string operator()(const evidence::Roundoff& c) const {
+      return fmt::format("{} within round-off of {} operations on numbers of size {}", text_of(c.expected),
+                         text_of(c.operations), text_of(c.scale));
+    }
+    std::string operator()(const evidence::Order& c) const {
+      return fmt::format("order {:g} +- {:g}", c.theory, c.tolerance);
+    }
+    std::string operator()(const evidence::Bound& c) const {
+      return fmt::format("{} within {}{}", text_of(c.expected), text_of(c.limit), c.relative ? ", relative" : "");
+    }
+    std::string operator()(const evidence::Uncertainty& c) const {
+      return fmt::format("{} within {:g} u, u_data = {}, u_input = {}, at most {:g}", text_of(c.expected), c.coverage,
+                         text_of(c.data), text_of(c.input), c.useful);
+    }
+    std::string operator()(const evidence::Qualitative& c) const {
+      return fmt::format("{} ({})", c.expected ? "seen" : "not seen", c.detector);
+    }
+  };
+  return std::visit(Describe{}, criterion);
+}
+
+std::string reason_of(const evidence::Criterion& criterion) {
+  return std::visit([](const auto& c) { return c.reason; }, criterion);
+}
+
+/// What a case will claim with these settings.
+void print_claims(const ListOptions& options) {
+  const Case& one = validation::find_case(options.claims);
+  const validation::Values values = values_for(one, tier_from(options.tier), {}, options.settings);
+  for (const validation::DeclaredClaim& declared : one.study.claims(values)) {
+    const evidence::Claim& claim = declared.claim;
+    fmt::print("{}\n  {}\n  {} [{}]: {}\n  because {}\n", claim.id, claim.text, claim.quantity, claim.unit,
+               text_of(declared.criterion), reason_of(declared.criterion));
+    if (declared.known_failure) {
+      fmt::print("  declared to fail at {:g} +- {:g}: {}\n", declared.known_failure->value,
+                 declared.known_failure->width, declared.known_failure->reason);
+    }
+    if (!declared.left_out.empty()) fmt::print("  does not apply: {}\n", declared.left_out);
+  }
+}
+
 }  // namespace
 
 int list(const ListOptions& options) {
   if (!options.ctest.empty()) {
     write_ctest(options.ctest, options.evidence);
+  } else if (!options.claims.empty()) {
+    print_claims(options);
   } else if (options.json) {
     print_json();
   } else {

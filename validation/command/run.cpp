@@ -13,13 +13,6 @@ using validation::Case;
 using validation::Job;
 using validation::Tier;
 
-Tier tier_from(const std::string& text) {
-  for (const Tier tier : {Tier::quick, Tier::full, Tier::paper}) {
-    if (name(tier) == text) return tier;
-  }
-  throw std::invalid_argument(fmt::format("--tier {} is unknown: must be one of quick, full, paper", text));
-}
-
 /// The cases named, or all that have something to do in the tier.
 std::vector<const Case*> chosen(const RunOptions& options, Tier tier) {
   std::vector<const Case*> cases;

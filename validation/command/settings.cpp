@@ -9,6 +9,14 @@
 #include "validation/case/configuration.hpp"
 
 namespace seiche::command {
+validation::Tier tier_from(const std::string& text) {
+  using validation::Tier;
+  for (const Tier tier : {Tier::quick, Tier::full, Tier::paper}) {
+    if (name(tier) == text) return tier;
+  }
+  throw std::invalid_argument(fmt::format("--tier {} is unknown: must be one of quick, full, paper", text));
+}
+
 
 std::pair<std::string, std::string> split_setting(const std::string& text) {
   const std::size_t equals = text.find('=');

@@ -9,6 +9,9 @@
 
 namespace seiche::command {
 
+/// What --tier names. @throws std::invalid_argument
+validation::Tier tier_from(const std::string& text);
+
 /// "name=value" taken apart. @throws std::invalid_argument when there is no '='
 std::pair<std::string, std::string> split_setting(const std::string& text);
 

@@ -64,7 +64,7 @@ ColumnFront column_front(const std::string& name, evidence::Record& record) {
     throw std::invalid_argument(
         fmt::format("no front is called \"{}\"; there are {}", name, fmt::join(column_fronts(), ", ")));
   }
-  const io::Table table = reference_table(found->table, record);
+  const io::Table table = reference_table(found->table, record.reference_data);
   ColumnFront result{.name = name,
                      .label = found->label,
                      .citation = found->citation,

@@ -51,7 +51,7 @@ FlowProblem problem_for(double gravity, double ratio) {
   return problem_of(exact::Stoker(gravity, 1, ratio, 20), gravity, 0, 50, {20});
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double gravity = run.real("gravity");
   const double time = 6;
   const long coarsest = run.integer("coarsest");

@@ -48,7 +48,7 @@ SphDam dam_of(const Run& run) {
           .settings = sph_settings(run.values(), gravity, run.real("density"), std::sqrt(gravity * height))};
 }
 
-void compare(Run& run, const SphCollapse& computed, const ColumnFront& data, const SphDam& dam,
+void compare(Running& run, const SphCollapse& computed, const ColumnFront& data, const SphDam& dam,
              evidence::Panel& panel) {
   const double farthest = (dam.geometry.tank_length - 4 * dam.geometry.spacing) / dam.geometry.width;
   const ShiftedFront fit = shifted_front(computed.free_front(), data.curve(), farthest);
@@ -59,7 +59,7 @@ void compare(Run& run, const SphCollapse& computed, const ColumnFront& data, con
   panel.points(data.label, data.T, data.X, Role::data);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const SphDam dam = dam_of(run);
   const bool compared = run.text("data") != "none";
   ColumnFront data;

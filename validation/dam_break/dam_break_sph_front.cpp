@@ -60,7 +60,7 @@ Reading read(const SphCollapse& run, const ColumnFront& data) {
   return {shifted_front(run.free_front(), data.curve(), tank - 0.1), slope_between(run.free_front(), 1.6, 3)};
 }
 
-void claim(Run& run, const std::vector<SphCollapse>& runs, const ColumnFront& data) {
+void claim(Running& run, const std::vector<SphCollapse>& runs, const ColumnFront& data) {
   std::vector<double> sizes, shifts, rms, raw, speeds;
   for (const SphCollapse& one : runs) {
     const Reading reading = read(one, data);
@@ -132,7 +132,7 @@ void claim(Run& run, const std::vector<SphCollapse>& runs, const ColumnFront& da
 }
 
 /// The same problem on the same lattice by an independent implementation.
-void claim_independent(Run& run, const SphCollapse& same) {
+void claim_independent(Running& run, const SphCollapse& same) {
   constexpr std::array<double, 6> times{0.5, 1, 1.5, 2, 2.5, 3};
   constexpr std::array<double, 6> fronts{1.108, 1.440, 1.919, 2.501, 3.146, 3.839};
   constexpr std::array<double, 6> energies{0.998, 0.989, 0.973, 0.946, 0.915, 0.886};
@@ -157,7 +157,7 @@ void claim_independent(Run& run, const SphCollapse& same) {
                    Bound{.limit = 0.01, .reason = "a tenth of what is lost"});
 }
 
-void draw(Run& run, const SphDam& dam, const std::vector<SphCollapse>& runs, const ColumnFront& data) {
+void draw(Running& run, const SphDam& dam, const std::vector<SphCollapse>& runs, const ColumnFront& data) {
   const wcsph::Particles start = wcsph::dam_break(dam.geometry, dam.settings).particles;
   std::vector<double> x[2], z[2];
   for (std::size_t p = 0; p < start.size(); ++p) {
@@ -197,7 +197,7 @@ void draw(Run& run, const SphDam& dam, const std::vector<SphCollapse>& runs, con
   }
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const long finest = run.integer("cells");
   const std::vector<long> ladder = sph_ladder(run.tier(), finest, 5);
   std::vector<SphCollapse> runs(ladder.size());

@@ -50,7 +50,7 @@ struct Required {
   std::string rms_reason;
 };
 
-void compare(Run& run, const std::vector<SphCollapse>& runs, const ColumnFront& data, const Required& required) {
+void compare(Running& run, const std::vector<SphCollapse>& runs, const ColumnFront& data, const Required& required) {
   std::vector<double> sizes, shifts, rms;
   for (const SphCollapse& one : runs) {
     const ShiftedFront fit = shifted_front(one.free_front(), data.curve(), tank - 0.1);
@@ -76,7 +76,7 @@ void compare(Run& run, const std::vector<SphCollapse>& runs, const ColumnFront& 
                    Bound{.limit = required.rms, .reason = required.rms_reason});
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const long finest = run.integer("cells");
   const std::vector<long> ladder = sph_ladder(run.tier(), finest, 5);
   std::vector<SphCollapse> runs(ladder.size());

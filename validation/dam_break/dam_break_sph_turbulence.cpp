@@ -88,7 +88,7 @@ Frames compute(const SphDam& dam) {
   return result;
 }
 
-void claim_front(Run& run, const std::vector<Frames>& runs, const ColumnFront& data) {
+void claim_front(Running& run, const std::vector<Frames>& runs, const ColumnFront& data) {
   std::vector<double> sizes, shifts, rms;
   for (const Frames& one : runs) {
     const ShiftedFront fit = shifted_front(one.series.free_front(), data.curve(), tank - 0.1);
@@ -116,7 +116,7 @@ void claim_front(Run& run, const std::vector<Frames>& runs, const ColumnFront& d
                                    "together"});
 }
 
-void claim_events(Run& run, const Frames& finest) {
+void claim_events(Running& run, const Frames& finest) {
   const SphCollapse& series = finest.series;
   const double unit = std::sqrt(gravity / a);
   run.record.measure("front_reaches_wall_s", series.reaches_wall / unit);
@@ -144,7 +144,7 @@ void claim_events(Run& run, const Frames& finest) {
         std::max(finest.heights[4].jet, finest.heights[5].jet) > 0.5 * a);
 }
 
-void draw(Run& run, const std::vector<Frames>& runs, const ColumnFront& data) {
+void draw(Running& run, const std::vector<Frames>& runs, const ColumnFront& data) {
   const Frames& finest = runs.back();
   auto& frames = run.record.figure("frames", "Dam break with sub-particle-scale turbulence",
                                    fmt::format("Speed of the water, {}; spray above the panels is not shown.",
@@ -170,7 +170,7 @@ void draw(Run& run, const std::vector<Frames>& runs, const ColumnFront& data) {
   panel.points(data.label, data.T, data.X, Role::data, std::vector<double>(data.X.size(), data.uncertainty));
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const long finest = run.integer("cells");
   const std::vector<long> ladder = sph_ladder(run.tier(), finest, 5);
   std::vector<Frames> runs(ladder.size());

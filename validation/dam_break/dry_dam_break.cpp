@@ -71,7 +71,7 @@ void draw_parabola(evidence::Record& record, const FlowProblem& problem, const F
   panel.steps("particles", flow.profile().edges, means_of(flow.profile()).depth, Role::peer);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double gravity = run.real("gravity");
   const double depth = run.real("depth");
   const double tau = run.real("time_step");

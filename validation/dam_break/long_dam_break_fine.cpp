@@ -15,7 +15,7 @@ Case long_dam_break_fine() {
   c.title = "Dam break in a long channel by 200 particles";
   c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 25";
   c.parameters = wet_dam_break_parameters(200L, 0.05);
-  c.run = [](Run& run) {
+  c.run = [](Running& run) {
     run_wet_dam_break(run, {.ratio = 0.1,
                             .dam = 100,
                             .length = 200,

@@ -25,7 +25,7 @@ struct Known {
 };
 constexpr Known known[] = {{"lax_friedrichs", 4.5e-2}, {"maccormack", 6.0e-3}, {"roe", 8.2e-3}, {"muscl", 1.5e-3}};
 
-void run(Run& run) {
+void run(Running& run) {
   const double gravity = run.real("gravity");
   const double time = run.real("time");
   const exact::Stoker stoker(gravity, 1, 0.1, 100);

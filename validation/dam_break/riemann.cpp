@@ -166,7 +166,7 @@ evidence::Bound smeared_waves(const exact::Riemann& solution, double cells_wide,
                             cells_wide)};
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const Values& values = run.values();
   const exact::Riemann solution = solution_of(values);
   const FlowProblem problem = problem_from(values);

@@ -15,7 +15,7 @@ std::vector<Parameter> wet_dam_break_parameters(ByTier<long> particles, ByTier<d
           real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity")};
 }
 
-void run_wet_dam_break(Run& run, const WetDamBreak& setup) {
+void run_wet_dam_break(Running& run, const WetDamBreak& setup) {
   const double gravity = run.real("gravity");
   const double time = setup.times.back();
   const exact::Stoker stoker(gravity, 1, setup.ratio, setup.dam);

@@ -21,6 +21,6 @@ struct WetDamBreak {
 std::vector<Parameter> wet_dam_break_parameters(ByTier<long> particles, ByTier<double> time_step);
 
 /// Runs it and fills the record.
-void run_wet_dam_break(Run& run, const WetDamBreak& setup);
+void run_wet_dam_break(Running& run, const WetDamBreak& setup);
 
 }  // namespace seiche::validation

@@ -18,7 +18,7 @@ Case wet_dam_break_deep() {
   c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 23";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = wet_dam_break_parameters({50, 800, 3200}, {0.05, 0.003, 0.00075});
-  c.run = [](Run& run) {
+  c.run = [](Running& run) {
     run_wet_dam_break(run, {.ratio = 0.5, .times = {0, 2, 4, 6}, .atlas = {"bzz-fig-23"}, .cell_l1_h = 4.3e-3});
   };
   return c;

@@ -56,7 +56,7 @@ Deviation deviation_of(const StandingBox& box, double periods) {
   return {smallest_wave_frequency(box, periods), box.linear_frequency()};
 }
 
-void claim_own_wave(Run& run) {
+void claim_own_wave(Running& run) {
   const double k = run.real("wavenumber");
   const StandingBox box{.wavenumber = k,
                         .cells = StandingBox::cells_of(k, run.real("h")),
@@ -79,7 +79,7 @@ void claim_own_wave(Run& run) {
 }
 
 /// Twelve waves from long and resolved to short and hardly so.
-void claim_twelve_waves(Run& run) {
+void claim_twelve_waves(Running& run) {
   constexpr double pi = std::numbers::pi;
   struct Wave {
     double k, spacing, tau;
@@ -121,7 +121,7 @@ void claim_twelve_waves(Run& run) {
   run.record.table(std::move(table));
 }
 
-void claim_other_energies(Run& run) {
+void claim_other_energies(Running& run) {
   const FrankDispersion::Parameters tuned = FrankDispersion::tuned(1, 1, 0.25, 0.125).parameters();
   struct Variant {
     std::string id, text;
@@ -194,7 +194,7 @@ Measured measure(const Family& family, double periods) {
   return measured;
 }
 
-void draw(Run& run) {
+void draw(Running& run) {
   auto& figure = run.record.figure(
       "dispersion", "Phase speed of the discrete model",
       "Lines: the laws, the discrete ones for the one-step scheme with tau = s/2, up to the shortest wave that the "
@@ -256,7 +256,7 @@ void draw(Run& run) {
                    Bound{limit, limit_reason});
 }
 
-void run(Run& run) {
+void run(Running& run) {
   claim_own_wave(run);
   run.progress(0.1);
   claim_twelve_waves(run);

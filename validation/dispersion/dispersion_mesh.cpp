@@ -59,7 +59,7 @@ double deviation(const MeshTank& tank, double measured) {
   return std::abs(measured / tank.linear_frequency() - 1);
 }
 
-void claim_own_wave(Run& run) {
+void claim_own_wave(Running& run) {
   const double k = run.real("wavenumber");
   const MeshTank tank{.wavenumber = k,
                       .columns = MeshTank::columns_of(k, run.real("h1")),
@@ -84,7 +84,7 @@ void claim_own_wave(Run& run) {
 }
 
 /// Twelve waves from long and resolved to the shortest of their mesh.
-void claim_twelve_waves(Run& run) {
+void claim_twelve_waves(Running& run) {
   struct Wave {
     double length;
     std::size_t columns, rows, half_waves;
@@ -143,7 +143,7 @@ void claim_twelve_waves(Run& run) {
 }
 
 /// Frank's mesh for long waves, h1 = H, h2 = H/2, in tanks of one wavelength.
-void claim_long_waves(Run& run) {
+void claim_long_waves(Running& run) {
   evidence::Table table{
       .id = "long-waves",
       .title = "Long waves on the coarse mesh, h1 = H, h2 = H/2",
@@ -172,7 +172,7 @@ void claim_long_waves(Run& run) {
 
 const exact::RationalDispersion boussinesq = exact::RationalDispersion::green_naghdi(1, 1);
 
-void claim_boussinesq(Run& run) {
+void claim_boussinesq(Running& run) {
   evidence::Table table{
       .id = "boussinesq",
       .title = "Meshes that come nearest to Boussinesq's equations",
@@ -245,7 +245,7 @@ Measured measure(const Family& family, double periods) {
   return measured;
 }
 
-void draw(Run& run) {
+void draw(Running& run) {
   auto& figure = run.record.figure("dispersion", "Phase speed of waves on the Lagrangian mesh",
                                    "Lines: the laws, up to the shortest wave of each mesh. Circles: measured with tau "
                                    "= 0.05, the time step's effect "
@@ -314,7 +314,7 @@ void draw(Run& run) {
                    {.value = worst, .resolution = "20 columns, 2, 4 and 8 rows, tau = 0.05"}, Bound{1, limit_reason});
 }
 
-void run(Run& run) {
+void run(Running& run) {
   claim_own_wave(run);
   run.progress(0.1);
   claim_twelve_waves(run);
@@ -329,6 +329,7 @@ void run(Run& run) {
 
 Case dispersion_mesh() {
   Case c;
+  c.former_names = {"dispersion_2d"};
   c.title = "Small waves on the Lagrangian mesh have the frequency of its exact dispersion law";
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.1";
   c.parameters = {

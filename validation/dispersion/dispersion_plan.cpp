@@ -70,7 +70,7 @@ Deviations deviations(const PlanMode& mode, double periods, double tau) {
           std::abs(mode.measured_frequency(tau, steps) / omega - 1)};
 }
 
-void claim(Run& run, const std::string& id, const std::string& what, const Deviations& found,
+void claim(Running& run, const std::string& id, const std::string& what, const Deviations& found,
            const std::string& resolution) {
   run.record.check({.id = id + "-eigenvalue",
                     .text = "The linearised model has the eigenvalue of the closed form: " + what + ".",
@@ -88,7 +88,7 @@ void claim(Run& run, const std::string& id, const std::string& what, const Devia
                          "tau)^2, 1e-4 at least"});
 }
 
-void claim_own_wave(Run& run) {
+void claim_own_wave(Running& run) {
   const double k = run.real("wavenumber");
   const double direction = run.real("direction") * pi / 180;
   const Fitted box = fitted(k * std::cos(direction), k * std::sin(direction), run.real("h1"), run.real("h2"));
@@ -105,7 +105,7 @@ void claim_own_wave(Run& run) {
 }
 
 /// Waves in a box of 24 x 24 cells of h1 x h2, long and short, in many directions.
-void claim_fan(Run& run) {
+void claim_fan(Running& run) {
   const PlanTank tank{.columns = 24, .rows = 24, .length = 24 * run.real("h1"), .width = 24 * run.real("h2")};
   evidence::Table table{.id = "fan",
                         .title = "Waves in a box of 24 x 24 cells",
@@ -135,7 +135,7 @@ void claim_fan(Run& run) {
   claim(run, "fan", "twelve waves from the longest to nearly the shortest", worst, "24 x 24 cells, omega tau = 0.1");
 }
 
-void draw(Run& run) {
+void draw(Running& run) {
   const exact::PlanDispersion law(1, 1, run.real("h1"), run.real("h2"));
   auto& figure = run.record.figure("anisotropy", "Direction makes a difference on a lattice",
                                    fmt::format("Frequency of the closed form below that of the Green-Naghdi equations, "
@@ -170,7 +170,7 @@ void draw(Run& run) {
   along.line("Green-Naghdi", k, speed, Role::exact);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   claim_own_wave(run);
   run.progress(0.3);
   claim_fan(run);

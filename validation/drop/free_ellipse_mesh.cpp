@@ -121,7 +121,7 @@ Refinement judged_quantities() {
                     source);
 }
 
-void claim_energy(Run& run, const Flow& flow, const History& history, long n) {
+void claim_energy(Running& run, const Flow& flow, const History& history, long n) {
   run.record.check({.id = "energy",
                     .text = "The kinetic energy is kept on all meshes.",
                     .quantity = "largest defect",
@@ -132,7 +132,7 @@ void claim_energy(Run& run, const Flow& flow, const History& history, long n) {
                                       .reason = "rounding of the energy, once per step"});
 }
 
-void draw_mesh_at_end(Run& run, const Flow& flow, const StretchingDrop& drop) {
+void draw_mesh_at_end(Running& run, const Flow& flow, const StretchingDrop& drop) {
   auto& figure = run.record.figure("mesh", "The drop at the beginning and at the end", "Its mesh; the exact outline.");
   const Mesh& mesh = flow.model().mesh();
   const auto panel = [&](const std::string& title, std::span<const double> x, std::span<const double> y, double t) {
@@ -150,7 +150,7 @@ void draw_mesh_at_end(Run& run, const Flow& flow, const StretchingDrop& drop) {
   panel(fmt::format("t = {:g}", flow.time()), flow.x(), flow.y(), flow.time());
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const StretchingDrop drop(1, 1, run.real("strain_rate"));
   Refinement refinement = judged_quantities();
   auto& figure = run.record.figure("convergence", "Errors under refinement, and the long semi-axis",
@@ -192,6 +192,7 @@ void run(Run& run) {
 
 Case free_ellipse_mesh() {
   Case c;
+  c.former_names = {"free_ellipse_2d"};
   c.title = "A liquid drop is stretched, on the two-dimensional Lagrangian mesh";
   c.source =
       "P. G. L. Dirichlet, Abh. Kgl. Ges. Wiss. Goettingen 8 (1860) 3; M. S. Longuet-Higgins, J. Fluid Mech. 55 (1972) "

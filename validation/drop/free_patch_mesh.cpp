@@ -143,7 +143,7 @@ struct History {
   std::vector<Kept::Defects> defects;
 };
 
-void claim(Run& run, const Kept& kept, const Flow& flow) {
+void claim(Running& run, const Kept& kept, const Flow& flow) {
   const auto steps = static_cast<double>(run.integer("steps"));
   const std::string resolution = fmt::format("{} x {} cells, tau = {:g}, {:g} steps", run.integer("nx"),
                                              run.integer("ny"), run.real("tau"), steps);
@@ -188,7 +188,7 @@ void claim(Run& run, const Kept& kept, const Flow& flow) {
   }
 }
 
-void draw(Run& run, const History& history, const Flow& flow) {
+void draw(Running& run, const History& history, const Flow& flow) {
   auto& figure = run.record.figure("patch", "The patch at the end", "Its mesh; it began as a square of equal cells.");
   draw_mesh(figure.panel({.x = "x", .y = "y", .equal_aspect = true}), "mesh", flow);
   auto& drifts = run.record.figure("defects", "Defects in time", "What is exactly zero is not drawn.");
@@ -210,7 +210,7 @@ void draw(Run& run, const History& history, const Flow& flow) {
   line("areas", &Kept::Defects::area);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   Flow flow = patch(run);
   const double tau = run.real("tau");
   const long steps = run.integer("steps");
@@ -232,6 +232,7 @@ void run(Run& run) {
 
 Case free_patch_mesh() {
   Case c;
+  c.former_names = {"free_patch_2d"};
   c.title = "What a free patch of water keeps";
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 1 and 2";
   c.tiers = {Tier::quick, Tier::full};

@@ -118,7 +118,7 @@ double at(const Stretched& run, const std::vector<double>& values, double t) {
   return linear_at({run.time, values}, t);
 }
 
-void claim(Run& run, const std::vector<Stretched>& runs) {
+void claim(Running& run, const std::vector<Stretched>& runs) {
   const Stretched& finest = runs.back();
   std::vector<double> sizes;
   for (const Stretched& one : runs) sizes.push_back(one.spacing);
@@ -171,7 +171,7 @@ struct Known {
   std::array<double, 2> axis, velocity;  ///< at t = 0.5 and 1
 };
 
-void claim_independent(Run& run, const Stretched& finest) {
+void claim_independent(Running& run, const Stretched& finest) {
   const std::array<Known, 2> known{Known{"cubic_spline", 1.3, {1.6e-3, 6.3e-3}, {3.3e-2, 6.7e-2}},
                                    Known{"wendland_c2", 2.0, {1.1e-3, 1.8e-3}, {1.3e-2, 2.2e-2}}};
   const auto found = std::ranges::find_if(known, [&](const Known& one) {
@@ -196,7 +196,7 @@ void claim_independent(Run& run, const Stretched& finest) {
   }
 }
 
-void draw(Run& run, const std::vector<Stretched>& runs, const exact::StretchingDrop& drop) {
+void draw(Running& run, const std::vector<Stretched>& runs, const exact::StretchingDrop& drop) {
   auto& figure = run.record.figure("patch", "Semi-axis and particles",
                                    "Left: the longer semi-axis; right: particles at the end and the exact ellipse.");
   auto& axis = figure.panel({.x = "t [s]", .y = "b [m]"});
@@ -230,7 +230,7 @@ void draw(Run& run, const std::vector<Stretched>& runs, const exact::StretchingD
   }
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const exact::StretchingDrop drop(1, 1, -1, 1000);
   const double finest = run.real("dx");
   const std::vector<double> ladder{2 * finest, std::sqrt(2.0) * finest, finest};

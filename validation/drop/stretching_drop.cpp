@@ -32,7 +32,7 @@ std::vector<double> times_of(const Values& values) {
   return evenly(0, values.real("time"), 101);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const exact::StretchingDrop drop = drop_of(run.values());
   claim_identities(run.record, drop.self_test(), drop.uncertainty(), source);
   const std::vector<double> times = times_of(run.values());

@@ -48,7 +48,7 @@ void draw_sketches(evidence::Record& record, const FlowProblem& problem, const S
   figure.panel({.x = "x [m]", .y = "velocity u [m/s]"}).line("exact", curve.x, curve.velocity, Role::exact);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double gravity = run.real("gravity");
   const StationaryJump jump(gravity, run.real("shallow_depth"), run.real("deep_depth"), place);
   const FlowProblem problem =

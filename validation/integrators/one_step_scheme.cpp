@@ -84,7 +84,7 @@ struct Curves {
 };
 constexpr std::size_t middle = 3;  // the refinement whose step is the parameter tau
 
-Curves measure_curves(Run& run, const ChainProblem& problem) {
+Curves measure_curves(Running& run, const ChainProblem& problem) {
   const double time = run.real("time");
   Curves curves;
   for (const double factor : {8.0, 4.0, 2.0, 1.0, 0.5, 0.25}) {
@@ -105,7 +105,7 @@ Curves measure_curves(Run& run, const ChainProblem& problem) {
 }
 
 /// What Frank says of his scheme, and of no other.
-void claim_half_the_cost(Run& run, const WorkPrecision& own, const WorkPrecision& rk2, const std::string& range) {
+void claim_half_the_cost(Running& run, const WorkPrecision& own, const WorkPrecision& rk2, const std::string& range) {
   run.record.check({.id = "cost",
                     .text = "A step costs half of RK2's.",
                     .quantity = "solves of the scheme / solves of RK2",
@@ -130,7 +130,7 @@ void claim_half_the_cost(Run& run, const WorkPrecision& own, const WorkPrecision
                    {.value = equal_cost, .resolution = range}, Bound{1, "better means less than 1"});
 }
 
-void claim_cost_and_accuracy(Run& run, const Curves& curves) {
+void claim_cost_and_accuracy(Running& run, const Curves& curves) {
   const Integrator scheme = judged(run.values());
   const WorkPrecision& own = curves.of(scheme);
   const WorkPrecision& rk2 = curves.of(Integrator::runge_kutta_2);
@@ -148,7 +148,7 @@ void claim_cost_and_accuracy(Run& run, const Curves& curves) {
                                    "smooth motion; errors below ten times that of the reference are left out"});
 }
 
-void claim_digits(Run& run, const Curves& curves) {
+void claim_digits(Running& run, const Curves& curves) {
   const std::vector<std::pair<Integrator, double>> expected = {
       {Integrator::one_step, 1.65e-5},     {Integrator::runge_kutta_2, 2.15e-4}, {Integrator::rattle, 1.29e-4},
       {Integrator::conservative, 1.79e-4}, {Integrator::triple_jump, 1.2e-8},    {Integrator::runge_kutta_4, 3.9e-8},
@@ -190,7 +190,7 @@ struct History {
   KeptInvariants kept;
 };
 
-std::vector<History> follow_all(Run& run, const ChainProblem& problem, bool pinned, double done) {
+std::vector<History> follow_all(Running& run, const ChainProblem& problem, bool pinned, double done) {
   std::vector<History> histories;
   for (const Integrator integrator : mechanics::all_integrators) {
     const double from = done + 0.45 * static_cast<double>(histories.size()) / mechanics::all_integrators.size();
@@ -247,7 +247,7 @@ void tabulate(evidence::Record& record, const std::vector<History>& histories, b
   record.table(std::move(table));
 }
 
-void claim_conservation(Run& run, const std::vector<History>& histories, bool pinned) {
+void claim_conservation(Running& run, const std::vector<History>& histories, bool pinned) {
   const Integrator scheme = judged(run.values());
   const KeptInvariants& kept =
       std::find_if(histories.begin(), histories.end(), [&](const History& h) { return h.integrator == scheme; })->kept;
@@ -284,7 +284,7 @@ void claim_conservation(Run& run, const std::vector<History>& histories, bool pi
   }
 }
 
-void claim_bounded(Run& run, const std::vector<History>& histories) {
+void claim_bounded(Running& run, const std::vector<History>& histories) {
   for (const History& history : histories) {
     if (history.integrator != Integrator::rattle) continue;
     run.record.check(
@@ -297,7 +297,7 @@ void claim_bounded(Run& run, const std::vector<History>& histories) {
   }
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const ChainProblem pinned = pendulum(run.values());
   const Curves curves = measure_curves(run, pinned);
   run.progress(0.1);

@@ -90,7 +90,7 @@ struct Configuration {
   }
 };
 
-std::vector<Configuration> compute(Run& run) {
+std::vector<Configuration> compute(Running& run) {
   std::vector<double> factors{1, 1.25};
   if (run.tier() == Tier::full) factors = {1, 1.4, 2};
   if (run.tier() == Tier::paper) factors = {0.7, 1, 1.4, 2};
@@ -290,7 +290,7 @@ void tabulate(evidence::Record& record, const std::vector<Configuration>& all,
   record.table(std::move(table));
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const std::vector<Configuration> all = compute(run);
   const std::vector<KnownReflection> known = known_reflections(run.record);
   for (const Configuration& one : all) {

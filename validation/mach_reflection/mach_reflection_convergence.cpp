@@ -87,7 +87,7 @@ void claim_known(evidence::Record& record, const Reflection& usual) {
             .expected = known});
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double end = run.real("time");
   const ReflectionRun base{.amplitude = 0.3, .angle = radians(30), .spacing = 0.5, .time = end};
   const ObliqueWave wave(base.amplitude, base.angle);

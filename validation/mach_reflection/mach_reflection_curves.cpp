@@ -250,7 +250,7 @@ void claim_angles(evidence::Record& record, const ReflectionSeries& series) {
                 "uncertainty that the independent program states for the same measure"});
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const std::vector<KnownReflection> known = known_reflections(run.record);
   std::vector<ReflectionSeries> all = series_of(run, known);
   sweep(all, run.real("time"), workers_of(run.tier()), [&](double done) { run.progress(done); });

@@ -49,7 +49,7 @@ struct Pair {
   Reflection columns, hexahedra;
 };
 
-std::vector<Pair> compute(Run& run) {
+std::vector<Pair> compute(Running& run) {
   std::vector<Pair> pairs;
   if (run.tier() == Tier::quick) {
     pairs.push_back({{0.3, 30, 1, 160, 0, 0, 0}, {}, {}});
@@ -173,7 +173,7 @@ void show(evidence::Record& record, const std::vector<Pair>& pairs) {
   record.table(std::move(table));
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const std::vector<Pair> pairs = compute(run);
   for (const Pair& pair : pairs) {
     claim_models(run.record, pair);

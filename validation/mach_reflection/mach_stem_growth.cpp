@@ -45,7 +45,7 @@ std::string resolution_of(const Run& run) {
   return fmt::format("h = {:g}, tau = {:g}", run.real("h"), 0.5 * run.real("h"));
 }
 
-Development develop(Run& run, const ObliqueWave& wave) {
+Development develop(Running& run, const ObliqueWave& wave) {
   const double end = run.real("time");
   auto flow = reflection_flow(wave, window_until(end, wave, run.real("h")), {.tolerance = 1e-7});
   auto& perspective =
@@ -88,7 +88,7 @@ Development develop(Run& run, const ObliqueWave& wave) {
   return development;
 }
 
-void claim_growth(Run& run, const Development& development) {
+void claim_growth(Running& run, const Development& development) {
   const evidence::Measurement angle =
       stem_angle(development.late(development.wall_x), development.late(development.length));
   const std::size_t half = development.late(development.length).size() / 2;
@@ -111,7 +111,7 @@ void claim_growth(Run& run, const Development& development) {
                       "1 %, changes the speeds whose difference makes the stem grow by a tenth of it"});
 }
 
-void claim_speed(Run& run, const Development& development) {
+void claim_speed(Running& run, const Development& development) {
   const StraightLine path = straight_line(development.late(development.time), development.late(development.wall_x));
   const double height = development.height.back();
   const double speed = std::sqrt(1 + height);
@@ -129,7 +129,7 @@ void claim_speed(Run& run, const Development& development) {
                       "wave as narrow as the stem"});
 }
 
-void draw_growth(Run& run, const ObliqueWave& wave, const Development& development) {
+void draw_growth(Running& run, const ObliqueWave& wave, const Development& development) {
   auto& figure = run.record.figure("growth", "Growth of the stem",
                                    fmt::format("{}. Height on the wall and length.", resolution_of(run)));
   std::vector<double> ratio = development.height;
@@ -142,7 +142,7 @@ void draw_growth(Run& run, const ObliqueWave& wave, const Development& developme
               std::vector{line.at(0), line.at(development.time.back())}, Role::guide);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const ObliqueWave wave(run.real("amplitude"), radians(run.real("angle")));
   const Development development = develop(run, wave);
   claim_growth(run, development);

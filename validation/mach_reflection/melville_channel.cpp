@@ -121,7 +121,7 @@ Growth grow(const Channel& channel) {
 /// One angle on several lattices, the finest first.
 using Ladder = std::vector<Growth>;
 
-std::vector<Ladder> compute(Run& run) {
+std::vector<Ladder> compute(Running& run) {
   const std::vector<double> factors{1.0, 1.4, 2.0};
   std::vector<Ladder> all(2, Ladder(factors.size()));
   const std::vector<double> angles{run.real("angle"), run.real("second_angle")};
@@ -226,7 +226,7 @@ void draw(evidence::Record& record, const std::vector<Ladder>& all) {
   }
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const std::vector<Ladder> all = compute(run);
   for (const Ladder& ladder : all) {
     const Growth& finest = ladder.front();

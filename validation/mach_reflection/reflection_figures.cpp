@@ -137,7 +137,7 @@ void draw_regimes(evidence::Record& record, const std::vector<ReflectionSeries>&
   }
   if (!irregular_a.empty()) panel.points("irregular", irregular_a, irregular_psi);
   if (!regular_a.empty()) panel.points("regular", regular_a, regular_psi);
-  const io::Table published = reference_table("mach_reflection_angles_published", record);
+  const io::Table published = reference_table("mach_reflection_angles_published", record.reference_data);
   for (std::size_t k = 0; k < published.column("angle").size(); ++k) {
     if (std::lround(published.column("quantity")[k]) != 1) continue;
     const double angle = published.column("angle")[k];

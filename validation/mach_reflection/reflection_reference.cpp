@@ -17,7 +17,7 @@ bool is_this(const KnownReflection& one, double amplitude, double angle) {
 
 std::vector<KnownReflection> known_reflections(evidence::Record& record) {
   const std::string name = "mach_reflection_model2";
-  const io::Table table = reference_table(name, record);
+  const io::Table table = reference_table(name, record.reference_data);
   const ReferenceSource source = reference_source(name);
   const auto known = [&](const std::string& column, std::size_t row) {
     const double value = table.column(column)[row];

@@ -109,7 +109,7 @@ std::vector<double> listed(const DoubleShearErrors& errors) {
           errors.rms_velocity, errors.slip,       errors.position};
 }
 
-void draw_mesh_at_end(Run& run, const Flow& flow, const DoubleShearRun& shear) {
+void draw_mesh_at_end(Running& run, const Flow& flow, const DoubleShearRun& shear) {
   auto& figure = run.record.figure("mesh", "The mesh at the end",
                                    "Computed, and where the nodes should be. They differ at the edges, along them.");
   auto& panel = figure.panel({.x = "x", .y = "y", .equal_aspect = true});
@@ -125,7 +125,7 @@ void draw_mesh_at_end(Run& run, const Flow& flow, const DoubleShearRun& shear) {
   draw_mesh(panel, "computed", flow);
 }
 
-void claim_slip(Run& run, const DoubleShearRun& finest, double slip) {
+void claim_slip(Running& run, const DoubleShearRun& finest, double slip) {
   const double expected = expected_slip(finest, judged_edge);
   run.record.check({.id = "slip",
                     .text = "The slip is that of the pressure gradient half a cell below the surface.",
@@ -135,7 +135,7 @@ void claim_slip(Run& run, const DoubleShearRun& finest, double slip) {
                    Bound{.limit = finest.spacing(), .reason = "the next term is smaller by a factor h", .expected = 1});
 }
 
-void run(Run& run) {
+void run(Running& run) {
   Refinement refinement = judged_quantities();
   auto& figure = run.record.figure("convergence", "Errors under refinement",
                                    "Against the number of cells across; grey lines have slopes 1 and 2.");
@@ -171,6 +171,7 @@ void run(Run& run) {
 
 Case mms_mesh() {
   Case c;
+  c.former_names = {"mms_2d"};
   c.title = "A manufactured motion of a free square: orders of the two-dimensional Lagrangian mesh";
   c.source = "P. J. Roache, J. Fluids Eng. 124 (2002) 4; model: A. M. Frank, doctoral thesis (1994), chapter 2";
   c.tiers = {Tier::quick, Tier::full};

@@ -67,7 +67,7 @@ Refinement judged_quantities() {
                     source);
 }
 
-void draw_lattice(Run& run, const PlanManufacturedRun& manufactured) {
+void draw_lattice(Running& run, const PlanManufacturedRun& manufactured) {
   auto& figure = run.record.figure("motion", "The lattice in its basin at the beginning",
                                    "Elevation of the surface at t = 0 over the places of the columns, seen from above "
                                    "and in perspective: the columns are not where their labels are.");
@@ -78,7 +78,7 @@ void draw_lattice(Run& run, const PlanManufacturedRun& manufactured) {
   figure.panel({.x = "x", .y = "y", .z = "elevation"}).surface("t = 0", lattice);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   Refinement refinement = judged_quantities();
   auto& figure = run.record.figure("convergence", "Errors under refinement",
                                    "Against the number of cells across; grey lines have slopes 1 and 2.");

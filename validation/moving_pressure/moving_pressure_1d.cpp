@@ -18,7 +18,7 @@ the surface at the source. Try `--set p0=-0.1 --set half_width=6.5 --set time=80
 namespace seiche::validation::cases {
 namespace {
 
-void run(Run& run) {
+void run(Running& run) {
   const double threshold = run.real("threshold");
   const PressureWaves waves(
       {.pressure = run.real("p0"), .half_width = run.real("half_width"), .speed = run.real("speed")},

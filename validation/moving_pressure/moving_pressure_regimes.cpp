@@ -54,7 +54,7 @@ class Share {
   double done_ = 0;
 };
 
-std::vector<Computed> compute(Run& run) {
+std::vector<Computed> compute(Running& run) {
   std::vector<PressureRegime> regimes = main_pressure_regimes();
   if (run.tier() != Tier::quick) {
     regimes.insert(regimes.end(), more_pressure_regimes().begin(), more_pressure_regimes().end());
@@ -127,7 +127,7 @@ void draw(evidence::Record& record, const std::vector<Computed>& computed) {
 }
 
 /// The regime is the model's, not the resolution's.
-void claim_resolved(Run& run, const Computed& coarse) {
+void claim_resolved(Running& run, const Computed& coarse) {
   const PressureRun fine_run{.time = coarse.waves.run().time,
                              .spacing = 0.5 * coarse.waves.run().spacing,
                              .tau = 0.5 * coarse.waves.run().tau};
@@ -154,7 +154,7 @@ void claim_resolved(Run& run, const Computed& coarse) {
                             .expected = false});
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const std::vector<Computed> computed = compute(run);
   for (const auto& [regime, waves] : computed) {
     measure_pressure_waves(run.record, regime.id + "_", waves, soliton_threshold);

@@ -182,7 +182,7 @@ Refinement judged_quantities() {
       source);
 }
 
-void draw_wave(Run& run, const Result& result, const Wave& wave) {
+void draw_wave(Running& run, const Result& result, const Wave& wave) {
   auto& figure = run.record.figure("mesh", "The mesh at the end", "Computed, and the exact surface.");
   auto& panel = figure.panel({.x = "x", .y = "y", .equal_aspect = true});
   draw_mesh(panel, "mesh", result.flow);
@@ -205,7 +205,7 @@ void draw_slip(evidence::Panel& panel, const Result& result, const Wave& wave, l
   panel.line(fmt::format("n = {}", n), label, slip);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double amplitude = run.real("amplitude");
   const double time = run.real("time");
   const auto wave = std::make_shared<const Wave>(amplitude);
@@ -239,6 +239,7 @@ void run(Run& run) {
 
 Case gerstner_mesh() {
   Case c;
+  c.former_names = {"gerstner_2d"};
   c.title = "Gerstner's wave on the two-dimensional Lagrangian mesh";
   c.source = "F. J. Gerstner (1804); model: A. M. Frank, doctoral thesis (1994), chapter 2";
   c.tiers = {Tier::quick, Tier::full};

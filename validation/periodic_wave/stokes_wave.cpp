@@ -31,7 +31,7 @@ exact::StokesWave wave_of(const Values& values) {
           values.real("gravity")};
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const exact::StokesWave wave = wave_of(run.values());
   claim_identities(run.record, wave.self_test(), wave.uncertainty(), source);
   run.record.measure("phase_speed", wave.phase_speed());

@@ -50,7 +50,7 @@ void draw_channel(evidence::Record& record) {
   across.line("walls", std::vector<double>{0, 0, 2, 2}, std::vector<double>{1.3, 0, 0, 1.3}, Role::bed);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const auto n = static_cast<std::size_t>(run.integer("particles"));
   draw_channel(run.record);
 

@@ -40,7 +40,7 @@ std::vector<double> times_of(const Values& values, const exact::SolitaryRunup& w
   return times;
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const exact::SolitaryRunup wave = wave_of(run.values());
   run.record.measure("runup_value", wave.highest().elevation);
   run.record.measure("runup_time", wave.highest().time);

@@ -202,7 +202,7 @@ void draw_runup(evidence::Record& record, const std::vector<Passed>& all, const 
 }
 
 /// Case of the parameters: the surface from above, the shoreline in front and behind.
-void show(Run& run, const ConicalIsland& island, double spacing) {
+void show(Running& run, const ConicalIsland& island, double spacing) {
   auto& plans = run.record.figure("plan", "The wave around the island",
                                   fmt::format("Elevation of the surface from above, A = {:g} depths; the white disc is "
                                               "what is dry of the island.",
@@ -237,11 +237,11 @@ void show(Run& run, const ConicalIsland& island, double spacing) {
   run.record.measure("runup_back", passed.at(180));
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double spacing = run.real("spacing");
   show(run, ConicalIsland({.height = run.real("height"), .depth = run.real("depth"), .spacing = spacing}), spacing);
   run.progress(0.3);
-  const io::Table table = reference_table("conical_island_runup", run.record);
+  const io::Table table = reference_table("conical_island_runup", run.record.reference_data);
   const double compared = run.tier() == Tier::quick ? 0.5 : 0.35;
   std::vector<Passed> all;
   for (std::size_t k = 0; k < heights.size(); ++k) {

@@ -27,7 +27,7 @@ void join(std::vector<FrankRunup>& rows, const io::Table& table, const std::stri
 }  // namespace
 
 std::vector<FrankRunup> frank_runups(evidence::Record& record) {
-  const io::Table table = reference_table("frank_1994_runup", record);
+  const io::Table table = reference_table("frank_1994_runup", record.reference_data);
   const auto authors = reference_source("frank_1994_runup").codes.at("calc_source");
   std::vector<FrankRunup> rows;
   for (std::size_t k = 0; k < table.rows(); ++k) {
@@ -40,8 +40,8 @@ std::vector<FrankRunup> frank_runups(evidence::Record& record) {
     row.law = table.column("R_law")[k];
     rows.push_back(std::move(row));
   }
-  join(rows, reference_table("frank_1994_runup_half_step", record), "R_frank_1d_half", &FrankRunup::printed_half);
-  join(rows, reference_table("frank_1994_runup_hall_watts", record), "R_HW", &FrankRunup::measured);
+  join(rows, reference_table("frank_1994_runup_half_step", record.reference_data), "R_frank_1d_half", &FrankRunup::printed_half);
+  join(rows, reference_table("frank_1994_runup_hall_watts", record.reference_data), "R_HW", &FrankRunup::measured);
   return rows;
 }
 

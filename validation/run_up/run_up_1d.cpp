@@ -114,7 +114,7 @@ void claim_law(evidence::Record& record, const SolitaryClimb& climb, double runu
                                .relative = true});
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double cot_slope = run.real("cot_slope");
   const SolitaryClimb climb = climb_from(run.values(), cot_slope, run.real("amplitude"));
   const exact::SolitaryRunup theory(1, 1, climb.amplitude, cot_slope);

@@ -60,7 +60,7 @@ SolitaryClimb climb_of(const Values& values, Wave wave, double spacing, double b
   return climb;
 }
 
-std::vector<Told> tell(Run& run) {
+std::vector<Told> tell(Running& run) {
   std::vector<Told> all;
   const double spacing = run.real("h");
   for (const double breaking : {0.0, run.real("breaking")}) {
@@ -223,7 +223,7 @@ void claim_switch(evidence::Record& record, const std::vector<Told>& all, const 
 }
 
 /// Fates over slopes and heights in units of the limit.
-void draw_map(Run& run) {
+void draw_map(Running& run) {
   const std::vector<double> slopes{1, 1.5, 2, 2.747, 3.732, 5, 7, 10};
   const std::vector<double> ratios{0.7, 0.85, 0.99, 1.2, 1.5, 2, 3};
   constexpr double highest = 0.6;  // there are no much higher solitary waves
@@ -278,7 +278,7 @@ void draw_map(Run& run) {
   points("stops", stops, Role::data);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const std::vector<Told> all = tell(run);
   const std::string resolution = fmt::format("h = {0:g} and {1:g}", run.real("h"), run.real("h") / 2);
   tabulate(run.record, all);

@@ -106,7 +106,7 @@ void claim_refinement(evidence::Record& record, const std::vector<Row>& rows, st
 
 /// Against a program that shares no code with ours. The thesis's kinetic energy, both tips, all spacings in common.
 void claim_independent(evidence::Record& record, const std::vector<Row>& rows, std::size_t levels) {
-  const io::Table table = reference_table("dispersive_runup_independent", record);
+  const io::Table table = reference_table("dispersive_runup_independent", record.reference_data);
   double mild = 0;
   double steepest = 0;
   for (std::size_t k = 0; k < table.rows(); ++k) {
@@ -316,7 +316,7 @@ void draw_slopes(evidence::Record& record, const std::vector<Row>& rows) {
   }
 }
 
-void run(Run& run) {
+void run(Running& run) {
   std::vector<Row> rows = runup_rows(run.record);
   const auto levels = static_cast<std::size_t>(run.integer("halvings")) + 1;
   double whole = 0;  // a level costs four times the one before

@@ -78,7 +78,7 @@ MeshSlopeClimb climb_on(const MeshSize& mesh, const exact::SolitaryWave& wave, d
   return {.wave = wave, .tan_slope = 1 / cot_slope, .spacing = mesh.spacing, .rows = mesh.rows, .tau = mesh.tau};
 }
 
-std::vector<Climbed> climb_all(Run& run, std::size_t levels) {
+std::vector<Climbed> climb_all(Running& run, std::size_t levels) {
   const std::vector<FrankRunup> printed = frank_runups(run.record);
   std::vector<Climbed> all;
   for (const Row& row : rows) {
@@ -272,7 +272,7 @@ void draw(evidence::Record& record, const std::vector<Climbed>& all) {
 }
 
 /// The wave of the parameters.
-void climb_one(Run& run) {
+void climb_one(Running& run) {
   const exact::SolitaryWave wave(run.real("amplitude"));
   const MeshSlopeClimb climb{.wave = wave,
                              .tan_slope = run.real("tan_slope"),
@@ -308,7 +308,7 @@ void climb_one(Run& run) {
             "mesh", result.flow.model().mesh(), x, y, window);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   climb_one(run);
   run.progress(0.1);
   const std::size_t levels = run.tier() == Tier::quick ? compared : meshes.size();
@@ -326,6 +326,7 @@ void run(Run& run) {
 
 Case slope_run_up_mesh() {
   Case c;
+  c.former_names = {"slope_run_up_2d"};
   c.title = "A solitary wave climbs steep slopes: the two-dimensional Lagrangian mesh";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.2 and table of chapter "

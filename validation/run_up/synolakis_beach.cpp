@@ -49,7 +49,7 @@ struct Surface {
 using Profiles = std::map<double, Surface>;  ///< by time
 
 Profiles profiles_of(const std::string& name, evidence::Record& record) {
-  const io::Table table = reference_table(name, record);
+  const io::Table table = reference_table(name, record.reference_data);
   Profiles profiles;
   for (std::size_t k = 0; k < table.rows(); ++k) {
     Surface& surface = profiles[table.column("t")[k]];
@@ -226,7 +226,7 @@ void draw_profiles(evidence::Record& record, const Profiles& laboratory, const P
 }
 
 /// A = 0.3, ten times the height that breaks on the way up.
-void show_breaking_wave(Run& run, evidence::Table& table) {
+void show_breaking_wave(Running& run, evidence::Table& table) {
   constexpr double amplitude = 0.3;
   constexpr double fine_step = 1.0 / 16;  // of the spacing: the front is steep
   const Profiles laboratory = profiles_of("synolakis_1987_profiles_0_3", run.record);
@@ -271,7 +271,7 @@ void show_breaking_wave(Run& run, evidence::Table& table) {
                                       "model that keeps energy cannot carry the bore"});
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const SolitaryClimb measured = climb_from(run.values(), cot_slope, 0.0185);
   const SolitaryClimb theoretical = climb_from(run.values(), cot_slope, 0.019);
   const Profiles laboratory = profiles_of("synolakis_1987_profiles_0_0185", run.record);

@@ -52,7 +52,7 @@ Sequence refine(const Values& values, double amplitude, TipMass tip, long levels
   return sequence;
 }
 
-void claim_runup(Run& run, double exact) {
+void claim_runup(Running& run, double exact) {
   const long levels = run.integer("levels");
   auto& panel = run.record
                     .figure("refinement", "The largest run-up as the spacing goes to zero",
@@ -92,9 +92,9 @@ void claim_runup(Run& run, double exact) {
 }
 
 /// All laboratory waves that do not break, each height computed once.
-void compare_laboratory_runups(Run& run) {
+void compare_laboratory_runups(Running& run) {
   constexpr double breaks_above = 0.045;
-  const io::Table table = reference_table("synolakis_1987_runup", run.record);
+  const io::Table table = reference_table("synolakis_1987_runup", run.record.reference_data);
   const auto uncertainty = reference_source("synolakis_1987_runup").standard_uncertainty;
   std::map<double, double> model;
   double bias = 0;
@@ -154,7 +154,7 @@ void compare_laboratory_runups(Run& run) {
   panel.line("model", a, r, Role::computed);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   claim_runup(run, exact::SolitaryRunup(1, 1, 0.019, cot_slope).highest().elevation);
   run.progress(0.2);
   compare_laboratory_runups(run);

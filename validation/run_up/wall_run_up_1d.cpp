@@ -61,8 +61,8 @@ struct Comparison {
   std::vector<double> serre;
 };
 
-Comparison compare(Run& run) {
-  const io::Table table = reference_table("wall_runup_exact", run.record);
+Comparison compare(Running& run) {
+  const io::Table table = reference_table("wall_runup_exact", run.record.reference_data);
   Comparison all{.amplitude = table.column("a"), .euler = table.column("R"), .serre = {}};
   for (const double a : all.amplitude) {
     const Converged one = converge(run.values(), a);
@@ -145,7 +145,7 @@ void draw_comparison(evidence::Record& record, const Comparison& all) {
   difference.line("A^5", all.amplitude, fifth, Role::guide);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const SolitaryClimb climb = climb_from(run.values(), 0, run.real("amplitude"));
   std::vector<double> time;
   std::vector<double> level;

@@ -26,7 +26,7 @@ using evidence::Role;
 
 const std::string source = "Su and Mirie (1980); Cooker, Weidman and Bale (1997)";
 
-void run(Run& run) {
+void run(Running& run) {
   const double depth = run.real("depth");
   const double amplitude = run.real("amplitude");
   const exact::WallRunup wall(amplitude, depth);
@@ -34,7 +34,7 @@ void run(Run& run) {
   run.record.measure("runup", wall.runup());
   run.record.measure("su_mirie", exact::WallRunup::su_mirie(amplitude, depth));
 
-  const io::Table table = reference_table("wall_runup_exact", run.record);
+  const io::Table table = reference_table("wall_runup_exact", run.record.reference_data);
   const std::vector<double>& a = table.column("a");
   const std::vector<double>& r = table.column("R");
   std::vector<double> ratio;
@@ -68,6 +68,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 Case wall_run_up_exact() {
   Case c;
+  c.former_names = {"wall_runup"};
   c.title = "A solitary wave climbs a vertical wall";
   c.source =
       "C. H. Su, R. M. Mirie, J. Fluid Mech. 98 (1980) 509; M. J. Cooker, P. D. Weidman, D. S. Bale, J. Fluid Mech. "

@@ -78,7 +78,7 @@ void draw(evidence::Record& record, const MeshWallClimb& climb, const History& a
 
 /// From the table of exact values where it is there, or computed.
 double exact_runup(double amplitude, evidence::Record& record) {
-  const io::Table table = reference_table("wall_runup_exact", record);
+  const io::Table table = reference_table("wall_runup_exact", record.reference_data);
   for (std::size_t k = 0; k < table.column("a").size(); ++k) {
     if (std::abs(table.column("a")[k] - amplitude) < 1e-12) return table.column("R")[k];
   }
@@ -182,7 +182,7 @@ void claim_convergence(evidence::Record& record, const MeshWallClimb& climb, con
   slope_guide(panel, 2, all.spacing, error.back());
 }
 
-void converge(Run& run, const MeshWallClimb& climb, const MeshWallRun& finest) {
+void converge(Running& run, const MeshWallClimb& climb, const MeshWallRun& finest) {
   constexpr long parts = 8;
   if (climb.rows % parts != 0 || !finest.fell) return;
   Sequence all;
@@ -197,7 +197,7 @@ void converge(Run& run, const MeshWallClimb& climb, const MeshWallRun& finest) {
   if (all.spacing.size() >= enough) claim_convergence(run.record, climb, all);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const MeshWallClimb climb = mesh_climb_from(run.values(), exact::SolitaryWave(run.real("amplitude")));
   History history;
   const MeshWallRun up = climb_wall(climb, [&](const Flow& flow) { history.add(flow); });
@@ -223,6 +223,7 @@ void run(Run& run) {
 
 Case wall_run_up_mesh() {
   Case c;
+  c.former_names = {"wall_run_up_2d"};
   c.title = "A solitary wave climbs a vertical wall on the two-dimensional Lagrangian mesh";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.2, figures 2 and 3; "

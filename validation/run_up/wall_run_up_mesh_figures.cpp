@@ -62,7 +62,7 @@ struct Curve {
   }
 };
 
-std::vector<Curve> sweep(Run& run) {
+std::vector<Curve> sweep(Running& run) {
   std::vector<Curve> curves;
   for (long rows = 2; rows <= run.integer("rows"); rows *= 2) curves.push_back({.rows = rows, .points = {}});
   constexpr int waves = 12;  // A = 0.05 to 0.6
@@ -116,7 +116,7 @@ void claim_exact(evidence::Record& record, const std::vector<Curve>& curves, con
 }
 
 void claim_same_mesh(evidence::Record& record, const std::vector<Curve>& curves) {
-  const io::Table table = reference_table("lagrangian_mesh_wall_runup_independent", record);
+  const io::Table table = reference_table("lagrangian_mesh_wall_runup_independent", record.reference_data);
   for (const Curve& curve : curves) {
     double worst = 0;
     for (std::size_t k = 0; k < table.column("A").size(); ++k) {
@@ -138,7 +138,7 @@ void claim_same_mesh(evidence::Record& record, const std::vector<Curve>& curves)
 }
 
 void claim_loads(evidence::Record& record, const std::vector<Curve>& curves) {
-  const io::Table table = reference_table("lagrangian_mesh_wall_load_independent", record);
+  const io::Table table = reference_table("lagrangian_mesh_wall_load_independent", record.reference_data);
   const Curve& finest = curves.back();
   struct Load {
     std::string id, column, name;
@@ -240,9 +240,9 @@ void draw(evidence::Record& record, const std::vector<Curve>& curves, const io::
   curves_on(force.panel({.x = "A [depth]", .y = "force [rho g depth^2]"}), &Climbed::force);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const std::vector<Curve> curves = sweep(run);
-  const io::Table exact = reference_table("wall_runup_exact", run.record);
+  const io::Table exact = reference_table("wall_runup_exact", run.record.reference_data);
   for (const Curve& curve : curves) {
     for (const Climbed& point : curve.points) {
       run.record.measure(fmt::format("runup_rows_{}_a_{:.2f}", curve.rows, point.amplitude), point.runup);
@@ -261,6 +261,7 @@ void run(Run& run) {
 
 Case wall_run_up_mesh_figures() {
   Case c;
+  c.former_names = {"wall_run_up_2d_figures"};
   c.title = "Run-up and pressure on a vertical wall against the height of the wave";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.2, figures 2 and 3; "

@@ -114,7 +114,7 @@ class Waves {
   std::map<long, exact::SolitaryWave> waves_;
 };
 
-std::vector<Told> tell(Run& run, Waves& waves) {
+std::vector<Told> tell(Running& run, Waves& waves) {
   constexpr double lowest = 0.5;
   constexpr double enough = 0.6;         // all variants are tried up to there
   constexpr double energy_limit = 0.01;  // a mesh that has crumpled against the barrier is no run-up
@@ -223,7 +223,7 @@ void draw_runup(evidence::Record& record, const std::vector<Told>& all, const io
   }
 }
 
-void draw_meshes(Run& run, Waves& waves) {
+void draw_meshes(Running& run, Waves& waves) {
   const MeshWindow window{.begin = -1.2, .end = 0.05};
   const auto axes = [&](const std::string& title) {
     evidence::Axes above = mesh_axes(title, window);
@@ -319,10 +319,10 @@ void claim_limits(evidence::Record& record, const std::vector<Told>& all, const 
                                      .reason = "a failure must not pass as a result"});
 }
 
-void run(Run& run) {
+void run(Running& run) {
   Waves waves;
   const std::vector<Told> all = tell(run, waves);
-  const io::Table exact = reference_table("wall_runup_exact", run.record);
+  const io::Table exact = reference_table("wall_runup_exact", run.record.reference_data);
   tabulate(run.record, all, exact);
   draw_runup(run.record, all, exact);
   draw_meshes(run, waves);
@@ -333,6 +333,7 @@ void run(Run& run) {
 
 Case wall_run_up_mesh_limit() {
   Case c;
+  c.former_names = {"wall_run_up_2d_limit"};
   c.title = "Where the mesh folds: high solitary waves at a vertical wall";
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2";
   c.tiers = {Tier::quick, Tier::full};

@@ -77,7 +77,7 @@ std::vector<double> fractions(double first, long count) {
 }
 
 /// Largest relative deviation from tabulated values; as many as there are.
-void claim_table(Run& run, const std::string& id, const std::string& what, const std::vector<double>& measured,
+void claim_table(Running& run, const std::string& id, const std::string& what, const std::vector<double>& measured,
                  const std::vector<double>& expected, const std::string& reason) {
   double worst = 0;
   for (std::size_t k = 0; k < expected.size(); ++k) {
@@ -91,7 +91,7 @@ void claim_table(Run& run, const std::string& id, const std::string& what, const
                    Bound{.limit = 0.05, .reason = reason});
 }
 
-void claim_second_order(Run& run, const std::string& id, const std::string& what, const std::vector<double>& sizes,
+void claim_second_order(Running& run, const std::string& id, const std::string& what, const std::vector<double>& sizes,
                         const std::vector<double>& errors) {
   run.record.check(
       {.id = "order-" + id, .text = what + ": second order.", .quantity = "observed order", .source = source},
@@ -115,7 +115,7 @@ std::vector<double> with_tail(std::vector<double> errors, const SerreWave& wave)
 }
 
 /// Cells and steps together: the errors of both schemes, with slope guides.
-void refine_both(Run& run, const SerreWave& wave) {
+void refine_both(Running& run, const SerreWave& wave) {
   const std::vector<double> h = fractions(2 * run.real("h"), run.integer("levels"));
   auto& panel = run.record
                     .figure("refined_together", "Cells and steps refined together",
@@ -165,7 +165,7 @@ void refine_both(Run& run, const SerreWave& wave) {
 }
 
 /// Cells alone at very short steps, and steps alone on very fine cells.
-void refine_one(Run& run, const SerreWave& wave) {
+void refine_one(Running& run, const SerreWave& wave) {
   auto& panel = run.record
                     .figure("refined_alone", "Cells alone, steps alone",
                             "Relative L2 error of the elevation; the other of h and tau is small.")
@@ -207,7 +207,7 @@ void refine_one(Run& run, const SerreWave& wave) {
 }
 
 /// Steps alone, against the limit of small steps on the same cells.
-void refine_time(Run& run, const SerreWave& wave) {
+void refine_time(Running& run, const SerreWave& wave) {
   const double h = run.real("h");
   const std::vector<double> tau = fractions(4 * run.real("tau"), 4);
   const Flow limit = followed(wave, h, tau.back() / 5, {.composition = TimeComposition::suzuki});
@@ -241,7 +241,7 @@ void refine_time(Run& run, const SerreWave& wave) {
 }
 
 /// Energy of the one-step scheme: a fourth with each halving of the step.
-void halve_steps(Run& run, const SerreWave& wave) {
+void halve_steps(Running& run, const SerreWave& wave) {
   std::vector<double> defects;
   const std::vector<double> taus = fractions(run.real("tau") / 2, 4);
   for (const double tau : taus) {
@@ -265,7 +265,7 @@ void halve_steps(Run& run, const SerreWave& wave) {
             .expected = 4});
 }
 
-void draw_histories(Run& run, const SerreWave& wave) {
+void draw_histories(Running& run, const SerreWave& wave) {
   auto& figure = run.record.figure("histories", "What is kept during the run",
                                    "Crest over the amplitude, its phase, and the largest defects so far.");
   auto& crest = figure.panel({.x = "t", .y = "crest/a"});
@@ -284,7 +284,7 @@ void draw_histories(Run& run, const SerreWave& wave) {
 }
 
 /// The run that the parameters describe.
-void follow_one(Run& run, const SerreWave& wave) {
+void follow_one(Running& run, const SerreWave& wave) {
   const Scheme scheme{.stepping = dispersive_shallow_water_1d::stepping_named(run.text("scheme")),
                       .composition = dispersive_shallow_water_1d::composition_named(run.text("composition"))};
   Flow flow = start(wave, run.real("h"), scheme);
@@ -340,7 +340,7 @@ void follow_one(Run& run, const SerreWave& wave) {
   error.points(title(scheme), place, difference, Role::computed);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const SerreWave wave = wave_of(run.values());
   follow_one(run, wave);
   run.progress(0.05);

@@ -123,7 +123,7 @@ struct Family {
   }
 };
 
-std::vector<Family> families(Run& run) {
+std::vector<Family> families(Running& run) {
   std::vector<MeshResolution> meshes = {{1, 2, 0.1}, {0.5, 4, 0.1}};
   if (run.tier() != Tier::quick) meshes.push_back({0.25, 8, 0.05});
   std::vector<Family> all;
@@ -355,7 +355,7 @@ void draw_celerity(evidence::Record& record, const std::vector<Family>& all, con
 }
 
 /// The wave of the parameters: its birth, and its profile at the end.
-void follow_one(Run& run) {
+void follow_one(Running& run) {
   const MeshResolution mesh{run.real("h1"), run.integer("rows"), run.real("tau")};
   Flow flow = raised({run.real("elevation"), run.real("width")}, mesh, run.real("hourglass"));
   const std::string resolution = mesh.text();
@@ -409,9 +409,9 @@ void follow_one(Run& run) {
   profile.points("nodes", nodes, heights, Role::computed);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   follow_one(run);
-  const io::Table published = reference_table("frank_1994_celerity", run.record);
+  const io::Table published = reference_table("frank_1994_celerity", run.record.reference_data);
   const std::vector<Family> all = families(run);
   const EulerSpeed euler;
   run.record.table(table_of_waves(all, euler));

@@ -171,7 +171,7 @@ double beyond_rounding(double value, const Printed& printed) {
   return std::max(0.0, std::abs(value - printed.value) - 0.5 * printed.unit);
 }
 
-void claim_published(Run& run) {
+void claim_published(Running& run) {
   evidence::Table table = table_of_runs("published", "Three heights on the same meshes as an independent program",
                                         "One-step scheme, no hourglass force.");
   for (const double amplitude : {0.1, 0.3, 0.5}) {
@@ -209,7 +209,7 @@ void claim_published(Run& run) {
 }
 
 /// The coarsest mesh under a high wave: how long it lasts with either start, and with the restoring force.
-void claim_fold(Run& run) {
+void claim_fold(Running& run) {
   const SolitaryWave wave(0.5);
   const MeshResolution mesh{1, 2, 0.1};
   const Outcome sampled = travel(wave, mesh);
@@ -247,7 +247,7 @@ void claim_fold(Run& run) {
 }
 
 /// Columns, rows and steps refined together.
-void refine(Run& run, const SolitaryWave& wave) {
+void refine(Running& run, const SolitaryWave& wave) {
   const double amplitude = wave.amplitude();
   evidence::Table table = table_of_runs("refinement", "Columns, rows and steps refined together",
                                         "One-step scheme, as the parameters else.");
@@ -301,7 +301,7 @@ void refine(Run& run, const SolitaryWave& wave) {
 }
 
 /// Which of the cell's sides matters.
-void refine_one_side(Run& run, const SolitaryWave& wave) {
+void refine_one_side(Running& run, const SolitaryWave& wave) {
   evidence::Table table = table_of_runs("sides", "Columns alone, rows alone", "The steps are the same, 0.05.");
   const auto profile = [&](double column_width, long rows) {
     const MeshResolution mesh{column_width, rows, 0.05};
@@ -326,7 +326,7 @@ void refine_one_side(Run& run, const SolitaryWave& wave) {
 }
 
 /// What the steps keep: the one-step scheme to second order in them, the conservative one to round-off.
-void claim_conservation(Run& run, const SolitaryWave& wave) {
+void claim_conservation(Running& run, const SolitaryWave& wave) {
   const MeshResolution coarse{0.5, 4, 0.1};
   std::vector<double> tau, energy, area;
   for (int k = 0; k < 4; ++k) {
@@ -366,7 +366,7 @@ void claim_conservation(Run& run, const SolitaryWave& wave) {
 }
 
 /// The run that the parameters describe.
-void follow_one(Run& run, const SolitaryWave& wave) {
+void follow_one(Running& run, const SolitaryWave& wave) {
   const MeshResolution mesh{run.real("h1"), run.integer("rows"), run.real("tau")};
   Flow flow = flow_of(wave, mesh, {.stepping = mechanics::stepping_named(run.text("scheme"))}, run.real("hourglass"),
                       first_of(run.values()));
@@ -410,7 +410,7 @@ void follow_one(Run& run, const SolitaryWave& wave) {
   error.points("nodes", nodes, differences, Role::computed);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const SolitaryWave wave(run.real("amplitude"));
   follow_one(run, wave);
   run.progress(0.05);
@@ -427,6 +427,7 @@ void run(Run& run) {
 
 Case solitary_mesh() {
   Case c;
+  c.former_names = {"solitary_2d"};
   c.title = "A solitary wave of the Euler equations on a Lagrangian mesh";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2; D. Dutykh, D. Clamond, "

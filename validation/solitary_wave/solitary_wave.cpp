@@ -29,7 +29,7 @@ exact::SolitaryWave wave_of(const Values& values) {
   return exact::SolitaryWave(values.real("amplitude"), values.real("depth"), values.real("gravity"));
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const exact::SolitaryWave wave = wave_of(run.values());
   claim_identities(run.record, wave.self_test(), wave.uncertainty(), source);
   run.record.measure("speed", wave.speed());

@@ -169,7 +169,7 @@ std::optional<double> cost_at(const std::vector<double>& errors, const std::vect
 }
 
 /// Claims about one scheme's errors; its costs are measurements.
-void judge(Run& run, const Contender& contender, const Curve& curve, double floor) {
+void judge(Running& run, const Contender& contender, const Curve& curve, double floor) {
   const std::string name = title(contender.scheme);
   std::string id = contender.id;
   std::replace(id.begin(), id.end(), '_', '-');
@@ -205,7 +205,7 @@ void judge(Run& run, const Contender& contender, const Curve& curve, double floo
   run.record.measure("error_" + std::string(contender.id), curve.error.back());
 }
 
-void compare_with_peer(Run& run, const Contender& contender, const Curve& curve) {
+void compare_with_peer(Running& run, const Contender& contender, const Curve& curve) {
   double worst = 0;
   for (const PeerPoint& point : peer) {
     for (std::size_t k = 0; k < curve.cells.size(); ++k) {
@@ -224,7 +224,7 @@ void compare_with_peer(Run& run, const Contender& contender, const Curve& curve)
       Bound{.limit = 1, .reason = "a method that is worse than current practice has to say so"});
 }
 
-void draw_wave(Run& run, const SerreWave& wave, double spacing, double tau) {
+void draw_wave(Running& run, const SerreWave& wave, double spacing, double tau) {
   const Flow flow = followed(wave, spacing, tau, {});
   const exact::SerreSolitary exact = wave.exact();
   const std::vector<double> x = evenly(wave.begin, wave.end, 701);
@@ -243,7 +243,7 @@ void draw_wave(Run& run, const SerreWave& wave, double spacing, double tau) {
   panel.points("markers", flow.x(), flow.y(), Role::computed);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const SerreWave wave = wave_of(run.values());
   const StepLength steps(wave, run.real("pilot"));
   // What the walls cut off the exact wave, over the amplitude.

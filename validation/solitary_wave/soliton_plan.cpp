@@ -48,7 +48,7 @@ struct Judged {
 
 class Travels {
  public:
-  explicit Travels(Run& run)
+  explicit Travels(Running& run)
       : run_(run),
         table_{.id = "travels",
                .title = "Solitary waves on coarse grids",
@@ -101,11 +101,11 @@ class Travels {
   void write() { run_.record.table(std::move(table_)); }
 
  private:
-  Run& run_;
+  Running& run_;
   evidence::Table table_;
 };
 
-void draw_waves(Run& run, const PlanSolitonRun& soliton) {
+void draw_waves(Running& run, const PlanSolitonRun& soliton) {
   auto& figure = run.record.figure("waves", "The wave at the beginning and at the end",
                                    fmt::format("Plan model, h = {:g}: nodes of one row about the crest, and the exact "
                                                "wave of the equations moved to the crest.",
@@ -134,7 +134,7 @@ void draw_waves(Run& run, const PlanSolitonRun& soliton) {
   panel.line("Green-Naghdi", x, z, Role::exact);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const PlanSolitonRun base{.amplitude = run.real("amplitude"),
                             .time = run.real("time"),
                             .settled = 0.2 * run.real("time"),

@@ -130,7 +130,7 @@ class Limit {
   dispersive_shallow_water_1d::Scheme scheme_;
 };
 
-void claim_own_wave(Run& run) {
+void claim_own_wave(Running& run) {
   const double kh = run.real("wavenumber");
   const double amplitude = run.real("amplitude");
   const StandingBox box{.wavenumber = kh,
@@ -161,7 +161,7 @@ void claim_own_wave(Run& run) {
             .expected = theory});
 }
 
-void claim_coefficients(Run& run, const Limit& limit) {
+void claim_coefficients(Running& run, const Limit& limit) {
   evidence::Table table{
       .id = "coefficients",
       .title = "Change of frequency with amplitude",
@@ -193,7 +193,7 @@ struct Roots {
   double weighted;
 };
 
-Roots claim_roots(Run& run, const Limit& limit) {
+Roots claim_roots(Running& run, const Limit& limit) {
   const double theory = DispersiveStandingWave::critical_wavelength(frank_model).value();
   const double in_water = exact::StandingWave::critical_wavelength();
   const Parameters weighted = like_water();
@@ -232,7 +232,7 @@ Roots claim_roots(Run& run, const Limit& limit) {
 
 /// Coefficients over wavelengths: lines and what was measured. Returns the largest deviation of the improved model
 /// with s = 2, and its smallest coefficient.
-std::pair<double, double> draw_coefficients(Run& run, evidence::Figure& figure, const Limit& limit,
+std::pair<double, double> draw_coefficients(Running& run, evidence::Figure& figure, const Limit& limit,
                                             const Roots& roots) {
   auto& panel = figure.panel({.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.4, .y_max = 0.6});
   const std::vector<double> lengths = evenly(3.4, 13, 193);
@@ -270,7 +270,7 @@ std::pair<double, double> draw_coefficients(Run& run, evidence::Figure& figure, 
 }
 
 /// Frequencies of Frank's model over amplitude.
-void draw_frequencies(Run& run) {
+void draw_frequencies(Running& run) {
   auto& figure = run.record.figure("frequency", "Frequency of Frank's model over amplitude",
                                    "Circles are measured, the parabolas are third-order theory; the middle wave has "
                                    "the model's critical wavelength.");
@@ -291,7 +291,7 @@ void draw_frequencies(Run& run) {
   }
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const Limit limit(run);
   claim_own_wave(run);
   claim_coefficients(run, limit);

@@ -33,7 +33,7 @@ exact::StandingWave wave_of(const Values& values) {
   return {values.real("amplitude"), values.real("wavelength"), values.real("depth"), values.real("gravity")};
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const exact::StandingWave wave = wave_of(run.values());
   claim_identities(run.record, wave.self_test(), wave.uncertainty(), source);
   run.record.measure("frequency", wave.frequency());

@@ -76,7 +76,7 @@ Bound coarse_bound(double wavelength) {
           .expected = theory};
 }
 
-void claim_own_wave(Run& run) {
+void claim_own_wave(Running& run) {
   const double wavelength = run.real("wavelength");
   const double amplitude = run.real("amplitude");
   const double time = run.real("time");
@@ -137,7 +137,7 @@ struct Coefficients {
   std::vector<double> uncertainty;  ///< of the limit
 };
 
-Coefficients measure(Run& run, std::size_t finest) {
+Coefficients measure(Running& run, std::size_t finest) {
   Coefficients c{.wavelength = {4, 5, 5.94, 7, 10}, .coarse = {}, .fine = {}, .limit = {}, .uncertainty = {}};
   for (const double wavelength : c.wavelength) {
     const OfSmallWaves coarse = of_small_waves(run, wavelength, finest / 2);
@@ -167,7 +167,7 @@ double root_of(const std::vector<double>& wavelength, const std::vector<double>&
   return root;
 }
 
-void claim_coefficients(Run& run, const Coefficients& c, std::size_t finest) {
+void claim_coefficients(Running& run, const Coefficients& c, std::size_t finest) {
   evidence::Table table{.id = "coefficients",
                         .title = "Change of frequency with amplitude",
                         .caption = "C in the limit of small amplitude on two meshes, extrapolated, and in water.",
@@ -203,7 +203,7 @@ void claim_coefficients(Run& run, const Coefficients& c, std::size_t finest) {
   run.record.table(std::move(table));
 }
 
-double claim_root(Run& run, const Coefficients& c, std::size_t finest) {
+double claim_root(Running& run, const Coefficients& c, std::size_t finest) {
   std::vector<double> theory;
   for (const double wavelength : c.wavelength) theory.push_back(in_water(wavelength));
   const double exact = exact::StandingWave::critical_wavelength();
@@ -226,7 +226,7 @@ double claim_root(Run& run, const Coefficients& c, std::size_t finest) {
   return root;
 }
 
-void draw_coefficients(Run& run, const Coefficients& c, std::size_t finest, double root) {
+void draw_coefficients(Running& run, const Coefficients& c, std::size_t finest, double root) {
   auto& figure = run.record.figure("coefficient", "How the frequency of standing waves depends on amplitude",
                                    "Coefficient of $(a/H)^2$ in the relative change of frequency, in the limit of "
                                    "small amplitude. The vertical line "
@@ -249,7 +249,7 @@ void draw_coefficients(Run& run, const Coefficients& c, std::size_t finest, doub
 }
 
 /// Change of frequency over amplitude on the coarser mesh.
-void draw_frequencies(Run& run, std::size_t finest) {
+void draw_frequencies(Running& run, std::size_t finest) {
   auto& figure =
       run.record.figure("frequency", "Frequency of standing waves over amplitude",
                         "On the coarser mesh. Circles are measured, the parabolas are Tadjbakhsh and Keller's.");
@@ -271,7 +271,7 @@ void draw_frequencies(Run& run, std::size_t finest) {
   }
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const auto finest = static_cast<std::size_t>(run.integer("finest_rows"));
   claim_own_wave(run);
   run.progress(0.1);
@@ -287,6 +287,7 @@ void run(Run& run) {
 
 Case standing_wave_mesh() {
   Case c;
+  c.former_names = {"standing_wave_2d"};
   c.title = "The frequency of standing waves depends on their amplitude: the Lagrangian mesh";
   c.source =
       "I. Tadjbakhsh, J. B. Keller, Standing surface waves of finite amplitude, J. Fluid Mech. 8 (1960) 442; A. M. "

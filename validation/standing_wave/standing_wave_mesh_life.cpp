@@ -113,7 +113,7 @@ std::string resolution(const Run& run, double tau) {
 }
 
 /// Frank's model: the fold, and that it is not the time step's.
-Life claim_fold(Run& run, double amplitude, const std::string& suffix) {
+Life claim_fold(Running& run, double amplitude, const std::string& suffix) {
   const double tau = run.real("tau");
   Setting setting{amplitude, run.real("time"), tau, 0, Stepping::one_step};
   Life life = live(run, setting);
@@ -150,7 +150,7 @@ Life claim_fold(Run& run, double amplitude, const std::string& suffix) {
 }
 
 /// With the potential: energy of the one-step scheme, and the effect on the frequency.
-Life claim_longer_life(Run& run, double amplitude, const Life& without, const std::string& suffix) {
+Life claim_longer_life(Running& run, double amplitude, const Life& without, const std::string& suffix) {
   const double tau = run.real("tau");
   Life life = live(run, {amplitude, run.real("time"), tau, run.real("hourglass"), Stepping::one_step});
   run.record.measure("worst_corner" + suffix, life.worst_corner);
@@ -188,7 +188,7 @@ Life claim_longer_life(Run& run, double amplitude, const Life& without, const st
 }
 
 /// The conservative scheme through the whole run.
-void claim_conservation(Run& run, double amplitude, const std::string& suffix) {
+void claim_conservation(Running& run, double amplitude, const std::string& suffix) {
   const double tau = run.real("tau");
   const Life life = live(run, {amplitude, run.real("time"), tau, run.real("hourglass"), Stepping::conservative});
   const auto steps = static_cast<double>(life.flow->steps());
@@ -222,7 +222,7 @@ std::vector<double> thinned(const std::vector<double>& values) {
   return kept;
 }
 
-void draw(Run& run, double amplitude, const Life& without, const Life& with, const std::string& suffix) {
+void draw(Running& run, double amplitude, const Life& without, const Life& with, const std::string& suffix) {
   auto& histories = run.record.figure(
       "life" + suffix, fmt::format("Life of a mesh under a standing wave, a = {:g}", amplitude),
       "Left: shape of the worst corner, 1 when square, 0 when it folds. Right: error of the energy of "
@@ -244,7 +244,7 @@ void draw(Run& run, double amplitude, const Life& without, const Life& with, con
   draw_mesh(meshes.panel(mesh_axes("with the hourglass potential")), "mesh", *with.flow);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   std::vector<double> amplitudes{run.real("amplitude")};
   if (run.toggle("low_wave_too")) amplitudes.push_back(amplitudes.front() / 3);
   for (std::size_t i = 0; i < amplitudes.size(); ++i) {

@@ -42,7 +42,7 @@ Profile inner_part(const Profile& whole, double from, double to) {
   return part;
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double gravity = run.real("gravity");
   const double time = run.real("time");
   const exact::MacDonald channel = exact::MacDonald::smooth_rise(gravity, discharge);

@@ -123,7 +123,7 @@ double discharge_spread(const Settled& settled, double q) {
   return sum / static_cast<double>(settled.discharge.size()) / q;
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const double gravity = run.real("gravity");
   const Regime regime = regime_from(run.text("regime"), gravity);
   const double q = regime.flow.discharge();

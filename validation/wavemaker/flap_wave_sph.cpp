@@ -116,7 +116,7 @@ std::array<double, 3> heights_of(const std::vector<double>& time, const std::vec
   return heights;
 }
 
-void claim(Run& run, const std::vector<Waves>& runs, const Waves& wide, const Design& design,
+void claim(Running& run, const std::vector<Waves>& runs, const Waves& wide, const Design& design,
            const std::array<double, 3>& transient, double settled) {
   std::vector<double> sizes, second;
   for (const Waves& one : runs) {
@@ -176,7 +176,7 @@ void claim(Run& run, const std::vector<Waves>& runs, const Waves& wide, const De
                    {.value = static_cast<double>(finest.behind)}, Bound{.limit = 0, .reason = "walls are tight"});
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const Design design = design_of(run);
   const exact::WavemakerTransient start =
       exact::WavemakerTransient::with_period(exact::Paddle::flap, gravity, design.depth, design.period, design.stroke);

@@ -125,7 +125,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return std::sqrt(difference / norm);
 }
 
-void claim_linear(Run& run, const Paddle& paddle, const Mesh& mesh, const Gauges& theory, double interval, double end) {
+void claim_linear(Running& run, const Paddle& paddle, const Mesh& mesh, const Gauges& theory, double interval, double end) {
   const std::array<double, 4> factors{0.5, 1, 1.5, run.tier() == Tier::quick ? 2.0 : 3.0};
   const Paddle tiny = paddle.with_stroke(1e-5);
   std::vector<double> sizes;
@@ -172,7 +172,7 @@ void claim_linear(Run& run, const Paddle& paddle, const Mesh& mesh, const Gauges
   slope_guide(panel, 2, sizes, all.back());
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const Paddle paddle{2 * std::numbers::pi / run.real("period"), run.real("stroke"), run.text("start") == "jump"};
   const Mesh mesh{run.real("h1"), run.integer("rows"), run.real("tau")};
   const double end = run.real("periods") * run.real("period");
@@ -227,6 +227,7 @@ void run(Run& run) {
 
 Case wavemaker_mesh() {
   Case c;
+  c.former_names = {"wavemaker_2d"};
   c.title = "A piston starts from rest: the two-dimensional Lagrangian mesh";
   c.source =
       "E. H. Kennard, Quart. Appl. Math. 7 (1949) 303; A. M. Frank, Discrete models of incompressible fluid, doctoral "

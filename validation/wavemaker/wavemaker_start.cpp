@@ -42,7 +42,7 @@ std::vector<double> times_of(const Values& values) {
   return evenly(0, end, 40 * static_cast<int>(values.real("periods")) + 1);
 }
 
-void run(Run& run) {
+void run(Running& run) {
   const exact::WavemakerTransient start = start_of(run.values());
   claim_identities(run.record, start.self_test(), start.uncertainty(), source);
   const double gauge = gauge_of(run.values());

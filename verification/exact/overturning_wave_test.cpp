@@ -41,7 +41,7 @@ PeriodicCurve curve(const OverturningWave::Profile& profile) {
 }
 
 std::map<double, Points> profiles(const std::string& name, evidence::Record& record) {
-  const auto table = validation::reference_table(name, record);
+  const auto table = validation::reference_table(name, record.reference_data);
   std::map<double, Points> result;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     Points& points = result[table.column("t")[row]];

@@ -111,7 +111,7 @@ void draw_runup(verification::Check& check) {
     panel.line("law", a, law, Role::guide);
     if (!correlation.empty()) {
       panel.line("Hall and Watts, fit", a, correlation, Role::peer);
-      const io::Table points = validation::reference_table("frank_1994_runup_hall_watts", check.record());
+      const io::Table points = validation::reference_table("frank_1994_runup_hall_watts", check.record().reference_data);
       std::vector<double> x;
       std::vector<double> y;
       for (std::size_t row = 0; row < points.rows(); ++row) {
@@ -121,7 +121,7 @@ void draw_runup(verification::Check& check) {
       }
       panel.points("Hall and Watts, measured", x, y, Role::data);
     } else {
-      const io::Table points = validation::reference_table("synolakis_1987_runup", check.record());
+      const io::Table points = validation::reference_table("synolakis_1987_runup", check.record().reference_data);
       panel.points("Synolakis, measured", points.column("A_over_d"), points.column("R_over_d"), Role::data);
     }
   }
@@ -221,7 +221,7 @@ TEST_CASE("the published analytic profiles end where our shoreline is", "[exact]
   verification::Check check("exact_solitary_profiles", "Analytic profiles of Synolakis' solution",
                             "a/d = 0.019 on 1:19.85. The first wet point of each published profile brackets the "
                             "shoreline within their spacing of 0.1 d along the beach, 0.005 d in elevation.");
-  const io::Table profiles = validation::reference_table("synolakis_1987_analytic_profiles", check.record());
+  const io::Table profiles = validation::reference_table("synolakis_1987_analytic_profiles", check.record().reference_data);
   const SolitaryRunup wave(1, 1, 0.019, 19.85);
   const double shift = std::acosh(std::sqrt(20.0)) / std::sqrt(0.75 * 0.019);
   double worst = 0;
@@ -257,7 +257,7 @@ TEST_CASE("Hall and Watts' correlation and Frank's run-up table", "[exact]") {
               "Hall and Watts (1953)");
   claim_self_test(check, "hall-watts", HallWatts(0.3, 0.4), "Hall and Watts (1953)");
 
-  const io::Table runup = validation::reference_table("frank_1994_runup", check.record());
+  const io::Table runup = validation::reference_table("frank_1994_runup", check.record().reference_data);
   double law = 0;
   for (std::size_t row = 0; row < runup.rows(); ++row) {
     const SolitaryRunup wave(1, 1, runup.column("A")[row], runup.column("cot_slope")[row]);
@@ -271,7 +271,7 @@ TEST_CASE("Hall and Watts' correlation and Frank's run-up table", "[exact]") {
              {.value = law},
              evidence::Bound{.limit = 0.0015, .reason = "three decimals, amplitudes rounded to two or three digits"});
 
-  const io::Table measured = validation::reference_table("frank_1994_runup_hall_watts", check.record());
+  const io::Table measured = validation::reference_table("frank_1994_runup_hall_watts", check.record().reference_data);
   double worst = 0;
   double suspicious = 0;
   for (std::size_t row = 0; row < measured.rows(); ++row) {

@@ -14,7 +14,7 @@ namespace seiche::validation {
 std::vector<long> sph_ladder(Tier tier, long finest, int rungs = 3);
 
 /// compute(size) for each index of the ladder, the costliest first, side by side as the tier allows.
-void climb(Run& run, std::size_t sizes, const std::function<void(std::size_t size)>& compute);
+void climb(Running& run, std::size_t sizes, const std::function<void(std::size_t size)>& compute);
 
 /// Keeps `uncertainty_<id>` of the value on the finest lattice, by grid convergence of first order, and the value that
 /// it is heading for, `limit_<id>`; nothing with fewer than three lattices.

@@ -1,0 +1,112 @@
+/// What a case claims, declared before it runs.
+///
+///     void claims(const Values& values, Claims<Results>& claims) {
+///       claims.check({.id = "crest", .text = "The crest keeps its height.", ...},
+///                    [](const Results& r) -> Measurement { return {.value = r.crest, .resolution = r.resolution}; },
+///                    evidence::Bound{.limit = 1e-3, .reason = "..."});
+///       claim_conservation(claims.of(&Results::flow));   // claims that several cases make of the same part
+///       claims.only_if(values.as_published(), "the source prints it for its own parameters").check(...);
+///     }
+///
+/// The measurement of a claim is taken from the results by a function that is declared with it, or by a pointer to the
+/// member of the results that holds it: a Measurement, an ObservedOrder, a Worst or a number.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "reports/evidence/record.hpp"
+#include "seiche/samples.hpp"
+
+namespace seiche::validation {
+
+using evidence::Measurement;
+
+/// A claim with its criterion, and how its measurement is taken from results of a type that only the case knows.
+struct DeclaredClaim {
+  using Measured = std::variant<Measurement, evidence::ObservedOrder>;
+
+  evidence::Claim claim;
+  evidence::Criterion criterion;
+  std::optional<evidence::KnownFailure> known_failure;
+  std::string left_out;  ///< why it does not apply at these parameters; empty if it does
+  std::function<Measured(const void* results)> measured;
+};
+
+namespace detail {
+
+inline DeclaredClaim::Measured as_measured(Measurement measurement) {
+  return measurement;
+}
+inline DeclaredClaim::Measured as_measured(evidence::ObservedOrder order) {
+  return order;
+}
+inline DeclaredClaim::Measured as_measured(double value) {
+  return Measurement{.value = value};
+}
+inline DeclaredClaim::Measured as_measured(const Worst& worst) {
+  return Measurement{.value = worst.value()};
+}
+
+}  // namespace detail
+
+/// A list of claims of which all measurements are taken from a `Part` of the results. Copies add to the same list.
+template <class Part>
+class Claims {
+ public:
+  using Find = std::function<const Part&(const void* results)>;
+
+  /// A list for the whole results.
+  explicit Claims(std::vector<DeclaredClaim>& list)
+      : Claims(list, [](const void* results) -> const Part& { return *static_cast<const Part*>(results); }, {}) {}
+  Claims(std::vector<DeclaredClaim>& list, Find find, std::string left_out)
+      : list_(&list), find_(std::move(find)), left_out_(std::move(left_out)) {}
+
+  template <class Measure>
+  void check(evidence::Claim claim, Measure measure, evidence::Criterion criterion) {
+    add(std::move(claim), std::move(measure), std::move(criterion), {});
+  }
+
+  /// A claim that the method is known not to meet.
+  template <class Measure>
+  void known_failure(evidence::Claim claim, Measure measure, evidence::Criterion criterion,
+                     evidence::KnownFailure failure) {
+    add(std::move(claim), std::move(measure), std::move(criterion), std::move(failure));
+  }
+
+  /// The same list for claims about a part of the results, a member or what a function of the results refers to.
+  template <class Member>
+  [[nodiscard]] auto of(Member member) const {
+    using Found = std::remove_cvref_t<std::invoke_result_t<Member, const Part&>>;
+    return Claims<Found>(
+        *list_,
+        [find = find_, member](const void* results) -> const Found& { return std::invoke(member, find(results)); },
+        left_out_);
+  }
+
+  /// The same list for claims that apply under a condition on parameters. @param otherwise  why they do not apply
+  [[nodiscard]] Claims only_if(bool applies, const std::string& otherwise) const {
+    return Claims(*list_, find_, applies ? left_out_ : otherwise);
+  }
+
+ private:
+  template <class Measure>
+  void add(evidence::Claim claim, Measure measure, evidence::Criterion criterion,
+           std::optional<evidence::KnownFailure> failure) {
+    list_->push_back({std::move(claim), std::move(criterion), std::move(failure), left_out_,
+                      [find = find_, measure](const void* results) {
+                        return detail::as_measured(std::invoke(measure, find(results)));
+                      }});
+  }
+
+  std::vector<DeclaredClaim>* list_;
+  Find find_;
+  std::string left_out_;
+};
+
+}  // namespace seiche::validation

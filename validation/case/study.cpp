@@ -1,0 +1,83 @@
+#include "validation/case/study.hpp"
+
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace seiche::validation {
+namespace {
+
+/// Judges what was measured; whatever keeps it from being measured is the claim's own error.
+evidence::JudgedClaim judged(const DeclaredClaim& declared, const void* results) {
+  evidence::JudgedClaim claim{declared.claim, declared.criterion, {}, declared.known_failure};
+  try {
+    const DeclaredClaim::Measured measured = declared.measured(results);
+    if (const auto* order = std::get_if<evidence::ObservedOrder>(&measured)) {
+      claim.judgement = judge(*order, std::get<evidence::Order>(declared.criterion));
+    } else {
+      const auto& measurement = std::get<Measurement>(measured);
+      claim.criterion = settled(declared.criterion, measurement.told);
+      claim.judgement = judge(measurement, claim.criterion);
+    }
+  } catch (const std::exception& failure) {
+    claim.judgement = evidence::error(failure.what());
+  }
+  return claim;
+}
+
+void leave_out(const std::vector<DeclaredClaim>& claims, evidence::Record& record) {
+  for (const DeclaredClaim& declared : claims) {
+    if (!declared.left_out.empty()) record.leave_out({declared.claim, declared.left_out});
+  }
+}
+
+}  // namespace
+
+void fail_all(const std::vector<DeclaredClaim>& claims, const std::string& why, evidence::Record& record) {
+  for (const DeclaredClaim& declared : claims) {
+    if (!declared.left_out.empty()) continue;
+    record.keep({declared.claim, declared.criterion, evidence::error("the run did not finish: " + why),
+                 declared.known_failure});
+  }
+  leave_out(claims, record);
+}
+
+std::vector<DeclaredClaim> Study::claims(const Values& values) const {
+  std::vector<DeclaredClaim> list = claims_(values);
+  std::set<std::string> ids;
+  bool any = false;
+  for (const DeclaredClaim& declared : list) {
+    if (!ids.insert(declared.claim.id).second) {
+      throw std::logic_error(fmt::format("claim '{}' is declared twice", declared.claim.id));
+    }
+    any = any || declared.left_out.empty();
+  }
+  if (!any) throw std::logic_error("the case claims nothing at these parameters");
+  return list;
+}
+
+void Study::run(const Run& run, evidence::Record& record) const {
+  const std::vector<DeclaredClaim> list = claims(run);
+  Computed results;
+  try {
+    results = compute_(run);
+  } catch (const std::invalid_argument&) {
+    throw;
+  } catch (const std::exception& failure) {
+    record.error = failure.what();
+    fail_all(list, record.error, record);
+    return;
+  }
+  for (const DeclaredClaim& declared : list) {
+    if (declared.left_out.empty()) record.keep(judged(declared, results.get()));
+  }
+  leave_out(list, record);
+  try {
+    show_(results.get(), run, record);
+  } catch (const std::exception& failure) {
+    record.error = fmt::format("its results could not be shown: {}", failure.what());
+  }
+}
+
+}  // namespace seiche::validation
