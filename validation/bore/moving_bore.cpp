@@ -16,8 +16,7 @@ method and the peers.
 **What to look at.** One particle holds the jump and hands it on to the next; nothing else is disturbed, to the last
 digit. Every peer smears it over several cells.
 */
-#include <algorithm>
-#include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -25,8 +24,7 @@ digit. Every peer smears it over several cells.
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
-#include "validation/case/reference_table.hpp"
-#include "validation/studies/shallow_water/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -37,12 +35,58 @@ namespace particles = shallow_water_particles;
 constexpr double length = 120;
 constexpr double start = 40;
 
-void draw_setup(evidence::Record& record, const exact::Bore& bore) {
+/// What the parameters decide.
+struct SetUp {
+  exact::Bore bore;
+  FlowProblem problem;
+  Discretisation discretisation;
+  long steps;
+  double time;
+  Front front;
+};
+
+SetUp set_up(const Values& values) {
+  const double gravity = values.real("gravity");
+  const exact::Bore bore(gravity, values.real("still_depth"), values.real("front_depth"), 0, start);
+  const Discretisation discretisation{
+      .scheme = "H2", .particles = values.integer("particles"), .time_step = values.real("time_step"), .theta = 1.5};
+  const long steps = values.integer("steps");
+  const double time = static_cast<double>(steps) * discretisation.time_step;
+  if (bore.position(time) >= length) {
+    throw std::invalid_argument(
+        fmt::format("steps = {} is out of range: the bore would leave the channel at t = {:g} s", steps,
+                    (length - start) / bore.speed()));
+  }
+  return {bore,
+          problem_of(bore, gravity, 0, length, {start}, FlowProblem::End::stream, FlowProblem::End::wall),
+          discretisation,
+          steps,
+          time,
+          {.behind = bore.behind().depth, .ahead = bore.ahead().depth, .position = bore.position(time), .reach = 30}};
+}
+
+/// Energy and particle edges step by step: D is exact, and the paths of edges show the jump as a kink.
+struct History {
+  std::vector<double> time;
+  std::vector<double> energy;       ///< of the two-state reconstruction, less the work of the piston
+  std::vector<double> mean_energy;  ///< of particle means, likewise
+  std::vector<std::vector<double>> edges;
+};
+
+struct Results {
+  SetUp set_up;
+  FlowRun flow;
+  History history;
+  std::vector<Contestant> contestants;
+};
+
+
+void draw_setup(evidence::Exhibit& exhibit, const exact::Bore& bore) {
   const double h0 = bore.ahead().depth;
   const double h1 = bore.behind().depth;
   const double u1 = bore.behind_velocity();
   auto& piston =
-      record
+      exhibit
           .figure("setup-piston", "A piston drives a bore",
                   "The piston at the left moves at the velocity of the water behind the bore.", {"bzz-fig-9"})
           .panel({.x = "x [m]", .y = "elevation [m]", .x_min = 0, .x_max = length, .y_min = -0.1, .y_max = 1.5 * h1});
@@ -51,7 +95,7 @@ void draw_setup(evidence::Record& record, const exact::Bore& bore) {
   piston.line("piston", std::vector<double>{start, start}, std::vector<double>{0, 1.3 * h1}, Role::guide);
   piston.line("bed", std::vector<double>{0, length}, std::vector<double>{0, 0}, Role::bed);
 
-  auto& panel = record.figure("setup", "The bore: the problem", "Depths and velocities at t = 0.", {"bzz-fig-10"})
+  auto& panel = exhibit.figure("setup", "The bore: the problem", "Depths and velocities at t = 0.", {"bzz-fig-10"})
                     .panel({.x = "x [m]",
                             .y = "elevation [m]",
                             .title = fmt::format("behind u = {:.3f} m/s, ahead at rest", u1),
@@ -63,153 +107,163 @@ void draw_setup(evidence::Record& record, const exact::Bore& bore) {
   panel.line("bed", std::vector<double>{0, length}, std::vector<double>{0, 0}, Role::bed);
 }
 
-void draw_exact(evidence::Record& record, const FlowProblem& problem, double time) {
+void draw_exact(evidence::Exhibit& exhibit, const FlowProblem& problem, double time) {
   auto& figure =
-      record.figure("exact", "The exact bore", fmt::format("Depth and velocity at t = {:g} s.", time), {"bzz-fig-11"});
+      exhibit.figure("exact", "The exact bore", fmt::format("Depth and velocity at t = {:g} s.", time), {"bzz-fig-11"});
   const ExactCurve curve = exact_curve(problem, 0, length, time);
   figure.panel({.x = "x [m]", .y = "depth h [m]"}).line("exact", curve.x, curve.depth, Role::exact);
   figure.panel({.x = "x [m]", .y = "velocity u [m/s]"}).line("exact", curve.x, curve.velocity, Role::exact);
 }
 
-/// Follows energy and edges step by step: D is exact, and the paths of edges show the jump as a kink.
-void follow(Running& run, const exact::Bore& bore, long n, double tau, long steps) {
-  const double u1 = bore.behind_velocity();
-  const double gravity = bore.gravity();
-  particles::ParticleFlow flow(
-      particles::bore(gravity, 0, start, length, bore.behind().depth, bore.ahead().depth, static_cast<std::size_t>(n)),
-      {.left = particles::Piston{[u1](double) { return u1; }}, .right = particles::Wall{}}, {.gravity = gravity});
-  std::vector<double> times{0};
-  std::vector<double> energy{flow.energy()};
-  std::vector<double> mean_energy{flow.mean_energy()};
-  std::vector<std::vector<double>> paths;
-  const auto note_paths = [&] {
+particles::ParticleFlow initial_flow(const SetUp& s) {
+  const exact::Bore& bore = s.bore;
+  return {particles::bore(bore.gravity(), 0, start, length, bore.behind().depth, bore.ahead().depth,
+                          static_cast<std::size_t>(s.discretisation.particles)),
+          {.left = particles::Piston{[u1 = bore.behind_velocity()](double) { return u1; }}, .right = particles::Wall{}},
+          {.gravity = bore.gravity()}};
+}
+
+History follow(const SetUp& s) {
+  particles::ParticleFlow flow = initial_flow(s);
+  // The piston works with the thrust of the water behind the bore.
+  const double power = shallow_water::thrust(s.bore.gravity(), s.bore.behind().depth) * s.bore.behind_velocity();
+  History history;
+  const auto note = [&] {
+    history.time.push_back(flow.time());
+    history.energy.push_back(flow.energy() - power * flow.time());
+    history.mean_energy.push_back(flow.mean_energy() - power * flow.time());
     const auto& edge = flow.particles().edge;
-    paths.emplace_back(edge.begin(), edge.end());
+    history.edges.emplace_back(edge.begin(), edge.end());
   };
-  note_paths();
-  double worst = 0;
-  for (long k = 1; k <= steps; ++k) {
-    flow.advance(tau);
-    times.push_back(flow.time());
-    energy.push_back(flow.energy());
-    mean_energy.push_back(flow.mean_energy());
-    note_paths();
-    // The piston works with the thrust of the water behind the bore.
-    const double work = shallow_water::thrust(gravity, bore.behind().depth) * u1 * flow.time();
-    worst = std::max(worst, std::abs(flow.energy() - energy[0] - work + bore.energy_loss_rate() * flow.time()));
+  note();
+  for (long k = 1; k <= s.steps; ++k) {
+    flow.advance(s.discretisation.time_step);
+    note();
   }
-  run.record.measure("energy_deviation", worst);
-  run.record.check(
-      {.id = "energy",
-       .text = "Energy falls at exactly the rate of the jump conditions.",
-       .quantity = "largest deviation of the two-state energy",
-       .unit = "m^4/s^3 s",
-       .source = "D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6"},
-      {.value = worst, .resolution = fmt::format("N = {}, tau = {:g} s", n, tau)},
-      evidence::Roundoff{.operations = static_cast<double>(n + steps),
-                         .scale = energy[0],
-                         .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});
+  return history;
+}
 
-  auto& history = run.record
-                      .figure("energy", "Energy against time",
-                              "Energy less the work of the piston. Of the two-state reconstruction it falls along the "
-                              "straight line of the jump conditions; of particle means it wavers as the transition "
-                              "particle fills.")
-                      .panel({.x = "t [s]", .y = "energy - work - E(0) [m$^4$/s$^2$]"});
-  std::vector<double> two_state;
-  std::vector<double> means;
+void draw_history(evidence::Exhibit& exhibit, const History& history, const exact::Bore& bore) {
+  auto& energy = exhibit
+                     .figure("energy", "Energy against time",
+                             "Energy less the work of the piston. Of the two-state reconstruction it falls along the "
+                             "straight line of the jump conditions; of particle means it wavers as the transition "
+                             "particle fills.")
+                     .panel({.x = "t [s]", .y = "energy - work - E(0) [m$^4$/s$^2$]"});
+  const auto since_start = [](std::vector<double> values) {
+    const double first = values.front();
+    for (double& value : values) value -= first;
+    return values;
+  };
   std::vector<double> law;
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    const double work = shallow_water::thrust(gravity, bore.behind().depth) * u1 * times[k];
-    two_state.push_back(energy[k] - work - energy[0]);
-    means.push_back(mean_energy[k] - work - mean_energy[0]);
-    law.push_back(-bore.energy_loss_rate() * times[k]);
+  std::vector<double> front;
+  for (const double t : history.time) {
+    law.push_back(-bore.energy_loss_rate() * t);
+    front.push_back(bore.position(t));
   }
-  history.line("-D t", times, law, Role::exact);
-  history.points("two-state reconstruction", times, two_state, Role::computed);
-  history.line("particle means", times, means, Role::peer);
+  energy.line("-D t", history.time, law, Role::exact);
+  energy.points("two-state reconstruction", history.time, since_start(history.energy), Role::computed);
+  energy.line("particle means", history.time, since_start(history.mean_energy), Role::peer);
 
-  auto& panel = run.record
+  auto& paths = exhibit
                     .figure("paths", "Paths of particle edges",
                             "Each line is an edge in the (x, t) plane; the jump is the line along which they bend.")
                     .panel({.x = "x [m]", .y = "t [s]", .x_min = 30, .x_max = 90});
-  const std::size_t edges = paths.front().size();
+  const std::size_t edges = history.edges.front().size();
   for (std::size_t e = edges / 4; e < edges * 3 / 4; e += 2) {
     std::vector<double> x;
-    for (const auto& row : paths) x.push_back(row[e]);
-    panel.line(e == edges / 4 ? "edges" : "", x, times, Role::computed);
+    for (const auto& row : history.edges) x.push_back(row[e]);
+    paths.line(e == edges / 4 ? "edges" : "", x, history.time, Role::computed);
   }
-  std::vector<double> front;
-  for (const double t : times) front.push_back(bore.position(t));
-  panel.line("exact bore", front, times, Role::exact);
+  paths.line("exact bore", front, history.time, Role::exact);
 }
 
-void run(Running& run) {
-  const double gravity = run.real("gravity");
-  const exact::Bore bore(gravity, run.real("still_depth"), run.real("front_depth"), 0, start);
-  const FlowProblem problem =
-      problem_of(bore, gravity, 0, length, {start}, FlowProblem::End::stream, FlowProblem::End::wall);
-  const Discretisation discretisation{
-      .scheme = "H2", .particles = run.integer("particles"), .time_step = run.real("time_step"), .theta = 1.5};
-  const long steps = run.integer("steps");
-  const double time = static_cast<double>(steps) * discretisation.time_step;
-  if (bore.position(time) >= length) {
-    throw std::invalid_argument(
-        fmt::format("steps = {} is out of range: the bore would leave the channel at t = {:g} s", steps,
-                    (length - start) / bore.speed()));
-  }
-
-  draw_setup(run.record, bore);
-  draw_exact(run.record, problem, time);
-  const auto flow =
-      run_and_draw(run.record, problem, discretisation, {0, 0.5 * time, time}, "A bore runs into still water",
-                   {"bzz-fig-12"}, [&](double done) { run.progress(0.3 * done); });
-  claim_conservation(run.record, *flow);
-  claim_exact_profile(run.record, *flow, problem, bore.behind().depth);
-  const Front front{
-      .behind = bore.behind().depth, .ahead = bore.ahead().depth, .position = bore.position(time), .reach = 30};
-  claim_single_particle(run.record, *flow, front);
-  run.record.check(
+void claims(const Values& values, Claims<Results> claims) {
+  const SetUp s = set_up(values);
+  const auto steps = static_cast<double>(s.steps);
+  claim_conservation(claims.of(&Results::flow), s.problem);
+  claim_exact_profile(claims.of(&Results::flow), s.bore.behind().depth, s.steps);
+  claim_single_particle(claims.of(&Results::flow), s.front);
+  claims.check(
       {.id = "range",
        .text = "No depth leaves the range of the exact solution.",
        .quantity = "largest depth outside the range",
        .unit = "m",
        .source = "the bore is monotone"},
-      {.value = excursion(flow->profile(), bore.ahead().depth, bore.behind().depth),
-       .resolution = discretisation.text()},
+      [s](const Results& r) -> Measurement {
+        return {.value = excursion(r.flow.profile(), s.front.ahead, s.front.behind),
+                .resolution = s.discretisation.text()};
+      },
       // Depth is mass over width: the rounding of two edges of the size of the channel counts N times.
-      evidence::Roundoff{.operations = static_cast<double>(steps),
-                         .scale = bore.behind().depth * static_cast<double>(discretisation.particles),
+      evidence::Roundoff{.operations = steps,
+                         .scale = s.front.behind * static_cast<double>(s.discretisation.particles),
                          .reason = "edges as large as the channel are rounded once per step, and a width is "
                                    "their difference, N times smaller"});
+  claims.check(
+      {.id = "energy",
+       .text = "Energy falls at exactly the rate of the jump conditions.",
+       .quantity = "largest deviation of the two-state energy",
+       .unit = "m^4/s^3 s",
+       .source = "D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6"},
+      [s](const Results& r) -> Measurement {
+        Worst deviation;
+        for (std::size_t k = 1; k < r.history.time.size(); ++k) {
+          const double t = r.history.time[k];
+          deviation.add(r.history.energy[k] - r.history.energy[0] + s.bore.energy_loss_rate() * t, t);
+        }
+        return {.value = deviation.value(),
+                .resolution = s.discretisation.text(),
+                .where = fmt::format("t = {:g} s", deviation.where())};
+      },
+      evidence::Roundoff{.operations = static_cast<double>(s.discretisation.particles) + steps,
+                         .scale = initial_flow(s).energy(),
+                         .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});
 
-  const io::Table printed = reference_table("bogomolov_zakharov_zerkal", run.record.reference_data);
-  run.record.measure("speed", bore.speed());
-  run.record.measure("velocity", bore.behind_velocity());
-  if (run.as_published()) {
-    run.record.check({.id = "printed-speed",
-                      .text = "The speed that the paper prints follows from the jump conditions.",
-                      .quantity = "bore speed",
-                      .unit = "m/s",
-                      .source = "section 4 of the paper"},
-                     {.value = bore.speed()},
-                     evidence::Bound{.limit = 0.05,
-                                     .reason = "half a unit of the last printed digit",
-                                     .expected = printed.column("bore_speed")[0]});
-    run.record.check({.id = "printed-velocity",
-                      .text = "So does the velocity behind the bore.",
-                      .quantity = "velocity behind",
-                      .unit = "m/s",
-                      .source = "section 4 of the paper"},
-                     {.value = bore.behind_velocity()},
-                     evidence::Bound{.limit = 0.05,
-                                     .reason = "half a unit of the last printed digit",
-                                     .expected = printed.column("bore_velocity")[0]});
-  }
+  const io::Table printed = values.table("bogomolov_zakharov_zerkal");
+  const auto published = claims.only_if(values.as_published(), "the paper prints it for its own parameters");
+  published.check({.id = "printed-speed",
+                   .text = "The speed that the paper prints follows from the jump conditions.",
+                   .quantity = "bore speed",
+                   .unit = "m/s",
+                   .source = "section 4 of the paper"},
+                  [](const Results& r) { return r.set_up.bore.speed(); },
+                  evidence::Bound{.limit = 0.05,
+                                  .reason = "half a unit of the last printed digit",
+                                  .expected = printed.column("bore_speed")[0]});
+  published.check({.id = "printed-velocity",
+                   .text = "So does the velocity behind the bore.",
+                   .quantity = "velocity behind",
+                   .unit = "m/s",
+                   .source = "section 4 of the paper"},
+                  [](const Results& r) { return r.set_up.bore.behind_velocity(); },
+                  evidence::Bound{.limit = 0.05,
+                                  .reason = "half a unit of the last printed digit",
+                                  .expected = printed.column("bore_velocity")[0]});
+}
 
-  follow(run, bore, discretisation.particles, discretisation.time_step, steps);
+Results compute(const Run& run) {
+  const SetUp s = set_up(run);
+  Results r{.set_up = s};
+  r.flow = compute_flow(s.problem, s.discretisation, {0, 0.5 * s.time, s.time},
+                        [&](double done) { run.progress(0.3 * done); });
+  r.history = follow(s);
   run.progress(0.5);
-  report_contest(run.record, problem, time, contest_all(problem, discretisation, all_schemes, time, &front));
+  r.contestants = contest_all(s.problem, s.discretisation, all_schemes, s.time, &s.front);
+  return r;
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  const SetUp& s = r.set_up;
+  draw_setup(exhibit, s.bore);
+  draw_exact(exhibit, s.problem, s.time);
+  draw_flow(r.flow, exhibit, "A bore runs into still water", {"bzz-fig-12"});
+  draw_history(exhibit, r.history, s.bore);
+  report_contest(exhibit, s.problem, s.time, r.contestants);
+  show_conservation(r.flow, exhibit);
+  show_errors(r.flow.errors, exhibit);
+  exhibit.measure("front_width", static_cast<double>(front_width(r.flow.profile(), s.front)));
+  exhibit.measure("speed", s.bore.speed());
+  exhibit.measure("velocity", s.bore.behind_velocity());
 }
 
 }  // namespace
@@ -227,7 +281,7 @@ Case moving_bore() {
       real("still_depth", 1.0, "m", {1e-3, 1e3}, "depth of the still water ahead"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -69,7 +69,8 @@ Fitted fitted(const SurfaceLattice& surface, const std::vector<Place>& places) {
 evidence::Measurement ratio(const evidence::Measurement& over, const evidence::Measurement& under) {
   const double value = over.value / under.value;
   return {.value = value,
-          .uncertainty = std::abs(value) * std::hypot(over.uncertainty / over.value, under.uncertainty / under.value),
+          .uncertainty = std::abs(value) *
+                         std::hypot(over.uncertainty.value() / over.value, under.uncertainty.value() / under.value),
           .resolution = over.resolution};
 }
 

@@ -253,7 +253,7 @@ std::vector<Contestant> contest_all(const FlowProblem& problem, const Discretisa
   return contestants;
 }
 
-void report_contest(evidence::Record& record, const FlowProblem& problem, double time,
+void report_contest(evidence::Exhibit& record, const FlowProblem& problem, double time,
                     const std::vector<Contestant>& contestants, const std::vector<std::string>& atlas) {
   evidence::Table table{
       .id = "schemes",
@@ -299,7 +299,7 @@ void report_contest(evidence::Record& record, const FlowProblem& problem, double
   record.table(std::move(table));
 }
 
-void measure_errors(evidence::Record& record, const ProfileErrors& e, const std::string& suffix) {
+void measure_errors(evidence::Exhibit& record, const ProfileErrors& e, const std::string& suffix) {
   record.measure("cell_l1_h" + suffix, e.cell.depth.l1);
   record.measure("cell_l1_u" + suffix, e.cell.velocity.l1);
   record.measure("reconstructed_l1_h" + suffix, e.reconstructed.depth.l1);

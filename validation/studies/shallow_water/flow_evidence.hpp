@@ -102,11 +102,11 @@ std::vector<Contestant> contest_all(const FlowProblem& problem, const Discretisa
                                     const std::function<void(double)>& progress = {});
 
 /// Adds a table of errors, widths and front errors, and a figure with a panel of depth per scheme.
-void report_contest(evidence::Record& record, const FlowProblem& problem, double time,
+void report_contest(evidence::Exhibit& record, const FlowProblem& problem, double time,
                     const std::vector<Contestant>& contestants, const std::vector<std::string>& atlas = {});
 
 /// Keeps errors as measurements, each name with the suffix.
-void measure_errors(evidence::Record& record, const ProfileErrors& errors, const std::string& suffix = "");
+void measure_errors(evidence::Exhibit& record, const ProfileErrors& errors, const std::string& suffix = "");
 
 /// Adds the profile as a snapshot for ParaView.
 void add_snapshot(evidence::Record& record, const Flow& flow);

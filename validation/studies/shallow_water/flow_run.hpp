@@ -1,0 +1,62 @@
+/// A flow computed to a few times: what every shallow-water case measures, claims and draws of it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reports/evidence/record.hpp"
+#include "validation/case/claims.hpp"
+#include "validation/studies/shallow_water/flow.hpp"
+#include "validation/studies/shallow_water/flow_evidence.hpp"
+
+namespace seiche::validation {
+
+/// A flow at the times shown, the last of which is judged.
+struct FlowRun {
+  struct Frame {
+    double time = 0;
+    long steps = 0;
+    Profile profile;
+  };
+
+  FlowProblem problem;
+  Discretisation discretisation;
+  std::vector<Frame> frames;
+  ProfileErrors errors;  ///< at the last time
+  double mass = 0;       ///< of all water at the last time [m^2]
+  double mass_defect = 0;
+  double momentum_defect = 0;
+  double momentum_scale = 0;
+  double max_courant = 0;
+
+  [[nodiscard]] const Profile& profile() const { return frames.back().profile; }
+  [[nodiscard]] double time() const { return frames.back().time; }
+  [[nodiscard]] long steps() const { return frames.back().steps; }
+};
+
+/// Runs a flow through the given times. @param progress  told the share of the time that is done
+FlowRun compute_flow(const FlowProblem& problem, const Discretisation& discretisation, const std::vector<double>& times,
+                     const std::function<void(double)>& progress);
+
+/// Mass and momentum (less what passed the ends) are conserved to round-off; ids "mass" and "momentum" with the suffix.
+void claim_conservation(Claims<FlowRun> claims, const FlowProblem& problem, const std::string& suffix = "");
+
+/// The jump lies inside a single particle; id "width".
+void claim_single_particle(Claims<FlowRun> claims, const Front& front);
+
+/// The method's own profile is the exact one to round-off; for flows of uniform states and jumps.
+/// @param deepest  depth that is rounded [m]
+/// @param steps    number of steps
+void claim_exact_profile(Claims<FlowRun> claims, double deepest, long steps);
+
+/// Largest Courant number, conservation defects and errors as measurements, each name with the suffix.
+void show_conservation(const FlowRun& flow, evidence::Exhibit& exhibit, const std::string& suffix = "");
+void show_errors(const ProfileErrors& errors, evidence::Exhibit& exhibit, const std::string& suffix = "");
+
+/// A figure with a row of two panels, depth and velocity, at each of the times: the exact curve, the particles as
+/// rectangles and dots; each is also a snapshot for ParaView.
+void draw_flow(const FlowRun& flow, evidence::Exhibit& exhibit, const std::string& title,
+               const std::vector<std::string>& atlas);
+
+}  // namespace seiche::validation
