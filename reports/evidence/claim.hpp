@@ -34,6 +34,9 @@ struct Measurement {
   std::string resolution = {};  ///< "N = 200, tau = 0.05 s"
   std::string where = {};       ///< place and time of an extreme, "t = 0.35 s"
   Told told = {};
+
+  /// The uncertainty as a number to reckon with: NaN where it was not estimated.
+  [[nodiscard]] double half_width() const { return uncertainty.value_or(std::numeric_limits<double>::quiet_NaN()); }
 };
 
 /// A convergence order with its 95 % confidence interval, from a least-squares line through log(error), log(size).

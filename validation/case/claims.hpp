@@ -68,14 +68,14 @@ class Claims {
       : list_(&list), find_(std::move(find)), left_out_(std::move(left_out)) {}
 
   template <class Measure>
-  void check(evidence::Claim claim, Measure measure, evidence::Criterion criterion) {
+  void check(evidence::Claim claim, Measure measure, evidence::Criterion criterion) const {
     add(std::move(claim), std::move(measure), std::move(criterion), {});
   }
 
   /// A claim that the method is known not to meet.
   template <class Measure>
   void known_failure(evidence::Claim claim, Measure measure, evidence::Criterion criterion,
-                     evidence::KnownFailure failure) {
+                     evidence::KnownFailure failure) const {
     add(std::move(claim), std::move(measure), std::move(criterion), std::move(failure));
   }
 
@@ -97,7 +97,7 @@ class Claims {
  private:
   template <class Measure>
   void add(evidence::Claim claim, Measure measure, evidence::Criterion criterion,
-           std::optional<evidence::KnownFailure> failure) {
+           std::optional<evidence::KnownFailure> failure) const {
     list_->push_back({std::move(claim), std::move(criterion), std::move(failure), left_out_,
                       [find = find_, measure](const void* results) {
                         return detail::as_measured(std::invoke(measure, find(results)));

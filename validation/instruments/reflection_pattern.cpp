@@ -70,7 +70,7 @@ evidence::Measurement ratio(const evidence::Measurement& over, const evidence::M
   const double value = over.value / under.value;
   return {.value = value,
           .uncertainty = std::abs(value) *
-                         std::hypot(over.uncertainty.value() / over.value, under.uncertainty.value() / under.value),
+                         std::hypot(over.half_width() / over.value, under.half_width() / under.value),
           .resolution = over.resolution};
 }
 

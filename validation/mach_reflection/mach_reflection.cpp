@@ -69,7 +69,7 @@ const std::vector<Quantity>& quantities() {
       {"stem_angle", "The angle between the wall and the path of the stem's end", "deg",
        [](const Reflection& r, const KnownReflection*) {
          return Measurement{.value = degrees(r.stem.value),
-                            .uncertainty = degrees(r.stem.uncertainty),
+                            .uncertainty = degrees(r.stem.half_width()),
                             .resolution = r.run.resolution()};
        },
        &KnownReflection::stem_angle, 1},
@@ -124,7 +124,7 @@ Value value_of(const Configuration& one, const Quantity& quantity, const KnownRe
   for (const Reflection& reflection : one.ladder) values.push_back(quantity.measured(reflection, known).value);
   const FineLimit lattice = fine_limit(one.sizes(), values);
   Measurement measured = quantity.measured(one.finest(), known);
-  measured.uncertainty = std::hypot(measured.uncertainty, lattice.uncertainty);
+  measured.uncertainty = std::hypot(measured.half_width(), lattice.half_width());
   return {measured, lattice.value};
 }
 
@@ -137,7 +137,7 @@ void measure(evidence::Record& record, const Configuration& one, const std::stri
   keep("growth_last_fifth", finest.limit.growth);
   keep("growth_rate", finest.limit.growth / (0.2 * finest.time.back()));
   keep("a_w_limit_over_a_i", finest.limit_ratio().value);
-  keep("a_w_limit_over_a_i_uncertainty", finest.limit_ratio().uncertainty);
+  keep("a_w_limit_over_a_i_uncertainty", finest.limit_ratio().half_width());
   keep("kappa", finest.run.kappa());
   keep("kappa_finite_angle", finest.run.kappa_finite_angle());
   keep("stem_length", finest.pattern.stem_length.value);
@@ -150,7 +150,7 @@ void measure(evidence::Record& record, const Configuration& one, const std::stri
     const Value value = value_of(one, quantity, nullptr);
     if (!std::isfinite(value.measured.value)) continue;
     keep(quantity.id, value.measured.value);
-    keep(quantity.id + "_uncertainty", value.measured.uncertainty);
+    keep(quantity.id + "_uncertainty", value.measured.half_width());
     keep(quantity.id + "_fine_limit", value.limit);
   }
 }
@@ -166,7 +166,7 @@ void claim_reference(evidence::Record& record, const Configuration& one, const K
         .source = independent_reflections};
     const Measurement measured = value_of(one, quantity, &known).measured;
     const evidence::Uncertainty near{.expected = expected.value,
-                                     .data = expected.uncertainty,
+                                     .data = expected.half_width(),
                                      .useful = quantity.useful,
                                      .reason =
                                          "its numbers are of h = 0.5, with the uncertainty stated there; of "
@@ -281,7 +281,7 @@ void tabulate(evidence::Record& record, const std::vector<Configuration>& all,
       const Quantity& quantity = quantities()[k];
       const Value value = value_of(one, quantity, nullptr);
       const auto digits = [](double number) { return std::round(number * 1e4) / 1e4; };
-      table.rows.push_back({one.angle, quantity.id, digits(value.measured.value), digits(value.measured.uncertainty),
+      table.rows.push_back({one.angle, quantity.id, digits(value.measured.value), digits(value.measured.half_width()),
                             digits(value.limit),
                             reference ? fmt::format("{:g}", ((*reference).*quantity.known).value) : std::string("-"),
                             digits(theory(miles)[k]), digits(theory(finite)[k])});

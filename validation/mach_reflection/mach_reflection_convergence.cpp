@@ -67,7 +67,7 @@ void claim_same(evidence::Record& record, const Variant& variant, const Reflecti
                 .quantity = "difference of a_w/a_i",
                 .source = source},
                {.value = b.value - a.value, .resolution = other.run.resolution()},
-               Bound{.limit = std::hypot(a.uncertainty, b.uncertainty),
+               Bound{.limit = std::hypot(a.half_width(), b.half_width()),
                      .reason = "the scatter of the incident amplitude along its crest, in both runs"});
 }
 

@@ -134,7 +134,7 @@ void claim_peak(evidence::Record& record, const ReflectionSeries& series) {
       fmt::format("{:.0f} deg, {}, {}", degrees(highest.run.angle), highest.run.resolution(), highest.growth_flag());
   record.measure(fmt::format("peak_reached_a_{:g}", series.amplitude), highest.wall_ratio().value);
   record.measure(fmt::format("peak_limit_a_{:g}", series.amplitude), limit.value);
-  record.measure(fmt::format("peak_limit_uncertainty_a_{:g}", series.amplitude), limit.uncertainty);
+  record.measure(fmt::format("peak_limit_uncertainty_a_{:g}", series.amplitude), limit.half_width());
   constexpr double frank = 3.5;
   record.check(
       {.id = with("peak", series),
@@ -192,7 +192,7 @@ void claim_boundary(evidence::Record& record, const ReflectionSeries& series, co
 void claim_law(evidence::Record& record, const ReflectionSeries& series) {
   const AngleLaw law = angle_law(series, last_of_law);
   record.measure("angle_law_factor", law.factor);
-  record.measure("angle_law_uncertainty", law.uncertainty);
+  record.measure("angle_law_uncertainty", law.half_width());
   record.measure("angle_law_largest_residual", law.largest_residual);
   constexpr double frank = 0.62;
   record.check(
@@ -201,7 +201,7 @@ void claim_law(evidence::Record& record, const ReflectionSeries& series) {
        .quantity = "C of a_r = C psi^2 up to 35 deg",
        .source = "Frank (1994), section 4.3"},
       {.value = law.factor,
-       .uncertainty = law.uncertainty,
+       .uncertainty = law.half_width(),
        .resolution = fmt::format("h = {:g}, residuals up to {:.0f} %", series.spacing, 100 * law.largest_residual)},
       Uncertainty{.expected = frank,
                   .data = 0.05 * frank,
@@ -220,11 +220,11 @@ void claim_angles(evidence::Record& record, const ReflectionSeries& series) {
     const double kappa = series.reflections[k].run.kappa_finite_angle();
     if (!std::isfinite(angle.value)) continue;
     if (kappa < 1) {
-      falls = falls && angle.value - angle.uncertainty < last;
-      last = angle.value + angle.uncertainty;
+      falls = falls && angle.value - angle.half_width() < last;
+      last = angle.value + angle.half_width();
     } else if (kappa > 1.1) {
       const Measurement& incident = series.reflections[k].pattern.incident_angle;
-      const double uncertainty = std::hypot(0.6, angle.uncertainty, degrees(incident.uncertainty));
+      const double uncertainty = std::hypot(0.6, angle.half_width(), degrees(incident.half_width()));
       worst = std::max(worst, std::abs(angle.value - degrees(incident.value)) / uncertainty);
     }
   }

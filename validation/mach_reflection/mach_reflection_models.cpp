@@ -120,7 +120,7 @@ void claim_models(evidence::Record& record, const Pair& pair) {
        .quantity = "a_w/a_i of the hexahedra over that of the columns, less 1",
        .source = source},
       {.value = layered.value / columns.value - 1,
-       .uncertainty = std::hypot(layered.uncertainty, columns.uncertainty) / columns.value,
+       .uncertainty = std::hypot(layered.half_width(), columns.half_width()) / columns.value,
        .resolution = pair.hexahedra.run.resolution()},
       evidence::Bound{.limit = 0.06, .reason = "an independent implementation of both finds 4 to 6 % between them"});
 }

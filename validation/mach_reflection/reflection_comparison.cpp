@@ -25,7 +25,7 @@ void claim_independent(evidence::Record& record, const ReflectionSeries& series,
                        "expanded uncertainty: twice that stated with its table, and the scatter of our rows; "
                        "same spacing and steps"};
   const auto compare = [&](Worst& w, const Measurement& ours, const Known& theirs, double angle) {
-    const double expanded = std::hypot(2 * theirs.uncertainty, ours.uncertainty);
+    const double expanded = std::hypot(2 * theirs.half_width(), ours.half_width());
     const double difference = std::abs(ours.value - theirs.value) / expanded;
     if (theirs.doubt.empty()) {
       w.value = std::max(w.value, difference);
@@ -48,7 +48,7 @@ void claim_independent(evidence::Record& record, const ReflectionSeries& series,
     if (!is_steady(one->growth)) continue;  // the others are of the end, which is not the same
     compare(worst[1], r.reflected_ratio(), one->reflected_ratio, one->angle);
     compare(worst[2], r.reflected_angle(), one->reflected_angle, one->angle);
-    compare(worst[3], {.value = degrees(r.stem.value), .uncertainty = degrees(r.stem.uncertainty), .resolution = {}},
+    compare(worst[3], {.value = degrees(r.stem.value), .uncertainty = degrees(r.stem.half_width()), .resolution = {}},
             one->stem_angle, one->angle);
   }
   for (const Worst& w : worst) {

@@ -65,7 +65,7 @@ void limits(Panel& panel, const std::vector<ReflectionSeries>& series, Kappa kap
       if (r.limit.steady()) continue;
       at.push_back((r.run.*kappa)());
       limit.push_back(r.limit_ratio().value);
-      error.push_back(r.limit_ratio().uncertainty);
+      error.push_back(r.limit_ratio().half_width());
     }
   }
   if (!at.empty()) panel.points("limit where a_w still grows by more than 1 %", at, limit, Role::data, error);
@@ -90,7 +90,7 @@ void draw_amplitudes(evidence::Record& record, const std::vector<ReflectionSerie
     for (const ReflectionSeries& one : series) {
       panel.points(name_of(one), kappas(one, axis.kappa),
                    one.all([](const Reflection& r) { return r.wall_ratio().value; }), Role::computed,
-                   one.all([](const Reflection& r) { return r.wall_ratio().uncertainty; }));
+                   one.all([](const Reflection& r) { return r.wall_ratio().half_width(); }));
     }
     limits(panel, series, axis.kappa);
     panel.line("Frank (1994)", std::vector{0.1, last}, std::vector{3.5, 3.5}, Role::guide);
@@ -103,7 +103,7 @@ void draw_amplitudes(evidence::Record& record, const std::vector<ReflectionSerie
     for (const ReflectionSeries& one : series) {
       panel.points(name_of(one), kappas(one, axis.kappa),
                    one.all([](const Reflection& r) { return r.reflected_ratio().value; }), Role::computed,
-                   one.all([](const Reflection& r) { return r.reflected_ratio().uncertainty; }));
+                   one.all([](const Reflection& r) { return r.reflected_ratio().half_width(); }));
     }
     panel.line("Frank (1994)", std::vector{0.1, last}, std::vector(2, regular_from), Role::guide);
   }
@@ -164,7 +164,7 @@ void draw_angle_law(evidence::Record& record, const ReflectionSeries& series, co
     if (!r.pattern.reflected) continue;
     square.push_back(r.run.angle * r.run.angle);
     amplitude.push_back(r.pattern.reflected->amplitude.value);
-    error.push_back(r.pattern.reflected->amplitude.uncertainty);
+    error.push_back(r.pattern.reflected->amplitude.half_width());
   }
   panel.points("computed", square, amplitude, Role::computed, error);
   const auto through = [&](const std::string& label, double factor, Role role) {
@@ -185,7 +185,7 @@ void draw_reflected_angles(evidence::Record& record, const std::vector<Reflectio
   auto& panel = figure.panel({.x = "psi_i [deg]", .y = "psi_r [deg]", .y_min = 15, .y_max = 60});
   for (const ReflectionSeries& one : series) {
     panel.points(name_of(one), one.angles, one.all([](const Reflection& r) { return r.reflected_angle().value; }),
-                 Role::computed, one.all([](const Reflection& r) { return r.reflected_angle().uncertainty; }));
+                 Role::computed, one.all([](const Reflection& r) { return r.reflected_angle().half_width(); }));
   }
   for (const ReflectionSeries& one : series) {
     const double edge = degrees(std::sqrt(3 * one.amplitude));
@@ -251,7 +251,7 @@ void tabulate_reflections(evidence::Record& record, const std::vector<Reflection
                             rounded(r.run.kappa_finite_angle(), 1e4), one.spacing, std::round(r.time.back()),
                             rounded(r.pattern.incident_amplitude.value, 1e5), rounded(r.wall_ratio().value, 1e4),
                             rounded(r.limit.growth, 1e4), std::string(r.limit.steady() ? "yes" : "no"),
-                            rounded(r.limit_ratio().value, 1e4), rounded(r.limit_ratio().uncertainty, 1e4),
+                            rounded(r.limit_ratio().value, 1e4), rounded(r.limit_ratio().half_width(), 1e4),
                             rounded(r.reflected_ratio().value, 1e4), rounded(r.reflected_angle().value, 1e2),
                             rounded(degrees(r.stem.value), 1e3), rounded(r.iterations, 10),
                             static_cast<double>(r.cells), rounded(r.seconds, 10)});

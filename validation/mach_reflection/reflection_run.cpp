@@ -30,7 +30,7 @@ evidence::Measurement over(const evidence::Measurement& a, const evidence::Measu
                            const std::string& resolution) {
   const double value = a.value / b.value;
   return {.value = value,
-          .uncertainty = std::abs(value) * std::hypot(a.uncertainty / a.value, b.uncertainty / b.value),
+          .uncertainty = std::abs(value) * std::hypot(a.half_width() / a.value, b.half_width() / b.value),
           .resolution = resolution};
 }
 
@@ -146,7 +146,7 @@ evidence::Measurement Reflection::reflected_ratio() const {
 evidence::Measurement Reflection::reflected_angle() const {
   if (!pattern.reflected) return {.resolution = run.resolution()};
   const evidence::Measurement& angle = pattern.reflected->angle;
-  return {.value = degrees(angle.value), .uncertainty = degrees(angle.uncertainty), .resolution = run.resolution()};
+  return {.value = degrees(angle.value), .uncertainty = degrees(angle.half_width()), .resolution = run.resolution()};
 }
 
 std::string Reflection::growth_flag() const {

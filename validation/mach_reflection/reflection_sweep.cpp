@@ -32,7 +32,7 @@ evidence::Measurement ReflectionSeries::boundary() const {
     const evidence::Measurement above = reflections[k].reflected_ratio();
     if (!(below.value < regular && above.value >= regular)) continue;
     const double slope = (above.value - below.value) / (angles[k] - angles[k - 1]);
-    const double scatter = std::max(below.uncertainty, above.uncertainty) / slope;
+    const double scatter = std::max(below.half_width(), above.half_width()) / slope;
     return {.value = angles[k - 1] + (regular - below.value) / slope,
             .uncertainty = std::min(scatter, angles[k] - angles[k - 1]),
             .resolution = fmt::format("h = {:g}, between {:g} and {:g} deg", spacing, angles[k - 1], angles[k])};

@@ -22,9 +22,9 @@ std::vector<double> settled_distances(const PressureWaves& waves) {
   return result;
 }
 
-class Claims {
+class RegimeClaims {
  public:
-  Claims(evidence::Record& record, const PressureRegime& regime, const PressureWaves& waves)
+  RegimeClaims(evidence::Record& record, const PressureRegime& regime, const PressureWaves& waves)
       : record_(record), regime_(regime), waves_(waves) {}
 
   void solitons() {
@@ -227,7 +227,7 @@ void claim_leading_soliton(evidence::Record& record, const std::string& id, cons
 }
 
 void claim_pressure_regime(evidence::Record& record, const PressureRegime& regime, const PressureWaves& waves) {
-  Claims claims(record, regime, waves);
+  RegimeClaims claims(record, regime, waves);
   claims.solitons();
   claims.heights();
   claims.oscillation();
