@@ -124,7 +124,7 @@ Value value_of(const Configuration& one, const Quantity& quantity, const KnownRe
   for (const Reflection& reflection : one.ladder) values.push_back(quantity.measured(reflection, known).value);
   const FineLimit lattice = fine_limit(one.sizes(), values);
   Measurement measured = quantity.measured(one.finest(), known);
-  measured.uncertainty = std::hypot(measured.half_width(), lattice.half_width());
+  measured.uncertainty = std::hypot(measured.half_width(), lattice.uncertainty);
   return {measured, lattice.value};
 }
 
@@ -166,7 +166,7 @@ void claim_reference(evidence::Record& record, const Configuration& one, const K
         .source = independent_reflections};
     const Measurement measured = value_of(one, quantity, &known).measured;
     const evidence::Uncertainty near{.expected = expected.value,
-                                     .data = expected.half_width(),
+                                     .data = expected.uncertainty,
                                      .useful = quantity.useful,
                                      .reason =
                                          "its numbers are of h = 0.5, with the uncertainty stated there; of "

@@ -192,7 +192,7 @@ void claim_boundary(evidence::Record& record, const ReflectionSeries& series, co
 void claim_law(evidence::Record& record, const ReflectionSeries& series) {
   const AngleLaw law = angle_law(series, last_of_law);
   record.measure("angle_law_factor", law.factor);
-  record.measure("angle_law_uncertainty", law.half_width());
+  record.measure("angle_law_uncertainty", law.uncertainty);
   record.measure("angle_law_largest_residual", law.largest_residual);
   constexpr double frank = 0.62;
   record.check(
@@ -201,7 +201,7 @@ void claim_law(evidence::Record& record, const ReflectionSeries& series) {
        .quantity = "C of a_r = C psi^2 up to 35 deg",
        .source = "Frank (1994), section 4.3"},
       {.value = law.factor,
-       .uncertainty = law.half_width(),
+       .uncertainty = law.uncertainty,
        .resolution = fmt::format("h = {:g}, residuals up to {:.0f} %", series.spacing, 100 * law.largest_residual)},
       Uncertainty{.expected = frank,
                   .data = 0.05 * frank,

@@ -154,7 +154,7 @@ evidence::Measurement ratio_at(const Ladder& ladder, double distance) {
     values.push_back(growth.at(distance));
   }
   return {.value = values.front(),
-          .uncertainty = fine_limit(sizes, values).half_width(),
+          .uncertainty = fine_limit(sizes, values).uncertainty,
           .resolution = fmt::format("h = {:g}, tau = {:g}", sizes.front(), 0.5 * sizes.front())};
 }
 

@@ -25,7 +25,7 @@ void claim_independent(evidence::Record& record, const ReflectionSeries& series,
                        "expanded uncertainty: twice that stated with its table, and the scatter of our rows; "
                        "same spacing and steps"};
   const auto compare = [&](Worst& w, const Measurement& ours, const Known& theirs, double angle) {
-    const double expanded = std::hypot(2 * theirs.half_width(), ours.half_width());
+    const double expanded = std::hypot(2 * theirs.uncertainty, ours.half_width());
     const double difference = std::abs(ours.value - theirs.value) / expanded;
     if (theirs.doubt.empty()) {
       w.value = std::max(w.value, difference);

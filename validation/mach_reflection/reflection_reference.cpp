@@ -33,7 +33,7 @@ std::vector<KnownReflection> known_reflections(evidence::Record& record) {
                         .reflected_angle = known("psi_r_deg", k),
                         .stem_angle = known("stem_angle_deg", k),
                         .growth = table.column("rel_growth_last_20pct")[k]};
-    one.wall_ratio.uncertainty = std::max(one.wall_ratio.half_width(), std::abs(one.growth) * one.wall_ratio.value);
+    one.wall_ratio.uncertainty = std::max(one.wall_ratio.uncertainty, std::abs(one.growth) * one.wall_ratio.value);
     if (is_this(one, 0.097, 16)) {
       one.reflected_angle.doubt =
           "the reference's 29.30 deg lies 1.6 deg off the line through its own next rows (27.07 at 20 deg, 26.48 at 24 "
