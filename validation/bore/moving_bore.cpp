@@ -68,8 +68,9 @@ SetUp set_up(const Values& values) {
 /// Energy and particle edges step by step: D is exact, and the paths of edges show the jump as a kink.
 struct History {
   std::vector<double> time;
-  std::vector<double> energy;       ///< of the two-state reconstruction, less the work of the piston
-  std::vector<double> mean_energy;  ///< of particle means, likewise
+  std::vector<double> energy;       ///< of the two-state reconstruction
+  std::vector<double> mean_energy;  ///< of particle means
+  std::vector<double> work;         ///< of the piston
   std::vector<std::vector<double>> edges;
 };
 
@@ -130,8 +131,9 @@ History follow(const SetUp& s) {
   History history;
   const auto note = [&] {
     history.time.push_back(flow.time());
-    history.energy.push_back(flow.energy() - power * flow.time());
-    history.mean_energy.push_back(flow.mean_energy() - power * flow.time());
+    history.energy.push_back(flow.energy());
+    history.mean_energy.push_back(flow.mean_energy());
+    history.work.push_back(power * flow.time());
     const auto& edge = flow.particles().edge;
     history.edges.emplace_back(edge.begin(), edge.end());
   };
@@ -150,9 +152,9 @@ void draw_history(evidence::Exhibit& exhibit, const History& history, const exac
                              "straight line of the jump conditions; of particle means it wavers as the transition "
                              "particle fills.")
                      .panel({.x = "t [s]", .y = "energy - work - E(0) [m$^4$/s$^2$]"});
-  const auto since_start = [](std::vector<double> values) {
+  const auto less_work = [&](std::vector<double> values) {
     const double first = values.front();
-    for (double& value : values) value -= first;
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] -= history.work[k] + first;
     return values;
   };
   std::vector<double> law;
@@ -162,8 +164,8 @@ void draw_history(evidence::Exhibit& exhibit, const History& history, const exac
     front.push_back(bore.position(t));
   }
   energy.line("-D t", history.time, law, Role::exact);
-  energy.points("two-state reconstruction", history.time, since_start(history.energy), Role::computed);
-  energy.line("particle means", history.time, since_start(history.mean_energy), Role::peer);
+  energy.points("two-state reconstruction", history.time, less_work(history.energy), Role::computed);
+  energy.line("particle means", history.time, less_work(history.mean_energy), Role::peer);
 
   auto& paths = exhibit
                     .figure("paths", "Paths of particle edges",
@@ -209,7 +211,7 @@ void claims(const Values& values, Claims<Results> claims) {
         Worst deviation;
         for (std::size_t k = 1; k < r.history.time.size(); ++k) {
           const double t = r.history.time[k];
-          deviation.add(r.history.energy[k] - r.history.energy[0] + s.bore.energy_loss_rate() * t, t);
+          deviation.add(r.history.energy[k] - r.history.energy[0] - r.history.work[k] + s.bore.energy_loss_rate() * t, t);
         }
         return {.value = deviation.value(),
                 .resolution = s.discretisation.text(),

@@ -7,12 +7,16 @@
 
 #include "reports/evidence/record.hpp"
 #include "seiche/exact/reference_solution.hpp"
+#include "validation/case/claims.hpp"
 #include "validation/case/parameter.hpp"
 #include "validation/case/submission.hpp"
 
 namespace seiche::validation {
 
-/// One claim per identity of the solution, and its uncertainty among the measurements.
+/// One claim per identity of the solution that a case stands on. @param declared  the same, for names and limits
+void claim_identities(Claims<exact::SelfTest> claims, const exact::SelfTest& declared, const std::string& source);
+
+/// Transition: one claim per identity of the solution, and its uncertainty among the measurements.
 void claim_identities(evidence::Record& record, const exact::SelfTest& identities, double uncertainty,
                       const std::string& source);
 

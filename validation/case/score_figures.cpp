@@ -39,13 +39,13 @@ void draw(evidence::Panel& panel, const WantedTable& wanted, const WantedQuantit
 
 }  // namespace
 
-void draw_submitted(const WantedTable& wanted, const std::vector<SubmittedGroup>& groups, evidence::Record& record) {
+void draw_submitted(const WantedTable& wanted, const std::vector<SubmittedGroup>& groups, evidence::Exhibit& exhibit) {
   const auto label = [](const Column& column) {
     return fmt::format("{} {} [{}]", column.meaning, column.name, column.unit);
   };
   const std::string x_label = fmt::format("{} [{}]", wanted.abscissa->name, wanted.abscissa->unit);
   if (!wanted.group) {
-    auto& figure = record.figure(wanted.name, fmt::format("The submitted {}", wanted.name),
+    auto& figure = exhibit.figure(wanted.name, fmt::format("The submitted {}", wanted.name),
                                  "The points that were submitted, with the reference.");
     for (const WantedQuantity& q : wanted.quantities) {
       draw(figure.panel({.x = x_label, .y = label(q.column)}), wanted, q, groups.front());
@@ -53,7 +53,7 @@ void draw_submitted(const WantedTable& wanted, const std::vector<SubmittedGroup>
     return;
   }
   for (const WantedQuantity& q : wanted.quantities) {
-    auto& figure = record.figure(wanted.name + "-" + q.column.name,
+    auto& figure = exhibit.figure(wanted.name + "-" + q.column.name,
                                  fmt::format("The submitted {}: {}", wanted.name, q.column.meaning),
                                  "The points that were submitted, with the reference.");
     for (std::size_t k = 0; k < std::min(groups.size(), most_panels); ++k) {

@@ -58,14 +58,14 @@ SphCollapse collapse(const SphDam& dam, double unit, double last, long samples, 
   return result;
 }
 
-void measure_run(evidence::Record& record, const SphCollapse& run) {
-  record.measure("particles", static_cast<double>(run.particles));
-  record.measure("steps", static_cast<double>(run.steps));
-  record.measure("largest_mach_number", run.extremes.mach);
-  record.measure("lowest_density", run.extremes.lowest_density);
-  record.measure("highest_density", run.extremes.highest_density);
-  record.measure("rebuilds", static_cast<double>(run.extremes.rebuilds));
-  record.measure("particles_lost", static_cast<double>(run.lost));
+void measure_run(evidence::Exhibit& exhibit, const SphCollapse& run) {
+  exhibit.measure("particles", static_cast<double>(run.particles));
+  exhibit.measure("steps", static_cast<double>(run.steps));
+  exhibit.measure("largest_mach_number", run.extremes.mach);
+  exhibit.measure("lowest_density", run.extremes.lowest_density);
+  exhibit.measure("highest_density", run.extremes.highest_density);
+  exhibit.measure("rebuilds", static_cast<double>(run.extremes.rebuilds));
+  exhibit.measure("particles_lost", static_cast<double>(run.lost));
 }
 
 }  // namespace seiche::validation

@@ -46,6 +46,6 @@ SphCollapse collapse(const SphDam& dam, double unit, double last, long samples, 
                      const std::function<void(double)>& progress = {});
 
 /// Mach number, densities, rebuilds, lost particles: what a reader of the record wants to know of any run.
-void measure_run(evidence::Record& record, const SphCollapse& run);
+void measure_run(evidence::Exhibit& exhibit, const SphCollapse& run);
 
 }  // namespace seiche::validation

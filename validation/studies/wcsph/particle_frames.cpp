@@ -4,7 +4,7 @@
 
 namespace seiche::validation {
 
-void add_particles(evidence::Record& record, double time, const wcsph::Particles& particles,
+void add_particles(evidence::Exhibit& exhibit, double time, const wcsph::Particles& particles,
                    const wcsph::Settings& settings) {
   const wcsph::TaitFluid fluid(settings.density, settings.sound_speed, settings.exponent);
   std::vector<double> pressure, identity, kind;
@@ -13,7 +13,7 @@ void add_particles(evidence::Record& record, double time, const wcsph::Particles
     identity.push_back(static_cast<double>(particles.identity[i]));
     kind.push_back(static_cast<double>(particles.kind[i]));
   }
-  record.snapshot({.time = time,
+  exhibit.snapshot({.time = time,
                    .x = {particles.x.begin(), particles.x.end()},
                    .z = {particles.z.begin(), particles.z.end()},
                    .fields = {{"u", "m/s", {particles.u.begin(), particles.u.end()}},

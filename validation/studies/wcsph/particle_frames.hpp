@@ -8,7 +8,7 @@
 
 namespace seiche::validation {
 
-void add_particles(evidence::Record& record, double time, const wcsph::Particles& particles,
+void add_particles(evidence::Exhibit& exhibit, double time, const wcsph::Particles& particles,
                    const wcsph::Settings& settings);
 
 }  // namespace seiche::validation

@@ -21,12 +21,12 @@ void climb(Running& run, std::size_t sizes, const std::function<void(std::size_t
       [&](std::size_t done) { run.progress(static_cast<double>(done) / static_cast<double>(sizes)); });
 }
 
-void measure_convergence(evidence::Record& record, const std::string& id, const std::vector<double>& spacings,
+void measure_convergence(evidence::Exhibit& exhibit, const std::string& id, const std::vector<double>& spacings,
                          const std::vector<double>& values) {
   if (spacings.size() < 3) return;
   const evidence::GridConvergence study = evidence::grid_convergence(spacings, values, 1);
-  record.measure("uncertainty_" + id, study.uncertainty);
-  record.measure("limit_" + id, study.extrapolated);
+  exhibit.measure("uncertainty_" + id, study.uncertainty);
+  exhibit.measure("limit_" + id, study.extrapolated);
 }
 
 double resolution_uncertainty(const std::vector<double>& spacings, const std::vector<double>& values) {

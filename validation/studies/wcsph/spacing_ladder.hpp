@@ -18,7 +18,7 @@ void climb(Running& run, std::size_t sizes, const std::function<void(std::size_t
 
 /// Keeps `uncertainty_<id>` of the value on the finest lattice, by grid convergence of first order, and the value that
 /// it is heading for, `limit_<id>`; nothing with fewer than three lattices.
-void measure_convergence(evidence::Record& record, const std::string& id, const std::vector<double>& spacings,
+void measure_convergence(evidence::Exhibit& exhibit, const std::string& id, const std::vector<double>& spacings,
                          const std::vector<double>& values);
 
 /// The same uncertainty; 0, not estimated, with fewer than three lattices.
