@@ -1,8 +1,8 @@
 #include "reports/evidence/record.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cctype>
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -69,7 +69,7 @@ Verdict Record::keep(JudgedClaim judged) {
 }
 
 Figure& Exhibit::figure(const std::string& id, const std::string& figure_title, const std::string& caption,
-                       const std::vector<std::string>& tiles) {
+                        const std::vector<std::string>& tiles) {
   require_identifier("figure id", id);
   const bool taken = std::any_of(figures_.begin(), figures_.end(), [&](const Figure& f) { return f.id == id; });
   if (taken) throw std::invalid_argument(fmt::format("figure id '{}' is used twice", id));
@@ -88,8 +88,8 @@ Table& Exhibit::table(Table table) {
 }
 
 bool Record::as_declared() const {
-  return error.empty() && std::all_of(claims_.begin(), claims_.end(),
-                                      [](const JudgedClaim& c) { return c.as_declared(); });
+  return error.empty() &&
+         std::all_of(claims_.begin(), claims_.end(), [](const JudgedClaim& c) { return c.as_declared(); });
 }
 
 std::string Record::stem() const {

@@ -35,8 +35,7 @@ Summary::Outcome outcome_from(const nlohmann::json& claim) {
 }  // namespace
 
 bool Summary::as_declared() const {
-  return error.empty() &&
-         std::all_of(claims.begin(), claims.end(), [](const Outcome& c) { return c.as_declared; });
+  return error.empty() && std::all_of(claims.begin(), claims.end(), [](const Outcome& c) { return c.as_declared; });
 }
 
 Summary read_summary(const std::filesystem::path& json_file) {

@@ -71,8 +71,8 @@ Judgement capped(Judgement judgement, std::initializer_list<std::pair<const char
 Judgement apply(const Measurement& m, const Roundoff& c) {
   require_reason(c.reason);
   constexpr double standard_deviations = 4;
-  const double limit = standard_deviations * std::numeric_limits<double>::epsilon() *
-                       std::sqrt(c.operations.value()) * c.scale.value();
+  const double limit =
+      standard_deviations * std::numeric_limits<double>::epsilon() * std::sqrt(c.operations.value()) * c.scale.value();
   return capped(within(m, c.expected.value(), limit),
                 {{"operations", c.operations}, {"scale", c.scale}, {"expected", c.expected}});
 }
@@ -151,8 +151,8 @@ Criterion settled(const Criterion& criterion, const Told& told) {
 
 Judgement judge(const ObservedOrder& observed, const Order& criterion) {
   require_reason(criterion.reason);
-  const bool broken = std::any_of(observed.errors.begin(), observed.errors.end(),
-                                  [](double error) { return !std::isfinite(error); });
+  const bool broken =
+      std::any_of(observed.errors.begin(), observed.errors.end(), [](double error) { return !std::isfinite(error); });
   Judgement j{.verdict = broken ? Verdict::error : Verdict::inconclusive,
               .measured = observed.order,
               .uncertainty = observed.half_width,

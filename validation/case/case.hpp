@@ -32,10 +32,10 @@ struct Case {
   std::vector<Tier> tiers = {Tier::quick};  ///< tiers in which it does something of its own
   std::vector<Parameter> parameters;
   ByTier<std::chrono::seconds> time_limit = {std::chrono::minutes(5), std::chrono::hours(1), std::chrono::hours(24)};
-  Study study;                      ///< what it claims, computes and shows
+  Study study;  ///< what it claims, computes and shows
   std::function<void(Running&)> run;
   std::vector<std::string> former_names;  ///< which `seiche run` still understands
-  Submission submission;  ///< how somebody else's result is judged; empty if it cannot be
+  Submission submission;                  ///< how somebody else's result is judged; empty if it cannot be
 
   // Filled in by the registry.
   std::string name;         ///< the file's name

@@ -15,7 +15,7 @@ std::size_t workers_of(Tier tier) {
 }
 
 void on_threads(std::size_t count, std::size_t workers, const std::function<void(std::size_t)>& work,
-                  const std::function<void(std::size_t)>& done) {
+                const std::function<void(std::size_t)>& done) {
   std::mutex mutex;
   std::size_t begun = 0;
   std::size_t finished = 0;

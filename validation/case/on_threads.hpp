@@ -16,6 +16,6 @@ std::size_t workers_of(Tier tier);
 /// @param done  told how many are finished; never by two threads at once
 /// Rethrows the exception of the lowest k that threw; those not yet begun by then are not.
 void on_threads(std::size_t count, std::size_t workers, const std::function<void(std::size_t k)>& work,
-                  const std::function<void(std::size_t finished)>& done = {});
+                const std::function<void(std::size_t finished)>& done = {});
 
 }  // namespace seiche::validation

@@ -15,12 +15,13 @@ constexpr const char* tolerance_reason =
 void claim_identities(Claims<exact::SelfTest> claims, const exact::SelfTest& declared, const std::string& source) {
   for (std::size_t k = 0; k < declared.size(); ++k) {
     const exact::Identity& identity = declared[k];
-    claims.check({.id = fmt::format("identity-{}", k + 1),
-                  .text = fmt::format("The reference satisfies its own identity: {}.", identity.name),
-                  .quantity = "relative defect",
-                  .source = source},
-                 [k](const exact::SelfTest& test) { return test.at(k).defect; },
-                 evidence::Bound{.limit = identity.limit, .reason = identity.reason});
+    claims.check(
+        {.id = fmt::format("identity-{}", k + 1),
+         .text = fmt::format("The reference satisfies its own identity: {}.", identity.name),
+         .quantity = "relative defect",
+         .source = source},
+        [k](const exact::SelfTest& test) { return test.at(k).defect; },
+        evidence::Bound{.limit = identity.limit, .reason = identity.reason});
   }
 }
 

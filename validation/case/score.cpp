@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "validation/instruments/agreement.hpp"
 #include "validation/case/score_figures.hpp"
+#include "validation/instruments/agreement.hpp"
 
 namespace seiche::validation {
 namespace {

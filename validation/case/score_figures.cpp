@@ -46,7 +46,7 @@ void draw_submitted(const WantedTable& wanted, const std::vector<SubmittedGroup>
   const std::string x_label = fmt::format("{} [{}]", wanted.abscissa->name, wanted.abscissa->unit);
   if (!wanted.group) {
     auto& figure = exhibit.figure(wanted.name, fmt::format("The submitted {}", wanted.name),
-                                 "The points that were submitted, with the reference.");
+                                  "The points that were submitted, with the reference.");
     for (const WantedQuantity& q : wanted.quantities) {
       draw(figure.panel({.x = x_label, .y = label(q.column)}), wanted, q, groups.front());
     }
@@ -54,8 +54,8 @@ void draw_submitted(const WantedTable& wanted, const std::vector<SubmittedGroup>
   }
   for (const WantedQuantity& q : wanted.quantities) {
     auto& figure = exhibit.figure(wanted.name + "-" + q.column.name,
-                                 fmt::format("The submitted {}: {}", wanted.name, q.column.meaning),
-                                 "The points that were submitted, with the reference.");
+                                  fmt::format("The submitted {}: {}", wanted.name, q.column.meaning),
+                                  "The points that were submitted, with the reference.");
     for (std::size_t k = 0; k < std::min(groups.size(), most_panels); ++k) {
       const std::string title = fmt::format("{} = {:g} {}", wanted.group->name, groups[k].value, wanted.group->unit);
       draw(figure.panel({.x = x_label, .y = label(q.column), .title = title}), wanted, q, groups[k]);

@@ -10,10 +10,10 @@
 #include "seiche/io/table.hpp"
 #include "validation/case/job.hpp"
 #include "validation/case/registry.hpp"
+#include "validation/case/score.hpp"
 #include "validation/case/submitted.hpp"
 #include "validation/command/commands.hpp"
 #include "validation/command/settings.hpp"
-#include "validation/case/score.hpp"
 
 namespace seiche::command {
 namespace {

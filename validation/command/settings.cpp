@@ -17,7 +17,6 @@ validation::Tier tier_from(const std::string& text) {
   throw std::invalid_argument(fmt::format("--tier {} is unknown: must be one of quick, full, paper", text));
 }
 
-
 std::pair<std::string, std::string> split_setting(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {

@@ -78,24 +78,26 @@ void claim_conservation(Claims<FlowRun> claims, const FlowProblem& problem, cons
     const auto steps = static_cast<double>(std::max(1L, flow.steps()));
     return {.value = value, .resolution = flow.discretisation.text(), .told = {.operations = steps, .scale = scale}};
   };
-  claims.check({.id = "mass" + suffix,
-                .text = "Mass changes only by what passes the ends.",
-                .quantity = "mass less the mass booked at the ends",
-                .unit = "m^2",
-                .source = "conservation law of mass"},
-               [told](const FlowRun& flow) { return told(flow, flow.mass_defect, flow.mass); },
-               Roundoff{.operations = Amount::told_by_run(most_steps),
-                        .scale = Amount::told_by_run(most.mass),
-                        .reason = "one rounded update per cell and step, of the size of all the water"});
-  claims.check({.id = "momentum" + suffix,
-                .text = "Momentum changes only by the impulses at the ends.",
-                .quantity = "momentum less the impulses booked at the ends",
-                .unit = "m^3/s",
-                .source = "conservation law of momentum"},
-               [told](const FlowRun& flow) { return told(flow, flow.momentum_defect, flow.momentum_scale); },
-               Roundoff{.operations = Amount::told_by_run(most_steps),
-                        .scale = Amount::told_by_run(most.momentum),
-                        .reason = "one rounded update per cell and step; scale is the sum of m (|u| + c)"});
+  claims.check(
+      {.id = "mass" + suffix,
+       .text = "Mass changes only by what passes the ends.",
+       .quantity = "mass less the mass booked at the ends",
+       .unit = "m^2",
+       .source = "conservation law of mass"},
+      [told](const FlowRun& flow) { return told(flow, flow.mass_defect, flow.mass); },
+      Roundoff{.operations = Amount::told_by_run(most_steps),
+               .scale = Amount::told_by_run(most.mass),
+               .reason = "one rounded update per cell and step, of the size of all the water"});
+  claims.check(
+      {.id = "momentum" + suffix,
+       .text = "Momentum changes only by the impulses at the ends.",
+       .quantity = "momentum less the impulses booked at the ends",
+       .unit = "m^3/s",
+       .source = "conservation law of momentum"},
+      [told](const FlowRun& flow) { return told(flow, flow.momentum_defect, flow.momentum_scale); },
+      Roundoff{.operations = Amount::told_by_run(most_steps),
+               .scale = Amount::told_by_run(most.momentum),
+               .reason = "one rounded update per cell and step; scale is the sum of m (|u| + c)"});
 }
 
 void claim_single_particle(Claims<FlowRun> claims, const Front& front) {
