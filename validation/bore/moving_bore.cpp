@@ -195,37 +195,34 @@ void claims(const Values& values, Claims<Results> claims) {
   claim_conservation(claims.of(&Results::flow), s.problem);
   claim_exact_profile(claims.of(&Results::flow), s.bore.behind().depth, s.steps);
   claim_single_particle(claims.of(&Results::flow), s.front);
-  claims.check(
-      {.id = "range",
-       .text = "No depth leaves the range of the exact solution.",
-       .quantity = "largest depth outside the range",
-       .unit = "m",
-       .source = "the bore is monotone"},
-      [s](const Results& r) -> Measurement {
-        return {.value = excursion(r.flow.profile(), s.front.ahead, s.front.behind),
-                .resolution = s.discretisation.text()};
-      },
-      // Depth is mass over width: the rounding of two edges of the size of the channel counts N times.
-      evidence::Roundoff{.operations = steps,
-                         .scale = s.front.behind * static_cast<double>(s.discretisation.particles),
-                         .reason = "edges as large as the channel are rounded once per step, and a width is "
-                                   "their difference, N times smaller"});
-  claims.check(
-      {.id = "energy",
-       .text = "Energy falls at exactly the rate of the jump conditions.",
-       .quantity = "largest deviation of the two-state energy",
-       .unit = "m^4/s^3 s",
-       .source = "D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6"},
-      [s](const Results& r) -> Measurement {
-        const Worst deviation = energy_deviation(r.history, s.bore);
-        return {
-            .value = deviation.value(),
-            .resolution = fmt::format("N = {}, tau = {:g} s", s.discretisation.particles, s.discretisation.time_step),
-            .where = fmt::format("t = {:g} s", deviation.where())};
-      },
-      evidence::Roundoff{.operations = static_cast<double>(s.discretisation.particles) + steps,
-                         .scale = initial_flow(s).energy(),
-                         .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});
+  claims.at(s.discretisation.text())
+      .check(
+          {.id = "range",
+           .text = "No depth leaves the range of the exact solution.",
+           .quantity = "largest depth outside the range",
+           .unit = "m",
+           .source = "the bore is monotone"},
+          [s](const Results& r) { return excursion(r.flow.profile(), s.front.ahead, s.front.behind); },
+          // Depth is mass over width: the rounding of two edges of the size of the channel counts N times.
+          evidence::Roundoff{.operations = steps,
+                             .scale = s.front.behind * static_cast<double>(s.discretisation.particles),
+                             .reason = "edges as large as the channel are rounded once per step, and a width is "
+                                       "their difference, N times smaller"});
+  claims.at(fmt::format("N = {}, tau = {:g} s", s.discretisation.particles, s.discretisation.time_step))
+      .check(
+          {.id = "energy",
+           .text = "Energy falls at exactly the rate of the jump conditions.",
+           .quantity = "largest deviation of the two-state energy",
+           .unit = "m^4/s^3 s",
+           .source = "D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6"},
+          [s](const Results& r) -> Measurement {
+            const Worst deviation = energy_deviation(r.history, s.bore);
+            return {.value = deviation.value(), .where = fmt::format("t = {:g} s", deviation.where())};
+          },
+          evidence::Roundoff{
+              .operations = static_cast<double>(s.discretisation.particles) + steps,
+              .scale = initial_flow(s).energy(),
+              .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});
 
   const io::Table printed = values.table("bogomolov_zakharov_zerkal");
   const auto published = claims.only_if(values.as_published(), "the paper prints it for its own parameters");

@@ -6,6 +6,7 @@
 ///                    evidence::Bound{.limit = 1e-3, .reason = "..."});
 ///       claim_conservation(claims.of(&Results::flow));   // claims that several cases make of the same part
 ///       claims.only_if(values.as_published(), "the source prints it for its own parameters").check(...);
+///       claims.at("N = 200").check({...}, &Results::crest, ...);   // the resolution of several claims, said once
 ///     }
 ///
 /// The measurement of a claim is taken from the results by a function that is declared with it, or by a pointer to the
@@ -40,17 +41,18 @@ struct DeclaredClaim {
 
 namespace detail {
 
-inline DeclaredClaim::Measured as_measured(Measurement measurement) {
+inline DeclaredClaim::Measured as_measured(Measurement measurement, const std::string& resolution) {
+  if (measurement.resolution.empty()) measurement.resolution = resolution;
   return measurement;
 }
-inline DeclaredClaim::Measured as_measured(evidence::ObservedOrder order) {
+inline DeclaredClaim::Measured as_measured(evidence::ObservedOrder order, const std::string& /*resolution*/) {
   return order;
 }
-inline DeclaredClaim::Measured as_measured(double value) {
-  return Measurement{.value = value};
+inline DeclaredClaim::Measured as_measured(double value, const std::string& resolution) {
+  return Measurement{.value = value, .resolution = resolution};
 }
-inline DeclaredClaim::Measured as_measured(const Worst& worst) {
-  return Measurement{.value = worst.value()};
+inline DeclaredClaim::Measured as_measured(const Worst& worst, const std::string& resolution) {
+  return Measurement{.value = worst.value(), .resolution = resolution};
 }
 
 }  // namespace detail
@@ -63,9 +65,9 @@ class Claims {
 
   /// A list for the whole results.
   explicit Claims(std::vector<DeclaredClaim>& list)
-      : Claims(list, [](const void* results) -> const Part& { return *static_cast<const Part*>(results); }, {}) {}
-  Claims(std::vector<DeclaredClaim>& list, Find find, std::string left_out)
-      : list_(&list), find_(std::move(find)), left_out_(std::move(left_out)) {}
+      : Claims(list, [](const void* results) -> const Part& { return *static_cast<const Part*>(results); }, {}, {}) {}
+  Claims(std::vector<DeclaredClaim>& list, Find find, std::string left_out, std::string resolution)
+      : list_(&list), find_(std::move(find)), left_out_(std::move(left_out)), resolution_(std::move(resolution)) {}
 
   template <class Measure>
   void check(evidence::Claim claim, Measure measure, evidence::Criterion criterion) const {
@@ -86,27 +88,31 @@ class Claims {
     return Claims<Found>(
         *list_,
         [find = find_, member](const void* results) -> const Found& { return std::invoke(member, find(results)); },
-        left_out_);
+        left_out_, resolution_);
   }
 
   /// The same list for claims that apply under a condition on parameters. @param otherwise  why they do not apply
   [[nodiscard]] Claims only_if(bool applies, const std::string& otherwise) const {
-    return Claims(*list_, find_, applies ? left_out_ : otherwise);
+    return Claims(*list_, find_, applies ? left_out_ : otherwise, resolution_);
   }
+
+  /// The same list for measurements at a resolution that they need not name themselves.
+  [[nodiscard]] Claims at(const std::string& resolution) const { return Claims(*list_, find_, left_out_, resolution); }
 
  private:
   template <class Measure>
   void add(evidence::Claim claim, Measure measure, evidence::Criterion criterion,
            std::optional<evidence::KnownFailure> failure) const {
     list_->push_back({std::move(claim), std::move(criterion), std::move(failure), left_out_,
-                      [find = find_, measure](const void* results) {
-                        return detail::as_measured(std::invoke(measure, find(results)));
+                      [find = find_, measure, resolution = resolution_](const void* results) {
+                        return detail::as_measured(std::invoke(measure, find(results)), resolution);
                       }});
   }
 
   std::vector<DeclaredClaim>* list_;
   Find find_;
   std::string left_out_;
+  std::string resolution_;
 };
 
 }  // namespace seiche::validation
