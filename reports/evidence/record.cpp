@@ -93,7 +93,7 @@ bool Record::as_declared() const {
 }
 
 std::string Record::stem() const {
-  return solver == "seiche" ? name : name + "." + solver;
+  return name + (tier == "quick" ? "" : "@" + tier) + (solver == "seiche" ? "" : "." + solver);
 }
 
 }  // namespace seiche::evidence

@@ -145,7 +145,8 @@ class Record : public Exhibit {
 
   /// The run finished and every claim came out as declared.
   [[nodiscard]] bool as_declared() const;
-  /// The name without extension of the record's files: the name, and the solver's where it is not ours.
+  /// The name without extension of the record's files: the name, the tier where it is not the quick one ("bore@full"),
+  /// and the solver's where it is not ours ("bore.mine"). What one tier found does not overwrite what another did.
   [[nodiscard]] std::string stem() const;
 
  private:

@@ -155,7 +155,7 @@ std::string to_json(const Record& record) {
   for (const Table& t : record.tables()) tables.push_back(describe(t));
   const bool has_data = !(record.figures().empty() && record.arrays().empty() && record.snapshots().empty());
 
-  const Json json = {{"schema", 1},
+  const Json json = {{"schema", 2},
                      {"case", record.name},
                      {"kind", record.kind},
                      {"group", record.group},

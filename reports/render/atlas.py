@@ -27,6 +27,12 @@ class Tile:
     def crashed(self):
         return any(record.status == "error" for record in self.records)
 
+    @property
+    def reproduced(self):
+        """A run of ours at a tier's own parameters shows it, and every claim of every such run came out as declared."""
+        own = [record for record in self.records if record.own and record.standard]
+        return bool(own) and not any(record.unexpected for record in own)
+
 
 def read(path=TILES):
     """[(source dictionary, [Tile])] in the order of the file."""

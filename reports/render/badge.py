@@ -11,18 +11,15 @@ def badge(cases, broken):
     unfinished = sum(1 for record in records if record.status == "error")
     unexpected = sum(1 for claim in claims if claim.unexpected)
     passed = sum(1 for claim in claims if claim.verdict == "pass")
-    failures = sum(1 for claim in claims if claim.declared_failure and claim.verdict == "fail")
-    inconclusive = sum(1 for claim in claims if claim.declared_failure and claim.verdict != "fail")
+    failures = sum(1 for claim in claims if claim.declared_failure)
 
     said = [f"{passed} of {len(claims)} claims pass"]
     said += [phrase for count, phrase in [(failures, plural(failures, "declared failure")),
-                                          (inconclusive, f"{inconclusive} declared inconclusive"),
                                           (unexpected, f"{unexpected} unexpected"),
                                           (unfinished, f"{unfinished} unfinished"),
                                           (len(broken), plural(len(broken), "broken record"))] if count]
     wrong = bool(unexpected or unfinished or broken)
-    color = ("red" if wrong else "lightgrey" if not claims else "yellow" if inconclusive
-             else "green" if failures else "brightgreen")
+    color = "red" if wrong else "lightgrey" if not claims else "green" if failures else "brightgreen"
     return {"schemaVersion": 1, "label": "seiche", "message": ", ".join(said), "color": color, "isError": wrong}
 
 

@@ -6,7 +6,7 @@ import shutil
 import sys
 import tempfile
 
-MARKER = ".seiche-report"       # a directory that holds it is a report of ours and may be replaced
+from render.store import MARKER
 
 
 def main(arguments=None):

@@ -1,21 +1,8 @@
-"""Drawings by name, and the drawing of one figure of one record to SVG.
-
-A record names the drawing that each of its figures wants; most want "panels". A special one is a small function here
-or beside, marked `@drawing("name")`, that takes the figure (see arrays.read_figure) and returns a matplotlib Figure;
-`small` asks for a picture the size of a stamp, for the atlas: no text.
-"""
+"""The drawing of one figure of one record to SVG."""
 import os
 import pathlib
 
-_DRAWINGS = {}
-
-
-def drawing(name):
-    """Registers a function (figure, small) -> matplotlib Figure under the name that records use."""
-    def register(function):
-        _DRAWINGS[name] = function
-        return function
-    return register
+from render.drawings import DRAWINGS
 
 
 def prepare():
@@ -34,11 +21,11 @@ def draw(data_file, figure_id, drawing_name, small, key, target):
     import matplotlib.pyplot
     from render import arrays
     try:
-        if drawing_name not in _DRAWINGS:
-            return f"no drawing is called “{drawing_name}”; known: {', '.join(sorted(_DRAWINGS))}"
+        if drawing_name not in DRAWINGS:
+            return f"no drawing is called “{drawing_name}”; known: {', '.join(sorted(DRAWINGS))}"
         content = arrays.read_figure(data_file, figure_id)
         matplotlib.rcParams["svg.hashsalt"] = key
-        figure = _DRAWINGS[drawing_name](content, small)
+        figure = DRAWINGS[drawing_name](content, small)
         target = pathlib.Path(target)
         beside = target.with_name(f"{target.name}.{os.getpid()}.new")
         figure.savefig(beside, format="svg", metadata={"Date": None, "Creator": None})

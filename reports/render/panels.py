@@ -5,7 +5,7 @@ import matplotlib.pyplot
 import matplotlib.ticker
 import numpy
 
-from render.figures import drawing
+from render.drawings import drawing
 from render.lattices import colour_bar, kind, plan, share_heights
 from render.layout import columns_of, given, height, ratio, share_limits, span_of
 from render.legends import handles, labels, legend_columns, own_legend, safe, shared_legend

@@ -12,6 +12,7 @@ SCHEMA = pathlib.Path(__file__).resolve().parent.parent / "schema" / "record.sch
 KINDS = ("roundoff", "order", "bound", "uncertainty", "qualitative")
 VERDICTS = ("pass", "fail", "inconclusive", "error")
 OWN_SOLVER = "seiche"
+TIERS = ("quick", "full", "paper")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -35,7 +36,8 @@ class Claim:
 
     @property
     def unexpected(self):
-        return self.raw["verdict"] != self.raw["declared"]
+        """Another verdict than declared, or a declared failure of another size."""
+        return not self.raw["as_declared"]
 
     @property
     def declared_failure(self):
@@ -62,6 +64,16 @@ class Record:
         return self.raw["solver"] == OWN_SOLVER
 
     @property
+    def by(self):
+        """Whose it is, where a page shows several: the solver, and the tier where it is not the quick one."""
+        return self.raw["solver"] + (f", {self.raw['tier']}" if self.raw["tier"] != TIERS[0] else "")
+
+    @property
+    def standard(self):
+        """Every parameter has the tier's default."""
+        return all(p["value"] == p["default"] for p in self.raw["parameters"].values())
+
+    @property
     def tiles(self):
         named = list(self.raw["atlas"])
         for part in self.raw["figures"] + self.raw["tables"]:
@@ -83,7 +95,7 @@ class Record:
 
 @dataclasses.dataclass
 class Case:
-    """All records of one case: the suite's own first, then other solvers by name."""
+    """All records of one case: the suite's own first, of the longest tier before others, then other solvers by name."""
     name: str
     records: list
 
@@ -156,9 +168,10 @@ def load(directory, memo):
             broken.append(Broken(path.name, [f"{type(error).__name__}: {error}"]))
             continue
         if not reasons:
-            owner = taken.setdefault((raw["case"], raw["solver"]), path.name)
+            owner = taken.setdefault((raw["case"], raw["solver"], raw["tier"]), path.name)
             if owner != path.name:
-                reasons = [f"{owner} is already the record of case {raw['case']} by solver {raw['solver']}"]
+                reasons = [f"{owner} is already the {raw['tier']} record of case {raw['case']} by "
+                           f"solver {raw['solver']}"]
         if reasons:
             broken.append(Broken(path.name, reasons))
         else:
@@ -178,5 +191,6 @@ def cases(records):
         gathered.setdefault(record.case, []).append(record)
     result = []
     for name, members in gathered.items():
-        result.append(Case(name, sorted(members, key=lambda record: (not record.own, record.solver))))
+        result.append(Case(name, sorted(members, key=lambda record: (
+            not record.own, record.solver, -TIERS.index(record.tier)))))
     return sorted(result, key=lambda case: (case.first.kind, case.first.group, case.name))

@@ -4,11 +4,10 @@ import os
 import pathlib
 import shutil
 
-from render import atlas, badge, gallery, pages, records
-from render.command import MARKER
+from render import atlas, badge, gallery, pages, records, sharpness
 from render.formulas import Formulas
 from render.records import Broken
-from render.store import Store
+from render.store import MARKER, Store
 from render.text import Typesetter
 
 _HERE = pathlib.Path(__file__).resolve().parent
@@ -47,11 +46,14 @@ def build(evidence, stage, out, options):
             broken += [Broken(record.file, [f"page not made: {reason}"]) for record in case.records]
     cases = [case for case in cases if case.name in views]
     summary = pages.overview(cases, broken, problems)
-    filled = sum(1 for _, tile in titles.values() if tile.records)
+    filled = sum(1 for _, tile in titles.values() if tile.reproduced)
     whole = {"summary": summary, "kinds": pages.grouped(cases), "sources": sources, "filled": filled,
-             "tiles": len(titles), "has_junit": (evidence / "junit.xml").is_file()}
+             "tiles": len(titles), "has_junit": (evidence / "junit.xml").is_file(),
+             "sharpness": sharpness.survey([record for case in cases for record in case.records if record.own]),
+             "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
     write("index.html.j2", "index.html", "", **whole)
     write("atlas.html.j2", "atlas.html", "", **whole)
+    write("sharpness.html.j2", "sharpness.html", "", **whole)
     write("reading.html.j2", "reading.html", "", **whole)
     if options.pdf:
         write("print.html.j2", "print.html", "", views=views, **whole)

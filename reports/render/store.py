@@ -9,6 +9,7 @@ import os
 import pathlib
 
 _HERE = pathlib.Path(__file__).resolve().parent
+MARKER = ".seiche-report"       # a directory that holds it is a report of ours and may be replaced
 
 
 def digest(*parts):

@@ -104,7 +104,7 @@ void write_error_record(const Job& job, const std::filesystem::path& directory, 
 }
 
 bool is_done(const Job& job, const std::filesystem::path& directory) {
-  const std::filesystem::path file = directory / (job.definition->name + ".json");
+  const std::filesystem::path file = directory / (job.blank_record().stem() + ".json");
   if (!std::filesystem::exists(file)) return false;
   try {
     const evidence::Summary old = evidence::read_summary(file);

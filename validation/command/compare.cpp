@@ -20,10 +20,15 @@ std::vector<Summary> records_in(const std::string& directory) {
   return evidence::read_summaries(directory);
 }
 
+/// By case and solver, and by tier where a folder has several of them of one case.
 std::map<std::string, Summary> by_name(const std::string& directory) {
+  std::vector<Summary> all = records_in(directory);
+  std::map<std::string, int> found;
+  const auto name_of = [](const Summary& s) { return s.solver == "seiche" ? s.name : s.name + "." + s.solver; };
+  for (const Summary& s : all) ++found[name_of(s)];
   std::map<std::string, Summary> records;
-  for (Summary& s : records_in(directory)) {
-    const std::string key = s.solver == "seiche" ? s.name : s.name + "." + s.solver;
+  for (Summary& s : all) {
+    const std::string key = found[name_of(s)] > 1 ? name_of(s) + "@" + s.tier : name_of(s);
     records[key] = std::move(s);
   }
   return records;
@@ -55,13 +60,15 @@ bool compare_record(const std::string& key, const Summary& before, const Summary
       continue;
     }
     const Summary::Outcome& was = *found->second;
-    if (was.verdict != claim.verdict) {
-      line(claim.id, fmt::format("verdict {} -> {}", was.verdict, claim.verdict));
+    if (was.verdict != claim.verdict || was.as_declared != claim.as_declared) {
+      const char* surprise = claim.as_declared ? "" : ", not as declared";
+      line(claim.id, fmt::format("verdict {} -> {}{}", was.verdict, claim.verdict, surprise));
       worse = worse || !claim.as_declared;
     }
     const double from = error_of(was);
     const double to = error_of(claim);
-    if (to > factor * from || from > factor * to) line(claim.id, fmt::format("error {:.3g} -> {:.3g}", from, to));
+    const bool vanished = std::isnan(from) != std::isnan(to);
+    if (vanished || to > factor * from || from > factor * to) line(claim.id, fmt::format("error {:.3g} -> {:.3g}", from, to));
     old.erase(found);
   }
   for (const auto& [id, claim] : old) {

@@ -72,14 +72,17 @@ def claim(name, kind="bound", verdict="pass", **changes):
     made = {"id": name, "text": f"Claim {name} holds.", "quantity": "defect", "unit": "m^3/s", "source": "a source",
             "resolution": "N = 10", "measured": 3.8412e-15, "uncertainty": 0.0, "expected": 0.0,
             "criterion": {"kind": kind, "limit": 1e-12, "reason": "a reason", **extras},
-            "verdict": verdict, "declared": "pass", "declared_reason": "", "note": ""}
-    return {**made, **changes}
+            "verdict": verdict, "declared": "pass", "declared_reason": "", "declared_band": None, "note": ""}
+    made.update(changes)
+    if made["declared"] == "fail" and made["declared_band"] is None:
+        made["declared_band"] = [made["measured"] or 0.0, 0.1]
+    return {"as_declared": made["verdict"] == made["declared"], **made}
 
 
 def record(case, **changes):
-    made = {"schema": 1, "case": case, "kind": "validation", "group": "bore", "tier": "quick", "solver": "seiche",
+    made = {"schema": 2, "case": case, "kind": "validation", "group": "bore", "tier": "quick", "solver": "seiche",
             "title": f"The case {case}", "source": "A source", "article": "Text with $x^2$ and\n\n$$\\frac{a}{b}$$",
-            "status": "finished", "error": "", "parameters": {}, "claims": [claim("one")], "measurements": {},
+            "status": "finished", "error": "", "parameters": {}, "claims": [claim("one")], "left_out": [], "measurements": {},
             "figures": [], "tables": [], "atlas": [], "data": "", "fields": "", "wall_time": 1.5, "fingerprint": "abc123",
             "provenance": {"commit": "0123456789abcdef", "dirty": False, "compiler": "g++", "flags": "-O3",
                            "build_type": "Release", "libraries": {"fmt": "9"}, "processor": "a processor", "cores": 2,
@@ -141,8 +144,16 @@ def write_evidence(folder):
     put(record("nulls", wall_time=None, measurements={"m": None},
                claims=[claim("one", verdict="fail", measured=None, uncertainty=None, expected=None,
                              criterion={"kind": "bound", "limit": None, "reason": "r", "relative": True}),
-                       claim("late", verdict="inconclusive", declared="inconclusive", declared_reason="known"),
+                       claim("late", verdict="fail", declared="fail", declared_reason="known"),
+                       claim("another_size", verdict="fail", declared="fail", declared_reason="known", as_declared=False),
                        claim("surprise", declared="fail", declared_reason="thought so")]))
+    put(record("sharp", left_out=[{"id": "late", "text": "Later.", "reason": "the source stops earlier"}], claims=[
+        claim("marginal", measured=0.95e-12), claim("loose", measured=1e-15), claim("wide", measured=0, uncertainty=0.95e-12),
+        claim("exact", measured=0.0), claim("middle", measured=0.5e-12), claim("fails", verdict="fail", measured=2e-12),
+        claim("seen", "qualitative", measured=1, expected=1)], tables=[
+        {"id": "t", "title": "t", "caption": "c", "columns": [], "rows": [], "atlas": ["frank-fig-9"]}]))
+    put(record("tiers"))
+    put(record("tiers", tier="full"), "tiers@full")
     put(record("crashed", status="error", error="killed by signal 11 <b>", claims=[], figures=[figure("f")], data="gone.h5"))
     put(record("lost_figure", data="two_solvers.h5", figures=[figure("nowhere"), figure("f", drawing="no such")]))
     (folder / "truncated.json").write_text('{"schema": 1, <script>', encoding="utf-8")
@@ -219,9 +230,35 @@ class Report(unittest.TestCase):
         self.assertIn("nulls-claim-surprise", alarm)
         self.assertIn("unexpected pass", alarm)
         self.assertIn("killed by signal 11", alarm)
+        self.assertIn("nulls-claim-another_size", alarm)
         self.assertNotIn("nulls-claim-late", alarm)
         self.assertIn("nulls-claim-late", declared)
         self.assertIn("hostile-claim-one", declared)
+
+    def test_sharpness_lists_what_is_marginal_and_what_is_loose(self):
+        page = (self.out / "sharpness.html").read_text(encoding="utf-8")
+        marginal = page[page.index('id="marginal"'):page.index('id="loose"')]
+        loose = page[page.index('id="loose"'):]
+        self.assertIn("sharp-claim-marginal", marginal)
+        self.assertIn("sharp-claim-loose", loose)
+        self.assertIn("sharp-claim-wide", marginal)     # its uncertainty uses up the limit
+        for neither in ("exact", "middle", "fails", "seen"):
+            self.assertNotIn(f"sharp-claim-{neither}", page)
+
+    def test_a_tile_is_reproduced_only_by_runs_that_came_out_as_declared(self):
+        atlas = (self.out / "atlas.html").read_text(encoding="utf-8")
+        self.assertIn("1 of", self.index[self.index.index("shows"):][:40])
+        shown = atlas[atlas.index('id="frank-fig-9"'):][:1500]
+        self.assertIn("shown, not reproduced", shown)
+
+    def test_tiers_stand_side_by_side(self):
+        page = (self.out / "cases/tiers.html").read_text(encoding="utf-8")
+        self.assertIn("seiche, full", page)
+        self.assertLess(page.index("tiers-full"), page.index('id="tiers-claim-one"'))
+
+    def test_what_does_not_apply_is_said(self):
+        page = (self.out / "cases/sharp.html").read_text(encoding="utf-8")
+        self.assertIn("1 claim does not apply at these parameters", page)
 
     def test_what_could_not_be_drawn_is_said(self):
         page = (self.out / "cases/lost_figure.html").read_text(encoding="utf-8")
@@ -238,7 +275,7 @@ class Report(unittest.TestCase):
         for tile in tiles:
             self.assertIn(tile, atlas.ids)
         text = (self.out / "atlas.html").read_text(encoding="utf-8")
-        self.assertEqual(text.count("not yet"), len(tiles) - 2)
+        self.assertEqual(text.count("not yet"), len(tiles) - 3)
 
     def test_hostile_text_is_printed_not_obeyed(self):
         for path, page in self.pages.items():
@@ -324,7 +361,9 @@ class Schema(unittest.TestCase):
 
         for change in (lambda r: r.pop("fingerprint"), lambda r: r.update(extra=1), lambda r: r.update(case="../up"),
                        lambda r: r.update(data="../x.h5"), lambda r: r["claims"][0].update(verdict="fine"),
-                       lambda r: r["claims"][0].update(declared="fail"), lambda r: r["claims"][0]["criterion"].pop("relative"),
+                       lambda r: r["claims"][0].update(declared="fail"),
+                       lambda r: r["claims"][0].update(declared="fail", declared_reason="known"),
+                       lambda r: r["claims"][0].pop("as_declared"), lambda r: r.pop("left_out"), lambda r: r["claims"][0]["criterion"].pop("relative"),
                        lambda r: r["claims"][1]["criterion"].update(reason=""), lambda r: r["provenance"].pop("commit"),
                        lambda r: r["figures"][0].update(id="a b"), lambda r: r["measurements"].update(x="1")):
             self.assertNotEqual(broken(change), [])
