@@ -7,20 +7,27 @@
 
 namespace seiche::evidence {
 
-/// A number of a criterion: stated beforehand, or told by the run and then at most so large. Beyond that cap the claim
+/// A number of a criterion: stated beforehand or told by the run, and then at most so large. Beyond that cap the claim
 /// says nothing: its verdict is inconclusive.
 class Amount {
  public:
   Amount(double stated) : value_(stated) {}  // NOLINT(google-explicit-constructor): most criteria state numbers
 
-  /// Counted, summed or extrapolated in the run; its measurement tells it. @param cap  of its absolute value
-  static Amount told_by_run(double cap) {
-    Amount amount(std::numeric_limits<double>::quiet_NaN());
+  /// Known beforehand, but growing with a resolution that the user may set. @param cap  of its absolute value
+  static Amount at_most(double stated, double cap) {
+    Amount amount(stated);
     amount.cap_ = cap;
     return amount;
   }
+  /// Counted, summed or extrapolated in the run; its measurement tells it. @param cap  of its absolute value
+  static Amount told_by_run(double cap) {
+    Amount amount = at_most(std::numeric_limits<double>::quiet_NaN(), cap);
+    amount.to_be_told_ = true;
+    return amount;
+  }
 
-  [[nodiscard]] bool stated() const { return cap_ == std::numeric_limits<double>::infinity(); }
+  [[nodiscard]] bool stated() const { return !to_be_told_; }
+  [[nodiscard]] bool capped() const { return cap_ < std::numeric_limits<double>::infinity(); }
   /// NaN while it is not told.
   [[nodiscard]] double value() const { return value_; }
   [[nodiscard]] double cap() const { return cap_; }
@@ -34,6 +41,7 @@ class Amount {
  private:
   double value_;
   double cap_ = std::numeric_limits<double>::infinity();
+  bool to_be_told_ = false;
 };
 
 /// |value - expected| <= 4 eps sqrt(operations) scale: four standard deviations of a random walk of rounding errors.

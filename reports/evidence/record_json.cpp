@@ -27,11 +27,11 @@ Json any(const std::variant<Types...>& value) {
       value);
 }
 
-/// The caps of what the run told.
+/// The caps beyond which the claim says nothing.
 Json caps_of(std::initializer_list<std::pair<const char*, Amount>> amounts) {
   Json caps = Json::object();
   for (const auto& [name_of, amount] : amounts) {
-    if (!amount.stated()) caps[name_of] = number(amount.cap());
+    if (amount.capped()) caps[name_of] = number(amount.cap());
   }
   return caps;
 }

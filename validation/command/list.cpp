@@ -96,7 +96,9 @@ void write_ctest(const std::string& file, const std::string& evidence) {
 }
 
 std::string text_of(const evidence::Amount& amount) {
-  if (amount.stated()) return fmt::format("{:g}", amount.value());
+  if (amount.stated()) {
+    return fmt::format("{:g}{}", amount.value(), amount.capped() ? fmt::format(" (at most {:g})", amount.cap()) : "");
+  }
   return fmt::format("as the run tells, at most {:g}", amount.cap());
 }
 

@@ -26,9 +26,9 @@ takes the effect away: $C$ stays positive. With $s = 0.714$ the critical wavelen
 are near Tadjbakhsh and Keller's; shorter ones slow down too little.
 */
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
 #include <fmt/format.h>
 #include <boost/math/tools/roots.hpp>
@@ -42,6 +42,7 @@ namespace seiche::validation::cases {
 namespace {
 
 using dispersive_shallow_water_1d::stepping_named;
+using evidence::Amount;
 using evidence::Bound;
 using evidence::Role;
 using exact::DispersiveStandingWave;
@@ -85,10 +86,10 @@ double coefficient(const StandingBox& box, double amplitude, double periods) {
 /// What the discrete model has without the errors of spacing and amplitude.
 class Limit {
  public:
-  explicit Limit(const Run& run)
-      : cells_(static_cast<std::size_t>(run.integer("cells"))),
-        periods_(run.real("periods")),
-        scheme_{.stepping = stepping_named(run.text("scheme"))} {}
+  explicit Limit(const Values& values)
+      : cells_(static_cast<std::size_t>(values.integer("cells"))),
+        periods_(values.real("periods")),
+        scheme_{.stepping = stepping_named(values.text("scheme"))} {}
 
   [[nodiscard]] double coefficient(double kh, const Parameters& parameters) const {
     const double coarse = of_small_waves(kh, parameters, cells_);
@@ -130,195 +131,239 @@ class Limit {
   dispersive_shallow_water_1d::Scheme scheme_;
 };
 
-void claim_own_wave(Running& run) {
-  const double kh = run.real("wavenumber");
-  const double amplitude = run.real("amplitude");
-  const StandingBox box{.wavenumber = kh,
-                        .cells = StandingBox::cells_of(kh, run.real("h")),
-                        .tau = run.real("tau"),
-                        .scheme = {.stepping = stepping_named(run.text("scheme"))},
-                        .alpha = run.real("alpha"),
-                        .gamma = run.real("gamma"),
-                        .depth_power = run.real("depth_power")};
-  const Oscillation wave = finite_oscillation(box, amplitude, run.real("periods"));
-  const double linear = box.linear_frequency();
-  const double measured = (wave.frequency / linear - 1) / (amplitude * amplitude);
-  const double theory = DispersiveStandingWave::frequency_correction(kh, box.wave_parameters());
-  run.record.measure("omega_measured", wave.frequency);
-  run.record.measure("omega_linear", linear);
-  run.record.measure("coefficient", measured);
-  run.record.measure("coefficient_theory", theory);
-  run.record.measure("coefficient_of_water", in_water(kh));
-  run.record.check(
-      {.id = "coefficient",
-       .text = "The frequency of the wave of the parameters changes with its amplitude as in theory.",
-       .quantity = "C = (Omega/omega - 1)/(a/H)^2",
-       .source = frank},
-      {.value = measured, .resolution = fmt::format("{} cells, tau = {:g}, a/H = {:g}", box.cells, box.tau, amplitude)},
-      Bound{.limit = std::max(0.01 * std::abs(theory), 1e-3),
-            .reason = "1 %, and 0.001 where C nearly vanishes: the square of k s is 0.001 at k = 0.6, s = 0.05, that "
-                      "of the amplitude 0.0004, their coefficients are of order one",
-            .expected = theory});
+/// A tenth of what tells the model from water: their critical depths differ by 0.12, the coefficients by half of that.
+constexpr double useful_uncertainty = 0.006;
+
+/// Slope of the coefficients over the depth where they vanish, about.
+constexpr double slope_at_root = 0.5;
+
+/// In wavelengths, of a root: the coefficient's over its slope in kH.
+double in_wavelengths(double uncertainty, double wavelength) {
+  return uncertainty / slope_at_root * wavelength * wavelength / (2 * pi);
 }
 
-void claim_coefficients(Running& run, const Limit& limit) {
-  evidence::Table table{
-      .id = "coefficients",
-      .title = "Change of frequency with amplitude",
-      .caption = "C of Frank's model, measured and in theory, and of water.",
-      .columns = {{"k H", ""}, {"wavelength/H", ""}, {"measured", ""}, {"theory", ""}, {"Tadjbakhsh and Keller", ""}}};
-  for (const double kh : {0.6, 0.9419, 1.0581, 1.4}) {
-    const double measured = limit.coefficient(kh, frank_model);
-    const double theory = DispersiveStandingWave::frequency_correction(kh, frank_model);
-    table.rows.push_back({kh, 2 * pi / kh, measured, theory, in_water(kh)});
-    run.record.check({.id = fmt::format("limit-{:.0f}", 1e4 * kh),
-                      .text = fmt::format("At k H = {:g} the model's coefficient is that of its theory.", kh),
-                      .quantity = "C = (Omega/omega - 1)/(a/H)^2",
-                      .source = frank},
-                     {.value = measured, .resolution = limit.resolution()},
-                     Bound{.limit = limit.uncertainty(),
-                           .reason = "(k s)^4 of the coarser box: the first power that extrapolation in s^2 leaves",
-                           .expected = theory});
+/// The wave of the parameters.
+StandingBox own_box(const Values& values) {
+  const double kh = values.real("wavenumber");
+  return {.wavenumber = kh,
+          .cells = StandingBox::cells_of(kh, values.real("h")),
+          .tau = values.real("tau"),
+          .scheme = {.stepping = stepping_named(values.text("scheme"))},
+          .alpha = values.real("alpha"),
+          .gamma = values.real("gamma"),
+          .depth_power = values.real("depth_power")};
+}
+
+constexpr std::array judged_depths{0.6, 0.9419, 1.0581, 1.4};
+const std::vector<double> drawn_lengths = evenly(4, 12, 9);
+const std::vector<double> drawn_amplitudes = evenly(0.01, 0.1, 7);
+constexpr std::array drawn_depths{0.6, 0.9419, 1.4};
+
+/// The models whose coefficients are drawn over wavelength.
+std::vector<std::pair<std::string, Parameters>> models() {
+  return {{"Frank's model", frank_model}, {"gamma = 1/15, s = 2", improved}, {"gamma = 1/15, s = 0.714", like_water()}};
+}
+constexpr std::size_t judged_model = 1;
+
+struct Results {
+  Oscillation own;
+  double own_coefficient = 0;
+  std::vector<double> coefficients;         ///< of Frank's model at the judged depths
+  double critical = 0;                      ///< wavelength of Frank's model
+  double critical_with_weight = 0;          ///< of the one made like water
+  std::vector<std::vector<double>> curves;  ///< coefficients of the models over the drawn wavelengths
+  std::vector<std::vector<double>> shifts;  ///< relative ones of the frequency, at the drawn depths and amplitudes
+
+  /// Of the improved model with s = 2.
+  [[nodiscard]] Worst deviation() const {
+    Worst worst;
+    for (std::size_t k = 0; k < drawn_lengths.size(); ++k) {
+      const double theory = DispersiveStandingWave::frequency_correction(2 * pi / drawn_lengths[k], improved);
+      worst.add(curves[judged_model][k] - theory, drawn_lengths[k]);
+    }
+    return worst;
   }
-  run.record.table(std::move(table));
-}
-
-/// The error of a root: that of the coefficient over its slope in kH, about 1/2, in wavelengths.
-double wavelength_uncertainty(const Limit& limit, double wavelength) {
-  return limit.uncertainty() / 0.5 * wavelength * wavelength / (2 * pi);
-}
-
-struct Roots {
-  double model;
-  double weighted;
+  [[nodiscard]] double smallest() const { return seiche::smallest(curves[judged_model]); }
 };
 
-Roots claim_roots(Running& run, const Limit& limit) {
+void claims(const Values& values, Claims<Results> claims) {
+  const StandingBox box = own_box(values);
+  const double own_theory = DispersiveStandingWave::frequency_correction(box.wavenumber, box.wave_parameters());
+  claims.at(fmt::format("{} cells, tau = {:g}, a/H = {:g}", box.cells, box.tau, values.real("amplitude")))
+      .check({.id = "coefficient",
+              .text = "The frequency of the wave of the parameters changes with its amplitude as in theory.",
+              .quantity = "C = (Omega/omega - 1)/(a/H)^2",
+              .source = frank},
+             &Results::own_coefficient,
+             Bound{.limit = std::max(0.01 * std::abs(own_theory), 1e-3),
+                   .reason = "1 %, and 0.001 where C nearly vanishes: the square of k s is 0.001 at k = 0.6, s = 0.05, "
+                             "that of the amplitude 0.0004, their coefficients are of order one",
+                   .expected = own_theory});
+
+  const Limit fine(values);
+  const Claims<Results> limit = claims.at(fine.resolution());
+  const Amount uncertainty = Amount::at_most(fine.uncertainty(), useful_uncertainty);
+  for (std::size_t k = 0; k < judged_depths.size(); ++k) {
+    const double kh = judged_depths[k];
+    limit.check(
+        {.id = fmt::format("limit-{:.0f}", 1e4 * kh),
+         .text = fmt::format("At k H = {:g} the model's coefficient is that of its theory.", kh),
+         .quantity = "C = (Omega/omega - 1)/(a/H)^2",
+         .source = frank},
+        [k](const Results& r) { return r.coefficients[k]; },
+        Bound{.limit = uncertainty,
+              .reason = "(k s)^4 of the coarser box: the first power that extrapolation in s^2 leaves",
+              .expected = DispersiveStandingWave::frequency_correction(kh, frank_model)});
+  }
+
   const double theory = DispersiveStandingWave::critical_wavelength(frank_model).value();
-  const double in_water = exact::StandingWave::critical_wavelength();
-  const Parameters weighted = like_water();
-  const Roots roots{limit.critical_wavelength(frank_model), limit.critical_wavelength(weighted)};
-  run.record.measure("critical_wavelength", roots.model);
-  run.record.measure("critical_wavelength_theory", theory);
-  run.record.measure("critical_wavelength_of_water", in_water);
-  run.record.measure("critical_wavelength_with_weight", roots.weighted);
-  run.record.measure("weight_exponent_of_water", weighted.weight_exponent);
-  const std::string reason = "(k s)^4 of the coarser box over the slope of C, 1/2 per unit of kH";
-  run.record.check({.id = "critical-wavelength",
-                    .text = "At one wavelength the frequency does not depend on amplitude, as in theory.",
-                    .quantity = "critical wavelength/H",
-                    .source = frank},
-                   {.value = roots.model, .resolution = limit.resolution()},
-                   Bound{.limit = wavelength_uncertainty(limit, theory), .reason = reason, .expected = theory});
-  run.record.known_failure({.id = "critical-wavelength-of-water",
-                            .text = "It is the critical wavelength of water.",
-                            .quantity = "critical wavelength/H",
-                            .source = water},
-                           {.value = roots.model, .resolution = limit.resolution()},
-                           Bound{.limit = 0.01,
-                                 .reason = "the digits of 5.94, as the source gives it",
-                                 .expected = in_water,
-                                 .relative = true},
-                           "a property of the equations, not of the cells: the model's coefficient vanishes at "
-                           "alpha (kH)^2 = 0.2957, a wave 12 % longer than in water");
-  run.record.check({.id = "critical-wavelength-with-weight",
-                    .text = fmt::format("With gamma = 1/15 and the weight s = {:.3f} it is.", weighted.weight_exponent),
-                    .quantity = "critical wavelength/H",
-                    .source = water},
-                   {.value = roots.weighted, .resolution = limit.resolution()},
-                   Bound{.limit = wavelength_uncertainty(limit, in_water), .reason = reason, .expected = in_water});
-  return roots;
-}
-
-/// Coefficients over wavelengths: lines and what was measured. Returns the largest deviation of the improved model
-/// with s = 2, and its smallest coefficient.
-std::pair<double, double> draw_coefficients(Running& run, evidence::Figure& figure, const Limit& limit,
-                                            const Roots& roots) {
-  auto& panel = figure.panel({.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.4, .y_max = 0.6});
-  const std::vector<double> lengths = evenly(3.4, 13, 193);
-  const auto line = [&](const std::string& label, Role role, const auto& correction) {
-    panel.line(label, lengths, values_at(lengths, [&](double length) { return correction(2 * pi / length); }), role);
+  const double of_water = exact::StandingWave::critical_wavelength();
+  const auto root_within = [&](double wavelength) {
+    return Bound{.limit = Amount::at_most(in_wavelengths(fine.uncertainty(), wavelength),
+                                          in_wavelengths(useful_uncertainty, wavelength)),
+                 .reason = "(k s)^4 of the coarser box over the slope of C, 1/2 per unit of kH",
+                 .expected = wavelength};
   };
-  line("Tadjbakhsh and Keller", Role::exact, in_water);
-  std::pair<double, double> found{0, 1};
-  const std::vector<std::tuple<std::string, Parameters, bool>> models = {
-      {"Frank's model", frank_model, false},
-      {"gamma = 1/15, s = 2", improved, true},
-      {"gamma = 1/15, s = 0.714", like_water(), false}};
-  for (const auto& [label, parameters, judged] : models) {
-    line(label, Role::computed,
-         [&p = parameters](double kh) { return DispersiveStandingWave::frequency_correction(kh, p); });
-  }
-  double done = 0.3;
-  for (const auto& [label, parameters, judged] : models) {
-    const std::vector<double> places = evenly(4, 12, 9);
-    std::vector<double> measured;
-    for (const double length : places) {
-      const double kh = 2 * pi / length;
-      measured.push_back(limit.coefficient(kh, parameters));
-      if (!judged) continue;
-      const double theory = DispersiveStandingWave::frequency_correction(kh, parameters);
-      found.first = std::max(found.first, std::abs(measured.back() - theory));
-      found.second = std::min(found.second, measured.back());
-    }
-    panel.points("measured", places, measured, Role::data);
-    run.progress(done += 0.2);
-  }
-  panel.vertical("critical in water", std::vector{exact::StandingWave::critical_wavelength()}, Role::guide);
-  panel.vertical("critical in the model", std::vector{roots.model}, Role::guide);
-  return found;
-}
-
-/// Frequencies of Frank's model over amplitude.
-void draw_frequencies(Running& run) {
-  auto& figure = run.record.figure("frequency", "Frequency of Frank's model over amplitude",
-                                   "Circles are measured, the parabolas are third-order theory; the middle wave has "
-                                   "the model's critical wavelength.");
-  auto& panel = figure.panel({.x = "a/H", .y = "Omega/omega - 1"});
-  const std::vector<double> amplitudes = evenly(0.01, 0.1, 7);
-  const std::vector<double> fine = evenly(0, 0.1, 61);
-  for (const double kh : {0.6, 0.9419, 1.4}) {
-    StandingBox box{.wavenumber = kh,
-                    .cells = 2 * static_cast<std::size_t>(run.integer("cells")),
-                    .scheme = {.stepping = stepping_named(run.text("scheme"))}};
-    box.tau = 0.4 * box.spacing();
-    const auto measured =
-        values_at(amplitudes, [&](double a) { return a * a * coefficient(box, a, run.real("periods")); });
-    const double c = DispersiveStandingWave::frequency_correction(kh, frank_model);
-    const auto theory = values_at(fine, [&](double a) { return a * a * c; });
-    panel.line(fmt::format("kH = {:g}", kh), fine, theory, Role::exact);
-    panel.points("measured", amplitudes, measured, Role::data);
-  }
-}
-
-void run(Running& run) {
-  const Limit limit(run);
-  claim_own_wave(run);
-  claim_coefficients(run, limit);
-  const Roots roots = claim_roots(run, limit);
-  auto& figure = run.record.figure(
-      "coefficient", "How the frequency of standing waves depends on amplitude",
-      "Coefficient of $(a/H)^2$ in the relative change of frequency, over the wavelength. Lines are theory, circles "
-      "are measured, vertical lines the critical wavelengths, 5.938 depths in water and 6.671 in the model.",
-      {"frank-standing"});
-  const auto [deviation, smallest] = draw_coefficients(run, figure, limit, roots);
-  draw_frequencies(run);
-  run.record.measure("smallest_coefficient_with_s_2", smallest);
-  run.record.check(
+  limit.check({.id = "critical-wavelength",
+               .text = "At one wavelength the frequency does not depend on amplitude, as in theory.",
+               .quantity = "critical wavelength/H",
+               .source = frank},
+              &Results::critical, root_within(theory));
+  limit.known_failure(
+      {.id = "critical-wavelength-of-water",
+       .text = "It is the critical wavelength of water.",
+       .quantity = "critical wavelength/H",
+       .source = water},
+      &Results::critical,
+      Bound{.limit = 0.01,
+            .reason = "the digits of 5.94, as the source gives it",
+            .expected = of_water,
+            .relative = true},
+      {.value = theory,
+       .width = in_wavelengths(useful_uncertainty, theory),
+       .reason = "a property of the equations, not of the cells: the model's coefficient vanishes at alpha (kH)^2 = "
+                 "0.2957, a wave 12 % longer than in water"});
+  limit.check({.id = "critical-wavelength-with-weight",
+               .text = fmt::format("With gamma = 1/15 and the weight s = {:.3f} it is.", like_water().weight_exponent),
+               .quantity = "critical wavelength/H",
+               .source = water},
+              &Results::critical_with_weight, root_within(of_water));
+  limit.check(
       {.id = "no-critical-wavelength",
        .text = "The added energy with the weight s = 2 leaves no critical wavelength: the frequency rises "
                "with amplitude at all of them.",
        .quantity = "smallest C is above its uncertainty",
        .source = frank},
-      {.value = smallest > limit.uncertainty() ? 1.0 : 0.0, .resolution = limit.resolution()},
+      [least = fine.uncertainty()](const Results& r) {
+        const double smallest = r.smallest();
+        return std::isnan(smallest) ? smallest : smallest > least ? 1.0 : 0.0;
+      },
       evidence::Qualitative{.detector = "sign of the measured coefficient at wavelengths of 4 to 12 depths",
                             .reason = "the energy of slopes stiffens crests more than it softens troughs"});
-  run.record.check({.id = "with-gamma",
-                    .text = "With the added energy too, the coefficient is that of theory.",
-                    .quantity = "largest deviation of C, wavelengths of 4 to 12 depths",
-                    .source = frank},
-                   {.value = deviation, .resolution = limit.resolution()},
-                   Bound{limit.uncertainty(), "(k s)^4 of the coarser box"});
+  limit.check({.id = "with-gamma",
+               .text = "With the added energy too, the coefficient is that of theory.",
+               .quantity = "largest deviation of C, wavelengths of 4 to 12 depths",
+               .source = frank},
+              &Results::deviation, Bound{uncertainty, "(k s)^4 of the coarser box"});
+}
+
+Results compute(const Run& run) {
+  const StandingBox own = own_box(run);
+  const double amplitude = run.real("amplitude");
+  const double periods = run.real("periods");
+  const Limit limit(run);
+  Results r{.own = finite_oscillation(own, amplitude, periods)};
+  r.own_coefficient = (r.own.frequency / own.linear_frequency() - 1) / (amplitude * amplitude);
+  for (const double kh : judged_depths) r.coefficients.push_back(limit.coefficient(kh, frank_model));
+  r.critical = limit.critical_wavelength(frank_model);
+  r.critical_with_weight = limit.critical_wavelength(like_water());
+  for (const auto& [label, parameters] : models()) {
+    r.curves.push_back(
+        values_at(drawn_lengths, [&, p = parameters](double length) { return limit.coefficient(2 * pi / length, p); }));
+    run.progress(0.3 + 0.2 * static_cast<double>(r.curves.size()));
+  }
+  for (const double kh : drawn_depths) {
+    StandingBox box{.wavenumber = kh,
+                    .cells = 2 * static_cast<std::size_t>(run.integer("cells")),
+                    .scheme = {.stepping = stepping_named(run.text("scheme"))}};
+    box.tau = 0.4 * box.spacing();
+    r.shifts.push_back(values_at(drawn_amplitudes, [&](double a) { return a * a * coefficient(box, a, periods); }));
+  }
+  return r;
+}
+
+void tabulate(const Results& r, evidence::Exhibit& exhibit) {
+  evidence::Table table{
+      .id = "coefficients",
+      .title = "Change of frequency with amplitude",
+      .caption = "C of Frank's model, measured and in theory, and of water.",
+      .columns = {{"k H", ""}, {"wavelength/H", ""}, {"measured", ""}, {"theory", ""}, {"Tadjbakhsh and Keller", ""}}};
+  for (std::size_t k = 0; k < judged_depths.size(); ++k) {
+    const double kh = judged_depths[k];
+    table.rows.push_back({kh, 2 * pi / kh, r.coefficients[k],
+                          DispersiveStandingWave::frequency_correction(kh, frank_model), in_water(kh)});
+  }
+  exhibit.table(std::move(table));
+}
+
+/// Coefficients over wavelengths: lines, what was measured, and the critical wavelengths.
+void draw_coefficients(const Results& r, evidence::Exhibit& exhibit) {
+  auto& panel =
+      exhibit
+          .figure(
+              "coefficient", "How the frequency of standing waves depends on amplitude",
+              "Coefficient of $(a/H)^2$ in the relative change of frequency, over the wavelength. Lines are theory, "
+              "circles are measured, vertical lines the critical wavelengths, 5.938 depths in water and 6.671 in "
+              "the model.",
+              {"frank-standing"})
+          .panel({.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.4, .y_max = 0.6});
+  const std::vector<double> lengths = evenly(3.4, 13, 193);
+  const auto line = [&](const std::string& label, Role role, const auto& correction) {
+    panel.line(label, lengths, values_at(lengths, [&](double length) { return correction(2 * pi / length); }), role);
+  };
+  line("Tadjbakhsh and Keller", Role::exact, in_water);
+  for (const auto& [label, parameters] : models()) {
+    line(label, Role::computed,
+         [&p = parameters](double kh) { return DispersiveStandingWave::frequency_correction(kh, p); });
+  }
+  for (const std::vector<double>& measured : r.curves) panel.points("measured", drawn_lengths, measured, Role::data);
+  panel.vertical("critical in water", std::vector{exact::StandingWave::critical_wavelength()}, Role::guide);
+  panel.vertical("critical in the model", std::vector{r.critical}, Role::guide);
+}
+
+/// Frequencies of Frank's model over amplitude.
+void draw_frequencies(const Results& r, evidence::Exhibit& exhibit) {
+  auto& panel = exhibit
+                    .figure("frequency", "Frequency of Frank's model over amplitude",
+                            "Circles are measured, the parabolas are third-order theory; the middle wave has the "
+                            "model's critical wavelength.")
+                    .panel({.x = "a/H", .y = "Omega/omega - 1"});
+  const std::vector<double> fine = evenly(0, 0.1, 61);
+  for (std::size_t k = 0; k < drawn_depths.size(); ++k) {
+    const double c = DispersiveStandingWave::frequency_correction(drawn_depths[k], frank_model);
+    const auto theory = values_at(fine, [&](double a) { return a * a * c; });
+    panel.line(fmt::format("kH = {:g}", drawn_depths[k]), fine, theory, Role::exact);
+    panel.points("measured", drawn_amplitudes, r.shifts[k], Role::data);
+  }
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const StandingBox own = own_box(values);
+  tabulate(r, exhibit);
+  draw_coefficients(r, exhibit);
+  draw_frequencies(r, exhibit);
+  exhibit.measure("omega_measured", r.own.frequency);
+  exhibit.measure("omega_linear", own.linear_frequency());
+  exhibit.measure("coefficient", r.own_coefficient);
+  exhibit.measure("coefficient_theory",
+                  DispersiveStandingWave::frequency_correction(own.wavenumber, own.wave_parameters()));
+  exhibit.measure("coefficient_of_water", in_water(own.wavenumber));
+  exhibit.measure("critical_wavelength", r.critical);
+  exhibit.measure("critical_wavelength_theory", DispersiveStandingWave::critical_wavelength(frank_model).value());
+  exhibit.measure("critical_wavelength_of_water", exact::StandingWave::critical_wavelength());
+  exhibit.measure("critical_wavelength_with_weight", r.critical_with_weight);
+  exhibit.measure("weight_exponent_of_water", like_water().weight_exponent);
+  exhibit.measure("smallest_coefficient_with_s_2", r.smallest());
 }
 
 }  // namespace
@@ -342,7 +387,7 @@ Case standing_1d() {
       integer("cells", {24, 48, 96}, {8, 1000}, "of the coarser of the two boxes of the extrapolation"),
       real("periods", {10.0, 20.0, 20.0}, "1", {2, 1000}, "length of the series"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 
