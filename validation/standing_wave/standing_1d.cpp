@@ -106,8 +106,8 @@ class Limit {
     return 4 * pi / (low + high);
   }
 
-  /// (k s)^4 of the coarser box: the first power of the spacing that the extrapolation leaves.
-  [[nodiscard]] double uncertainty() const { return std::pow(pi / static_cast<double>(cells_), 4); }
+  /// A quarter of (k s)^4 of the coarser box: what the extrapolation leaves of the next power of the spacing.
+  [[nodiscard]] double uncertainty() const { return std::pow(pi / static_cast<double>(cells_), 4) / 4; }
   [[nodiscard]] std::string resolution() const {
     return fmt::format("{} and {} cells, a/H = 0.01 and 0.02", cells_, 2 * cells_);
   }
@@ -212,7 +212,9 @@ void claims(const Values& values, Claims<Results> claims) {
          .source = frank},
         [k](const Results& r) { return r.coefficients[k]; },
         Bound{.limit = uncertainty,
-              .reason = "(k s)^4 of the coarser box: the first power that extrapolation in s^2 leaves",
+              .reason =
+                  "a quarter of (k s)^4 of the coarser box: what extrapolation in s^2 leaves of the next power, whose "
+                  "coefficient is at most of order one",
               .expected = DispersiveStandingWave::frequency_correction(kh, frank_model)});
   }
 
@@ -221,7 +223,7 @@ void claims(const Values& values, Claims<Results> claims) {
   const auto root_within = [&](double wavelength) {
     return Bound{.limit = Amount::at_most(in_wavelengths(fine.uncertainty(), wavelength),
                                           in_wavelengths(useful_uncertainty, wavelength)),
-                 .reason = "(k s)^4 of the coarser box over the slope of C, 1/2 per unit of kH",
+                 .reason = "a quarter of (k s)^4 of the coarser box over the slope of C, 1/2 per unit of kH",
                  .expected = wavelength};
   };
   limit.check({.id = "critical-wavelength",
@@ -264,7 +266,7 @@ void claims(const Values& values, Claims<Results> claims) {
                .text = "With the added energy too, the coefficient is that of theory.",
                .quantity = "largest deviation of C, wavelengths of 4 to 12 depths",
                .source = frank},
-              &Results::deviation, Bound{uncertainty, "(k s)^4 of the coarser box"});
+              &Results::deviation, Bound{uncertainty, "a quarter of (k s)^4 of the coarser box"});
 }
 
 Results compute(const Run& run) {
