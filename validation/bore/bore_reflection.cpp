@@ -23,8 +23,7 @@ reproduced.
 
 #include "seiche/exact/bore_reflection.hpp"
 #include "validation/case/case.hpp"
-#include "validation/case/reference_table.hpp"
-#include "validation/studies/shallow_water/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -65,11 +64,56 @@ Mirrored solution_of(const Values& values) {
   return {exact::BoreReflection(incident, end), start, end, left};
 }
 
-void draw_sketches(evidence::Record& record, const FlowProblem& problem, const Mirrored& solution) {
+/// What the parameters decide.
+struct SetUp {
+  Mirrored solution;
+  FlowProblem problem;
+  Discretisation discretisation;
+  double time;
+  Front front;
+
+  [[nodiscard]] const exact::BoreReflection& reflection() const { return solution.reflection; }
+  [[nodiscard]] bool reflected() const { return time > reflection().reflection_time(); }
+};
+
+SetUp set_up(const Values& values) {
+  const Mirrored solution = solution_of(values);
+  const exact::BoreReflection& reflection = solution.reflection;
+  using End = FlowProblem::End;
+  const FlowProblem problem =
+      problem_of(solution, values.real("gravity"), solution.start, solution.end, {values.real("jump")},
+                 solution.left_wall ? End::wall : End::stream, solution.left_wall ? End::stream : End::wall);
+  const double time = values.real("time");
+  const bool reflected = time > reflection.reflection_time();
+  const State& incoming = reflection.incident().behind();
+  return {.solution = solution,
+          .problem = problem,
+          .discretisation = {.scheme = "H2",
+                             .particles = values.integer("particles"),
+                             .time_step = values.real("time_step"),
+                             .theta = 1.5},
+          .time = time,
+          .front = {.behind = reflected ? reflection.reflected_depth() : incoming.depth,
+                    .ahead = reflected ? incoming.depth : reflection.incident().ahead().depth,
+                    .position = problem.breakpoints(time)[0],
+                    .reach = problem.length()}};
+}
+
+struct Results {
+  SetUp set_up;
+  FlowRun flow;
+  std::vector<Contestant> contestants;
+
+  [[nodiscard]] double wall_depth(const Profile& profile) const {
+    return set_up.solution.left_wall ? profile.means.front().depth : profile.means.back().depth;
+  }
+};
+
+void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const Mirrored& solution) {
   const auto& bore = solution.reflection.incident();
   const double h1 = bore.behind().depth;
   auto& panel =
-      record.figure("setup", "Reflection of a bore: the problem", "The bore before it meets the wall.", {"bzz-fig-13"})
+      exhibit.figure("setup", "Reflection of a bore: the problem", "The bore before it meets the wall.", {"bzz-fig-13"})
           .panel({.x = "x [m]", .y = "elevation [m]", .y_min = -0.1, .y_max = 1.6 * h1});
   const ExactCurve before = exact_curve(problem, problem.start, problem.end, 0);
   panel.fill("water", before.x, before.depth, Role::water);
@@ -77,8 +121,8 @@ void draw_sketches(evidence::Record& record, const FlowProblem& problem, const M
   panel.line("wall", std::vector<double>{wall, wall}, std::vector<double>{0, 1.5 * h1}, Role::bed);
 
   const double meeting = solution.reflection.reflection_time();
-  auto& figure = record.figure("exact", "The exact reflection",
-                               "Depth and velocity before and after the bore meets the wall.", {"bzz-fig-14"});
+  auto& figure = exhibit.figure("exact", "The exact reflection",
+                                "Depth and velocity before and after the bore meets the wall.", {"bzz-fig-14"});
   for (const double t : {0.5 * meeting, 1.6 * meeting}) {
     const ExactCurve curve = exact_curve(problem, problem.start, problem.end, t);
     const std::string title = fmt::format("t = {:.3g} s", t);
@@ -88,107 +132,101 @@ void draw_sketches(evidence::Record& record, const FlowProblem& problem, const M
   }
 }
 
-void run(Running& run) {
-  const Mirrored solution = solution_of(run.values());
-  const exact::BoreReflection& reflection = solution.reflection;
-  const double gravity = run.real("gravity");
-  const double time = run.real("time");
-  using End = FlowProblem::End;
-  const FlowProblem problem =
-      problem_of(solution, gravity, run.real("start"), run.real("end"), {run.real("jump")},
-                 solution.left_wall ? End::wall : End::stream, solution.left_wall ? End::stream : End::wall);
-  const Discretisation discretisation{
-      .scheme = "H2", .particles = run.integer("particles"), .time_step = run.real("time_step"), .theta = 1.5};
-  draw_sketches(run.record, problem, solution);
-  const double meeting = reflection.reflection_time();
-  const std::vector<double> times =
-      meeting < time ? std::vector<double>{0.9 * meeting, time} : std::vector<double>{time};
-  const auto flow = run_and_draw(run.record, problem, discretisation, times, "A bore before and after it met the wall",
-                                 {"bzz-fig-15"}, [&](double done) { run.progress(0.5 * done); });
-  claim_conservation(run.record, *flow);
-
-  const Profile profile = flow->profile();
-  const ProfileErrors errors = profile_errors(profile, problem, time);
-  measure_errors(run.record, errors);
-  const double wall_depth = solution.left_wall ? profile.means.front().depth : profile.means.back().depth;
-  const double behind = time > meeting ? reflection.reflected_depth() : reflection.incident().behind().depth;
-  const double ahead = time > meeting ? reflection.incident().behind().depth : reflection.incident().ahead().depth;
-  const Front front{
-      .behind = behind, .ahead = ahead, .position = problem.breakpoints(time)[0], .reach = problem.length()};
-  const double position = front_position(profile, front);
-  run.record.measure("wall_depth", wall_depth);
-  run.record.measure("wall_depth_exact", reflection.reflected_depth());
-  run.record.measure("reflected_speed_exact", reflection.reflected_speed());
-  run.record.measure("front_position", position);
-  run.record.measure("front_position_exact", front.position);
-  run.record.measure("front_width", static_cast<double>(front_width(profile, front)));
-  const double operations = static_cast<double>(flow->steps() * 8);
-  if (time > meeting) {
-    run.record.check(
-        {.id = "wall_depth",
-         .text = "The depth at the wall is that of the jump conditions.",
-         .quantity = "depth at the wall",
-         .unit = "m",
-         .source = "jump conditions (11) of the paper"},
-        {.value = wall_depth, .resolution = discretisation.text()},
-        evidence::Roundoff{.operations = operations * static_cast<double>(discretisation.particles),
-                           .scale = reflection.reflected_depth(),
-                           .reason = "eight rounded operations per step, and per particle the jump has passed",
-                           .expected = reflection.reflected_depth()});
-  }
-  run.record.check(
+void claims(const Values& values, Claims<Results> claims) {
+  const SetUp s = set_up(values);
+  claim_conservation(claims.of(&Results::flow), s.problem, s.discretisation, s.time);
+  const double reflected_depth = s.reflection().reflected_depth();
+  const auto at_wall = [](const Results& r) { return r.wall_depth(r.flow.profile()); };
+  const double operations =
+      8 * std::ceil(s.time / s.discretisation.time_step) * static_cast<double>(s.discretisation.particles);
+  const auto here = claims.at(s.discretisation.text());
+  here.only_if(s.reflected(), "the bore has not met the wall")
+      .check({.id = "wall_depth",
+              .text = "The depth at the wall is that of the jump conditions.",
+              .quantity = "depth at the wall",
+              .unit = "m",
+              .source = "jump conditions (11) of the paper"},
+             at_wall,
+             evidence::Roundoff{.operations = operations,
+                                .scale = reflected_depth,
+                                .reason = "eight rounded operations per step, and per particle the jump has passed",
+                                .expected = reflected_depth});
+  here.check(
       {.id = "reconstructed_l1_h",
        .text = "The method's profile is the exact one.",
        .quantity = "reconstructed L1(h)",
        .unit = "m",
        .source = "jump conditions (11) of the paper"},
-      {.value = errors.reconstructed.depth.l1, .resolution = discretisation.text()},
-      evidence::Roundoff{.operations = operations * static_cast<double>(discretisation.particles),
-                         .scale = reflection.reflected_depth(),
+      [](const Results& r) { return r.flow.errors.reconstructed.depth.l1; },
+      evidence::Roundoff{.operations = operations,
+                         .scale = reflected_depth,
                          .reason = "eight rounded operations per step, and per particle the jump has passed"});
 
-  const io::Table printed = reference_table("bogomolov_zakharov_zerkal", run.record.reference_data);
-  if (run.as_published()) {
-    run.record.check({.id = "printed-exact",
-                      .text = "The paper's 1.45 m follows from the jump conditions.",
-                      .quantity = "reflected depth",
+  const io::Table printed = values.table("bogomolov_zakharov_zerkal");
+  const auto published = claims.only_if(values.as_published(), "the paper prints it for its own parameters");
+  published.check(
+      {.id = "printed-exact",
+       .text = "The paper's 1.45 m follows from the jump conditions.",
+       .quantity = "reflected depth",
+       .unit = "m",
+       .source = "section 5 of the paper"},
+      [](const Results& r) { return r.set_up.reflection().reflected_depth(); },
+      evidence::Bound{.limit = 0.005,
+                      .reason = "half a unit of the last printed digit",
+                      .expected = printed.column("reflected_depth_exact")[0]});
+  published.check(
+      {.id = "printed-speed",
+       .text = "So does its speed of the reflected jump, -2.88 m/s.",
+       .quantity = "reflected speed",
+       .unit = "m/s",
+       .source = "section 5 of the paper"},
+      [](const Results& r) { return r.set_up.reflection().reflected_speed(); },
+      evidence::Bound{.limit = 0.005,
+                      .reason = "half a unit of the last printed digit",
+                      .expected = printed.column("reflected_speed")[0]});
+  published.at(s.discretisation.text())
+      .known_failure({.id = "printed-computed",
+                      .text = "Ten particles give the paper's computed wall depth of 1.36 m.",
+                      .quantity = "depth at the wall",
                       .unit = "m",
                       .source = "section 5 of the paper"},
-                     {.value = reflection.reflected_depth()},
+                     at_wall,
                      evidence::Bound{.limit = 0.005,
                                      .reason = "half a unit of the last printed digit",
-                                     .expected = printed.column("reflected_depth_exact")[0]});
-    run.record.check({.id = "printed-speed",
-                      .text = "So does its speed of the reflected jump, -2.88 m/s.",
-                      .quantity = "reflected speed",
-                      .unit = "m/s",
-                      .source = "section 5 of the paper"},
-                     {.value = reflection.reflected_speed()},
-                     evidence::Bound{.limit = 0.005,
-                                     .reason = "half a unit of the last printed digit",
-                                     .expected = printed.column("reflected_speed")[0]});
-    run.record.known_failure(
-        {.id = "printed-computed",
-         .text = "Ten particles give the paper's computed wall depth of 1.36 m.",
-         .quantity = "depth at the wall",
-         .unit = "m",
-         .source = "section 5 of the paper"},
-        {.value = wall_depth, .resolution = discretisation.text()},
-        evidence::Bound{.limit = 0.005,
-                        .reason = "half a unit of the last printed digit",
-                        .expected = printed.column("reflected_depth_computed")[0]},
-        "6 % below the jump conditions; no level of the method gives it (see the table), so it is an "
-        "error of the paper's own computation");
-  }
+                                     .expected = printed.column("reflected_depth_computed")[0]},
+                     {.value = 1.451676,
+                      .width = 1e-6,
+                      .reason = "6 % below the jump conditions; no level of the method gives it (see the table), so it "
+                                "is an error of the paper's own computation"});
+}
 
-  const std::vector<Contestant> contestants = contest_all(problem, discretisation, all_schemes, time, &front,
-                                                          [&](double done) { run.progress(0.5 + 0.5 * done); });
-  for (const Contestant& c : contestants) {
-    if (c.profile.means.empty()) continue;
-    const State& at_wall = solution.left_wall ? c.profile.means.front() : c.profile.means.back();
-    run.record.measure("wall_depth_" + c.scheme, at_wall.depth);
+Results compute(const Run& run) {
+  Results r{.set_up = set_up(run)};
+  const SetUp& s = r.set_up;
+  const double meeting = s.reflection().reflection_time();
+  const std::vector<double> times = s.reflected() ? std::vector{0.9 * meeting, s.time} : std::vector{s.time};
+  r.flow = compute_flow(s.problem, s.discretisation, times, [&](double done) { run.progress(0.5 * done); });
+  r.contestants = contest_all(s.problem, s.discretisation, all_schemes, s.time, &s.front,
+                              [&](double done) { run.progress(0.5 + 0.5 * done); });
+  return r;
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  const SetUp& s = r.set_up;
+  draw_sketches(exhibit, s.problem, s.solution);
+  draw_flow(r.flow, exhibit, "A bore before and after it met the wall", {"bzz-fig-15"});
+  report_contest(exhibit, s.problem, s.time, r.contestants);
+  show_conservation(r.flow, exhibit);
+  show_errors(r.flow.errors, exhibit);
+  exhibit.measure("wall_depth", r.wall_depth(r.flow.profile()));
+  exhibit.measure("wall_depth_exact", s.reflection().reflected_depth());
+  exhibit.measure("reflected_speed_exact", s.reflection().reflected_speed());
+  exhibit.measure("front_position", front_position(r.flow.profile(), s.front));
+  exhibit.measure("front_position_exact", s.front.position);
+  exhibit.measure("front_width", front_width(r.flow.profile(), s.front));
+  for (const Contestant& c : r.contestants) {
+    if (c.finished()) exhibit.measure("wall_depth_" + c.scheme, r.wall_depth(c.profile));
   }
-  report_contest(run.record, problem, time, contestants);
 }
 
 }  // namespace
@@ -211,7 +249,7 @@ Case bore_reflection() {
       real("time_step", {0.02, 0.002, 0.0002}, "s", {1e-9, 10}, "time step"),
       real("time", 2.6, "s", {1e-6, 1e6}, "end of the run"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -12,73 +12,113 @@ method.
 smeared jumps there leaves a scar at the place of the meeting that decays only as $1/N$; here the particle keeps both
 jumps, and then both that leave it.
 */
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include "seiche/exact/colliding_bores.hpp"
 #include "validation/case/case.hpp"
-#include "validation/studies/shallow_water/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases {
 namespace {
 
 using evidence::Role;
 
-void run(Running& run) {
-  const double gravity = run.real("gravity");
-  const exact::CollidingBores bores(gravity, run.real("left_depth"), run.real("still_depth"), run.real("right_depth"),
-                                    30, 70);
+/// What the parameters decide.
+struct SetUp {
+  exact::CollidingBores bores;
+  FlowProblem problem;
+  double time;
+  std::vector<long> particles;
+
+  [[nodiscard]] Discretisation level(const std::string& scheme, long count) const {
+    return {.scheme = scheme, .particles = count, .theta = 1.5};
+  }
+  [[nodiscard]] Discretisation finest() const { return level("H2", particles.back()); }
+};
+
+SetUp set_up(const Values& values) {
+  const double gravity = values.real("gravity");
+  const exact::CollidingBores bores(gravity, values.real("left_depth"), values.real("still_depth"),
+                                    values.real("right_depth"), 30, 70);
   using End = FlowProblem::End;
-  const FlowProblem problem = problem_of(bores, gravity, 0, 100, {30, 70}, End::stream, End::stream);
-  const double time = bores.collision_time() + run.real("after");
-  run.record.measure("collision_time", bores.collision_time());
-  run.record.measure("collision_place", bores.collision_place());
-  run.record.measure("star_depth", bores.star().depth);
-  run.record.measure("star_velocity", bores.star().velocity);
+  const long n = values.integer("particles");
+  return {bores,
+          problem_of(bores, gravity, 0, 100, {30, 70}, End::stream, End::stream),
+          bores.collision_time() + values.real("after"),
+          {n, 2 * n, 4 * n}};
+}
 
-  const long n = run.integer("particles");
-  const Discretisation finest{.scheme = "H2", .particles = 4 * n, .theta = 1.5};
-  const auto flow = run_and_draw(run.record, problem, finest, {0.7 * bores.collision_time(), time}, "Two bores meet",
-                                 {}, [&](double done) { run.progress(0.5 * done); });
-  claim_conservation(run.record, *flow);
+struct Results {
+  SetUp set_up;
+  FlowRun flow;
+  std::vector<std::vector<Contestant>> levels;  ///< by number of particles, then by level
 
+  [[nodiscard]] const Contestant& finest() const { return levels.back().back(); }
+};
+
+void claims(const Values& values, Claims<Results> claims) {
+  const SetUp s = set_up(values);
+  claim_conservation(claims.of(&Results::flow), s.problem, s.finest(), s.time);
+  claims.at(s.finest().text())
+      .check(
+          {.id = "reconstructed_l1_h",
+           .text = "The profile after the collision is the exact one.",
+           .quantity = "reconstructed L1(h)",
+           .unit = "m",
+           .source = "Riemann problem of the states behind the bores"},
+          [](const Results& r) -> Measurement {
+            return {.value = r.finest().errors.reconstructed.depth.l1,
+                    .told = {.operations = 8 * static_cast<double>(r.finest().steps)}};
+          },
+          evidence::Roundoff{.operations = evidence::Amount::told_by_run(8 * most_steps(s.problem, s.finest(), s.time)),
+                             .scale = s.bores.star().depth,
+                             .reason = "both jumps are followed through the particle they share: about eight rounded "
+                                       "operations per edge and step, on depths of this size"});
+}
+
+Results compute(const Run& run) {
+  Results r{.set_up = set_up(run)};
+  const SetUp& s = r.set_up;
+  r.flow = compute_flow(s.problem, s.finest(), {0.7 * s.bores.collision_time(), s.time},
+                        [&](double done) { run.progress(0.5 * done); });
+  for (const long particles : s.particles) {
+    r.levels.push_back(contest_all(s.problem, s.level("", particles), particle_schemes, s.time, nullptr));
+  }
+  return r;
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  const SetUp& s = r.set_up;
+  draw_flow(r.flow, exhibit, "Two bores meet", {});
   evidence::Table table{
       .id = "levels",
       .title = "Error of the levels",
       .caption = "Cell L1(h) after the collision.",
       .columns = {{"particles", ""}, {"G1", "m"}, {"M2", "m"}, {"H2", "m"}, {"H2 reconstructed", "m"}}};
-  auto& panel =
-      run.record.figure("convergence", "Error against the number of particles", "Cell L1(h) 2 s after the meeting.")
-          .panel({.x = "particles", .y = "cell L1(h) [m]", .log_x = true, .log_y = true});
   std::vector<double> counts;
-  std::vector<std::vector<double>> errors(3);
-  double reconstructed = 0;
-  for (const long particles : {n, 2 * n, 4 * n}) {
-    counts.push_back(static_cast<double>(particles));
-    for (std::size_t level = 0; level < 3; ++level) {
-      const Contestant c =
-          contest(problem, {.scheme = particle_schemes[level], .particles = particles, .theta = 1.5}, time, nullptr);
-      errors[level].push_back(c.errors.cell.depth.l1);
-      if (level == 2) reconstructed = c.errors.reconstructed.depth.l1;
+  std::vector<std::vector<double>> errors(particle_schemes.size());
+  for (std::size_t k = 0; k < r.levels.size(); ++k) {
+    counts.push_back(static_cast<double>(s.particles[k]));
+    auto& row = table.rows.emplace_back();
+    row.emplace_back(counts.back());
+    for (std::size_t level = 0; level < errors.size(); ++level) {
+      errors[level].push_back(r.levels[k][level].errors.cell.depth.l1);
+      row.emplace_back(errors[level].back());
     }
-    table.rows.push_back({counts.back(), errors[0].back(), errors[1].back(), errors[2].back(), reconstructed});
+    row.emplace_back(r.levels[k].back().errors.reconstructed.depth.l1);
   }
-  for (std::size_t level = 0; level < 3; ++level)
+  exhibit.table(std::move(table));
+  auto& panel =
+      exhibit.figure("convergence", "Error against the number of particles", "Cell L1(h) 2 s after the meeting.")
+          .panel({.x = "particles", .y = "cell L1(h) [m]", .log_x = true, .log_y = true});
+  for (std::size_t level = 0; level < errors.size(); ++level) {
     panel.points(particle_schemes[level], counts, errors[level], Role::computed);
-  run.record.table(std::move(table));
-  run.record.measure("reconstructed_l1_h", reconstructed);
-  run.record.measure("cell_l1_h", errors[2].back());
-  run.record.check(
-      {.id = "reconstructed_l1_h",
-       .text = "The profile after the collision is the exact one.",
-       .quantity = "reconstructed L1(h)",
-       .unit = "m",
-       .source = "Riemann problem of the states behind the bores"},
-      {.value = reconstructed, .resolution = finest.text()},
-      evidence::Bound{.limit = 1e-10,
-                      .reason = "both jumps are followed through the particle they share; what is left is round-off "
-                                "of the instants at which they enter and leave it"});
+  }
+  show_conservation(r.flow, exhibit);
+  exhibit.measure("reconstructed_l1_h", r.finest().errors.reconstructed.depth.l1);
+  exhibit.measure("cell_l1_h", r.finest().errors.cell.depth.l1);
+  exhibit.measure("collision_time", s.bores.collision_time());
+  exhibit.measure("collision_place", s.bores.collision_place());
+  exhibit.measure("star_depth", s.bores.star().depth);
+  exhibit.measure("star_velocity", s.bores.star().velocity);
 }
 
 }  // namespace
@@ -98,7 +138,7 @@ Case colliding_bores() {
       real("after", 2.0, "s", {0.01, 10}, "time after the meeting"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -192,7 +192,7 @@ void draw_history(evidence::Exhibit& exhibit, const History& history, const exac
 void claims(const Values& values, Claims<Results> claims) {
   const SetUp s = set_up(values);
   const auto steps = static_cast<double>(s.steps);
-  claim_conservation(claims.of(&Results::flow), s.problem);
+  claim_conservation(claims.of(&Results::flow), s.problem, s.discretisation, s.time);
   claim_exact_profile(claims.of(&Results::flow), s.bore.behind().depth, s.steps);
   claim_single_particle(claims.of(&Results::flow), s.front);
   claims.at(s.discretisation.text())
@@ -268,7 +268,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   report_contest(exhibit, s.problem, s.time, r.contestants);
   show_conservation(r.flow, exhibit);
   show_errors(r.flow.errors, exhibit);
-  exhibit.measure("front_width", static_cast<double>(front_width(r.flow.profile(), s.front)));
+  exhibit.measure("front_width", front_width(r.flow.profile(), s.front));
   exhibit.measure("energy_deviation", energy_deviation(r.history, s.bore).value());
   exhibit.measure("speed", s.bore.speed());
   exhibit.measure("velocity", s.bore.behind_velocity());

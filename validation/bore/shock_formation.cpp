@@ -8,7 +8,6 @@ which starts at that of a simple wave and must settle to that behind a bore.
 
 **What to look at.** Level `H2` takes the jump into one particle as soon as it stands out against its surroundings.
 */
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,7 +18,8 @@ which starts at that of a simple wave and must settle to that behind a bore.
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/shallow_water/relations.hpp"
 #include "validation/case/case.hpp"
-#include "validation/studies/shallow_water/flow_evidence.hpp"
+#include "validation/studies/shallow_water/profile_curves.hpp"
+#include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -28,20 +28,33 @@ using evidence::Role;
 namespace particles = shallow_water_particles;
 
 constexpr double length = 60;
+constexpr double depth = 1;
+constexpr double time = 10;
 
-Profile profile_at(double time, double gravity, double depth, double speed, long n) {
-  const auto piston = [speed](double t) {
+/// What the parameters decide.
+struct SetUp {
+  double gravity;
+  double speed;         ///< of the piston, at last
+  double bore;          ///< depth behind a bore that takes up this velocity
+  double simple;        ///< depth at the piston in a simple wave
+  std::vector<long> n;  ///< numbers of particles
+
+  [[nodiscard]] std::string finest() const { return fmt::format("N = {}", n.back()); }
+};
+
+Profile profile_of(const SetUp& s, long n) {
+  const auto piston = [speed = s.speed](double t) {
     return t < 2 ? speed * std::pow(std::sin(std::numbers::pi * t / 4), 2) : speed;
   };
   particles::ParticleFlow flow(particles::uniform_stretches({{0, length, {depth, 0}}}, static_cast<std::size_t>(n)),
-                               {.left = particles::Piston{piston}, .right = particles::Wall{}}, {.gravity = gravity},
+                               {.left = particles::Piston{piston}, .right = particles::Wall{}}, {.gravity = s.gravity},
                                {.theta = 1.5});
   flow.advance_to(time);
   return flow.measured_profile();
 }
 
-/// Depth of a bore in which still water of the given depth takes up the velocity at once, by bisection.
-double bore_depth(double gravity, double depth, double speed) {
+/// Depth of a bore in which still water takes up the velocity at once, by bisection.
+double bore_depth(double gravity, double speed) {
   double low = depth;
   double high = 100 * depth;
   for (int k = 0; k < 200; ++k) {
@@ -51,77 +64,101 @@ double bore_depth(double gravity, double depth, double speed) {
   return low;
 }
 
-void run(Running& run) {
-  const double gravity = run.real("gravity");
-  const double speed = run.real("piston_velocity");
-  const double depth = 1;
-  const double time = 10;
-  const long n = run.integer("particles");
-  const double bore = bore_depth(gravity, depth, speed);
-  const double simple = std::pow(shallow_water::celerity(gravity, depth) + 0.5 * speed, 2) / gravity;
+SetUp set_up(const Values& values) {
+  const double gravity = values.real("gravity");
+  const double speed = values.real("piston_velocity");
+  const long n = values.integer("particles");
+  return {.gravity = gravity,
+          .speed = speed,
+          .bore = bore_depth(gravity, speed),
+          .simple = std::pow(shallow_water::celerity(gravity, depth) + 0.5 * speed, 2) / gravity,
+          .n = {n, 2 * n, 4 * n, 8 * n}};
+}
 
+struct Results {
+  SetUp set_up;
   std::vector<double> sizes;
   std::vector<double> positions;
   Profile finest;
-  const Front near{.behind = bore, .ahead = depth, .position = 0.5 * length, .reach = 0.5 * length};
-  for (const long count : {n, 2 * n, 4 * n, 8 * n}) {
-    finest = profile_at(time, gravity, depth, speed, count);
-    sizes.push_back(length / static_cast<double>(count));
-    positions.push_back(front_position(finest, near));
-    run.progress(static_cast<double>(count) / static_cast<double>(15 * n));
+
+  /// @throws std::invalid_argument where a position is not a number
+  [[nodiscard]] evidence::GridConvergence convergence() const {
+    return evidence::grid_convergence(sizes, positions, 1);
   }
-  const evidence::GridConvergence study = evidence::grid_convergence(sizes, positions, 1);
-  const double at_piston = finest.means.front().depth;
-  const Front front{.behind = bore, .ahead = depth, .position = positions.back(), .reach = 5};
-  const long width = front_width(finest, front);
-  run.record.measure("front_position", positions.back());
-  run.record.measure("front_position_extrapolated", study.extrapolated);
-  run.record.measure("front_uncertainty", study.uncertainty);
-  run.record.measure("front_width", static_cast<double>(width));
-  run.record.measure("piston_depth", at_piston);
-  run.record.measure("piston_depth_bore", bore);
-  run.record.measure("piston_depth_simple_wave", simple);
-  run.record.measure("largest_depth", std::max_element(finest.means.begin(), finest.means.end(), [](State a, State b) {
-                                        return a.depth < b.depth;
-                                      })->depth);
-  const std::string resolution = fmt::format("N = {}", 8 * n);
-  if (run.real("gravity") == 9.81 && speed == 1.5) {
-    run.record.check({.id = "front",
-                      .text = "The bore is where a very fine run has it.",
-                      .quantity = "position of the bore",
-                      .unit = "m",
-                      .source = "independent implementation with 6400 particles"},
-                     {.value = positions.back(), .uncertainty = study.uncertainty, .resolution = resolution},
-                     evidence::Uncertainty{
-                         .expected = 39.094,
-                         .data = 0.005,
-                         .useful = 0.06,
-                         .reason = "half a cell width of the fine run (60 m/6400) and the grid convergence here; a "
-                                   "tenth of a percent of the way decides"});
+  [[nodiscard]] double width() const {
+    return front_width(finest, {.behind = set_up.bore, .ahead = depth, .position = positions.back(), .reach = 5});
   }
-  run.record.check(
-      {.id = "width",
-       .text = "The bore that has formed lies inside a single particle.",
-       .quantity = "particles between 5 % and 95 % of the jump",
-       .source = "the hand-over of the method"},
-      {.value = static_cast<double>(width), .resolution = resolution},
-      evidence::Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
-  run.record.check(
+  [[nodiscard]] double at_piston() const { return finest.means.front().depth; }
+};
+
+void claims(const Values& values, Claims<Results> claims) {
+  const SetUp s = set_up(values);
+  const auto here = claims.at(s.finest());
+  const double known = values.table("regression_shock_formation").column("front_position")[0];
+  here.only_if(s.gravity == 9.81 && s.speed == 1.5, "the position is known for 9.81 m/s^2 and 1.5 m/s")
+      .check(
+          {.id = "front",
+           .text = "The bore is where a very fine run has it.",
+           .quantity = "position of the bore",
+           .unit = "m",
+           .source = "regression: an earlier program for the same scheme with 6400 particles, table "
+                     "reference_data/regression_shock_formation"},
+          [](const Results& r) -> Measurement {
+            return {.value = r.positions.back(), .uncertainty = r.convergence().uncertainty};
+          },
+          evidence::Uncertainty{.expected = known,
+                                .data = 0.005,
+                                .useful = 0.06,
+                                .reason =
+                                    "half a cell width of the fine run (60 m/6400) and the grid convergence here; a "
+                                    "tenth of a percent of the way decides"});
+  here.check({.id = "width",
+              .text = "The bore that has formed lies inside a single particle.",
+              .quantity = "particles between 5 % and 95 % of the jump",
+              .source = "the hand-over of the method"},
+             &Results::width,
+             evidence::Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
+  here.check(
       {.id = "plateau",
        .text = "The depth at the piston settles to that behind a bore.",
        .quantity = "depth at the piston",
        .unit = "m",
        .source = "shock relations and Riemann invariants"},
-      {.value = at_piston, .resolution = resolution},
-      evidence::Bound{.limit = simple - bore,
+      &Results::at_piston,
+      evidence::Bound{.limit = s.simple - s.bore,
                       .reason = "it starts at the depth of a simple wave; what the forming bore reflects to the piston "
                                 "brings it to that of a bore and never exceeds the first difference",
-                      .expected = bore});
-  const Means means = means_of(finest);
+                      .expected = s.bore});
+}
+
+Results compute(const Run& run) {
+  Results r{.set_up = set_up(run)};
+  const SetUp& s = r.set_up;
+  const Front near{.behind = s.bore, .ahead = depth, .position = 0.5 * length, .reach = 0.5 * length};
+  for (const long count : s.n) {
+    r.finest = profile_of(s, count);
+    r.sizes.push_back(length / static_cast<double>(count));
+    r.positions.push_back(front_position(r.finest, near));
+    run.progress(static_cast<double>(count) / static_cast<double>(15 * s.n.front()));
+  }
+  return r;
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   auto& panel =
-      run.record.figure("profile", "A bore forms inside a compression wave", fmt::format("Depth at t = {:g} s.", time))
+      exhibit.figure("profile", "A bore forms inside a compression wave", fmt::format("Depth at t = {:g} s.", time))
           .panel({.x = "x [m]", .y = "depth h [m]"});
-  panel.steps(fmt::format("{} particles", 8 * n), finest.edges, means.depth, Role::computed);
+  const std::vector<double> depths = means_of(r.finest).depth;
+  panel.steps(fmt::format("{} particles", r.set_up.n.back()), r.finest.edges, depths, Role::computed);
+  const evidence::GridConvergence study = r.convergence();
+  exhibit.measure("front_position", r.positions.back());
+  exhibit.measure("front_position_extrapolated", study.extrapolated);
+  exhibit.measure("front_uncertainty", study.uncertainty);
+  exhibit.measure("front_width", r.width());
+  exhibit.measure("piston_depth", r.at_piston());
+  exhibit.measure("piston_depth_bore", r.set_up.bore);
+  exhibit.measure("piston_depth_simple_wave", r.set_up.simple);
+  exhibit.measure("largest_depth", largest(depths));
 }
 
 }  // namespace
@@ -136,7 +173,7 @@ Case shock_formation() {
       real("piston_velocity", 1.5, "m/s", {0.1, 10}, "final velocity of the piston"),
       real("gravity", 9.81, "m/s^2", {0.1, 1e3}, "acceleration of gravity"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -63,14 +63,14 @@ class QuantityScore {
     }
   }
 
-  void measure(evidence::Record& record) const {
+  void measure(evidence::Exhibit& exhibit) const {
     for (const auto& [measure, measured] : measures_) {
-      record.measure(quantity_.column.name + "_" + text_of(measure).id + suffix(), measured.value);
+      exhibit.measure(quantity_.column.name + "_" + text_of(measure).id + suffix(), measured.value);
     }
     if (table_.kind == Kind::scalars) {
-      record.measure(quantity_.column.name + "_reference" + suffix(), quantity_.reference({group_.value, 0}));
+      exhibit.measure(quantity_.column.name + "_reference" + suffix(), quantity_.reference({group_.value, 0}));
     } else {
-      record.measure(quantity_.column.name + "_coverage" + suffix(), agreement_.coverage);
+      exhibit.measure(quantity_.column.name + "_coverage" + suffix(), agreement_.coverage);
     }
   }
 
@@ -270,12 +270,12 @@ void score(const std::vector<WantedTable>& wanted, const Submitted& submitted,
   }
 }
 
-void measure_own(const std::vector<WantedTable>& wanted, const Submitted& own, evidence::Record& record) {
+void measure_own(const std::vector<WantedTable>& wanted, const Submitted& own, evidence::Exhibit& exhibit) {
   for (const WantedTable& table : wanted) {
     const auto found = own.find(table.name);
     if (found == own.end()) continue;
     for (const WantedQuantity& quantity : table.quantities) {
-      for (const SubmittedGroup& group : found->second) QuantityScore(table, quantity, group, {}).measure(record);
+      for (const SubmittedGroup& group : found->second) QuantityScore(table, quantity, group, {}).measure(exhibit);
     }
   }
 }

@@ -32,6 +32,6 @@ void score(const std::vector<WantedTable>& wanted, const Submitted& submitted,
 
 /// The same measurements of a result of our own, without claims, table and figure: so that a page shows the same
 /// numbers for all solvers.
-void measure_own(const std::vector<WantedTable>& wanted, const Submitted& own, evidence::Record& record);
+void measure_own(const std::vector<WantedTable>& wanted, const Submitted& own, evidence::Exhibit& exhibit);
 
 }  // namespace seiche::validation

@@ -17,13 +17,14 @@ for the front.
 **What to look at.** The front: a rectangle of one tenth of the water would end metres short of it. MacCormack's scheme
 has no answer over a dry bed.
 */
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "seiche/exact/dam_break.hpp"
 #include "validation/case/case.hpp"
-#include "validation/studies/shallow_water/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -31,26 +32,50 @@ namespace {
 using evidence::Role;
 
 constexpr double dam = 10;
+/// Steps 13, 26, 39 of ten particles; the same times for any number of them.
+const std::vector<double> times{0, 1.04, 2.08, 3.12};
 
-void claim_front(evidence::Record& record, const Flow& flow, double expected) {
-  record.measure("front_position", flow.profile().edges.back());
-  record.check(
-      {.id = "front",
-       .text = "The dry front is exactly where Ritter's solution has it.",
-       .quantity = "front position",
-       .unit = "m",
-       .source = "Ritter (1892)"},
-      {.value = flow.profile().edges.back(), .resolution = flow.discretisation().text()},
-      evidence::Roundoff{.operations = std::pow(static_cast<double>(flow.steps()), 2),
-                         .scale = expected,
-                         .reason = "one rounded update per step; the increment is the same in every step, so that "
-                                   "its rounding repeats and adds up linearly",
-                         .expected = expected});
+/// What the parameters decide.
+struct SetUp {
+  exact::Ritter ritter;
+  FlowProblem problem;
+  Discretisation discretisation;
+  FlowProblem channel;  ///< with its dry part, which peers need as cells
+  Discretisation cells;
+};
+
+SetUp set_up(const Values& values) {
+  const double gravity = values.real("gravity");
+  const exact::Ritter ritter(gravity, values.real("depth"), dam);
+  SetUp s{.ritter = ritter,
+          .problem = problem_of(ritter, gravity, 0, dam, {}, FlowProblem::End::wall, FlowProblem::End::dry),
+          .discretisation = {.scheme = "H2",
+                             .particles = values.integer("particles"),
+                             .time_step = values.real("time_step"),
+                             .theta = 1.5}};
+  s.channel = s.problem;
+  s.channel.end = 40;
+  s.channel.jumps = {dam};
+  s.cells = s.discretisation;
+  s.cells.particles = 4 * s.discretisation.particles;
+  return s;
 }
 
-void draw_setup(evidence::Record& record, double depth) {
+struct Results {
+  SetUp set_up;
+  FlowRun flow;
+  std::vector<Contestant> contestants;
+
+  [[nodiscard]] double front() const { return flow.profile().edges.back(); }
+  [[nodiscard]] const Contestant& by(const std::string& scheme) const {
+    return contestants.at(
+        static_cast<std::size_t>(std::find(all_schemes.begin(), all_schemes.end(), scheme) - all_schemes.begin()));
+  }
+};
+
+void draw_setup(evidence::Exhibit& exhibit, double depth) {
   auto& panel =
-      record.figure("setup", "Dam break over a dry bed: the problem", "Water behind the dam at t = 0.", {"bzz-fig-5"})
+      exhibit.figure("setup", "Dam break over a dry bed: the problem", "Water behind the dam at t = 0.", {"bzz-fig-5"})
           .panel({.x = "x [m]", .y = "elevation [m]", .x_min = 0, .x_max = 20, .y_min = -0.1, .y_max = 1.3});
   panel.fill("water", std::vector<double>{0, dam}, std::vector<double>{depth, depth}, Role::water);
   panel.line("dam", std::vector<double>{dam, dam}, std::vector<double>{0, 1.15 * depth}, Role::guide);
@@ -58,69 +83,81 @@ void draw_setup(evidence::Record& record, double depth) {
 }
 
 /// The exact parabola at the paper's times with the particles' tip (figure 7).
-void draw_parabola(evidence::Record& record, const FlowProblem& problem, const Flow& flow, double front) {
+void draw_parabola(evidence::Exhibit& exhibit, const FlowRun& flow, double front) {
   auto& panel =
-      record
+      exhibit
           .figure("parabola", "The dry dam-break parabola",
                   "Ritter's profile and the particles' own curve: parabola tip in the front particle.", {"bzz-fig-7"})
           .panel({.x = "x [m]", .y = "depth h [m]"});
-  const ExactCurve exact = exact_curve(problem, 0, front * 1.02, flow.time());
+  const ExactCurve exact = exact_curve(flow.problem, 0, front * 1.02, flow.time());
   const ExactCurve own = computed_curve(flow.profile());
   panel.line("exact", exact.x, exact.depth, Role::exact);
   panel.line("reconstruction of the particles", own.x, own.depth, Role::computed);
   panel.steps("particles", flow.profile().edges, means_of(flow.profile()).depth, Role::peer);
 }
 
-void run(Running& run) {
-  const double gravity = run.real("gravity");
-  const double depth = run.real("depth");
-  const double tau = run.real("time_step");
-  const long n = run.integer("particles");
-  const exact::Ritter ritter(gravity, depth, dam);
-  const FlowProblem problem = problem_of(ritter, gravity, 0, dam, {}, FlowProblem::End::wall, FlowProblem::End::dry);
-  // Steps 13, 26, 39 of ten particles; the same times for any number of them.
-  const std::vector<double> times{0, 1.04, 2.08, 3.12};
+void claims(const Values& values, Claims<Results> claims) {
+  const SetUp s = set_up(values);
   const double end = times.back();
+  const double front = s.ritter.front(end);
+  const auto here = claims.at(s.discretisation.text());
+  here.check(
+      {.id = "front",
+       .text = "The dry front is exactly where Ritter's solution has it.",
+       .quantity = "front position",
+       .unit = "m",
+       .source = "Ritter (1892)"},
+      &Results::front,
+      evidence::Roundoff{.operations = std::pow(end / s.discretisation.time_step / 4, 2),
+                         .scale = front,
+                         .reason = "two roundings per step, of the increment and of the position, each by at most half "
+                                   "an eps; the increment is the same in every step, so that they repeat and add up "
+                                   "linearly: eps per step, which the criterion's factor 4 makes of steps/4",
+                         .expected = front});
+  claim_conservation(here.of(&Results::flow), s.problem, s.discretisation, end);
 
-  draw_setup(run.record, depth);
-  const Discretisation particles{.scheme = "H2", .particles = n, .time_step = tau, .theta = 1.5};
-  const auto flow = run_and_draw(run.record, problem, particles, times, "Dam break over a dry bed", {"bzz-fig-6"},
-                                 [&](double done) { run.progress(0.8 * done); });
-  draw_parabola(run.record, problem, *flow, ritter.front(end));
-  claim_front(run.record, *flow, ritter.front(end));
-  claim_conservation(run.record, *flow);
+  const io::Table known = values.table("regression_dam_break");
+  const auto reproduced = here.only_if(values.as_published(), "the earlier program ran with the standard parameters");
+  claim_reproduced(
+      reproduced.of([](const Results& r) -> const double& { return r.flow.errors.reconstructed.depth.l1; }),
+      {.id = "reconstructed_l1_h",
+       .text = "The reconstruction of ten particles is the known one.",
+       .quantity = "reconstructed L1(h)",
+       .unit = "m"},
+      known.column("dry_reconstructed_l1_h")[0]);
+  claim_reproduced(reproduced.of([](const Results& r) -> const double& { return r.flow.errors.cell.depth.l1; }),
+                   {.id = "cell_l1_h",
+                    .text = "The mean depths of ten particles are the known ones.",
+                    .quantity = "cell L1(h)",
+                    .unit = "m"},
+                   known.column("dry_cell_l1_h")[0]);
+  here.known_failure(
+      {.id = "maccormack",
+       .text = "MacCormack's scheme finishes over a dry bed.",
+       .quantity = "finished",
+       .source = "figure 24 uses the scheme over a wet bed only"},
+      [](const Results& r) { return r.by("maccormack").finished() ? 1.0 : 0.0; },
+      evidence::Qualitative{.detector = "no negative or undefined depth until the end",
+                            .reason = "a usable scheme must survive drying"},
+      {.value = 0, .reason = "its predictor makes negative depths at a dry front; a property of the scheme"});
+}
 
-  const ProfileErrors errors = profile_errors(flow->profile(), problem, end);
-  measure_errors(run.record, errors);
-  if (run.as_published()) {
-    claim_reproduced(run.record, "reconstructed_l1_h", "reconstructed L1(h)",
-                     "The reconstruction of ten particles is the known one.", errors.reconstructed.depth.l1, 4.1e-3,
-                     "m", particles.text());
-    claim_reproduced(run.record, "cell_l1_h", "cell L1(h)", "The mean depths of ten particles are the known ones.",
-                     errors.cell.depth.l1, 3.9e-3, "m", particles.text());
-  }
+Results compute(const Run& run) {
+  Results r{.set_up = set_up(run)};
+  const SetUp& s = r.set_up;
+  r.flow = compute_flow(s.problem, s.discretisation, times, [&](double done) { run.progress(0.8 * done); });
+  r.contestants = contest_all(s.channel, s.cells, all_schemes, times.back(), nullptr);
+  return r;
+}
 
-  // Peers need the dry part of the channel as cells.
-  FlowProblem channel = problem;
-  channel.end = 40;
-  channel.jumps = {dam};
-  std::vector<Contestant> contestants;
-  for (const std::string& scheme : all_schemes) {
-    contestants.push_back(
-        contest(channel, {.scheme = scheme, .particles = 4 * n, .time_step = tau, .theta = 1.5}, end, nullptr));
-    if (scheme == "maccormack") {
-      run.record.known_failure(
-          {.id = "maccormack",
-           .text = "MacCormack's scheme finishes over a dry bed.",
-           .quantity = "finished",
-           .source = "figure 24 uses the scheme over a wet bed only"},
-          {.value = contestants.back().failure.empty() ? 1.0 : 0.0, .resolution = particles.text()},
-          evidence::Qualitative{.detector = "no negative or undefined depth until the end",
-                                .reason = "a usable scheme must survive drying"},
-          "its predictor makes negative depths at a dry front; a property of the scheme");
-    }
-  }
-  report_contest(run.record, channel, end, contestants);
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  draw_setup(exhibit, values.real("depth"));
+  draw_flow(r.flow, exhibit, "Dam break over a dry bed", {"bzz-fig-6"});
+  draw_parabola(exhibit, r.flow, r.set_up.ritter.front(r.flow.time()));
+  report_contest(exhibit, r.set_up.channel, r.flow.time(), r.contestants);
+  show_conservation(r.flow, exhibit);
+  show_errors(r.flow.errors, exhibit);
+  exhibit.measure("front_position", r.front());
 }
 
 }  // namespace
@@ -136,7 +173,7 @@ Case dry_dam_break() {
       real("depth", 1.0, "m", {1e-3, 1e3}, "depth behind the dam"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -11,16 +11,25 @@ $\Delta x^2/\tau$ and spreads the dam over the whole channel.
 #include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases {
+namespace {
+
+WetDamBreak setup() {
+  return {.ratio = 0.1,
+          .dam = 110,
+          .length = 220,
+          .times = {25},
+          .atlas = {"bzz-fig-26"},
+          .known = "long_coarse_cell_l1_h"};
+}
+
+}  // namespace
 
 Case long_dam_break_coarse() {
   Case c;
   c.title = "Dam break in a long channel by 22 particles";
   c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 26";
   c.parameters = wet_dam_break_parameters(22L, 0.1);
-  c.run = [](Running& run) {
-    run_wet_dam_break(
-        run, {.ratio = 0.1, .dam = 110, .length = 220, .times = {25}, .atlas = {"bzz-fig-26"}, .cell_l1_h = 2.2e-2});
-  };
+  c.study = wet_dam_break<setup>();
   return c;
 }
 

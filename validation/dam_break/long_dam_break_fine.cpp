@@ -9,21 +9,26 @@ A longer channel: dam at $x = 100$ m in $[0, 200]$ m, $h_0/h_1 = 0.1$, 200 parti
 #include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases {
+namespace {
+
+WetDamBreak setup() {
+  return {.ratio = 0.1,
+          .dam = 100,
+          .length = 200,
+          .times = {25.3},
+          .schemes = particle_schemes,
+          .atlas = {"bzz-fig-25"},
+          .known = "long_fine_cell_l1_h"};
+}
+
+}  // namespace
 
 Case long_dam_break_fine() {
   Case c;
   c.title = "Dam break in a long channel by 200 particles";
   c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 25";
   c.parameters = wet_dam_break_parameters(200L, 0.05);
-  c.run = [](Running& run) {
-    run_wet_dam_break(run, {.ratio = 0.1,
-                            .dam = 100,
-                            .length = 200,
-                            .times = {25.3},
-                            .schemes = particle_schemes,
-                            .atlas = {"bzz-fig-25"},
-                            .cell_l1_h = 2.3e-3});
-  };
+  c.study = wet_dam_break<setup>();
   return c;
 }
 

@@ -13,41 +13,77 @@ rounds the corners of the fan. Compare with 200 and 22 particles in the next two
 
 #include "seiche/exact/dam_break.hpp"
 #include "validation/case/case.hpp"
-#include "validation/studies/shallow_water/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases {
 namespace {
 
-/// Errors and widths that an independent implementation of the schemes measured.
-struct Known {
-  const char* scheme;
-  double cell_l1_h;
-};
-constexpr Known known[] = {{"lax_friedrichs", 4.5e-2}, {"maccormack", 6.0e-3}, {"roe", 8.2e-3}, {"muscl", 1.5e-3}};
+/// What the parameters decide.
+struct SetUp {
+  FlowProblem problem;
+  double time;
+  Front front;
+  Discretisation discretisation;
 
-void run(Running& run) {
-  const double gravity = run.real("gravity");
-  const double time = run.real("time");
-  const exact::Stoker stoker(gravity, 1, 0.1, 100);
-  const FlowProblem problem = problem_of(stoker, gravity, 0, 200, {100});
-  const Front front{
-      .behind = stoker.plateau().depth, .ahead = 0.1, .position = stoker.bore_position(time), .reach = 40};
-  std::vector<Contestant> contestants;
-  for (const Known& one : known) {
-    const Discretisation d{
-        .scheme = one.scheme, .particles = run.integer("cells"), .time_step = run.real("time_step"), .theta = 1.5};
-    contestants.push_back(contest(problem, d, time, &front));
-    run.progress(0.25 * static_cast<double>(contestants.size()));
-    if (!run.as_published()) continue;
-    claim_reproduced(run.record, fmt::format("cell_l1_h_{}", one.scheme), "cell L1(h)",
-                     fmt::format("The error of {} is the known one.", one.scheme),
-                     contestants.back().errors.cell.depth.l1, one.cell_l1_h, "m", d.text());
+  [[nodiscard]] Discretisation by(const std::string& scheme) const {
+    Discretisation d = discretisation;
+    d.scheme = scheme;
+    return d;
   }
-  report_contest(run.record, problem, time, contestants, {"bzz-fig-24"});
-  const auto flow =
-      make_flow(problem, {.scheme = "roe", .particles = run.integer("cells"), .time_step = run.real("time_step")});
-  flow->advance_to(time);
-  claim_conservation(run.record, *flow, "_roe");
+  [[nodiscard]] Discretisation roe() const {
+    Discretisation d = by("roe");
+    d.theta = Discretisation{}.theta;
+    return d;
+  }
+};
+
+SetUp set_up(const Values& values) {
+  const double gravity = values.real("gravity");
+  const double time = values.real("time");
+  const exact::Stoker stoker(gravity, 1, 0.1, 100);
+  return {
+      .problem = problem_of(stoker, gravity, 0, 200, {100}),
+      .time = time,
+      .front = {.behind = stoker.plateau().depth, .ahead = 0.1, .position = stoker.bore_position(time), .reach = 40},
+      .discretisation = {.particles = values.integer("cells"), .time_step = values.real("time_step"), .theta = 1.5}};
+}
+
+struct Results {
+  SetUp set_up;
+  std::vector<Contestant> contestants;
+  FlowRun roe;
+};
+
+void claims(const Values& values, Claims<Results> claims) {
+  const SetUp s = set_up(values);
+  const io::Table known = values.table("regression_dam_break");
+  const auto published = claims.only_if(values.as_published(), "the earlier program ran with the standard parameters");
+  for (std::size_t k = 0; k < peer_schemes.size(); ++k) {
+    const std::string& scheme = peer_schemes[k];
+    claim_reproduced(published.at(s.by(scheme).text()).of([k](const Results& r) -> const double& {
+      return r.contestants.at(k).errors.cell.depth.l1;
+    }),
+                     {.id = "cell_l1_h_" + scheme,
+                      .text = fmt::format("The error of {} is the known one.", scheme),
+                      .quantity = "cell L1(h)",
+                      .unit = "m"},
+                     known.column(scheme + "_cell_l1_h")[0]);
+  }
+  claim_conservation(claims.of(&Results::roe), s.problem, s.roe(), s.time, "_roe");
+}
+
+Results compute(const Run& run) {
+  Results r{.set_up = set_up(run)};
+  const SetUp& s = r.set_up;
+  r.contestants = contest_all(s.problem, s.discretisation, peer_schemes, s.time, &s.front,
+                              [&](double done) { run.progress(done); });
+  r.roe = compute_flow(s.problem, s.roe(), {s.time}, [](double) {});
+  return r;
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  report_contest(exhibit, r.set_up.problem, r.set_up.time, r.contestants, {"bzz-fig-24"});
+  show_conservation(r.roe, exhibit, "_roe");
 }
 
 }  // namespace
@@ -62,7 +98,7 @@ Case long_dam_break_schemes() {
       real("time", 25.0, "s", {0.1, 30}, "end of the run"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "validation/case/case.hpp"
-#include "validation/studies/shallow_water/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation {
 
@@ -14,13 +14,31 @@ struct WetDamBreak {
   std::vector<double> times;                       ///< shown, the last is judged [s]
   std::vector<std::string> schemes = all_schemes;  ///< compared at the same resolution
   std::vector<std::string> atlas;
-  double cell_l1_h = 0;  ///< of H2 with the standard parameters, known from an independent implementation [m]
+  std::string known;  ///< column of regression_dam_break: cell L1(h) of H2 with the standard parameters
 };
 
 /// Parameters of every one of these cases, with the figure's resolution as standard.
 std::vector<Parameter> wet_dam_break_parameters(ByTier<long> particles, ByTier<double> time_step);
 
-/// Runs it and fills the record.
-void run_wet_dam_break(Running& run, const WetDamBreak& setup);
+/// The particles and the schemes compared.
+struct WetDamBreakResults {
+  FlowRun flow;
+  Front front;
+  std::vector<Contestant> contestants;
+};
+
+void claim_wet_dam_break(const WetDamBreak& setup, const Values& values, Claims<WetDamBreakResults> claims);
+WetDamBreakResults compute_wet_dam_break(const WetDamBreak& setup, const Run& run);
+void show_wet_dam_break(const WetDamBreak& setup, const WetDamBreakResults& r, evidence::Exhibit& exhibit);
+
+template <WetDamBreak (*setup)()>
+Study wet_dam_break() {
+  return Study(
+      +[](const Values& values, Claims<WetDamBreakResults> claims) { claim_wet_dam_break(setup(), values, claims); },
+      +[](const Run& run) { return compute_wet_dam_break(setup(), run); },
+      +[](const WetDamBreakResults& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+        show_wet_dam_break(setup(), r, exhibit);
+      });
+}
 
 }  // namespace seiche::validation

@@ -11,6 +11,13 @@ $\tau = 0.05$ s (their figure 23).
 #include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases {
+namespace {
+
+WetDamBreak setup() {
+  return {.ratio = 0.5, .times = {0, 2, 4, 6}, .atlas = {"bzz-fig-23"}, .known = "wet_deep_cell_l1_h"};
+}
+
+}  // namespace
 
 Case wet_dam_break_deep() {
   Case c;
@@ -18,9 +25,7 @@ Case wet_dam_break_deep() {
   c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 23";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = wet_dam_break_parameters({50, 800, 3200}, {0.05, 0.003, 0.00075});
-  c.run = [](Running& run) {
-    run_wet_dam_break(run, {.ratio = 0.5, .times = {0, 2, 4, 6}, .atlas = {"bzz-fig-23"}, .cell_l1_h = 4.3e-3});
-  };
+  c.study = wet_dam_break<setup>();
   return c;
 }
 

@@ -15,6 +15,13 @@ leaves a quarter of a cell behind.
 #include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases {
+namespace {
+
+WetDamBreak setup() {
+  return {.ratio = 0.1, .times = {0, 2, 4, 6}, .atlas = {"bzz-fig-22"}, .known = "wet_shallow_cell_l1_h"};
+}
+
+}  // namespace
 
 Case wet_dam_break_shallow() {
   Case c;
@@ -22,9 +29,7 @@ Case wet_dam_break_shallow() {
   c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 22";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = wet_dam_break_parameters({50, 800, 3200}, {0.05, 0.003, 0.00075});
-  c.run = [](Running& run) {
-    run_wet_dam_break(run, {.ratio = 0.1, .times = {0, 2, 4, 6}, .atlas = {"bzz-fig-22"}, .cell_l1_h = 9.2e-3});
-  };
+  c.study = wet_dam_break<setup>();
   return c;
 }
 

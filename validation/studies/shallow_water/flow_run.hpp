@@ -7,8 +7,10 @@
 
 #include "reports/evidence/record.hpp"
 #include "validation/case/claims.hpp"
+#include "validation/studies/shallow_water/contest.hpp"
 #include "validation/studies/shallow_water/flow.hpp"
-#include "validation/studies/shallow_water/flow_evidence.hpp"
+#include "validation/studies/shallow_water/profile_curves.hpp"
+#include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation {
 
@@ -39,8 +41,13 @@ struct FlowRun {
 FlowRun compute_flow(const FlowProblem& problem, const Discretisation& discretisation, const std::vector<double>& times,
                      const std::function<void(double)>& progress);
 
+/// More steps than a run to `time` takes, which shows at most ten times: the largest number of operations that counts.
+double most_steps(const FlowProblem& problem, const Discretisation& discretisation, double time);
+
 /// Mass and momentum (less what passed the ends) are conserved to round-off; ids "mass" and "momentum" with the suffix.
-void claim_conservation(Claims<FlowRun> claims, const FlowProblem& problem, const std::string& suffix = "");
+/// @param time  end of the run
+void claim_conservation(Claims<FlowRun> claims, const FlowProblem& problem, const Discretisation& discretisation,
+                        double time, const std::string& suffix = "");
 
 /// The jump lies inside a single particle; id "width".
 void claim_single_particle(Claims<FlowRun> claims, const Front& front);
@@ -50,12 +57,19 @@ void claim_single_particle(Claims<FlowRun> claims, const Front& front);
 /// @param steps    number of steps
 void claim_exact_profile(Claims<FlowRun> claims, double deepest, long steps);
 
-/// Largest Courant number, conservation defects and errors as measurements, each name with the suffix.
-void show_conservation(const FlowRun& flow, evidence::Exhibit& exhibit, const std::string& suffix = "");
-void show_errors(const ProfileErrors& errors, evidence::Exhibit& exhibit, const std::string& suffix = "");
+/// An error is what an earlier program for the same schemes gave, within 10 %: a larger one means that something got
+/// worse, a smaller one that the number stated is out of date. Regression, not validation.
+/// @param claim  without its source
+void claim_reproduced(Claims<double> claims, evidence::Claim claim, double stated);
 
-/// A figure with a row of two panels, depth and velocity, at each of the times: the exact curve, the particles as
-/// rectangles and dots; each is also a snapshot for ParaView.
+/// Largest Courant number and conservation defects as measurements, each name with the suffix.
+void show_conservation(const FlowRun& flow, evidence::Exhibit& exhibit, const std::string& suffix = "");
+
+/// A row of two panels, depth and velocity, at one of the times: the exact curve, the particles as rectangles and dots;
+/// and a snapshot for ParaView.
+void draw_frame(evidence::Figure& figure, evidence::Exhibit& exhibit, const FlowRun& flow, const FlowRun::Frame& frame,
+                const std::string& title);
+/// A figure with such a row at each of the times.
 void draw_flow(const FlowRun& flow, evidence::Exhibit& exhibit, const std::string& title,
                const std::vector<std::string>& atlas);
 

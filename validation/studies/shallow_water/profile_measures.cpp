@@ -1,0 +1,86 @@
+#include "validation/studies/shallow_water/profile_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace seiche::validation {
+
+namespace measures = shallow_water;
+
+ProfileErrors ProfileErrors::none() {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  constexpr measures::Norms norms{nothing, nothing, nothing};
+  return {.cell = {norms, norms}, .reconstructed = {norms, norms}, .constant = {norms, norms}};
+}
+
+ProfileErrors profile_errors(const Profile& profile, const FlowProblem& problem, double t) {
+  const auto exact = [&](double x) { return problem.exact(x, t); };
+  const std::vector<double> breaks = problem.breakpoints(t);
+  return {.cell = measures::cell_error(profile, exact, breaks),
+          .reconstructed = measures::reconstruction_error(profile, exact, breaks),
+          .constant = measures::piecewise_constant_error(profile, exact, breaks)};
+}
+
+void show_errors(const ProfileErrors& e, evidence::Exhibit& exhibit, const std::string& suffix) {
+  exhibit.measure("cell_l1_h" + suffix, e.cell.depth.l1);
+  exhibit.measure("cell_l1_u" + suffix, e.cell.velocity.l1);
+  exhibit.measure("reconstructed_l1_h" + suffix, e.reconstructed.depth.l1);
+  exhibit.measure("reconstructed_l1_u" + suffix, e.reconstructed.velocity.l1);
+  exhibit.measure("constant_l1_h" + suffix, e.constant.depth.l1);
+  exhibit.measure("constant_l1_u" + suffix, e.constant.velocity.l1);
+  exhibit.measure("constant_l2_h" + suffix, e.constant.depth.l2);
+  exhibit.measure("constant_max_h" + suffix, e.constant.depth.linf);
+}
+
+Worst excursion(const Profile& profile, double lowest, double highest) {
+  Worst outside;
+  for (std::size_t i = 0; i < profile.means.size(); ++i) {
+    const double depth = profile.means[i].depth;
+    outside.add(depth - std::clamp(depth, lowest, highest), 0.5 * (profile.edges[i] + profile.edges[i + 1]));
+  }
+  return outside;
+}
+
+double front_width(const Profile& profile, const Front& front) {
+  if (std::isnan(front_position(profile, front))) return std::numeric_limits<double>::quiet_NaN();
+  const double from = front.position - front.reach;
+  const double to = front.position + front.reach;
+  Count between;
+  for (std::size_t i = 0; i < profile.means.size(); ++i) {
+    if (profile.edges[i + 1] <= from || profile.edges[i] >= to) continue;
+    between.add((profile.means[i].depth - front.ahead) / (front.behind - front.ahead),
+                [](double share) { return share > 0.05 && share < 0.95; });
+  }
+  return between.value();
+}
+
+double front_position(const Profile& profile, const Front& front) {
+  const double middle = 0.5 * (front.behind + front.ahead);
+  Smallest nearest;
+  const auto consider = [&](double x) {
+    const double distance = std::abs(x - front.position);
+    if (!(distance > front.reach)) nearest.add(distance, x);
+  };
+  // A jump inside a cell is where the method says it is.
+  for (const double x : profile.breaks) {
+    const double hair = 1e-9 * front.reach;
+    const double left = profile.reconstruction(x - hair).depth;
+    const double right = profile.reconstruction(x + hair).depth;
+    const bool inside = std::find(profile.edges.begin(), profile.edges.end(), x) == profile.edges.end();
+    if (inside && (left - middle) * (right - middle) < 0) consider(x);
+  }
+  if (std::isfinite(nearest.where())) return nearest.where();
+  // A captured jump is where the means cross the mid-depth.
+  for (std::size_t i = 0; i + 1 < profile.means.size(); ++i) {
+    const double a = profile.means[i].depth - middle;
+    const double b = profile.means[i + 1].depth - middle;
+    if (a * b > 0 || a == b) continue;
+    const double left = 0.5 * (profile.edges[i] + profile.edges[i + 1]);
+    const double right = 0.5 * (profile.edges[i + 1] + profile.edges[i + 2]);
+    consider(left + (right - left) * a / (a - b));
+  }
+  return nearest.where();
+}
+
+}  // namespace seiche::validation
