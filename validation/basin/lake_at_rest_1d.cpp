@@ -13,8 +13,6 @@ step, with zero: not one bit may differ.
 
 **What to look at.** The picture: the bottom is as rough as `roughness` says, and the lake does not mind.
 */
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <numbers>
 #include <random>
@@ -22,6 +20,7 @@ step, with zero: not one bit may differ.
 #include <fmt/format.h>
 
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 
@@ -82,10 +81,10 @@ Lake smooth_lake(Random& random, double spacing, double roughness, bool periodic
   return lake;
 }
 
-std::vector<Lake> lakes(const Run& run) {
-  Random random(run.integer("seed"));
-  const double h = run.real("h");
-  const double roughness = run.real("roughness");
+std::vector<Lake> lakes(const Values& values) {
+  Random random(values.integer("seed"));
+  const double h = values.real("h");
+  const double roughness = values.real("roughness");
   return {broken_lake(random, h, roughness), smooth_lake(random, h, roughness, false),
           smooth_lake(random, h, roughness, true)};
 }
@@ -108,25 +107,20 @@ std::vector<NamedScheme> schemes(const std::string& chosen) {
   return result;
 }
 
+/// Largest values at any step.
 struct Unrest {
-  double velocity = 0;
-  double elevation = 0;
-  double displacement = 0;
+  Worst velocity;
+  Worst elevation;
+  Worst displacement;
   long steps = 0;
 
   void include(const Unrest& other) {
-    velocity = std::max(velocity, other.velocity);
-    elevation = std::max(elevation, other.elevation);
-    displacement = std::max(displacement, other.displacement);
-    steps = std::max(steps, other.steps);
+    velocity.add(other.velocity);
+    elevation.add(other.elevation);
+    displacement.add(other.displacement);
+    if (other.steps > steps) steps = other.steps;
   }
 };
-
-double largest(std::span<const double> values) {
-  double result = 0;
-  for (const double value : values) result = std::max(result, std::abs(value));
-  return result;
-}
 
 Unrest watch(const Lake& lake, model::Kinetics kinetics, const model::Scheme& scheme, double time, double tau) {
   model::Channel channel = lake.channel;
@@ -134,18 +128,34 @@ Unrest watch(const Lake& lake, model::Kinetics kinetics, const model::Scheme& sc
   model::Flow flow(channel, model::still_markers(channel, lake.markers), scheme);
   Unrest unrest;
   flow.advance_to(time, tau, [&] {
-    unrest.velocity = std::max({unrest.velocity, largest(flow.p()), largest(flow.r())});
-    unrest.elevation = std::max(unrest.elevation, largest(flow.y()));
+    unrest.velocity.add(worst(flow.p()), flow.time());
+    unrest.velocity.add(worst(flow.r()), flow.time());
+    unrest.elevation.add(worst(flow.y()), flow.time());
     for (std::size_t i = 0; i < lake.markers.size(); ++i) {
-      unrest.displacement = std::max(unrest.displacement, std::abs(flow.x()[i] - lake.markers[i]));
+      unrest.displacement.add(flow.x()[i] - lake.markers[i], flow.time());
     }
   });
   unrest.steps = flow.steps();
   return unrest;
 }
 
-void draw(evidence::Record& record, const std::vector<Lake>& lakes) {
-  auto& figure = record.figure("lakes", "The lakes", "Bottoms, still water, and the markers on its surface.");
+struct OfLake {
+  std::size_t markers = 0;
+  std::vector<Unrest> by_scheme;
+
+  [[nodiscard]] Unrest largest() const {
+    Unrest all;
+    for (const Unrest& unrest : by_scheme) all.include(unrest);
+    return all;
+  }
+};
+
+struct Results {
+  std::vector<OfLake> lakes;
+};
+
+void draw(evidence::Exhibit& exhibit, const std::vector<Lake>& lakes) {
+  auto& figure = exhibit.figure("lakes", "The lakes", "Bottoms, still water, and the markers on its surface.");
   for (const Lake& lake : lakes) {
     if (lake.channel.periodic()) continue;
     const bool shore = lake.channel.right == model::End::tip;
@@ -154,7 +164,7 @@ void draw(evidence::Record& record, const std::vector<Lake>& lakes) {
     std::vector<double> surface;
     for (const double at : x) {
       bed.push_back(lake.channel.bottom->elevation(at));
-      surface.push_back(std::max(0.0, bed.back()));
+      surface.push_back(bed.back() > 0 ? bed.back() : 0.0);
     }
     auto& panel = figure.panel({.x = "x", .y = "elevation", .title = lake.name});
     panel.fill("water", x, surface, Role::water);
@@ -163,12 +173,53 @@ void draw(evidence::Record& record, const std::vector<Lake>& lakes) {
   }
 }
 
-void run(Running& run) {
+void claims(const Values& values, Claims<Results> claims) {
+  const std::vector<Lake> all = lakes(values);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto exactly_zero = [&](const std::string& id, const std::string& text, const std::string& quantity,
+                                  const std::string& unit, Worst Unrest::*of) {
+      claims.check(
+          {.id = all[k].id + "-" + id,
+           .text = fmt::format("{} ({})", text, all[k].name),
+           .quantity = quantity,
+           .unit = unit,
+           .source = "heights counted from the still-water level"},
+          [k, of](const Results& r) -> Measurement {
+            const Unrest unrest = r.lakes.at(k).largest();
+            return {.value = (unrest.*of).value(),
+                    .resolution = fmt::format("{} markers, {} steps", r.lakes[k].markers, unrest.steps)};
+          },
+          Bound{0, "every force is a product with an elevation, which is zero"});
+    };
+    exactly_zero("velocity", "Water at rest has no velocity.", "largest rate", "(g H)^(1/2)", &Unrest::velocity);
+    exactly_zero("elevation", "Its surface stays level.", "largest elevation", "H", &Unrest::elevation);
+    exactly_zero("displacement", "No marker moves.", "largest displacement", "H", &Unrest::displacement);
+  }
+}
+
+Results compute(const Run& run) {
   const std::vector<Lake> all = lakes(run);
   const std::vector<NamedScheme> named = schemes(run.text("scheme"));
-  const double time = run.real("time");
   const auto parts = static_cast<double>(all.size() * named.size());
   double done = 0;
+  Results r;
+  for (const Lake& lake : all) {
+    OfLake& of = r.lakes.emplace_back();
+    of.markers = lake.markers.size();
+    for (const auto& [name, scheme] : named) {
+      Unrest& unrest = of.by_scheme.emplace_back();
+      for (const auto kinetics : {model::Kinetics::frank, model::Kinetics::green_naghdi}) {
+        unrest.include(watch(lake, kinetics, scheme, run.real("time"), run.real("h") / 2));
+      }
+      run.progress(++done / parts);
+    }
+  }
+  return r;
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const std::vector<Lake> all = lakes(values);
+  const std::vector<NamedScheme> named = schemes(values.text("scheme"));
   evidence::Table table{.id = "unrest",
                         .title = "Largest values at any step",
                         .caption = "Of all markers and both kinetic energies.",
@@ -178,40 +229,20 @@ void run(Running& run) {
                                     {"velocity", "(g H)^(1/2)"},
                                     {"elevation", "H"},
                                     {"displacement", "H"}}};
-  Unrest worst;
-  for (const Lake& lake : all) {
-    Unrest of_lake;
-    for (const auto& [name, scheme] : named) {
-      Unrest unrest;
-      for (const auto kinetics : {model::Kinetics::frank, model::Kinetics::green_naghdi}) {
-        unrest.include(watch(lake, kinetics, scheme, time, run.real("h") / 2));
-      }
-      table.rows.push_back(
-          {lake.name, name, static_cast<double>(unrest.steps), unrest.velocity, unrest.elevation, unrest.displacement});
-      of_lake.include(unrest);
-      run.progress(++done / parts);
+  Unrest largest;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    largest.include(r.lakes[k].largest());
+    for (std::size_t j = 0; j < named.size(); ++j) {
+      const Unrest& unrest = r.lakes[k].by_scheme[j];
+      table.rows.push_back({all[k].name, named[j].name, static_cast<double>(unrest.steps), unrest.velocity.value(),
+                            unrest.elevation.value(), unrest.displacement.value()});
     }
-    const std::string resolution = fmt::format("{} markers, {} steps", lake.markers.size(), of_lake.steps);
-    const auto exactly_zero = [&](const std::string& id, const std::string& text, const std::string& quantity,
-                                  const std::string& unit, double value) {
-      run.record.check({.id = lake.id + "-" + id,
-                        .text = fmt::format("{} ({})", text, lake.name),
-                        .quantity = quantity,
-                        .unit = unit,
-                        .source = "heights counted from the still-water level"},
-                       {.value = value, .resolution = resolution},
-                       Bound{0, "every force is a product with an elevation, which is zero"});
-    };
-    exactly_zero("velocity", "Water at rest has no velocity.", "largest rate", "(g H)^(1/2)", of_lake.velocity);
-    exactly_zero("elevation", "Its surface stays level.", "largest elevation", "H", of_lake.elevation);
-    exactly_zero("displacement", "No marker moves.", "largest displacement", "H", of_lake.displacement);
-    worst.include(of_lake);
   }
-  run.record.measure("max_velocity", worst.velocity);
-  run.record.measure("max_elevation", worst.elevation);
-  run.record.measure("max_displacement", worst.displacement);
-  run.record.table(std::move(table));
-  draw(run.record, all);
+  exhibit.measure("max_velocity", largest.velocity.value());
+  exhibit.measure("max_elevation", largest.elevation.value());
+  exhibit.measure("max_displacement", largest.displacement.value());
+  exhibit.table(std::move(table));
+  draw(exhibit, all);
 }
 
 }  // namespace
@@ -231,7 +262,7 @@ Case lake_at_rest_1d() {
       choice("scheme", std::string("all"), {"all", "one_step", "one_step_feedback", "conservative"},
              "stepping, alone and in compositions"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

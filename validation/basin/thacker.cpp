@@ -14,8 +14,11 @@ with hydrostatic reconstruction beside it, whose shoreline is the last cell that
 **What to look at.** The particles' shoreline is a line, not a threshold.
 */
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -24,8 +27,8 @@ with hydrostatic reconstruction beside it, whose shoreline is the last cell that
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
-#include "validation/studies/shallow_water/flow_evidence.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -38,8 +41,8 @@ struct Motion {
   std::vector<double> time;
   std::vector<double> left;
   std::vector<double> right;
-  double worst_edge = std::numeric_limits<double>::quiet_NaN();      ///< at the end, particles only [m]
-  double worst_velocity = std::numeric_limits<double>::quiet_NaN();  ///< at the end, particles only [m/s]
+  Worst edge_error;      ///< at the end, particles only [m]
+  Worst velocity_error;  ///< at the end, particles only [m/s]
   double mass_defect = 0;
   std::vector<double> edges;
   std::vector<double> depth;
@@ -68,16 +71,27 @@ Motion by_particles(const exact::Thacker& bowl, double gravity, long n, double e
     progress(flow.time() / end);
   }
   const auto& now = flow.particles();
-  motion.worst_edge = motion.worst_velocity = 0;
   for (std::size_t k = 0; k < start.size(); ++k) {
-    motion.worst_edge = std::max(motion.worst_edge, std::abs(now.edge[k] - bowl.carried(start[k], end)));
+    motion.edge_error.add(now.edge[k] - bowl.carried(start[k], end), start[k]);
   }
-  for (const double u : now.velocity)
-    motion.worst_velocity = std::max(motion.worst_velocity, std::abs(u - bowl.velocity(end)));
+  for (const double u : now.velocity) motion.velocity_error.add(u - bowl.velocity(end));
   motion.mass_defect = flow.mass_defect();
   motion.edges.assign(now.edge.begin(), now.edge.end());
   for (std::size_t i = 0; i < now.size(); ++i) motion.depth.push_back(now.depth(i));
   return motion;
+}
+
+/// From the first to the last cell that is deeper than this; NaN if there is none, or if a depth is not a number.
+std::pair<double, double> wet_stretch(std::span<const double> edges, std::span<const double> depth, double wet_depth) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  std::pair<double, double> stretch{nothing, nothing};
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    if (std::isnan(depth[i])) return {nothing, nothing};
+    if (depth[i] <= wet_depth) continue;
+    if (std::isnan(stretch.first)) stretch.first = edges[i];
+    stretch.second = edges[i + 1];
+  }
+  return stretch;
 }
 
 Motion by_cells(const exact::Thacker& bowl, double gravity, double length, double wet_depth, long n, double end,
@@ -92,12 +106,10 @@ Motion by_cells(const exact::Thacker& bowl, double gravity, double length, doubl
                                                      bowl.bed());
   Motion motion;
   const auto note = [&] {
-    const auto h = flow.depth();
-    const auto first = std::find_if(h.begin(), h.end(), [&](double d) { return d > wet_depth; }) - h.begin();
-    const auto last = h.rend() - std::find_if(h.rbegin(), h.rend(), [&](double d) { return d > wet_depth; });
+    const auto [left, right] = wet_stretch(edges, flow.depth(), wet_depth);
     motion.time.push_back(flow.time());
-    motion.left.push_back(edges[static_cast<std::size_t>(first)]);
-    motion.right.push_back(edges[static_cast<std::size_t>(last)]);
+    motion.left.push_back(left);
+    motion.right.push_back(right);
   };
   note();
   while (flow.time() < end * (1 - 1e-12)) {
@@ -121,96 +133,142 @@ exact::Thacker bowl_of(const Values& values) {
           values.real("displacement")};
 }
 
-void run(Running& run) {
-  const double gravity = run.real("gravity");
-  const double radius = run.real("radius");
-  const double depth = run.real("depth");
-  const double displacement = run.real("displacement");
-  const double length = channel_length(run.values());
-  const long n = run.integer("particles");
-  const std::string& scheme = run.text("scheme");
-  const exact::Thacker bowl = bowl_of(run.values());
-  const double end = run.real("periods") * bowl.period();
-  const auto progress = [&](double done) { run.progress(done); };
+double end_of(const Values& values) {
+  return values.real("periods") * bowl_of(values).period();
+}
 
-  const particles::Level level = scheme == "G1"   ? particles::Level::godunov
-                                 : scheme == "M2" ? particles::Level::muscl
-                                                  : particles::Level::hand_over;
-  const Motion motion = scheme == "muscl" ? by_cells(bowl, gravity, length, 1e-3 * depth, n, end, progress)
-                                          : by_particles(bowl, gravity, n, end, level, progress);
-  double left = 0;
-  double right = 0;
-  std::vector<double> exact_left;
-  std::vector<double> exact_right;
-  for (std::size_t k = 0; k < motion.time.size(); ++k) {
-    exact_left.push_back(bowl.left_shoreline(motion.time[k]));
-    exact_right.push_back(bowl.right_shoreline(motion.time[k]));
-    left = std::max(left, std::abs(motion.left[k] - exact_left.back()));
-    right = std::max(right, std::abs(motion.right[k] - exact_right.back()));
+double cell_of(const Values& values) {
+  return 2 * values.real("radius") / static_cast<double>(values.integer("particles"));
+}
+
+struct Shoreline {
+  std::string side;
+  std::vector<double> Motion::*computed;
+  double (exact::Thacker::*exact)(double t) const;
+
+  [[nodiscard]] Worst error(const Motion& motion, const exact::Thacker& bowl) const {
+    Worst distance;
+    for (std::size_t k = 0; k < motion.time.size(); ++k) {
+      distance.add((motion.*computed)[k] - (bowl.*exact)(motion.time[k]), motion.time[k]);
+    }
+    return distance;
   }
-  const std::string resolution = fmt::format("{}, N = {}", scheme, n);
-  run.record.measure("shoreline_error_left", left);
-  run.record.measure("shoreline_error_right", right);
-  run.record.measure("edge_error", motion.worst_edge);
-  run.record.measure("velocity_error", motion.worst_velocity);
-  run.record.measure("mass_defect", motion.mass_defect);
-  run.record.measure("period", bowl.period());
-  run.record.measure("angular_frequency", bowl.angular_frequency());
-  run.record.check({.id = "mass",
-                    .text = "No water is lost at the moving shorelines.",
-                    .quantity = "change of mass",
-                    .unit = "m^2",
-                    .source = "conservation law of mass"},
-                   {.value = motion.mass_defect, .resolution = resolution},
-                   evidence::Roundoff{.operations = static_cast<double>(motion.time.size()),
-                                      .scale = bowl.area(),
-                                      .reason = "one rounded update per step, of the size of all the water"});
+};
+
+const std::array shorelines{Shoreline{"left", &Motion::left, &exact::Thacker::left_shoreline},
+                            Shoreline{"right", &Motion::right, &exact::Thacker::right_shoreline}};
+
+void claims(const Values& values, Claims<Motion> claims) {
+  const exact::Thacker bowl = bowl_of(values);
+  const std::string& scheme = values.text("scheme");
+  const double radius = values.real("radius");
+  const double displacement = values.real("displacement");
+  const double cell = cell_of(values);
+  const auto at = claims.at(fmt::format("{}, N = {}", scheme, values.integer("particles")));
+  // The deepest water at its fastest, at a tenth of the Courant number 0.4.
+  const double fastest =
+      std::sqrt(values.real("gravity") * values.real("depth")) + bowl.angular_frequency() * displacement;
+  at.check(
+      {.id = "mass",
+       .text = "No water is lost at the moving shorelines.",
+       .quantity = "change of mass",
+       .unit = "m^2",
+       .source = "conservation law of mass"},
+      [](const Motion& motion) -> Measurement {
+        return {.value = motion.mass_defect, .told = {.operations = static_cast<double>(motion.time.size())}};
+      },
+      evidence::Roundoff{.operations = evidence::Amount::told_by_run(end_of(values) * fastest / (0.04 * cell)),
+                         .scale = bowl.area(),
+                         .reason = "one rounded update per step, of the size of all the water"});
   // Truncation: the second-order method has an error of order (w/a)^2 of the displacement per period.
-  const double cell = 2 * radius / static_cast<double>(n);
   const double limit = scheme == "muscl" || scheme == "G1" ? 4 * cell : 12 * displacement * std::pow(cell / radius, 2);
-  for (const auto& [side, error] : {std::pair{"left", left}, std::pair{"right", right}}) {
-    run.record.check(
-        {.id = fmt::format("shoreline-{}", side),
-         .text = fmt::format("The {} shoreline follows the exact one at all times.", side),
+  for (const Shoreline& shoreline : shorelines) {
+    at.check(
+        {.id = fmt::format("shoreline-{}", shoreline.side),
+         .text = fmt::format("The {} shoreline follows the exact one at all times.", shoreline.side),
          .quantity = "largest distance",
          .unit = "m",
          .source = "Thacker (1981)"},
-        {.value = error, .resolution = resolution},
+        [shoreline, bowl](const Motion& motion) -> Measurement {
+          const Worst distance = shoreline.error(motion, bowl);
+          return {.value = distance.value(), .where = fmt::format("t = {:g} s", distance.where())};
+        },
         evidence::Bound{.limit = limit,
-                        .reason = "second order: twelve times (w/a)^2 of the displacement; fixed-grid and first-order "
-                                  "schemes: four cells"});
+                        .reason = "second order: twelve times (w/a)^2 of the displacement; fixed-grid and "
+                                  "first-order schemes: four cells"});
   }
-  auto& figure = run.record.figure("shorelines", "The two shorelines", "Against time, with the exact motion.");
-  auto& panel = figure.panel({.x = "t [s]", .y = "x [m]"});
-  panel.line("exact", motion.time, exact_left, Role::exact);
-  panel.line("", motion.time, exact_right, Role::exact);
-  panel.points(scheme, motion.time, motion.left, scheme == "muscl" ? Role::peer : Role::computed);
-  panel.points("", motion.time, motion.right, scheme == "muscl" ? Role::peer : Role::computed);
+}
 
+Motion compute(const Run& run) {
+  const double gravity = run.real("gravity");
+  const long n = run.integer("particles");
+  const std::string& scheme = run.text("scheme");
+  const exact::Thacker bowl = bowl_of(run);
+  const auto progress = [&](double done) { run.progress(done); };
+  if (scheme == "muscl") {
+    return by_cells(bowl, gravity, channel_length(run), 1e-3 * run.real("depth"), n, end_of(run), progress);
+  }
+  const particles::Level level = scheme == "G1"   ? particles::Level::godunov
+                                 : scheme == "M2" ? particles::Level::muscl
+                                                  : particles::Level::hand_over;
+  return by_particles(bowl, gravity, n, end_of(run), level, progress);
+}
+
+void draw_shorelines(evidence::Exhibit& exhibit, const Motion& motion, const exact::Thacker& bowl,
+                     const std::string& scheme) {
+  auto& panel = exhibit.figure("shorelines", "The two shorelines", "Against time, with the exact motion.")
+                    .panel({.x = "t [s]", .y = "x [m]"});
+  const Role role = scheme == "muscl" ? Role::peer : Role::computed;
+  for (const Shoreline& shoreline : shorelines) {
+    std::vector<double> exact;
+    for (const double t : motion.time) exact.push_back((bowl.*shoreline.exact)(t));
+    panel.line(shoreline.side == "left" ? "exact" : "", motion.time, exact, Role::exact);
+  }
+  for (const Shoreline& shoreline : shorelines) {
+    panel.points(shoreline.side == "left" ? scheme : "", motion.time, motion.*shoreline.computed, role);
+  }
+}
+
+void draw_bowl(evidence::Exhibit& exhibit, const Motion& motion, const Values& values) {
+  const exact::Thacker bowl = bowl_of(values);
+  const std::string& scheme = values.text("scheme");
   std::vector<double> x;
   std::vector<double> bed;
   std::vector<double> surface;
   for (int k = 0; k <= 200; ++k) {
-    x.push_back(length * k / 200);
+    x.push_back(channel_length(values) * k / 200);
     bed.push_back(bowl.elevation(x.back()));
-    surface.push_back(bowl.at(x.back(), end).depth + bed.back());
+    surface.push_back(bowl.at(x.back(), end_of(values)).depth + bed.back());
   }
-  auto& bowl_panel =
-      run.record.figure("bowl", "The bowl at the end", "Bed, exact water, and the computed mean surface.")
-          .panel({.x = "x [m]", .y = "elevation [m]"});
-  bowl_panel.fill("water", x, surface, Role::water);
-  bowl_panel.fill("bed", x, bed, Role::bed);
+  auto& panel = exhibit.figure("bowl", "The bowl at the end", "Bed, exact water, and the computed mean surface.")
+                    .panel({.x = "x [m]", .y = "elevation [m]"});
+  panel.fill("water", x, surface, Role::water);
+  panel.fill("bed", x, bed, Role::bed);
   std::vector<double> centre;
-  std::vector<double> level_of;
+  std::vector<double> level;
   const Bed bowl_bed = bowl.bed();
   for (std::size_t i = 0; i < motion.depth.size(); ++i) {
-    if (motion.depth[i] <= 1e-3 * depth) continue;
+    if (motion.depth[i] <= 1e-3 * values.real("depth")) continue;
     const double a = motion.edges[i];
     const double b = motion.edges[i + 1];
     centre.push_back(0.5 * (a + b));
-    level_of.push_back(motion.depth[i] + (bowl_bed.primitive(b) - bowl_bed.primitive(a)) / (b - a));
+    level.push_back(motion.depth[i] + (bowl_bed.primitive(b) - bowl_bed.primitive(a)) / (b - a));
   }
-  bowl_panel.points(scheme, centre, level_of, scheme == "muscl" ? Role::peer : Role::computed);
+  panel.points(scheme, centre, level, scheme == "muscl" ? Role::peer : Role::computed);
+}
+
+void show(const Motion& motion, const Values& values, evidence::Exhibit& exhibit) {
+  const exact::Thacker bowl = bowl_of(values);
+  for (const Shoreline& shoreline : shorelines) {
+    exhibit.measure("shoreline_error_" + shoreline.side, shoreline.error(motion, bowl).value());
+  }
+  exhibit.measure("edge_error", motion.edge_error.value());
+  exhibit.measure("velocity_error", motion.velocity_error.value());
+  exhibit.measure("mass_defect", motion.mass_defect);
+  exhibit.measure("period", bowl.period());
+  exhibit.measure("angular_frequency", bowl.angular_frequency());
+  draw_shorelines(exhibit, motion, bowl, values.text("scheme"));
+  draw_bowl(exhibit, motion, values);
 }
 
 /// Gauges in the middle and half-way to either shoreline at rest, and the shorelines as series.
@@ -282,7 +340,7 @@ Case thacker() {
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
       choice("scheme", std::string("H2"), {"G1", "M2", "H2", "muscl"}, "level of the particle method, or the peer"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted};
   return c;
 }

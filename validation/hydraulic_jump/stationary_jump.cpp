@@ -18,7 +18,7 @@ for them. For the particles the water moves 43 m and the jump stays: to the last
 
 #include "seiche/exact/bore.hpp"
 #include "validation/case/case.hpp"
-#include "validation/studies/shallow_water/flow_evidence.hpp"
+#include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -29,9 +29,39 @@ using exact::StationaryJump;
 constexpr double length = 105;
 constexpr double place = 100;
 
-void draw_sketches(evidence::Record& record, const FlowProblem& problem, const StationaryJump& jump) {
+/// What the parameters decide.
+struct SetUp {
+  StationaryJump jump;
+  FlowProblem problem;
+  Discretisation discretisation;
+  long steps;
+  double time;
+  Front front;
+};
+
+SetUp set_up(const Values& values) {
+  const double gravity = values.real("gravity");
+  const StationaryJump jump(gravity, values.real("shallow_depth"), values.real("deep_depth"), place);
+  const Discretisation discretisation{
+      .scheme = "H2", .particles = values.integer("particles"), .time_step = values.real("time_step"), .theta = 1.5};
+  const long steps = values.integer("steps");
+  return {jump,
+          problem_of(jump, gravity, 0, length, {place}, FlowProblem::End::stream, FlowProblem::End::stream),
+          discretisation,
+          steps,
+          static_cast<double>(steps) * discretisation.time_step,
+          {.behind = jump.upstream().depth, .ahead = jump.downstream().depth, .position = place, .reach = 30}};
+}
+
+struct Results {
+  SetUp set_up;
+  FlowRun flow;
+  std::vector<Contestant> contestants;
+};
+
+void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const StationaryJump& jump) {
   const ExactCurve curve = exact_curve(problem, 0, length, 0);
-  auto& panel = record
+  auto& panel = exhibit
                     .figure("setup", "Hydraulic jump at rest: the problem",
                             "Water flows from left to right through a jump that stands.", {"bzz-fig-16"})
                     .panel({.x = "x [m]",
@@ -43,30 +73,36 @@ void draw_sketches(evidence::Record& record, const FlowProblem& problem, const S
                             .y_min = -0.1,
                             .y_max = 3});
   panel.fill("water", curve.x, curve.depth, Role::water);
-  auto& figure = record.figure("exact", "The exact jump", "Depth and velocity, the same at all times.", {"bzz-fig-17"});
+  auto& figure =
+      exhibit.figure("exact", "The exact jump", "Depth and velocity, the same at all times.", {"bzz-fig-17"});
   figure.panel({.x = "x [m]", .y = "depth h [m]"}).line("exact", curve.x, curve.depth, Role::exact);
   figure.panel({.x = "x [m]", .y = "velocity u [m/s]"}).line("exact", curve.x, curve.velocity, Role::exact);
 }
 
-void run(Running& run) {
-  const double gravity = run.real("gravity");
-  const StationaryJump jump(gravity, run.real("shallow_depth"), run.real("deep_depth"), place);
-  const FlowProblem problem =
-      problem_of(jump, gravity, 0, length, {place}, FlowProblem::End::stream, FlowProblem::End::stream);
-  const Discretisation discretisation{
-      .scheme = "H2", .particles = run.integer("particles"), .time_step = run.real("time_step"), .theta = 1.5};
-  const long steps = run.integer("steps");
-  const double time = static_cast<double>(steps) * discretisation.time_step;
-  draw_sketches(run.record, problem, jump);
-  const auto flow = run_and_draw(run.record, problem, discretisation, {0, 0.5 * time, time},
-                                 "Particles stream through a jump at rest", {"bzz-fig-18"},
-                                 [&](double done) { run.progress(0.5 * done); });
-  claim_conservation(run.record, *flow);
+void claims(const Values& values, Claims<Results> claims) {
+  const SetUp s = set_up(values);
+  claim_conservation(claims.of(&Results::flow), s.problem);
+  claim_exact_profile(claims.of(&Results::flow), s.jump.downstream().depth, s.steps);
+  claim_single_particle(claims.of(&Results::flow), s.front);
+}
 
-  claim_exact_profile(run.record, *flow, problem, jump.downstream().depth);
-  const Front front{.behind = jump.upstream().depth, .ahead = jump.downstream().depth, .position = place, .reach = 30};
-  claim_single_particle(run.record, *flow, front);
-  report_contest(run.record, problem, time, contest_all(problem, discretisation, all_schemes, time, &front));
+Results compute(const Run& run) {
+  Results r{.set_up = set_up(run)};
+  const SetUp& s = r.set_up;
+  r.flow = compute_flow(s.problem, s.discretisation, {0, 0.5 * s.time, s.time},
+                        [&](double done) { run.progress(0.5 * done); });
+  r.contestants = contest_all(s.problem, s.discretisation, all_schemes, s.time, &s.front);
+  return r;
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  const SetUp& s = r.set_up;
+  draw_sketches(exhibit, s.problem, s.jump);
+  draw_flow(r.flow, exhibit, "Particles stream through a jump at rest", {"bzz-fig-18"});
+  report_contest(exhibit, s.problem, s.time, r.contestants);
+  show_conservation(r.flow, exhibit);
+  show_errors(r.flow.errors, exhibit);
+  exhibit.measure("front_width", static_cast<double>(front_width(r.flow.profile(), s.front)));
 }
 
 }  // namespace
@@ -84,7 +120,7 @@ Case stationary_jump() {
       real("deep_depth", 2.0, "m", {1e-3, 1e3}, "depth downstream"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -19,6 +19,7 @@ it, because the deep particle also pushes.
 
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 
 namespace seiche::validation::cases {
@@ -33,9 +34,36 @@ void draw_rectangle(evidence::Panel& panel, const std::string& label, double lef
   panel.line(label, std::vector<double>{left, left, right, right}, std::vector<double>{0, depth, depth, 0}, role);
 }
 
-void draw_channel(evidence::Record& record) {
-  auto& figure = record.figure("channel", "A channel of constant cross-section",
-                               "Section along the channel and across it.", {"bzz-fig-1"});
+/// h = 1 - x^2 on [-1, 1], of the paper's figure 2.
+double parabola_depth(double x) {
+  return 1 - x * x;
+}
+
+/// Of the paper's figures 3 and 4: a fast, deep particle, the second of the row, runs into a slow, shallow one.
+particles::Particles row() {
+  return particles::uniform_stretches({{0, 2, {1.5, 1.5}}, {2, 4, {0.8, 0}}}, 4);
+}
+
+/// Where the edge between the two is after a step.
+double edge_after(double tau) {
+  const particles::Particles before = row();
+  const double star =
+      shallow_water::star_state(9.81, {before.depth(1), before.velocity[1]}, {before.depth(2), before.velocity[2]})
+          .velocity;
+  return before.edge[2] + tau * star;
+}
+
+struct Results {
+  particles::Particles parabola;
+  double area = 0;
+  particles::Particles before;
+  particles::Particles after;
+  Worst area_change;
+};
+
+void draw_channel(evidence::Exhibit& exhibit) {
+  auto& figure = exhibit.figure("channel", "A channel of constant cross-section",
+                                "Section along the channel and across it.", {"bzz-fig-1"});
   std::vector<double> x;
   std::vector<double> h;
   for (int k = 0; k <= 100; ++k) {
@@ -50,85 +78,28 @@ void draw_channel(evidence::Record& record) {
   across.line("walls", std::vector<double>{0, 0, 2, 2}, std::vector<double>{1.3, 0, 0, 1.3}, Role::bed);
 }
 
-void run(Running& run) {
-  const auto n = static_cast<std::size_t>(run.integer("particles"));
-  draw_channel(run.record);
-
-  // Figure 2: h = 1 - x^2 on [-1, 1].
-  const particles::Particles parabola = particles::particles_from_profile(
-      particles::equal_width_edges(-1, 1, n), [](double x) { return 1 - x * x; }, [](double) { return 0.0; });
-  double area = 0;
+void draw_parabola(evidence::Exhibit& exhibit, const particles::Particles& parabola) {
   std::vector<double> depth;
-  for (std::size_t i = 0; i < n; ++i) {
-    area += parabola.mass[i];
-    depth.push_back(parabola.depth(i));
-  }
-  run.record.measure("area", area);
-  run.record.check(
-      {.id = "area",
-       .text = "The rectangles hold exactly the water of the parabola.",
-       .quantity = "area",
-       .unit = "m^2",
-       .source = "integral of 1 - x^2 over [-1, 1]"},
-      {.value = area, .resolution = fmt::format("N = {}", n)},
-      evidence::Roundoff{.operations = static_cast<double>(40 * n),
-                         .scale = 4.0 / 3,
-                         .reason = "a sum over forty quadrature points per particle, of the size of the area",
-                         .expected = 4.0 / 3});
+  for (std::size_t i = 0; i < parabola.size(); ++i) depth.push_back(parabola.depth(i));
   std::vector<double> x;
   std::vector<double> h;
   for (int k = 0; k <= 200; ++k) {
     x.push_back(-1 + 0.01 * k);
-    h.push_back(1 - x.back() * x.back());
+    h.push_back(parabola_depth(x.back()));
   }
-  auto& approximation = run.record
-                            .figure("parabola", "Rectangles approximating a parabola",
-                                    "Each has the area of the parabola above it.", {"bzz-fig-2"})
-                            .panel({.x = "x [m]", .y = "depth h [m]"});
-  approximation.steps("particles", parabola.edge, depth, Role::computed);
-  approximation.line("parabola", x, h, Role::exact);
+  auto& panel = exhibit
+                    .figure("parabola", "Rectangles approximating a parabola",
+                            "Each has the area of the parabola above it.", {"bzz-fig-2"})
+                    .panel({.x = "x [m]", .y = "depth h [m]"});
+  panel.steps("particles", parabola.edge, depth, Role::computed);
+  panel.line("parabola", x, h, Role::exact);
+}
 
-  // Figures 3 and 4: a fast, deep particle runs into a slow, shallow one.
-  const auto make = [] {
-    particles::Particles row = particles::uniform_stretches({{0, 2, {1.5, 1.5}}, {2, 4, {0.8, 0}}}, 4);
-    return row;
-  };
-  const particles::Particles before = make();
-  const double tau = run.real("time_step");
-  particles::ParticleFlow flow(make(), {.left = particles::Free{}, .right = particles::Free{}}, {},
-                               {.level = particles::Level::godunov});
-  flow.advance(tau);
-  const particles::Particles& after = flow.particles();
-  double change = 0;
-  for (std::size_t i = 0; i < 4; ++i) change = std::max(change, std::abs(after.mass[i] - before.mass[i]));
-  run.record.measure("area_change", change);
-  run.record.check(
-      {.id = "rearranged-area",
-       .text = "A rearrangement keeps the area of every particle.",
-       .quantity = "largest change of an area",
-       .unit = "m^2",
-       .source = "section 3 of the paper"},
-      {.value = change, .resolution = fmt::format("tau = {:g} s", tau)},
-      evidence::Roundoff{.operations = 1, .scale = 0, .reason = "masses are never written: nothing is rounded"});
-  const double star =
-      shallow_water::star_state(9.81, {before.depth(1), before.velocity[1]}, {before.depth(2), before.velocity[2]})
-          .velocity;
-  run.record.check({.id = "edge",
-                    .text = "The shared edge moves with the middle velocity of the two particles' Riemann problem.",
-                    .quantity = "position of the edge",
-                    .unit = "m",
-                    .source = "a choice of edge velocity, sections 3 and 4 of the paper"},
-                   {.value = after.edge[2], .resolution = fmt::format("tau = {:g} s", tau)},
-                   evidence::Roundoff{.operations = 30,
-                                      .scale = before.edge[2],
-                                      .reason = "some thirty operations of the Riemann problem",
-                                      .expected = before.edge[2] + tau * star});
-
-  auto& figure =
-      run.record.figure("rearrangement", "Rearrangement of two particles",
-                        "Before; moved each with its own velocity, overlapping; "
-                        "rearranged: the shared edge has moved, areas are kept, and both centres have changed.",
-                        {"bzz-fig-3", "bzz-fig-4"});
+void draw_rearrangement(evidence::Exhibit& exhibit, const Results& r, double tau) {
+  auto& figure = exhibit.figure("rearrangement", "Rearrangement of two particles",
+                                "Before; moved each with its own velocity, overlapping; "
+                                "rearranged: the shared edge has moved, areas are kept, and both centres have changed.",
+                                {"bzz-fig-3", "bzz-fig-4"});
   auto& first = figure.panel(
       {.x = "x [m]", .y = "depth h [m]", .title = "before", .x_min = 0.5, .x_max = 4, .y_min = 0, .y_max = 2.2});
   auto& second = figure.panel({.x = "x [m]",
@@ -143,11 +114,71 @@ void run(Running& run) {
   for (const std::size_t i : {std::size_t{1}, std::size_t{2}}) {
     const Role role = i == 1 ? Role::computed : Role::peer;
     const std::string label = i == 1 ? "fast" : "slow";
-    const double shift = tau * before.velocity[i];
-    draw_rectangle(first, label, before.edge[i], before.edge[i + 1], before.depth(i), role);
-    draw_rectangle(second, label, before.edge[i] + shift, before.edge[i + 1] + shift, before.depth(i), role);
-    draw_rectangle(third, label, after.edge[i], after.edge[i + 1], after.depth(i), role);
+    const double shift = tau * r.before.velocity[i];
+    draw_rectangle(first, label, r.before.edge[i], r.before.edge[i + 1], r.before.depth(i), role);
+    draw_rectangle(second, label, r.before.edge[i] + shift, r.before.edge[i + 1] + shift, r.before.depth(i), role);
+    draw_rectangle(third, label, r.after.edge[i], r.after.edge[i + 1], r.after.depth(i), role);
   }
+}
+
+void claims(const Values& values, Claims<Results> claims) {
+  const long n = values.integer("particles");
+  const double tau = values.real("time_step");
+  claims.at(fmt::format("N = {}", n))
+      .check({.id = "area",
+              .text = "The rectangles hold exactly the water of the parabola.",
+              .quantity = "area",
+              .unit = "m^2",
+              .source = "integral of 1 - x^2 over [-1, 1]"},
+             &Results::area,
+             evidence::Roundoff{.operations = static_cast<double>(40 * n),
+                                .scale = 4.0 / 3,
+                                .reason = "a sum over forty quadrature points per particle, of the size of the area",
+                                .expected = 4.0 / 3});
+  const auto after_step = claims.at(fmt::format("tau = {:g} s", tau));
+  after_step.check(
+      {.id = "rearranged-area",
+       .text = "A rearrangement keeps the area of every particle.",
+       .quantity = "largest change of an area",
+       .unit = "m^2",
+       .source = "section 3 of the paper"},
+      &Results::area_change,
+      evidence::Roundoff{.operations = 1, .scale = 0, .reason = "masses are never written: nothing is rounded"});
+  after_step.check(
+      {.id = "edge",
+       .text = "The shared edge moves with the middle velocity of the two particles' Riemann problem.",
+       .quantity = "position of the edge",
+       .unit = "m",
+       .source = "a choice of edge velocity, sections 3 and 4 of the paper"},
+      [](const Results& r) { return r.after.edge[2]; },
+      evidence::Roundoff{.operations = 30,
+                         .scale = row().edge[2],
+                         .reason = "some thirty operations of the Riemann problem",
+                         .expected = edge_after(tau)});
+}
+
+Results compute(const Run& run) {
+  const auto n = static_cast<std::size_t>(run.integer("particles"));
+  Results r{.parabola = particles::particles_from_profile(particles::equal_width_edges(-1, 1, n), parabola_depth,
+                                                          [](double) { return 0.0; }),
+            .before = row(),
+            .after = {},
+            .area_change = {}};
+  for (const double mass : r.parabola.mass) r.area += mass;
+  particles::ParticleFlow flow(row(), {.left = particles::Free{}, .right = particles::Free{}}, {},
+                               {.level = particles::Level::godunov});
+  flow.advance(run.real("time_step"));
+  r.after = flow.particles();
+  for (std::size_t i = 0; i < r.after.size(); ++i) r.area_change.add(r.after.mass[i] - r.before.mass[i]);
+  return r;
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  draw_channel(exhibit);
+  draw_parabola(exhibit, r.parabola);
+  draw_rearrangement(exhibit, r, values.real("time_step"));
+  exhibit.measure("area", r.area);
+  exhibit.measure("area_change", r.area_change.value());
 }
 
 }  // namespace
@@ -160,7 +191,7 @@ Case particle_rearrangement() {
       integer("particles", 10L, {4, 10000}, "rectangles under the parabola"),
       real("time_step", 0.12, "s", {1e-6, 0.2}, "time step of the rearrangement"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 
