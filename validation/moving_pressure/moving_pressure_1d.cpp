@@ -18,20 +18,53 @@ the surface at the source. Try `--set p0=-0.1 --set half_width=6.5 --set time=80
 namespace seiche::validation::cases {
 namespace {
 
-void run(Running& run) {
-  const double threshold = run.real("threshold");
-  const PressureWaves waves(
-      {.pressure = run.real("p0"), .half_width = run.real("half_width"), .speed = run.real("speed")},
-      {.time = run.real("time"), .spacing = run.real("h"), .tau = run.real("tau_over_h") * run.real("h")},
-      [&](double part) { run.progress(part); });
-  measure_pressure_waves(run.record, "", waves, threshold);
-  claim_leading_soliton(run.record, "leader", waves, threshold);
-  if (const auto regime = pressure_regime_of(waves.source(), waves.run())) {
-    claim_pressure_regime(run.record, *regime, waves);
-  }
-  auto& figure = run.record.figure("waves", "Waves of the source",
-                                   "Surfaces one above the other, time upwards, in the frame of the source; and the "
-                                   "elevation at its centre.");
+struct SetUp {
+  PressureSource source;
+  PressureRun run;
+};
+
+SetUp set_up(const Values& values) {
+  return {
+      {.pressure = values.real("p0"), .half_width = values.real("half_width"), .speed = values.real("speed")},
+      {.time = values.real("time"), .spacing = values.real("h"), .tau = values.real("tau_over_h") * values.real("h")}};
+}
+
+/// Sources of pressure that are known to send a soliton ahead in time.
+bool sends_soliton(const PressureSource& source, double time) {
+  return source.pressure >= 0.1 && source.speed >= 0.95 && source.speed <= 1 && source.half_width >= 1 &&
+         source.half_width <= 8 && time >= 100;
+}
+
+void claims(const Values& values, Claims<PressureWaves> claims) {
+  const auto [source, run] = set_up(values);
+  const auto regime = pressure_regime_of(values, source, run);
+  claim_leading_soliton(
+      claims.only_if(regime ? regime->solitons > 0 : sends_soliton(source, run.time),
+                     "whether a soliton has got away by the end is known of pressure p0 >= 0.1 with half-widths from 1 "
+                     "to 8 at speeds from 0.95 to 1 and t >= 100, and of the regimes of moving_pressure_regimes"),
+      "leader", source, run);
+  if (regime) claim_pressure_regime(claims, *regime, run);
+  claims.at(run.text())
+      .check(
+          {.id = "endless",
+           .text = "Nothing reaches the wall ahead: the channel is as good as endless.",
+           .quantity = "largest elevation at the wall ahead, at any time",
+           .unit = "H",
+           .source = "set-up"},
+          &PressureWaves::largest_at_wall,
+          evidence::Bound{.limit = 0.0005, .reason = "half a unit of the last digit with which regimes are compared"});
+}
+
+PressureWaves compute(const Run& run) {
+  const SetUp s = set_up(run);
+  return {s.source, s.run, [&](double part) { run.progress(part); }};
+}
+
+void show(const PressureWaves& waves, const Values& values, evidence::Exhibit& exhibit) {
+  show_pressure_waves(exhibit, "", "leader", waves, values.real("threshold"));
+  auto& figure = exhibit.figure("waves", "Waves of the source",
+                                "Surfaces one above the other, time upwards, in the frame of the source; and the "
+                                "elevation at its centre.");
   waves.draw_ridges(figure);
   waves.draw_at_source(figure);
 }
@@ -53,7 +86,7 @@ Case moving_pressure_1d() {
       real("tau_over_h", 0.25, "(g H)^(-1/2)", {0.01, 0.7}, "time step over the distance of markers"),
       real("threshold", soliton_threshold, "H", {1e-4, 1}, "what is higher, ahead of the source, is a soliton"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -12,8 +13,8 @@ using evidence::Bound;
 using evidence::Qualitative;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 3.3";
-const std::string digits = source + "; number computed once by an independent implementation";
-constexpr double regular = 0.03;  // peaks of a periodic surface are equidistant to this fraction
+constexpr double regular = 0.03;        // peaks of a periodic surface are equidistant to this fraction
+constexpr double lowest_soliton = 0.1;  // what is lower may be a ripple
 
 /// Without the first one, in which the start still shows.
 std::vector<double> settled_distances(const PressureWaves& waves) {
@@ -22,215 +23,190 @@ std::vector<double> settled_distances(const PressureWaves& waves) {
   return result;
 }
 
-class RegimeClaims {
- public:
-  RegimeClaims(evidence::Record& record, const PressureRegime& regime, const PressureWaves& waves)
-      : record_(record), regime_(regime), waves_(waves) {}
-
-  void solitons() {
-    const auto count = static_cast<double>(waves_.forward_solitons(soliton_threshold).size());
-    if (regime_.solitons == 0) {
-      check("none-ahead", "No soliton runs ahead of the source.", "forward solitons present", count > 0 ? 1 : 0,
-            Qualitative{.detector = fmt::format("a peak above {:g} beyond the front of the source at the end",
-                                                soliton_threshold),
-                        .reason = "water escapes forward only as solitons; what is lower is the ripple of the start",
-                        .expected = false});
-      return;
+/// The numbers of the table for a source.
+PressureRegime with_numbers(PressureRegime regime, const io::Table& table) {
+  bool counted = false;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const auto at = [&](const char* column) { return table.column(column)[k]; };
+    if (at("p0") != regime.source.pressure || at("half_width") != regime.source.half_width) continue;
+    regime.time = at("time");
+    const Printed printed{at("value"), at("half_unit")};
+    switch (std::lround(at("quantity"))) {
+      case 1:
+        regime.solitons = static_cast<int>(std::lround(printed.value));
+        counted = true;
+        break;
+      case 2:
+        regime.highest_ahead = printed;
+        break;
+      case 3:
+        regime.leader = printed;
+        break;
+      case 4:
+        regime.period = printed;
+        break;
+      case 5:
+        regime.lowest = printed;
+        break;
+      default:
+        regime.highest = printed;
     }
-    check("solitons", fmt::format("{} solitons have run ahead of the source.", regime_.solitons), "peaks ahead", count,
-          Bound{.limit = 1,
-                .reason = fmt::format("peaks above {:g}; one may just be leaving the source", soliton_threshold),
-                .expected = static_cast<double>(regime_.solitons)});
   }
+  if (!counted) throw std::logic_error(fmt::format("no numbers are known of {}", regime.source.text()));
+  return regime;
+}
 
-  void heights() {
-    const bool any = regime_.solitons > 0;
-    number("highest-ahead", regime_.highest_ahead, any ? waves_.maximum_ahead() : waves_.maximum_ahead_ever(),
-           any ? "The highest of them is {:g} high." : "Nothing ahead of the source is ever higher than {:g}.",
-           "highest elevation ahead");
-    number("leader-height", regime_.leader, waves_.leader(soliton_threshold).height, "The first of them is {:g} high.",
-           "height of the leading soliton");
-    const PressureWaves::Extremes range = waves_.range_at_source();
-    number("lowest", regime_.lowest, range.lowest, "The surface at the source falls to {:g}.",
-           "lowest elevation at the source, second half of the run");
-    number("highest", regime_.highest, range.highest, "It rises to {:g}.",
-           "highest elevation at the source, second half of the run");
-  }
-
-  void oscillation() {
-    if (!regime_.period) return;
-    check("period", fmt::format("The surface at the source oscillates with the period {:g}.", *regime_.period),
-          "lag of the first peak of the autocorrelation", waves_.period().length,
-          Bound{.limit = regular,
-                .reason = "the period drifts: neighbouring distances of peaks differ by as much",
-                .expected = *regime_.period,
-                .relative = true},
-          digits);
-    const std::vector<double> between = settled_distances(waves_);
-    if (between.size() < 2) return;
-    check("regular", "It does so regularly.", "largest deviation of a distance of peaks from their mean, relative",
-          relative_spread(between),
-          Bound{regular, "periodic, not chaotic; the first distance, in which the start still shows, is left out"});
-  }
-
- private:
-  void check(const std::string& id, const std::string& text, const std::string& quantity, double value,
-             const evidence::Criterion& criterion, const std::string& where = source) {
-    record_.check({.id = regime_.id + "-" + id,
-                   .text = fmt::format("{} ({})", text, waves_.source().text()),
-                   .quantity = quantity,
-                   .source = where},
-                  {.value = value, .resolution = waves_.run().text()}, criterion);
-  }
-
-  void number(const std::string& id, const std::optional<Printed>& printed, double value, const std::string& text,
-              const std::string& quantity) {
-    if (!printed) return;
-    const double h = waves_.run().spacing;
-    check(id, fmt::format(fmt::runtime(text), printed->value), quantity, value,
-          Bound{.limit = printed->half_unit + h * h / 32,
-                .reason = "half a unit of its last digit, and h^2/32: what straight lines between markers h/2 apart "
-                          "miss of a crest of curvature 1",
-                .expected = printed->value},
-          digits);
-  }
-
-  evidence::Record& record_;
-  const PressureRegime& regime_;
-  const PressureWaves& waves_;
-};
+std::vector<PressureRegime> with_numbers(std::vector<PressureRegime> regimes, const Values& values) {
+  const io::Table table = values.table("regression_moving_pressure");
+  for (PressureRegime& regime : regimes) regime = with_numbers(regime, table);
+  return regimes;
+}
 
 }  // namespace
 
-const std::vector<PressureRegime>& main_pressure_regimes() {
-  static const std::vector<PressureRegime> regimes = {
-      {.id = "pressure",
-       .name = "pressure: solitons",
-       .source = {.pressure = 0.1, .half_width = 4},
-       .time = 150,
-       .solitons = 4,
-       .highest_ahead = Printed{0.56, 0.005}},
-      {.id = "suction",
-       .name = "suction: solitons",
-       .source = {.pressure = -0.1, .half_width = 4},
-       .time = 500,
-       .solitons = 7,
-       .leader = Printed{0.34, 0.005},
-       .period = 67.5,
-       .lowest = Printed{-0.14, 0.005},
-       .highest = Printed{1.03, 0.005}},
-      {.id = "wide-suction",
-       .name = "wide suction: none",
-       .source = {.pressure = -0.1, .half_width = 6.5},
-       .time = 800,
-       .solitons = 0,
-       .highest_ahead = Printed{0.087, 0.0005},
-       .period = 91.3,
-       .lowest = Printed{-0.055, 0.0005},
-       .highest = Printed{0.92, 0.005}},
-  };
-  return regimes;
+std::vector<PressureRegime> main_pressure_regimes(const Values& values) {
+  return with_numbers(
+      {{.id = "pressure", .name = "pressure: solitons", .source = {.pressure = 0.1, .half_width = 4}},
+       {.id = "suction", .name = "suction: solitons", .source = {.pressure = -0.1, .half_width = 4}},
+       {.id = "wide-suction", .name = "wide suction: none", .source = {.pressure = -0.1, .half_width = 6.5}}},
+      values);
 }
 
-const std::vector<PressureRegime>& more_pressure_regimes() {
-  static const std::vector<PressureRegime> regimes = {
-      {.id = "pressure-1",
-       .name = "narrow pressure",
-       .source = {.pressure = 0.1, .half_width = 1},
-       .time = 150,
-       .solitons = 3,
-       .highest_ahead = Printed{0.40, 0.005}},
-      {.id = "pressure-2",
-       .name = "pressure, w = 2",
-       .source = {.pressure = 0.1, .half_width = 2},
-       .time = 150,
-       .solitons = 4,
-       .highest_ahead = Printed{0.53, 0.005}},
-      {.id = "pressure-7",
-       .name = "wide pressure",
-       .source = {.pressure = 0.1, .half_width = 7},
-       .time = 800,
-       .solitons = 20,
-       .highest_ahead = Printed{0.55, 0.005},
-       .period = 38.8},
-      {.id = "suction-7",
-       .name = "suction, w = 7",
-       .source = {.pressure = -0.1, .half_width = 7},
-       .time = 500,
-       .solitons = 0,
-       .period = 98},
-      {.id = "weak-suction",
-       .name = "weak suction",
-       .source = {.pressure = -0.05, .half_width = 4},
-       .time = 500,
-       .solitons = 5},
-      {.id = "weak-wide-suction",
-       .name = "weak wide suction",
-       .source = {.pressure = -0.05, .half_width = 8},
-       .time = 500,
-       .solitons = 0,
-       .highest_ahead = Printed{0.049, 0.0005},
-       .period = 157},
-  };
-  return regimes;
+std::vector<PressureRegime> more_pressure_regimes(const Values& values) {
+  return with_numbers(
+      {{.id = "pressure-1", .name = "narrow pressure", .source = {.pressure = 0.1, .half_width = 1}},
+       {.id = "pressure-2", .name = "pressure, w = 2", .source = {.pressure = 0.1, .half_width = 2}},
+       {.id = "pressure-7", .name = "wide pressure", .source = {.pressure = 0.1, .half_width = 7}},
+       {.id = "suction-7", .name = "suction, w = 7", .source = {.pressure = -0.1, .half_width = 7}},
+       {.id = "weak-suction", .name = "weak suction", .source = {.pressure = -0.05, .half_width = 4}},
+       {.id = "weak-wide-suction", .name = "weak wide suction", .source = {.pressure = -0.05, .half_width = 8}}},
+      values);
 }
 
-std::optional<PressureRegime> pressure_regime_of(const PressureSource& source, const PressureRun& run) {
-  const PressureRun printed;
-  if (run.spacing != printed.spacing || run.tau != printed.tau) return std::nullopt;
-  for (const auto* regimes : {&main_pressure_regimes(), &more_pressure_regimes()}) {
-    const auto found = std::find_if(regimes->begin(), regimes->end(), [&](const PressureRegime& regime) {
+bool resolved_as_tabulated(const PressureRun& run) {
+  const PressureRun tabulated;
+  return run.spacing == tabulated.spacing && run.tau == tabulated.tau;
+}
+
+std::optional<PressureRegime> pressure_regime_of(const Values& values, const PressureSource& source,
+                                                 const PressureRun& run) {
+  if (!resolved_as_tabulated(run)) return std::nullopt;
+  for (const auto& regimes : {main_pressure_regimes(values), more_pressure_regimes(values)}) {
+    const auto found = std::find_if(regimes.begin(), regimes.end(), [&](const PressureRegime& regime) {
       return regime.source == source && regime.time == run.time;
     });
-    if (found != regimes->end()) return *found;
+    if (found != regimes.end()) return *found;
   }
   return std::nullopt;
 }
 
-void measure_pressure_waves(evidence::Record& record, const std::string& prefix, const PressureWaves& waves,
-                            double threshold) {
+void claim_leading_soliton(Claims<PressureWaves> claims, const std::string& id, const PressureSource& of,
+                           const PressureRun& run) {
+  claims.at(run.text())
+      .check(
+          {.id = id,
+           .text =
+               fmt::format("The leading soliton is as fast as Serre's solitary wave of its height. ({})", of.text()),
+           .quantity = "speed of its crest / (1 + height)^(1/2)",
+           .source = "Serre, La Houille Blanche 8 (1953) 374"},
+          [](const PressureWaves& waves) {
+            const PressureWaves::Leader leader = waves.leader(lowest_soliton);
+            return leader.speed / std::sqrt(1 + leader.height);
+          },
+          Bound{.limit = run.spacing * run.spacing / 36 + std::exp(-8.0),
+                .reason =
+                    "k^4 h^2/36, the error of the discrete model's dispersion law, at k = 1, the length of such a "
+                    "wave; and exp(-8), what is still over the source of a wave four of its lengths ahead",
+                .expected = 1});
+}
+
+void claim_pressure_regime(Claims<PressureWaves> claims, const PressureRegime& regime, const PressureRun& run) {
+  using Measured = double (*)(const PressureWaves&);
+  const auto check = [&](const std::string& id, const std::string& text, const std::string& quantity, Measured measured,
+                         const evidence::Criterion& criterion, const std::string& from = pressure_regression) {
+    claims.at(run.text())
+        .check({.id = regime.id + "-" + id,
+                .text = fmt::format("{} ({})", text, regime.source.text()),
+                .quantity = quantity,
+                .source = from},
+               measured, criterion);
+  };
+  const auto number = [&](const std::string& id, const std::optional<Printed>& printed, const std::string& text,
+                          const std::string& quantity, Measured measured) {
+    if (!printed) return;
+    const double h = run.spacing;
+    check(id, fmt::format(fmt::runtime(text), printed->value), quantity, measured,
+          Bound{.limit = printed->half_unit + h * h / 32,
+                .reason = "half a unit of its last digit, and h^2/32: what straight lines between markers h/2 apart "
+                          "miss of a crest of curvature 1",
+                .expected = printed->value});
+  };
+
+  const std::string ahead = "highest elevation ahead";
+  if (regime.solitons == 0) {
+    check(
+        "none-ahead", "No soliton runs ahead of the source.", "forward solitons present",
+        [](const PressureWaves& waves) {
+          const double count = waves.soliton_count(soliton_threshold);
+          return count > 0 ? 1.0 : count;
+        },
+        Qualitative{
+            .detector = fmt::format("a peak above {:g} beyond the front of the source at the end", soliton_threshold),
+            .reason = "water escapes forward only as solitons; what is lower is the ripple of the start",
+            .expected = false},
+        source);
+    number("highest-ahead", regime.highest_ahead, "Nothing ahead of the source is ever higher than {:g}.", ahead,
+           [](const PressureWaves& waves) { return waves.maximum_ahead_ever(); });
+  } else {
+    check(
+        "solitons", fmt::format("{} solitons have run ahead of the source.", regime.solitons), "peaks ahead",
+        [](const PressureWaves& waves) { return waves.soliton_count(soliton_threshold); },
+        Bound{.limit = 1,
+              .reason = fmt::format("peaks above {:g}; one may just be leaving the source", soliton_threshold),
+              .expected = static_cast<double>(regime.solitons)});
+    number("highest-ahead", regime.highest_ahead, "The highest of them is {:g} high.", ahead,
+           [](const PressureWaves& waves) { return waves.maximum_ahead(); });
+  }
+  number("leader-height", regime.leader, "The first of them is {:g} high.", "height of the leading soliton",
+         [](const PressureWaves& waves) { return waves.leader(soliton_threshold).height; });
+  number("lowest", regime.lowest, "The surface at the source falls to {:g}.",
+         "lowest elevation at the source, second half of the run",
+         [](const PressureWaves& waves) { return waves.range_at_source().lowest; });
+  number("highest", regime.highest, "It rises to {:g}.", "highest elevation at the source, second half of the run",
+         [](const PressureWaves& waves) { return waves.range_at_source().highest; });
+  if (!regime.period) return;
+  check(
+      "period", fmt::format("The surface at the source oscillates with the period {:g}.", regime.period->value),
+      "lag of the first peak of the autocorrelation", [](const PressureWaves& waves) { return waves.period().length; },
+      Bound{.limit = regular,
+            .reason = "the period drifts: neighbouring distances of peaks differ by as much",
+            .expected = regime.period->value,
+            .relative = true});
+  claims = claims.only_if(regime.time >= 4 * regime.period->value,
+                          "a run of less than four periods has no two distances of peaks beside the first");
+  check(
+      "regular", "It does so regularly.", "largest deviation of a distance of peaks from their mean, relative",
+      [](const PressureWaves& waves) { return relative_spread(settled_distances(waves)); },
+      Bound{regular, "periodic, not chaotic; the first distance, in which the start still shows, is left out"}, source);
+}
+
+void show_pressure_waves(evidence::Exhibit& exhibit, const std::string& prefix, const std::string& leader,
+                         const PressureWaves& waves, double threshold) {
   const auto keep = [&](const std::string& name, double value) {
-    if (std::isfinite(value)) record.measure(prefix + name, value);
+    if (std::isfinite(value)) exhibit.measure(name, value);
   };
   const PressureWaves::Extremes range = waves.range_at_source();
   const Period period = waves.period();
-  keep("forward_solitons", static_cast<double>(waves.forward_solitons(threshold).size()));
-  keep("maximum_ahead", waves.maximum_ahead());
-  keep("maximum_ahead_ever", waves.maximum_ahead_ever());
-  keep("lowest_at_source", range.lowest);
-  keep("highest_at_source", range.highest);
-  keep("period", period.length);
-  keep("autocorrelation", period.correlation);
-  keep("spread_of_peaks", relative_spread(settled_distances(waves)));
-}
-
-void claim_leading_soliton(evidence::Record& record, const std::string& id, const PressureWaves& waves,
-                           double threshold) {
-  const PressureWaves::Leader leader = waves.leader(threshold);
-  constexpr double lowest_soliton = 0.1;
-  if (!(leader.height >= lowest_soliton)) return;
-  const double wavenumber = std::sqrt(0.75 * leader.height / (1 + leader.height));  // of sech^2
-  if (leader.place - waves.source().half_width < 4 / wavenumber) return;
-  const double h = waves.run().spacing;
-  record.measure(id + "_speed", leader.speed);
-  record.measure(id + "_height", leader.height);
-  record.check({.id = id,
-                .text = fmt::format("The leading soliton is as fast as Serre's solitary wave of its height. ({})",
-                                    waves.source().text()),
-                .quantity = "speed of its crest / (1 + height)^(1/2)",
-                .source = "Serre, La Houille Blanche 8 (1953) 374"},
-               {.value = leader.speed / std::sqrt(1 + leader.height), .resolution = waves.run().text()},
-               Bound{.limit = h * h / 36,
-                     .reason = "k^4 h^2/36, the error of the discrete model's dispersion law, at k = 1, the length of "
-                               "such a wave",
-                     .expected = 1});
-}
-
-void claim_pressure_regime(evidence::Record& record, const PressureRegime& regime, const PressureWaves& waves) {
-  RegimeClaims claims(record, regime, waves);
-  claims.solitons();
-  claims.heights();
-  claims.oscillation();
+  keep(prefix + "forward_solitons", waves.soliton_count(threshold));
+  keep(prefix + "maximum_ahead", waves.maximum_ahead());
+  keep(prefix + "maximum_ahead_ever", waves.maximum_ahead_ever());
+  keep(prefix + "lowest_at_source", range.lowest);
+  keep(prefix + "highest_at_source", range.highest);
+  keep(prefix + "period", period.length);
+  keep(prefix + "autocorrelation", period.correlation);
+  keep(prefix + "spread_of_peaks", relative_spread(settled_distances(waves)));
+  keep(leader + "_speed", waves.leader(lowest_soliton).speed);
+  keep(leader + "_height", waves.leader(lowest_soliton).height);
 }
 
 }  // namespace seiche::validation

@@ -55,9 +55,9 @@ PressureSurface ridge_of(const model::Flow& flow, const PressureSource& source) 
   return ridge;
 }
 
-double highest_beyond(const model::Flow& flow, double place) {
-  const auto first = std::upper_bound(flow.x().begin(), flow.x().end(), place) - flow.x().begin();
-  return *std::max_element(flow.y().begin() + first, flow.y().end());
+double highest_beyond(std::span<const double> x, std::span<const double> elevation, double place) {
+  const auto first = std::upper_bound(x.begin(), x.end(), place) - x.begin();
+  return largest(elevation.subspan(static_cast<std::size_t>(first)));
 }
 
 }  // namespace
@@ -91,7 +91,8 @@ PressureWaves::PressureWaves(PressureSource source, PressureRun run, const std::
   const auto sample = [&] {
     time_.push_back(flow.time());
     at_source_.push_back(smooth_elevation(flow, source.speed * flow.time()));
-    ahead_ever_ = std::max(ahead_ever_, highest_beyond(flow, source.speed * flow.time() + source.half_width));
+    ahead_ever_.add(highest_beyond(flow.x(), flow.y(), source.speed * flow.time() + source.half_width));
+    at_wall_.add(flow.y().back());
     const double next_ridge = first_ridge + between_ridges * static_cast<double>(ridges_.size());
     if (flow.time() >= next_ridge) ridges_.push_back(ridge_of(flow, source));
     if (flow.time() <= run.time - leader_time) earlier_ = surface_of(flow, source);
@@ -106,9 +107,8 @@ PressureWaves::PressureWaves(PressureSource source, PressureRun run, const std::
 }
 
 PressureWaves::Extremes PressureWaves::range_at_source() const {
-  const auto half = at_source_.begin() + static_cast<std::ptrdiff_t>(at_source_.size() / 2);
-  const auto [lowest, highest] = std::minmax_element(half, at_source_.end());
-  return {*lowest, *highest};
+  const auto half = std::span(at_source_).subspan(at_source_.size() / 2);
+  return {smallest(half), largest(half)};
 }
 
 std::vector<Crest> PressureWaves::source_peaks() const {
@@ -133,9 +133,12 @@ std::vector<Crest> PressureWaves::forward_solitons(double threshold) const {
   return solitons(last_, threshold);
 }
 
+double PressureWaves::soliton_count(double threshold) const {
+  return std::isnan(maximum_ahead()) ? unknown : static_cast<double>(forward_solitons(threshold).size());
+}
+
 double PressureWaves::maximum_ahead() const {
-  const auto first = std::upper_bound(last_.place.begin(), last_.place.end(), source_.half_width) - last_.place.begin();
-  return *std::max_element(last_.elevation.begin() + first, last_.elevation.end());
+  return highest_beyond(last_.place, last_.elevation, source_.half_width);
 }
 
 PressureWaves::Leader PressureWaves::leader(double threshold) const {
@@ -149,13 +152,12 @@ PressureWaves::Leader PressureWaves::leader(double threshold) const {
 }
 
 void PressureWaves::draw_ridges(evidence::Figure& figure) const {
-  double highest = 0.1;
-  for (const PressureSurface& ridge : ridges_) {
-    highest = std::max(highest, *std::max_element(ridge.elevation.begin(), ridge.elevation.end()));
-  }
+  Largest highest;
+  highest.add(0.1);
+  for (const PressureSurface& ridge : ridges_) highest.add(largest(ridge.elevation));
   // The highest wave is as high as four intervals between lines, rounded down to a number that can be read.
   const double interval = (ridges_.back().time - ridges_.front().time) / (ridge_lines - 1);
-  const double scale = std::max(1.0, std::floor(4 * interval / highest / 5) * 5);
+  const double scale = std::max(1.0, std::floor(4 * interval / highest.value() / 5) * 5);
   auto& panel = figure.panel({.x = "x - U t", .y = fmt::format("t + {:g} elevation", scale), .title = source_.text()});
   for (const PressureSurface& ridge : ridges_) {
     std::vector<double> line;

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "reports/evidence/figure.hpp"
+#include "seiche/samples.hpp"
 #include "validation/instruments/oscillation.hpp"
 
 namespace seiche::validation {
@@ -63,9 +65,13 @@ class PressureWaves {
 
   /// Peaks of the last surface beyond the front of the source.
   [[nodiscard]] std::vector<Crest> forward_solitons(double threshold) const;
+  /// How many; NaN where the surface is not known.
+  [[nodiscard]] double soliton_count(double threshold) const;
   /// Highest elevation beyond the front of the source, of the last surface and of all times.
   [[nodiscard]] double maximum_ahead() const;
-  [[nodiscard]] double maximum_ahead_ever() const { return ahead_ever_; }
+  [[nodiscard]] double maximum_ahead_ever() const { return ahead_ever_.value(); }
+  /// Largest elevation at the wall ahead, at any time: as long as nothing gets there the channel is as good as endless.
+  [[nodiscard]] double largest_at_wall() const { return at_wall_.value(); }
   /// The leading soliton: mean speed in the last `leader_time`, height and place at the end; NaN without one.
   struct Leader {
     double speed = 0;
@@ -88,7 +94,8 @@ class PressureWaves {
   std::vector<double> time_, at_source_;
   PressureSurface earlier_, last_;
   std::vector<PressureSurface> ridges_;
-  double ahead_ever_ = 0;
+  Largest ahead_ever_;
+  Worst at_wall_;
 };
 
 }  // namespace seiche::validation
