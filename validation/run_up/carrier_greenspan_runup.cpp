@@ -40,23 +40,37 @@ std::vector<double> times_of(const Values& values, const exact::SolitaryRunup& w
   return times;
 }
 
-void run(Running& run) {
-  const exact::SolitaryRunup wave = wave_of(run.values());
-  run.record.measure("runup_value", wave.highest().elevation);
-  run.record.measure("runup_time", wave.highest().time);
-  run.record.measure("law", wave.law());
-  run.record.measure("breaking_amplitude", wave.breaking_amplitude());
-  claim_identities(run.record, wave.self_test(), wave.uncertainty(), "Synolakis (1987)");
-  const std::vector<double> times = times_of(run.values(), wave);
+struct Results {
+  exact::SolitaryRunup wave;
+  exact::SelfTest identities;
+  std::vector<double> time;
   std::vector<double> elevation;
-  for (const double t : times) elevation.push_back(wave.shoreline(t).elevation);
-  auto& panel = run.record
+};
+
+void claims(const Values& values, Claims<Results> claims) {
+  claim_identities(claims.of(&Results::identities), wave_of(values).self_test(), "Synolakis (1987)");
+}
+
+Results compute(const Run& run) {
+  const exact::SolitaryRunup wave = wave_of(run);
+  Results r{.wave = wave, .identities = wave.self_test(), .time = times_of(run, wave), .elevation = {}};
+  for (const double t : r.time) r.elevation.push_back(wave.shoreline(t).elevation);
+  return r;
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  exhibit.measure("runup_value", r.wave.highest().elevation);
+  exhibit.measure("runup_time", r.wave.highest().time);
+  exhibit.measure("law", r.wave.law());
+  exhibit.measure("breaking_amplitude", r.wave.breaking_amplitude());
+  exhibit.measure("reference_uncertainty", r.wave.uncertainty());
+  auto& panel = exhibit
                     .figure("shoreline", "The shoreline",
                             "Elevation of the shoreline; the crest is at the toe of the beach at t = 0.")
                     .panel({.x = "t [s]", .y = "elevation [m]"});
-  panel.line("exact", times, elevation, Role::exact);
-  const std::vector<double> ends{times.front(), times.back()};
-  panel.line("run-up law", ends, std::vector<double>(2, wave.law()), Role::guide);
+  panel.line("exact", r.time, r.elevation, Role::exact);
+  const std::vector<double> ends{r.time.front(), r.time.back()};
+  panel.line("run-up law", ends, std::vector<double>(2, r.wave.law()), Role::guide);
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
@@ -99,7 +113,7 @@ Case carrier_greenspan_runup() {
       real("cot_slope", 19.85, "1", {0.1, 1e3}, "cotangent of the beach's angle"),
       real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted};
   return c;
 }

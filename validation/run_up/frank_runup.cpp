@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "validation/case/reference_source.hpp"
-#include "validation/case/reference_table.hpp"
 #include "validation/instruments/processor_time.hpp"
 
 namespace seiche::validation {
@@ -26,8 +25,8 @@ void join(std::vector<FrankRunup>& rows, const io::Table& table, const std::stri
 
 }  // namespace
 
-std::vector<FrankRunup> frank_runups(evidence::Record& record) {
-  const io::Table table = reference_table("frank_1994_runup", record.reference_data);
+std::vector<FrankRunup> frank_runups(const Values& values) {
+  const io::Table table = values.table("frank_1994_runup");
   const auto authors = reference_source("frank_1994_runup").codes.at("calc_source");
   std::vector<FrankRunup> rows;
   for (std::size_t k = 0; k < table.rows(); ++k) {
@@ -40,8 +39,8 @@ std::vector<FrankRunup> frank_runups(evidence::Record& record) {
     row.law = table.column("R_law")[k];
     rows.push_back(std::move(row));
   }
-  join(rows, reference_table("frank_1994_runup_half_step", record.reference_data), "R_frank_1d_half", &FrankRunup::printed_half);
-  join(rows, reference_table("frank_1994_runup_hall_watts", record.reference_data), "R_HW", &FrankRunup::measured);
+  join(rows, values.table("frank_1994_runup_half_step"), "R_frank_1d_half", &FrankRunup::printed_half);
+  join(rows, values.table("frank_1994_runup_hall_watts"), "R_HW", &FrankRunup::measured);
   return rows;
 }
 
@@ -51,9 +50,9 @@ const std::vector<RunupVariant> runup_variants{
     {"tip V/6, Green-Naghdi", "green_naghdi", dispersive::TipMass::consistent, dispersive::Kinetics::green_naghdi},
 };
 
-std::vector<ComputedRunup> runup_rows(evidence::Record& record) {
+std::vector<ComputedRunup> runup_rows(const Values& values) {
   std::vector<ComputedRunup> rows;
-  for (const FrankRunup& printed : frank_runups(record)) {
+  for (const FrankRunup& printed : frank_runups(values)) {
     rows.push_back({printed, std::vector<std::vector<double>>(runup_variants.size())});
   }
   return rows;

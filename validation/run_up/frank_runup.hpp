@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "reports/evidence/record.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation {
@@ -24,7 +23,7 @@ struct FrankRunup {
 };
 
 /// All rows, in the printed order.
-std::vector<FrankRunup> frank_runups(evidence::Record& record);
+std::vector<FrankRunup> frank_runups(const Values& values);
 
 /// The model in three variants, each with a sequence of spacings, halved from 1/4 on.
 struct RunupVariant {
@@ -40,7 +39,7 @@ struct ComputedRunup : FrankRunup {
   std::vector<std::vector<double>> computed;  ///< [variant][level]
 };
 
-std::vector<ComputedRunup> runup_rows(evidence::Record& record);
+std::vector<ComputedRunup> runup_rows(const Values& values);
 double runup_spacing(std::size_t level);
 /// Appends a level to all rows of a variant, with the steps that the values say; returns the processor time used [s].
 double compute_runups(std::vector<ComputedRunup>& rows, const Values& values, std::size_t variant, std::size_t level);

@@ -108,26 +108,32 @@ Flow ConicalIsland::flow() const {
 
 RunupEnvelope::RunupEnvelope(const Flow& flow) {
   const std::size_t markers = flow.shape().columns + 1;
-  angle_.assign(markers, 0.0);
-  runup_.assign(markers, -1e300);
-  time_.assign(markers, 0.0);
+  angle_.resize(markers);
+  highest_.resize(markers);
   observe(flow);
 }
 
 void RunupEnvelope::observe(const Flow& flow) {
-  for (std::size_t i = 0; i < runup_.size(); ++i) {
-    if (!(flow.z()[i] > runup_[i])) continue;
-    runup_[i] = flow.z()[i];
+  for (std::size_t i = 0; i < highest_.size(); ++i) {
+    const double before = highest_[i].value();
+    highest_[i].add(flow.z()[i], flow.time());
+    if (highest_[i].value() == before) continue;
     angle_[i] = 180 - std::atan2(flow.y()[i], flow.x()[i]) * 180 / std::numbers::pi;
-    time_[i] = flow.time();
   }
+}
+
+std::vector<double> RunupEnvelope::runup() const {
+  std::vector<double> all;
+  for (const Largest& one : highest_) all.push_back(one.value());
+  return all;
 }
 
 double RunupEnvelope::at(double angle) const {
   const auto above = std::upper_bound(angle_.begin() + 1, angle_.end() - 1, angle);
   const auto i = static_cast<std::size_t>(above - angle_.begin());
   const double share = (angle - angle_[i - 1]) / (angle_[i] - angle_[i - 1]);
-  return runup_[i - 1] + share * (runup_[i] - runup_[i - 1]);
+  const double here = highest_[i - 1].value();
+  return here + share * (highest_[i].value() - here);
 }
 
 }  // namespace seiche::validation

@@ -16,6 +16,7 @@
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/geometry/spline_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 
@@ -66,13 +67,15 @@ class RunupEnvelope {
   void observe(const dispersive_shallow_water_2d::Flow& flow);
   /// Of the markers, from the front to the back.
   [[nodiscard]] const std::vector<double>& angle() const { return angle_; }
-  [[nodiscard]] const std::vector<double>& runup() const { return runup_; }
-  [[nodiscard]] const std::vector<double>& time() const { return time_; }
+  [[nodiscard]] std::vector<double> runup() const;
+  /// When a marker was highest.
+  [[nodiscard]] double time(std::size_t marker) const { return highest_.at(marker).where(); }
   /// Between markers.
   [[nodiscard]] double at(double angle) const;
 
  private:
-  std::vector<double> angle_, runup_, time_;
+  std::vector<double> angle_;
+  std::vector<Largest> highest_;
 };
 
 }  // namespace seiche::validation

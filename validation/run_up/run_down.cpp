@@ -5,6 +5,7 @@
 #include <span>
 
 #include "seiche/divergence.hpp"
+#include "seiche/samples.hpp"
 #include "validation/instruments/peak.hpp"
 
 namespace seiche::validation {
@@ -19,7 +20,7 @@ bool in_the_water(const Flow& flow, double place) {
   };
   const double cell = flow.x()[1] - flow.x()[0];
   return finite(flow.x()) && finite(flow.y()) && finite(flow.p()) && finite(flow.r()) &&
-         place >= flow.x().front() - cell && place <= *std::max_element(flow.x().begin(), flow.x().end()) + cell;
+         place >= flow.x().front() - cell && place <= largest(flow.x()) + cell;
 }
 
 }  // namespace
@@ -31,7 +32,8 @@ RunDown run_down(const SolitaryClimb& climb) {
   Flow flow = climb.start();
   const double energy = flow.energy();
   Peak edge;
-  double after_lowest = -std::numeric_limits<double>::infinity();
+  Smallest lowest;
+  Largest later;  // since the lowest
   try {
     while (flow.time() < end) {
       flow.advance(climb.step(flow));
@@ -39,11 +41,11 @@ RunDown run_down(const SolitaryClimb& climb) {
       if (!fate.fell) {
         edge.add(flow.time(), shoreline);
         fate.fell = edge.value() > climb.amplitude && shoreline < fallen * edge.value();
-      } else if (shoreline < fate.lowest) {
-        fate.lowest = shoreline;
-        after_lowest = -std::numeric_limits<double>::infinity();
+      } else if (lowest.count() == 0 || shoreline < lowest.value()) {
+        lowest.add(shoreline);
+        later = {};
       } else {
-        after_lowest = std::max(after_lowest, shoreline);
+        later.add(shoreline);
       }
     }
   } catch (const Divergence& failure) {
@@ -52,9 +54,10 @@ RunDown run_down(const SolitaryClimb& climb) {
     fate.failure_place = failure.place();
     fate.sound = std::isfinite(failure.time()) && in_the_water(flow, failure.place());
   }
-  fate.runup = edge.value();
+  if (fate.fell) fate.runup = edge.value();
   fate.runup_time = edge.time();
-  fate.later = after_lowest;
+  fate.lowest = lowest.value();
+  fate.later = later.value();
   fate.energy = flow.energy() / energy;
   return fate;
 }

@@ -10,15 +10,17 @@
 namespace seiche::validation {
 
 struct RunDown {
-  double runup = 0;                                                ///< first maximum
-  double runup_time = 0;                                           ///< since the start
-  bool fell = false;                                               ///< that maximum was passed
-  double lowest = 0;                                               ///< of the shoreline after it
-  double later = 0;                                                ///< highest of the shoreline after that
-  double energy = 1;                                               ///< at the end, over that of the start
-  std::string failure;                                             ///< empty if the run went through
-  double failure_time = std::numeric_limits<double>::quiet_NaN();  ///< since the start
-  double failure_place = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+  double runup = none;         ///< first maximum; NaN where it was not passed
+  double runup_time = none;    ///< of the highest shoreline, since the start
+  bool fell = false;           ///< that maximum was passed
+  double lowest = none;        ///< of the shoreline after it
+  double later = none;         ///< highest of the shoreline after that
+  double energy = none;        ///< at the end, over that of the start
+  std::string failure;         ///< empty if the run went through
+  double failure_time = none;  ///< since the start
+  double failure_place = none;
   bool sound = true;  ///< the state before the failure is finite, and the place of failure in its water
 
   [[nodiscard]] bool through() const { return failure.empty(); }

@@ -24,8 +24,8 @@ and, with finer markers, rises a little less: what dispersion does.
 
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
-#include "validation/instruments/processor_time.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/processor_time.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases {
@@ -37,31 +37,44 @@ using evidence::Role;
 /// The beach is long where A is this many times (0.288 tan)^2, "much greater".
 constexpr double much_greater = 10;
 
+/// What the parameters decide.
+struct SetUp {
+  SolitaryClimb climb;
+  exact::SolitaryRunup theory;
+};
+
+SetUp set_up(const Values& values) {
+  const double cot_slope = values.real("cot_slope");
+  const SolitaryClimb climb = climb_from(values, cot_slope, values.real("amplitude"));
+  return {climb, {1, 1, climb.amplitude, cot_slope}};
+}
+
 struct History {
   std::vector<double> time;
   std::vector<double> shoreline;
 };
 
-struct Snapshot {
+struct Surface {
   double time = 0;
   std::vector<double> x;
   std::vector<double> y;
 };
 
-Snapshot snapshot_of(const Flow& flow) {
+Surface surface_of(const Flow& flow) {
   return {.time = flow.time(), .x = {flow.x().begin(), flow.x().end()}, .y = {flow.y().begin(), flow.y().end()}};
 }
 
 /// Time zero of the shoreline is when the undisturbed crest would be at the toe.
-void draw_shoreline(evidence::Record& record, const History& history, const exact::SolitaryRunup& theory, double law) {
-  auto& panel = record
+void draw_shoreline(evidence::Exhibit& exhibit, const History& history, const exact::SolitaryRunup& theory,
+                    double law) {
+  auto& panel = exhibit
                     .figure("shoreline", "The shoreline",
                             "Elevation of the water's edge, with the exact shoreline of the shallow-water equations "
                             "until that breaks, and the run-up law.")
                     .panel({.x = "t [sqrt(depth/g)] since the crest was at the toe", .y = "elevation [depth]"});
   constexpr double visible = 0.01;  // of the law
   const auto rises = std::ranges::find_if(history.shoreline, [&](double y) { return y > visible * law; });
-  const auto first = rises - history.shoreline.begin();
+  const auto first = rises == history.shoreline.end() ? 0 : rises - history.shoreline.begin();
   const std::span shown_time = std::span(history.time).subspan(static_cast<std::size_t>(first));
   panel.line("model", shown_time, std::span(history.shoreline).subspan(static_cast<std::size_t>(first)),
              Role::computed);
@@ -76,10 +89,10 @@ void draw_shoreline(evidence::Record& record, const History& history, const exac
   panel.line("run-up law", std::vector{shown_time.front(), shown_time.back()}, std::vector{law, law}, Role::guide);
 }
 
-void draw_profiles(evidence::Record& record, const std::vector<Snapshot>& snapshots, double cot_slope) {
-  auto& figure = record.figure("profiles", "The wave climbs",
-                               "Surface and bottom when the crest is at the toe, and at the largest run-up.");
-  for (const Snapshot& one : snapshots) {
+void draw_profiles(evidence::Exhibit& exhibit, const std::vector<Surface>& surfaces, double cot_slope) {
+  auto& figure = exhibit.figure("profiles", "The wave climbs",
+                                "Surface and bottom when the crest is at the toe, and at the largest run-up.");
+  for (const Surface& one : surfaces) {
     const double lowest = -0.3;
     auto& panel = figure.panel(
         {.x = "x [depth]", .y = "elevation [depth]", .title = fmt::format("t = {:.1f}", one.time), .y_min = lowest});
@@ -97,57 +110,68 @@ void draw_profiles(evidence::Record& record, const std::vector<Snapshot>& snapsh
   }
 }
 
-void claim_law(evidence::Record& record, const SolitaryClimb& climb, double runup, const exact::SolitaryRunup& theory) {
-  const double law = theory.law();
-  if (!theory.nonbreaking() || climb.amplitude < much_greater * theory.short_beach_amplitude()) return;
-  record.check({.id = "law",
-                .text = "The run-up is that of the run-up law.",
-                .quantity = "run-up",
-                .unit = "depth",
-                .source = "Synolakis (1987)"},
-               {.value = runup, .resolution = climb.resolution()},
-               evidence::Bound{.limit = 0.05 + std::abs(theory.highest().elevation / law - 1),
-                               .reason = "5 %, the tolerance of analytical benchmarks in Synolakis et al., NOAA Tech. "
-                                         "Memo. OAR PMEL-135 (2007), and the law's own distance from the integral of "
-                                         "which it is the leading term",
-                               .expected = law,
-                               .relative = true});
+struct Results {
+  SetUp set_up;
+  History history;
+  std::vector<Surface> surfaces;
+  RunUp up;
+  double seconds = 0;
+};
+
+void claims(const Values& values, Claims<Results> claims) {
+  const auto& [climb, theory] = set_up(values);
+  claim_energy(claims.of(&Results::up), climb);
+  claims.at(climb.resolution())
+      .only_if(theory.nonbreaking(), "the wave breaks on its way up")
+      .only_if(climb.amplitude >= much_greater * theory.short_beach_amplitude(), "the beach is too short for the law")
+      .check(
+          {.id = "law",
+           .text = "The run-up is that of the run-up law.",
+           .quantity = "run-up",
+           .unit = "depth",
+           .source = "Synolakis (1987)"},
+          [](const Results& r) { return r.up.height; },
+          evidence::Bound{.limit = 0.05 + std::abs(theory.highest().elevation / theory.law() - 1),
+                          .reason = "5 %, the tolerance of analytical benchmarks in Synolakis et al., NOAA Tech. "
+                                    "Memo. OAR PMEL-135 (2007), and the law's own distance from the integral of "
+                                    "which it is the leading term",
+                          .expected = theory.law(),
+                          .relative = true});
 }
 
-void run(Running& run) {
-  const double cot_slope = run.real("cot_slope");
-  const SolitaryClimb climb = climb_from(run.values(), cot_slope, run.real("amplitude"));
-  const exact::SolitaryRunup theory(1, 1, climb.amplitude, cot_slope);
-  const double toe_time = climb.time_to(-cot_slope);
-  const double expected_time = toe_time + 3 * cot_slope + 10;
-
-  History history;
-  std::vector<Snapshot> snapshots(2);
+Results compute(const Run& run) {
+  Results r{.set_up = set_up(run), .surfaces = std::vector<Surface>(2)};
+  const SolitaryClimb& climb = r.set_up.climb;
+  const double toe_time = climb.time_to(-climb.cot_slope);
+  const double expected_time = toe_time + 3 * climb.cot_slope + 10;
   const auto note = [&](const Flow& flow) {
     const double shoreline = flow.y().back();
-    if (flow.time() <= toe_time) snapshots[0] = snapshot_of(flow);
-    if (history.shoreline.empty() || shoreline > snapshots[1].y.back()) snapshots[1] = snapshot_of(flow);
-    history.time.push_back(flow.time() - toe_time);
-    history.shoreline.push_back(shoreline);
+    if (flow.time() <= toe_time) r.surfaces[0] = surface_of(flow);
+    if (r.history.shoreline.empty() || shoreline > r.surfaces[1].y.back()) r.surfaces[1] = surface_of(flow);
+    r.history.time.push_back(flow.time() - toe_time);
+    r.history.shoreline.push_back(shoreline);
     run.progress(std::min(1.0, flow.time() / expected_time));
   };
   const double begin = processor_seconds();
-  const RunUp up = run_up(climb, {.ledger = true, .after_step = note, .latest = run.real("time")});
-  const double elapsed = processor_seconds() - begin;
+  r.up = run_up(climb, {.ledger = true, .after_step = note, .latest = run.real("time")});
+  r.seconds = processor_seconds() - begin;
+  return r;
+}
 
-  run.record.measure("runup", up.height);
-  run.record.measure("time_of_maximum", up.time);
-  run.record.measure("time_of_maximum_after_toe", up.time - toe_time);
-  run.record.measure("runup_law", theory.law());
-  run.record.measure("runup_of_shallow_water_equations", theory.highest().elevation);
-  run.record.measure("markers", static_cast<double>(up.markers));
-  run.record.measure("steps", static_cast<double>(up.steps));
-  run.record.measure("seconds", elapsed);
-  run.record.measure("amplitude_over_backwash_limit", climb.amplitude / backwash_limit(cot_slope));
-  claim_energy(run.record, climb, up);
-  claim_law(run.record, climb, up.height, theory);
-  draw_shoreline(run.record, history, theory, theory.law());
-  draw_profiles(run.record, snapshots, cot_slope);
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  const auto& [climb, theory] = r.set_up;
+  exhibit.measure("runup", r.up.height);
+  exhibit.measure("time_of_maximum", r.up.time);
+  exhibit.measure("time_of_maximum_after_toe", r.up.time - climb.time_to(-climb.cot_slope));
+  exhibit.measure("runup_law", theory.law());
+  exhibit.measure("runup_of_shallow_water_equations", theory.highest().elevation);
+  exhibit.measure("markers", static_cast<double>(r.up.markers));
+  exhibit.measure("steps", static_cast<double>(r.up.steps));
+  exhibit.measure("seconds", r.seconds);
+  exhibit.measure("amplitude_over_backwash_limit", climb.amplitude / backwash_limit(climb.cot_slope));
+  show_energy(r.up, exhibit);
+  draw_shoreline(exhibit, r.history, theory, theory.law());
+  draw_profiles(exhibit, r.surfaces, climb.cot_slope);
 }
 
 }  // namespace
@@ -166,7 +190,7 @@ Case run_up_1d() {
                          },
                          climb_parameters({0.25, 0.125, 0.0625}),
                          slope_parameters()});
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

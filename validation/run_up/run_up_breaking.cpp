@@ -39,6 +39,9 @@ struct Wave {
   double cot_slope = 0;
   double amplitude = 0;
   [[nodiscard]] double over_limit() const { return amplitude / backwash_limit(cot_slope); }
+  /// Far above the limit of run-up, 0.8183 cot^(-10/9), the front breaks long before the shore: there is no first
+  /// run-up to speak of.
+  [[nodiscard]] bool climbs() const { return over_limit() < 2 * 0.8183 / 0.479; }
 };
 
 /// The waves whose fate is told one by one.
@@ -60,13 +63,14 @@ SolitaryClimb climb_of(const Values& values, Wave wave, double spacing, double b
   return climb;
 }
 
-std::vector<Told> tell(Running& run) {
+/// All without the switch, with two spacings, then the same with it.
+std::vector<Told> tell(const Run& run) {
   std::vector<Told> all;
   const double spacing = run.real("h");
   for (const double breaking : {0.0, run.real("breaking")}) {
     for (const double h : {spacing, spacing / 2}) {
       for (const Wave& wave : told) {
-        all.push_back({wave, h, breaking, run_down(climb_of(run.values(), wave, h, breaking))});
+        all.push_back({wave, h, breaking, run_down(climb_of(run, wave, h, breaking))});
         run.progress(0.6 * static_cast<double>(all.size()) / static_cast<double>(4 * told.size()));
       }
     }
@@ -74,7 +78,36 @@ std::vector<Told> tell(Running& run) {
   return all;
 }
 
-void tabulate(evidence::Record& record, const std::vector<Told>& all) {
+/// One of the map of slopes and heights.
+struct Mapped {
+  Wave wave;
+  RunDown fate;
+};
+
+const std::vector<double> mapped_slopes{1, 1.5, 2, 2.747, 3.732, 5, 7, 10};
+
+std::vector<Mapped> map_fates(const Run& run) {
+  const std::vector<double> ratios{0.7, 0.85, 0.99, 1.2, 1.5, 2, 3};  // to the limit
+  constexpr double highest = 0.6;                                     // there are no much higher solitary waves
+  std::vector<Mapped> all;
+  double done = 0;
+  for (const double cot_slope : mapped_slopes) {
+    for (const double ratio : ratios) {
+      const Wave wave{cot_slope, ratio * backwash_limit(cot_slope)};
+      run.progress(0.6 + 0.4 * ++done / static_cast<double>(mapped_slopes.size() * ratios.size()));
+      if (wave.amplitude > highest) continue;
+      all.push_back({wave, run_down(climb_of(run, wave, run.real("h"), 0))});
+    }
+  }
+  return all;
+}
+
+struct Results {
+  std::vector<Told> told;
+  std::vector<Mapped> map;
+};
+
+void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
   evidence::Table table{
       .id = "fates",
       .title = "Run-down of solitary waves, below and above the limit",
@@ -109,188 +142,236 @@ void tabulate(evidence::Record& record, const std::vector<Told>& all) {
                                          : fmt::format("stops at t = {:+.1f}, x = {:.2f}",
                                                        fate.failure_time - fate.runup_time, fate.failure_place)});
   }
-  record.table(std::move(table));
+  exhibit.table(std::move(table));
+}
+
+bool plain(const Told& one) {
+  return one.breaking == 0;
+}
+bool below(const Wave& wave) {
+  return wave.over_limit() < 1;
+}
+
+/// Runs through and returns lower than it came.
+bool returns_lower(const RunDown& fate) {
+  return fate.through() && fate.later <= fate.runup;
 }
 
 /// Whether all that `which` selects are so.
 template <class Which, class Is>
 double all_are(const std::vector<Told>& all, const Which& which, const Is& is) {
-  return std::all_of(all.begin(), all.end(), [&](const Told& one) { return !which(one) || is(one); }) ? 1.0 : 0.0;
+  return std::ranges::all_of(all, [&](const Told& one) { return !which(one) || is(one); }) ? 1.0 : 0.0;
 }
 
-void claim_fates(evidence::Record& record, const std::vector<Told>& all, const std::string& resolution) {
-  const auto plain = [](const Told& one) { return one.breaking == 0; };
-  const auto below = [&](const Told& one) { return plain(one) && one.wave.over_limit() < 1; };
-  const auto through = [](const Told& one) { return one.fate.through(); };
-  record.check({.id = "below",
-                .text = "Waves below the limit run through run-up and run-down.",
-                .quantity = "all do",
-                .source = source},
-               {.value = all_are(all, below, through), .resolution = resolution},
-               evidence::Qualitative{.detector = "no failure until the reflected wave has left",
-                                     .reason = "below 0.479 cot^(-10/9) no bore forms"});
-  record.check(
+/// Later heights of the shoreline over the run-up, without the switch, of waves that climb.
+template <class Samples, class... Property>
+Samples later_heights(const std::vector<Told>& all, bool under, const Property&... property) {
+  Samples samples;
+  for (const Told& one : all) {
+    if (plain(one) && one.wave.climbs() && below(one.wave) == under) {
+      samples.add(one.fate.later / one.fate.runup, property...);
+    }
+  }
+  return samples;
+}
+
+/// How much the switch changes the run-up of waves that climb, run by run against the same without it.
+Worst change_by_switch(const std::vector<Told>& all, bool under) {
+  const std::size_t half = all.size() / 2;
+  Worst change;
+  for (std::size_t k = 0; k < half; ++k) {
+    const Wave& wave = all[k].wave;
+    if (!wave.climbs() || below(wave) != under) continue;
+    change.add(all[half + k].fate.runup / all[k].fate.runup - 1, wave.cot_slope);
+  }
+  return change;
+}
+
+/// How many runs there are of one strength of the switch.
+std::size_t runs() {
+  return 2 * told.size();
+}
+
+void claim_fates(Claims<Results> claims, bool quick) {
+  claims.check(
+      {.id = "below",
+       .text = "Waves below the limit run through run-up and run-down.",
+       .quantity = "all do",
+       .source = source},
+      [](const Results& r) {
+        return all_are(
+            r.told, [](const Told& one) { return plain(one) && below(one.wave); },
+            [](const Told& one) { return one.fate.through(); });
+      },
+      evidence::Qualitative{.detector = "no failure until the reflected wave has left",
+                            .reason = "below 0.479 cot^(-10/9) no bore forms"});
+  claims.check(
       {.id = "stated",
        .text = "A run that stops says when and where, and its last state is sound.",
        .quantity = "all do",
        .source = source},
-      {.value = all_are(
-           all, [](const Told& one) { return !one.fate.through(); }, [](const Told& one) { return one.fate.sound; }),
-       .resolution = resolution},
+      [](const Results& r) {
+        return all_are(
+            r.told, [](const Told& one) { return !one.fate.through(); },
+            [](const Told& one) { return one.fate.sound; });
+      },
       evidence::Qualitative{.detector = "the failure's time and place are finite, the place is in the water, "
                                         "all markers and rates before it are finite",
                             .reason = "a failure must not pass as a result"});
-  double later_below = 0;
-  double later_above = 0;
-  for (const Told& one : all) {
-    if (!plain(one) || !one.fate.fell || !std::isfinite(one.fate.later)) continue;
-    double& later = below(one) ? later_below : later_above;
-    later = std::max(later, one.fate.later / one.fate.runup);
-  }
-  const evidence::Bound first_is_highest{.limit = 1,
-                                         .reason =
-                                             "the wave came once; what returns has lost energy to "
-                                             "the reflected wave"};
-  record.check({.id = "later-below",
-                .text = "Below the limit the water never returns to the height of the first run-up.",
-                .quantity = "largest later height of the shoreline over the run-up",
-                .source = source},
-               {.value = later_below, .resolution = resolution}, first_is_highest);
-  record.known_failure(
-      {.id = "later-above",
-       .text = "Nor does it above the limit.",
+  claims.check(
+      {.id = "later-below",
+       .text = "Below the limit the water never returns to the height of the first run-up.",
        .quantity = "largest later height of the shoreline over the run-up",
        .source = source},
-      {.value = later_above, .resolution = resolution}, first_is_highest,
-      "the bore of the run-down meets the tip, a marker of almost no mass, and throws it up the slope; "
-      "such runs may even go through: above the limit nothing after the first run-up is to be used");
+      [](const Results& r) { return later_heights<Largest>(r.told, true).value(); },
+      evidence::Bound{.limit = 1, .reason = "the wave came once; what returns has lost energy to the reflected wave"});
+  claims.known_failure(
+      {.id = "later-above",
+       .text = "Nor does it above the limit.",
+       .quantity = "runs whose shoreline later stands above the run-up",
+       .source = source},
+      [](const Results& r) {
+        return later_heights<Count>(r.told, false, [](double ratio) { return ratio > 1; }).value();
+      },
+      evidence::Bound{.limit = 0, .reason = "the wave came once; what returns has lost energy to the reflected wave"},
+      {.value = quick ? 6.0 : 3.0,
+       .width = 1,
+       .reason = "the bore of the run-down meets the tip, a marker of almost no mass, and throws it up the slope; "
+                 "such runs may even go through: above the limit nothing after the first run-up is to be used. With "
+                 "finer markers more of them stop before"});
 }
 
-/// What the switch does and what it does not, run by run against the same without it.
-void claim_switch(evidence::Record& record, const std::vector<Told>& all, const std::string& resolution) {
-  const std::size_t half = all.size() / 2;  // the second half is the first with the switch
-  const auto is = [](Wave wave, double cot_slope, double amplitude) {
-    return wave.cot_slope == cot_slope && wave.amplitude == amplitude;
-  };
-  double rescued = 1;
-  double worst_energy = 0;
-  double later = 0;
-  double change_below = 0;
-  double change_above = 0;
-  for (std::size_t k = 0; k < half; ++k) {
-    const Told& without = all[k];
-    const Told& with = all[half + k];
-    if ((is(with.wave, 10, 0.05) || is(with.wave, 3.732, 0.2)) && !with.fate.through()) rescued = 0;
-    worst_energy = std::max(worst_energy, with.fate.energy - 1);
-    if (!with.fate.through()) later = std::numeric_limits<double>::infinity();
-    if (with.fate.fell && std::isfinite(with.fate.later)) later = std::max(later, with.fate.later / with.fate.runup);
-    if (!with.fate.fell || !without.fate.fell) continue;
-    double& change = with.wave.over_limit() < 1 ? change_below : change_above;
-    change = std::max(change, std::abs(with.fate.runup / without.fate.runup - 1));
-  }
-  record.measure("switch_changes_runup_below_limit", change_below);
-  record.measure("switch_changes_runup_above_limit", change_above);
+/// What the switch does and what it does not.
+void claim_switch(Claims<Results> claims, bool quick) {
   const std::string own = "the switch is not in the thesis";
-  record.check({.id = "switch",
-                .text = "With the switch the waves A = 0.05 at cotangent 10 and A = 0.2 at 3.732 run through.",
-                .quantity = "both do, with both spacings",
-                .source = own},
-               {.value = rescued, .resolution = resolution},
-               evidence::Qualitative{.detector = "no failure until the reflected wave has left",
-                                     .reason = "the bore's energy goes where it should: it is lost"});
-  record.check({.id = "switch-energy",
-                .text = "The switch takes energy and never gives any.",
-                .quantity = "largest energy at the end over that of the start, less 1",
-                .source = own},
-               {.value = worst_energy, .resolution = resolution},
-               evidence::Bound{.limit = 0, .reason = "its forces oppose the rate of compression", .expected = 0});
-  record.known_failure({.id = "switch-all",
-                        .text = "With the switch every wave runs through, and none returns higher than it came.",
-                        .quantity = "largest later height of the shoreline over the run-up; infinite where a run stops",
-                        .source = own},
-                       {.value = std::isfinite(later) ? later : 1e9, .resolution = resolution},
-                       evidence::Bound{.limit = 1, .reason = "the wave came once"},
-                       "strong bores still throw the light tip up the slope (A = 0.5 at cotangent 2), or stop the run "
-                       "(A = 0.3 at 19.85; where it goes through, it climbs ten times its height, which is wrong)");
-  record.known_failure({.id = "switch-neutral",
+  const auto with = [](const Told& one) { return !plain(one); };
+  claims.check(
+      {.id = "switch",
+       .text = "With the switch the waves A = 0.05 at cotangent 10 and A = 0.2 at 3.732 run through.",
+       .quantity = "both do, with both spacings",
+       .source = own},
+      [with](const Results& r) {
+        const auto is = [](const Wave& wave, double cot_slope, double amplitude) {
+          return wave.cot_slope == cot_slope && wave.amplitude == amplitude;
+        };
+        return all_are(
+            r.told, [&](const Told& one) { return with(one) && (is(one.wave, 10, 0.05) || is(one.wave, 3.732, 0.2)); },
+            [](const Told& one) { return one.fate.through(); });
+      },
+      evidence::Qualitative{.detector = "no failure until the reflected wave has left",
+                            .reason = "the bore's energy goes where it should: it is lost"});
+  claims.check(
+      {.id = "switch-energy",
+       .text = "The switch takes energy and never gives any.",
+       .quantity = "largest energy at the end over that of the start, less 1",
+       .source = own},
+      [with](const Results& r) {
+        Worst gain;
+        for (const Told& one : r.told) {
+          if (with(one)) gain.add(one.fate.energy <= 1 ? 0 : one.fate.energy - 1, one.wave.cot_slope);
+        }
+        return gain;
+      },
+      evidence::Bound{.limit = 0, .reason = "its forces oppose the rate of compression", .expected = 0});
+  claims.known_failure(
+      {.id = "switch-all",
+       .text = "With the switch every wave runs through, and none returns higher than it came.",
+       .quantity = fmt::format("runs, of {}, that stop or return higher", runs()),
+       .source = own},
+      [with](const Results& r) {
+        return static_cast<double>(
+            std::ranges::count_if(r.told, [&](const Told& one) { return with(one) && !returns_lower(one.fate); }));
+      },
+      evidence::Bound{.limit = 0, .reason = "the wave came once"},
+      {.value = quick ? 3.0 : 8.0,
+       .width = 1,
+       .reason = "strong bores still throw the light tip up the slope (A = 0.5 at cotangent 2), or stop the run (A = "
+                 "0.3 at 19.85; where it goes through, it climbs ten times its height, which is wrong), the more the "
+                 "finer the markers"});
+  claims.known_failure({.id = "switch-neutral",
                         .text = "The switch leaves the first run-up as it is.",
                         .quantity = "largest relative change of the run-up",
                         .source = own},
-                       {.value = std::max(change_below, change_above), .resolution = resolution},
+                       [](const Results& r) {
+                         Worst change = change_by_switch(r.told, true);
+                         change.add(change_by_switch(r.told, false));
+                         return change;
+                       },
                        evidence::Bound{.limit = 0.006, .reason = "to what the run-up is converged, see run_up_table"},
-                       "it resists compression in the climbing front too; on the steepest slope the run-up changes by "
-                       "several per cent, and the switch is off by default");
+                       {.value = quick ? 0.121 : 0.064,
+                        .width = 0.003,
+                        .reason = "it resists compression in the climbing front too; on the steepest slope the run-up "
+                                  "changes by several per cent, the less the finer the markers, and the switch is off "
+                                  "by default"});
+}
+
+void claims(const Values& values, Claims<Results> claims) {
+  const double h = values.real("h");
+  const bool quick = values.tier() == Tier::quick;
+  claim_fates(claims.at(fmt::format("h = {0:g} and {1:g}", h, h / 2)), quick);
+  claim_switch(claims.at(fmt::format("h = {0:g} and {1:g}", h, h / 2)), quick);
+  claims.at(fmt::format("h = {:g}", h))
+      .check(
+          {.id = "map-below",
+           .text = "On all slopes of the map waves below the limit run through and return lower than they came.",
+           .quantity = "all do",
+           .source = source},
+          [](const Results& r) {
+            const auto lower = [](const Mapped& one) { return !below(one.wave) || returns_lower(one.fate); };
+            return std::ranges::all_of(r.map, lower) ? 1.0 : 0.0;
+          },
+          evidence::Qualitative{.detector = "no failure, no later height above the run-up",
+                                .reason = "below 0.479 cot^(-10/9) no bore forms"});
+}
+
+Results compute(const Run& run) {
+  Results r{.told = tell(run), .map = {}};
+  r.map = map_fates(run);
+  return r;
 }
 
 /// Fates over slopes and heights in units of the limit.
-void draw_map(Running& run) {
-  const std::vector<double> slopes{1, 1.5, 2, 2.747, 3.732, 5, 7, 10};
-  const std::vector<double> ratios{0.7, 0.85, 0.99, 1.2, 1.5, 2, 3};
-  constexpr double highest = 0.6;  // there are no much higher solitary waves
-  struct Marks {
-    std::vector<double> cot_slope;
-    std::vector<double> amplitude;
-  };
-  Marks through;
-  Marks shoots;
-  Marks stops;
-  bool all_below = true;
-  double done = 0;
-  for (const double cot_slope : slopes) {
-    for (const double ratio : ratios) {
-      const Wave wave{cot_slope, ratio * backwash_limit(cot_slope)};
-      run.progress(0.6 + 0.4 * ++done / static_cast<double>(slopes.size() * ratios.size()));
-      if (wave.amplitude > highest) continue;
-      const RunDown fate = run_down(climb_of(run.values(), wave, run.real("h"), 0));
-      const bool shot = fate.through() && fate.later > fate.runup;
-      Marks& marks = !fate.through() ? stops : shot ? shoots : through;
-      marks.cot_slope.push_back(cot_slope);
-      marks.amplitude.push_back(wave.amplitude);
-      if (ratio < 1 && (!fate.through() || shot)) all_below = false;
-    }
-  }
-  run.record.check({.id = "map-below",
-                    .text = "On all slopes of the map waves below the limit run through and return lower than they "
-                            "came.",
-                    .quantity = "all do",
-                    .source = source},
-                   {.value = all_below ? 1.0 : 0.0, .resolution = fmt::format("h = {:g}", run.real("h"))},
-                   evidence::Qualitative{.detector = "no failure, no later height above the run-up",
-                                         .reason = "below 0.479 cot^(-10/9) no bore forms"});
-  auto& panel = run.record
+void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
+  auto& panel = exhibit
                     .figure("map", "Where the model ends",
                             "Runs through run-up and run-down. Synolakis' limits: of run-down, 0.479 cot^(-10/9), and "
                             "of run-up, 0.8183 cot^(-10/9).")
                     .panel({.x = "cotangent of the slope", .y = "A [depth]", .log_x = true, .log_y = true});
   std::vector<double> limit;
   std::vector<double> up_limit;
-  for (const double cot_slope : slopes) {
+  for (const double cot_slope : mapped_slopes) {
     limit.push_back(backwash_limit(cot_slope));
     up_limit.push_back(0.8183 / 0.479 * limit.back());
   }
-  panel.line("breaks running back", slopes, limit, Role::exact);
-  panel.line("breaks running up", slopes, up_limit, Role::guide);
-  const auto points = [&](const std::string& label, const Marks& marks, Role role) {
-    if (!marks.cot_slope.empty()) panel.points(label, marks.cot_slope, marks.amplitude, role);
+  panel.line("breaks running back", mapped_slopes, limit, Role::exact);
+  panel.line("breaks running up", mapped_slopes, up_limit, Role::guide);
+  const auto points = [&](const std::string& label, Role role, const auto& is) {
+    std::vector<double> cot_slope;
+    std::vector<double> amplitude;
+    for (const Mapped& one : map) {
+      if (!is(one.fate)) continue;
+      cot_slope.push_back(one.wave.cot_slope);
+      amplitude.push_back(one.wave.amplitude);
+    }
+    if (!cot_slope.empty()) panel.points(label, cot_slope, amplitude, role);
   };
-  points("runs through", through, Role::computed);
-  points("runs through, tip shoots up", shoots, Role::peer);
-  points("stops", stops, Role::data);
+  points("runs through", Role::computed, returns_lower);
+  points("runs through, tip shoots up", Role::peer,
+         [](const RunDown& fate) { return fate.through() && !returns_lower(fate); });
+  points("stops", Role::data, [](const RunDown& fate) { return !fate.through(); });
 }
 
-void run(Running& run) {
-  const std::vector<Told> all = tell(run);
-  const std::string resolution = fmt::format("h = {0:g} and {1:g}", run.real("h"), run.real("h") / 2);
-  tabulate(run.record, all);
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  tabulate(exhibit, r.told);
   for (const bool with : {false, true}) {
-    run.record.measure(with ? "stopped_with_switch" : "stopped",
-                       static_cast<double>(std::count_if(all.begin(), all.end(), [&](const Told& one) {
-                         return (one.breaking > 0) == with && !one.fate.through();
-                       })));
+    const auto stopped = [with](const Told& one) { return plain(one) != with && !one.fate.through(); };
+    exhibit.measure(with ? "stopped_with_switch" : "stopped",
+                    static_cast<double>(std::ranges::count_if(r.told, stopped)));
   }
-  claim_fates(run.record, all, resolution);
-  claim_switch(run.record, all, resolution);
-  draw_map(run);
+  exhibit.measure("largest_later_over_runup_above_limit", later_heights<Largest>(r.told, false).value());
+  exhibit.measure("switch_changes_runup_below_limit", change_by_switch(r.told, true).value());
+  exhibit.measure("switch_changes_runup_above_limit", change_by_switch(r.told, false).value());
+  draw_map(exhibit, r.map);
 }
 
 }  // namespace
@@ -305,7 +386,7 @@ Case run_up_breaking() {
   c.parameters = joined({climb_parameters({0.25, 0.125, 0.125}),
                          slope_parameters(),
                          {real("breaking", 2.0, "1", {0.1, 10}, "strength of the switch where it is on")}});
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

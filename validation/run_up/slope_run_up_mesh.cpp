@@ -79,7 +79,7 @@ MeshSlopeClimb climb_on(const MeshSize& mesh, const exact::SolitaryWave& wave, d
 }
 
 std::vector<Climbed> climb_all(Running& run, std::size_t levels) {
-  const std::vector<FrankRunup> printed = frank_runups(run.record);
+  const std::vector<FrankRunup> printed = frank_runups(run);
   std::vector<Climbed> all;
   for (const Row& row : rows) {
     const exact::SolitaryWave wave(row.amplitude);

@@ -22,6 +22,12 @@ constexpr double margin = 1e-4;      // of the wave's height, beyond the toe and
 constexpr double highest_land = 20;  // as far as the slope goes
 constexpr double courant = 0.3;      // of the longest stable step
 constexpr double fallen = 0.9;       // of the highest: it was the maximum
+constexpr double most_steps = 1e9;   // more than any run takes
+
+double energy_defect(const RunUp& run) {
+  const mechanics::InvariantsLedger::Entry& energy = run.ledger.entry("energy");
+  return energy.largest_defect / energy.initial;
+}
 
 }  // namespace
 
@@ -71,38 +77,50 @@ RunUp run_up(const SolitaryClimb& climb, const Watch& watch) {
   Peak edge;
   edge.add(flow.time(), flow.y().back());
   // The water's edge rises above the wave's own height: what was before was not the run-up.
-  while (flow.time() < watch.latest && !(edge.value() > climb.amplitude && flow.y().back() < fallen * edge.value())) {
+  const auto fell = [&] { return edge.value() > climb.amplitude && flow.y().back() < fallen * edge.value(); };
+  while (flow.time() < watch.latest && !fell()) {
     flow.advance(climb.step(flow));
     edge.add(flow.time(), flow.y().back());
     if (watch.ledger) flow.observe();
     if (watch.after_step) watch.after_step(flow);
   }
-  RunUp run{.height = edge.value(), .time = edge.time(), .steps = flow.steps(), .markers = flow.x().size()};
+  RunUp run{.steps = flow.steps(), .markers = flow.x().size()};
+  if (fell()) {
+    run.height = edge.value();
+    run.time = edge.time();
+  }
   if (watch.ledger) run.ledger = flow.ledger();
   return run;
 }
 
-void claim_energy(evidence::Record& record, const SolitaryClimb& climb, const RunUp& run) {
-  const mechanics::InvariantsLedger::Entry& energy = run.ledger.entry("energy");
+void claim_energy(Claims<RunUp> claims, const SolitaryClimb& climb) {
   const evidence::Claim claim{.id = "energy",
                               .text = "Energy is kept while the wave climbs.",
                               .quantity = "largest change over the energy of the wave",
                               .source = "Frank (1994), section 1.2"};
-  const evidence::Measurement measured{.value = energy.largest_defect / energy.initial,
-                                       .resolution = climb.resolution()};
-  record.measure("energy_defect", measured.value);
-  record.measure("worst_cell_volume_defect", run.ledger.entry("volume_worst").largest_defect);
   if (climb.scheme.stepping == dispersive::Stepping::conservative) {
-    record.check(claim, measured,
-                 evidence::Roundoff{.operations = static_cast<double>(run.steps),
-                                    .reason = "the discrete gradients are exact: one rounded energy per step"});
+    claims.check(
+        claim,
+        [resolution = climb.resolution()](const RunUp& run) -> Measurement {
+          return {.value = energy_defect(run),
+                  .resolution = resolution,
+                  .told = {.operations = static_cast<double>(run.steps)}};
+        },
+        evidence::Roundoff{.operations = evidence::Amount::told_by_run(most_steps),
+                           .reason = "the discrete gradients are exact: one rounded energy per step"});
     return;
   }
   const double omega = 2 * std::sqrt(0.75 * climb.amplitude) * exact::SerreSolitary(climb.amplitude).speed();
-  record.check(claim, measured,
-               evidence::Bound{.limit = std::pow(omega * climb.tau_over_spacing * climb.spacing, 2) / 4,
-                               .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega = 2 c "
-                                         "sqrt(3A/4), the rate at which the wave passes"});
+  claims.at(climb.resolution())
+      .check(claim, energy_defect,
+             evidence::Bound{.limit = std::pow(omega * climb.tau_over_spacing * climb.spacing, 2) / 4,
+                             .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega = 2 c "
+                                       "sqrt(3A/4), the rate at which the wave passes"});
+}
+
+void show_energy(const RunUp& run, evidence::Exhibit& exhibit) {
+  exhibit.measure("energy_defect", energy_defect(run));
+  exhibit.measure("worst_cell_volume_defect", run.ledger.entry("volume_worst").largest_defect);
 }
 
 std::vector<Parameter> step_parameters() {

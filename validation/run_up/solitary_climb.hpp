@@ -6,11 +6,13 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "reports/evidence/record.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "validation/case/claims.hpp"
 #include "validation/case/parameter.hpp"
 
 namespace seiche::validation {
@@ -44,8 +46,9 @@ struct SolitaryClimb {
 };
 
 struct RunUp {
-  double height = 0;  ///< highest the water's edge gets before it falls again
-  double time = 0;    ///< since the start
+  /// Highest the water's edge gets before it falls again, and when, since the start; NaN if it was still rising.
+  double height = std::numeric_limits<double>::quiet_NaN();
+  double time = std::numeric_limits<double>::quiet_NaN();
   long steps = 0;
   std::size_t markers = 0;
   mechanics::InvariantsLedger ledger;  ///< empty unless it was asked for
@@ -61,7 +64,8 @@ struct Watch {
 RunUp run_up(const SolitaryClimb& climb, const Watch& watch = {});
 
 /// Claim that energy is kept: to round-off by the conservative scheme, to O(tau^2) by the others. Needs the ledger.
-void claim_energy(evidence::Record& record, const SolitaryClimb& climb, const RunUp& run);
+void claim_energy(Claims<RunUp> claims, const SolitaryClimb& climb);
+void show_energy(const RunUp& run, evidence::Exhibit& exhibit);
 
 /// Parameters that choose the method: spacing and, of the steps, tau_over_spacing and scheme; over slopes tip_mass and
 /// kinetics.

@@ -1,7 +1,7 @@
 /*
 A solitary wave runs against a vertical wall over a level bottom and climbs it: the same flow as the head-on collision
-of two equal waves. The exact run-up of the Euler equations is known to many digits (`wall_run_up_exact`). This case shows what
-Serre's equations, to which Frank's one-dimensional model converges over a level bottom, make of it.
+of two equal waves. The exact run-up of the Euler equations is known to many digits (`wall_run_up_exact`). This case
+shows what Serre's equations, to which Frank's one-dimensional model converges over a level bottom, make of it.
 
 **Set-up.** Depth and gravity are 1. Serre's wave starts where all but $10^{-4}$ of its height is before the wall. The
 last marker slides up and down the wall; the run-up is its first maximum, from a parabola through the three highest
@@ -23,7 +23,6 @@ a velocity that is uniform over the depth knows nothing.
 #include "reports/evidence/grid_convergence.hpp"
 #include "seiche/exact/wall_runup.hpp"
 #include "validation/case/case.hpp"
-#include "validation/case/reference_table.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
@@ -40,81 +39,73 @@ struct Converged {
   double amplitude = 0;
   std::vector<double> spacing;
   std::vector<double> runup;
-  evidence::GridConvergence limit;
+
+  [[nodiscard]] evidence::GridConvergence limit() const { return evidence::grid_convergence(spacing, runup, 2); }
 };
 
 Converged converge(const Values& values, double amplitude) {
-  Converged result{.amplitude = amplitude, .spacing = {}, .runup = {}, .limit = {}};
+  Converged result{.amplitude = amplitude, .spacing = {}, .runup = {}};
   for (const double factor : {4.0, 2.0, 1.0}) {
     SolitaryClimb climb = climb_from(values, 0, amplitude);
     climb.spacing *= factor;
     result.spacing.push_back(climb.spacing);
     result.runup.push_back(run_up(climb).height);
   }
-  result.limit = evidence::grid_convergence(result.spacing, result.runup, 2);
   return result;
 }
 
+/// All heights of the table of exact values.
 struct Comparison {
   std::vector<double> amplitude;
   std::vector<double> euler;
-  std::vector<double> serre;
+  std::vector<Converged> heights;
+
+  [[nodiscard]] double serre(std::size_t k) const { return heights.at(k).limit().extrapolated; }
+  [[nodiscard]] double gap(std::size_t k) const { return std::abs(serre(k) - euler[k]); }
+  /// To zero spacing, at a height of the table.
+  [[nodiscard]] double runup_at(double height) const {
+    const auto found = std::ranges::find(amplitude, height);
+    if (found == amplitude.end()) throw std::out_of_range(fmt::format("A = {:g} was not computed", height));
+    return serre(static_cast<std::size_t>(found - amplitude.begin()));
+  }
 };
 
-Comparison compare(Running& run) {
-  const io::Table table = reference_table("wall_runup_exact", run.record.reference_data);
-  Comparison all{.amplitude = table.column("a"), .euler = table.column("R"), .serre = {}};
+Comparison compare(const Run& run) {
+  const io::Table table = run.table("wall_runup_exact");
+  Comparison all{.amplitude = table.column("a"), .euler = table.column("R"), .heights = {}};
   for (const double a : all.amplitude) {
-    const Converged one = converge(run.values(), a);
-    all.serre.push_back(one.limit.extrapolated);
-    run.record.measure(fmt::format("runup_a_{:g}", a), one.runup.back());
-    run.record.measure(fmt::format("runup_a_{:g}_extrapolated", a), one.limit.extrapolated);
-    run.record.measure(fmt::format("runup_a_{:g}_over_euler_less_1", a),
-                       one.limit.extrapolated / all.euler[all.serre.size() - 1] - 1);
-    run.progress(0.2 + 0.8 * static_cast<double>(all.serre.size()) / static_cast<double>(all.amplitude.size()));
+    all.heights.push_back(converge(run, a));
+    run.progress(0.2 + 0.8 * static_cast<double>(all.heights.size()) / static_cast<double>(all.amplitude.size()));
   }
   return all;
 }
 
-void claim_series(evidence::Record& record, const Comparison& all, const std::string& resolution) {
-  double worst = 0;
+/// Largest distance from the Euler equations over that of the second-order series.
+Worst over_series(const Comparison& all) {
+  Worst worst;
   for (std::size_t k = 0; k < all.amplitude.size(); ++k) {
     const double series = std::abs(WallRunup::byatt_smith(all.amplitude[k]) - all.euler[k]);
-    worst = std::max(worst, std::abs(all.serre[k] - all.euler[k]) / series);
+    worst.add(all.gap(k) / series, all.amplitude[k]);
   }
-  record.check({.id = "second-order",
-                .text = "At all heights the model is nearer to the Euler equations than the second-order series.",
-                .quantity = "largest distance over that of 2A + A^2/2",
-                .source = source},
-               {.value = worst, .resolution = resolution},
-               evidence::Bound{.limit = 1, .reason = "nearer means less than 1"});
+  return worst;
+}
+
+void measure_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
+  for (std::size_t k = 0; k < all.amplitude.size(); ++k) {
+    const double a = all.amplitude[k];
+    exhibit.measure(fmt::format("runup_a_{:g}", a), all.heights[k].runup.back());
+    exhibit.measure(fmt::format("runup_a_{:g}_extrapolated", a), all.serre(k));
+    exhibit.measure(fmt::format("runup_a_{:g}_over_euler_less_1", a), all.serre(k) / all.euler[k] - 1);
+  }
   constexpr std::size_t lowest = 4;  // A = 0.1 to 0.4
   std::vector<double> gap;
-  for (std::size_t k = 0; k < lowest; ++k) gap.push_back(std::abs(all.serre[k] - all.euler[k]));
+  for (std::size_t k = 0; k < lowest; ++k) gap.push_back(all.gap(k));
   // No theory says this power: it is shown, not judged.
-  record.measure("power_of_the_difference_from_euler",
-                 evidence::observed_order({all.amplitude.begin(), all.amplitude.begin() + lowest}, gap).order);
+  exhibit.measure("power_of_the_difference_from_euler",
+                  evidence::observed_order({all.amplitude.begin(), all.amplitude.begin() + lowest}, gap).order);
 }
 
-void claim_digits(evidence::Record& record, const Comparison& all, const std::string& resolution) {
-  const std::vector<std::pair<double, double>> known{{0.1, 0.20552}, {0.2, 0.4231}, {0.4, 0.8958}};
-  for (const auto& [amplitude, runup] : known) {
-    const auto k = static_cast<std::size_t>(std::find(all.amplitude.begin(), all.amplitude.end(), amplitude) -
-                                            all.amplitude.begin());
-    if (k == all.amplitude.size()) continue;
-    record.check(
-        {.id = fmt::format("digits-{:.0f}", 10 * amplitude),
-         .text = fmt::format("An independent implementation of the model gives {:g} for A = {:g}.", runup, amplitude),
-         .quantity = "run-up",
-         .unit = "depth",
-         .source = "computed once by an independent implementation, two resolutions"},
-        {.value = all.serre[k], .resolution = resolution},
-        evidence::Bound{
-            .limit = amplitude == 0.1 ? 1e-5 : 1e-4, .reason = "a unit of the last digit given", .expected = runup});
-  }
-}
-
-void draw_comparison(evidence::Record& record, const Comparison& all) {
+void draw_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
   const std::vector<double> fine = evenly(0.05, all.amplitude.back(), 101);
   std::vector<double> su_mirie;
   std::vector<double> byatt_smith;
@@ -127,12 +118,12 @@ void draw_comparison(evidence::Record& record, const Comparison& all) {
   std::vector<double> gap;
   for (std::size_t k = 0; k < all.amplitude.size(); ++k) {
     euler.push_back(all.euler[k] / all.amplitude[k]);
-    serre.push_back(all.serre[k] / all.amplitude[k]);
-    gap.push_back(std::abs(all.serre[k] - all.euler[k]));
+    serre.push_back(all.serre(k) / all.amplitude[k]);
+    gap.push_back(all.gap(k));
   }
-  auto& figure = record.figure("runup", "Run-up on a vertical wall",
-                               "Model extrapolated to zero spacing, exact values of the Euler equations, and series; "
-                               "then the difference of model and Euler equations.");
+  auto& figure = exhibit.figure("runup", "Run-up on a vertical wall",
+                                "Model extrapolated to zero spacing, exact values of the Euler equations, and series; "
+                                "then the difference of model and Euler equations.");
   auto& heights = figure.panel({.x = "A [depth]", .y = "R/A"});
   heights.line("Euler equations", all.amplitude, euler, Role::exact);
   heights.points("model", all.amplitude, serre, Role::computed);
@@ -145,33 +136,70 @@ void draw_comparison(evidence::Record& record, const Comparison& all) {
   difference.line("A^5", all.amplitude, fifth, Role::guide);
 }
 
-void run(Running& run) {
-  const SolitaryClimb climb = climb_from(run.values(), 0, run.real("amplitude"));
-  std::vector<double> time;
+struct Results {
+  SolitaryClimb climb;
+  RunUp up;
+  std::vector<double> time;  ///< since the undisturbed crest would be at the wall
   std::vector<double> level;
-  const double arrival = climb.time_to(0);
-  const RunUp up = run_up(climb, {.ledger = true, .after_step = [&](const dispersive::Flow& flow) {
-                                    time.push_back(flow.time() - arrival);
-                                    level.push_back(flow.y().back());
-                                  }});
-  run.record.measure("runup", up.height);
-  run.record.measure("time_of_maximum", up.time);
-  run.record.measure("delay_of_maximum", up.time - arrival);
-  run.record.measure("su_mirie", WallRunup::su_mirie(climb.amplitude));
-  claim_energy(run.record, climb, up);
-  run.record
-      .figure("wall", "Water level at the wall",
-              fmt::format("A = {:g}; time since the undisturbed crest would be at the wall.", climb.amplitude))
-      .panel({.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
-      .line("model", time, level, Role::computed);
-  run.progress(0.2);
+  Comparison comparison;
+};
 
-  const Comparison all = compare(run);
-  const std::string resolution = fmt::format("h = {:g} to {:g}, extrapolated, tau = {:g} h", 4 * climb.spacing,
-                                             climb.spacing, climb.tau_over_spacing);
-  claim_series(run.record, all, resolution);
-  claim_digits(run.record, all, resolution);
-  draw_comparison(run.record, all);
+SolitaryClimb climb_of(const Values& values) {
+  return climb_from(values, 0, values.real("amplitude"));
+}
+
+void claims(const Values& values, Claims<Results> claims) {
+  const SolitaryClimb climb = climb_of(values);
+  claim_energy(claims.of(&Results::up), climb);
+  const auto compared = claims.of(&Results::comparison)
+                            .at(fmt::format("h = {:g} to {:g}, extrapolated, tau = {:g} h", 4 * climb.spacing,
+                                            climb.spacing, climb.tau_over_spacing));
+  compared.check({.id = "second-order",
+                  .text = "At all heights the model is nearer to the Euler equations than the second-order series.",
+                  .quantity = "largest distance over that of 2A + A^2/2",
+                  .source = source},
+                 over_series, evidence::Bound{.limit = 1, .reason = "nearer means less than 1"});
+  const io::Table earlier = values.table("regression_wall_run_up_serre");
+  for (std::size_t k = 0; k < earlier.rows(); ++k) {
+    const double amplitude = earlier.column("A")[k];
+    const double runup = earlier.column("R")[k];
+    compared.check(
+        {.id = fmt::format("digits-{:.0f}", 10 * amplitude),
+         .text = fmt::format("An earlier program for the same model gives {:g} for A = {:g}.", runup, amplitude),
+         .quantity = "run-up",
+         .unit = "depth",
+         .source = "regression: an earlier program, table reference_data/regression_wall_run_up_serre"},
+        [amplitude](const Comparison& all) { return all.runup_at(amplitude); },
+        evidence::Bound{
+            .limit = earlier.column("digit")[k], .reason = "a unit of the last digit given", .expected = runup});
+  }
+}
+
+Results compute(const Run& run) {
+  Results r{.climb = climb_of(run), .up = {}, .time = {}, .level = {}, .comparison = {}};
+  const double arrival = r.climb.time_to(0);
+  r.up = run_up(r.climb, {.ledger = true, .after_step = [&](const dispersive::Flow& flow) {
+                            r.time.push_back(flow.time() - arrival);
+                            r.level.push_back(flow.y().back());
+                          }});
+  run.progress(0.2);
+  r.comparison = compare(run);
+  return r;
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  exhibit.measure("runup", r.up.height);
+  exhibit.measure("time_of_maximum", r.up.time);
+  exhibit.measure("delay_of_maximum", r.up.time - r.climb.time_to(0));
+  exhibit.measure("su_mirie", WallRunup::su_mirie(r.climb.amplitude));
+  show_energy(r.up, exhibit);
+  measure_comparison(exhibit, r.comparison);
+  exhibit
+      .figure("wall", "Water level at the wall",
+              fmt::format("A = {:g}; time since the undisturbed crest would be at the wall.", r.climb.amplitude))
+      .panel({.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
+      .line("model", r.time, r.level, Role::computed);
+  draw_comparison(exhibit, r.comparison);
 }
 
 }  // namespace
@@ -185,7 +213,7 @@ Case wall_run_up_1d() {
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = joined({{real("amplitude", 0.4, "depth", {0.01, 0.8}, "height of the incident wave")},
                          climb_parameters({0.05, 0.025, 0.0125})});
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 
