@@ -6,54 +6,52 @@
 #include <vector>
 
 #include "reports/evidence/record.hpp"
+#include "validation/case/claims.hpp"
+#include "validation/case/parameter.hpp"
 
 namespace seiche::validation {
 
-/// An error of an independent implementation, as printed: "1.63e-3".
-struct PrintedError {
-  long n;
-  std::string value;
+/// What a sequence of meshes gave.
+class Refinement {
+ public:
+  /// The errors on a mesh of n cells across, always in the same order of quantities; n ascends.
+  void add(long n, const std::vector<double>& errors);
 
-  [[nodiscard]] double number() const;
-  /// Of the last digit.
-  [[nodiscard]] double unit() const;
+  [[nodiscard]] const std::vector<double>& n() const { return n_; }
+  [[nodiscard]] const std::vector<double>& errors(std::size_t quantity) const { return errors_.at(quantity); }
+  [[nodiscard]] double finest(std::size_t quantity) const { return errors_.at(quantity).back(); }
+  /// Throws std::logic_error for an n that was not added.
+  [[nodiscard]] double on(long n, std::size_t quantity) const;
+  /// @param coarsest  meshes of fewer cells are left out
+  [[nodiscard]] evidence::ObservedOrder order(std::size_t quantity, long coarsest) const;
+
+ private:
+  std::vector<double> n_;
+  std::vector<std::vector<double>> errors_;  ///< [quantity][mesh]
 };
 
 struct RefinedQuantity {
   std::string id;
-  std::string name;                      ///< "pressure", in legends and tables
-  std::string statement;                 ///< of the claim about its order
-  std::optional<evidence::Order> order;  ///< none: the order is measured, not judged
-  std::vector<PrintedError> printed = {};
+  std::string name;                           ///< "pressure", in legends and tables
+  std::string statement = {};                 ///< of the claim about its order
+  std::optional<evidence::Order> order = {};  ///< none: the order is measured, not judged
 };
 
-class Refinement {
- public:
-  /// @param source  of the claims
-  Refinement(std::vector<RefinedQuantity> quantities, std::string source);
+/// What is claimed and shown of it.
+struct RefinementStudy {
+  std::vector<RefinedQuantity> quantities;
+  std::string source;  ///< of the claims about orders
+  long coarsest = 0;   ///< meshes of fewer cells do not count for the orders
 
-  /// The errors on a mesh of n cells across, in the order of the quantities; n ascends.
-  void add(long n, const std::vector<double>& errors);
-
-  [[nodiscard]] const std::vector<double>& errors(std::size_t quantity) const { return errors_.at(quantity); }
-  [[nodiscard]] double finest(std::size_t quantity) const { return errors_.at(quantity).back(); }
-
-  /// Claims "order-<id>" and measurements "order_<id>".
-  /// @param coarsest  meshes of fewer cells are left out
-  void claim_orders(evidence::Record& record, long coarsest = 0) const;
-  /// Claims "digits-<id>" that the printed errors are ours. Throws std::logic_error for an n that was not added.
-  void claim_digits(evidence::Record& record) const;
-  void tabulate(evidence::Record& record) const;
+  /// Ids "order-<id>".
+  void claim_orders(const Claims<Refinement>& claims) const;
+  /// Ids "digits-<id>": the errors are those of a table with columns n, error, the unit of its last digit, and the
+  /// quantity, a number whose code is the id.
+  void claim_digits(const Claims<Refinement>& claims, const Values& values, const std::string& table) const;
+  /// The table of errors, and measurements "order_<id>".
+  void tabulate(const Refinement& refinement, evidence::Exhibit& exhibit) const;
   /// With lines of slopes 1 and 2.
-  void draw(evidence::Panel& panel) const;
-
- private:
-  [[nodiscard]] double error_on(long n, std::size_t quantity) const;
-
-  std::vector<RefinedQuantity> quantities_;
-  std::string source_;
-  std::vector<double> n_;
-  std::vector<std::vector<double>> errors_;  ///< [quantity][mesh]
+  void draw(const Refinement& refinement, evidence::Panel& panel) const;
 };
 
 }  // namespace seiche::validation

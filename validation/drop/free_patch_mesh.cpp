@@ -20,7 +20,10 @@ One step with feedback gives up the energy to bring areas back.
 **What to look at.** The defects in time: rounding, which wanders, below the limit of a random walk.
 */
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -33,7 +36,6 @@ One step with feedback gives up the energy to bring areas back.
 namespace seiche::validation::cases {
 namespace {
 
-using evidence::Bound;
 using evidence::Roundoff;
 using lagrangian_mesh_2d::Flow;
 using lagrangian_mesh_2d::Mesh;
@@ -47,185 +49,205 @@ Point first_velocity(const Values& values, Point r) {
 }
 
 /// Started with the projected velocity itself: multipliers are not looked at.
-Flow patch(const Run& run) {
+Flow patch(const Values& values) {
   return Flow(
-      lagrangian_mesh_2d::free_patch(static_cast<std::size_t>(run.integer("nx")),
-                                     static_cast<std::size_t>(run.integer("ny")), {-1, -1}, {1, 1}),
-      [&](Point r) { return first_velocity(run.values(), r); },
-      {.stepping = mechanics::stepping_named(run.text("scheme"))}, {.gravity = 0}, {}, false);
+      lagrangian_mesh_2d::free_patch(static_cast<std::size_t>(values.integer("nx")),
+                                     static_cast<std::size_t>(values.integer("ny")), {-1, -1}, {1, 1}),
+      [&](Point r) { return first_velocity(values, r); },
+      {.stepping = mechanics::stepping_named(values.text("scheme"))}, {.gravity = 0}, {}, false);
 }
 
-/// What is kept, the size of what is rounded, and how far it is from the beginning.
-class Kept {
- public:
-  Kept(const Flow& flow, double tau) : tau_(tau), first_(read(flow)), first_modified_(modified_areas(flow)) {}
-
-  struct Values {
-    double energy = 0, momentum_x = 0, momentum_y = 0, angular_momentum = 0;
-  };
-  struct Defects {
-    double energy = 0, momentum = 0, angular_momentum = 0, modified_area = 0, area = 0;
-  };
-  /// Largest so far of the sums of magnitudes.
-  struct Scales {
-    double momentum = 0, angular_momentum = 0, area = 0;
-  };
-
-  Defects observe(const Flow& flow) {
-    const Values now = read(flow);
-    Defects defects{.energy = std::abs(now.energy - first_.energy),
-                    .momentum = std::max(std::abs(now.momentum_x - first_.momentum_x),
-                                         std::abs(now.momentum_y - first_.momentum_y)),
-                    .angular_momentum = std::abs(now.angular_momentum - first_.angular_momentum)};
-    const std::vector<double> modified = modified_areas(flow);
-    const Mesh& mesh = flow.model().mesh();
-    for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-      const double area = cell_area(mesh, flow.x(), flow.y(), cell);
-      defects.area = std::max(defects.area, std::abs(area - flow.model().first_areas()[cell]));
-      defects.modified_area = std::max(defects.modified_area, std::abs(modified[cell] - first_modified_[cell]));
-    }
-    largest_.energy = std::max(largest_.energy, defects.energy);
-    largest_.momentum = std::max(largest_.momentum, defects.momentum);
-    largest_.angular_momentum = std::max(largest_.angular_momentum, defects.angular_momentum);
-    largest_.modified_area = std::max(largest_.modified_area, defects.modified_area);
-    largest_.area = std::max(largest_.area, defects.area);
-    measure(flow);
-    return defects;
-  }
-
-  [[nodiscard]] const Values& first() const { return first_; }
-  [[nodiscard]] const Defects& largest() const { return largest_; }
-  [[nodiscard]] const Scales& scales() const { return scales_; }
-
- private:
-  static Values read(const Flow& flow) {
-    const auto& [q, u] = std::tie(flow.state().q, flow.state().u);
-    const auto momentum = flow.model().momentum(q, u);
-    return {flow.model().kinetic_energy(q, u), momentum[0], momentum[1], flow.model().angular_momentum(q, u)[0]};
-  }
-
-  [[nodiscard]] std::vector<double> modified_areas(const Flow& flow) const {
-    const Mesh& mesh = flow.model().mesh();
-    std::vector<double> areas(mesh.cells());
-    for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-      areas[cell] =
-          cell_area(mesh, flow.x(), flow.y(), cell) - tau_ * tau_ / 4 * cell_area(mesh, flow.u(), flow.v(), cell);
-    }
-    return areas;
-  }
-
-  void measure(const Flow& flow) {
-    Scales now;
-    const Mesh& mesh = flow.model().mesh();
-    for (std::size_t k = 0; k < mesh.nodes(); ++k) {
-      const double distance = std::hypot(flow.x()[k], flow.y()[k]);
-      const double impulse = flow.model().nodes().mass()[k] * std::hypot(flow.u()[k], flow.v()[k]);
-      now.momentum += impulse;
-      now.angular_momentum += distance * impulse;
-      // A corner that is moved by the rounding of its place changes the area by that times half the diagonal.
-      const double width = 2 / static_cast<double>(std::min(mesh.columns, mesh.rows));
-      now.area = std::max(now.area, distance * width);
-    }
-    scales_.momentum = std::max(scales_.momentum, now.momentum);
-    scales_.angular_momentum = std::max(scales_.angular_momentum, now.angular_momentum);
-    scales_.area = std::max(scales_.area, now.area);
-  }
-
-  double tau_;
-  Values first_;
-  std::vector<double> first_modified_;
-  Defects largest_;
-  Scales scales_;
+/// What is kept.
+struct Invariants {
+  double energy, momentum_x, momentum_y, angular_momentum;
+  std::vector<double> modified_areas;
 };
 
-struct History {
+Invariants invariants_of(const Flow& flow, double tau) {
+  const auto& [q, u] = std::tie(flow.state().q, flow.state().u);
+  const auto momentum = flow.model().momentum(q, u);
+  const Mesh& mesh = flow.model().mesh();
+  std::vector<double> areas(mesh.cells());
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    areas[cell] = cell_area(mesh, flow.x(), flow.y(), cell) - tau * tau / 4 * cell_area(mesh, flow.u(), flow.v(), cell);
+  }
+  return {flow.model().kinetic_energy(q, u), momentum[0], momentum[1], flow.model().angular_momentum(q, u)[0], areas};
+}
+
+/// How far it is from the beginning.
+struct Defects {
+  double energy, momentum, angular_momentum, modified_area, area;
+};
+
+Defects defects_of(const Flow& flow, double tau, const Invariants& first) {
+  const Invariants now = invariants_of(flow, tau);
+  const Mesh& mesh = flow.model().mesh();
+  Worst area;
+  Worst modified;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    area.add(cell_area(mesh, flow.x(), flow.y(), cell) - flow.model().first_areas()[cell]);
+    modified.add(now.modified_areas[cell] - first.modified_areas[cell]);
+  }
+  return {.energy = std::abs(now.energy - first.energy),
+          .momentum = worst(std::array{now.momentum_x - first.momentum_x, now.momentum_y - first.momentum_y}),
+          .angular_momentum = std::abs(now.angular_momentum - first.angular_momentum),
+          .modified_area = modified.value(),
+          .area = area.value()};
+}
+
+/// Sizes of what is rounded: sums of magnitudes.
+struct Scales {
+  double momentum = 0, angular_momentum = 0, area = 0;
+};
+
+Scales scales_of(const Flow& flow) {
+  Scales now;
+  Largest area;
+  const Mesh& mesh = flow.model().mesh();
+  for (std::size_t k = 0; k < mesh.nodes(); ++k) {
+    const double distance = std::hypot(flow.x()[k], flow.y()[k]);
+    const double impulse = flow.model().nodes().mass()[k] * std::hypot(flow.u()[k], flow.v()[k]);
+    now.momentum += impulse;
+    now.angular_momentum += distance * impulse;
+    // A corner that is moved by the rounding of its place changes the area by that times half the diagonal.
+    area.add(distance * 2 / static_cast<double>(std::min(mesh.columns, mesh.rows)));
+  }
+  now.area = area.value();
+  return now;
+}
+
+struct Results {
+  Invariants first;
   std::vector<double> time;
-  std::vector<Kept::Defects> defects;
+  std::vector<Defects> defects;
+  std::vector<Scales> scales;
+  Flow flow;  ///< at the end
+
+  [[nodiscard]] Worst largest(double Defects::*defect) const {
+    Worst found;
+    for (std::size_t i = 0; i < time.size(); ++i) found.add(defects[i].*defect, time[i]);
+    return found;
+  }
+  [[nodiscard]] double largest(double Scales::*scale) const {
+    Largest found;
+    for (const Scales& one : scales) found.add(one.*scale);
+    return found.value();
+  }
 };
 
-void claim(Running& run, const Kept& kept, const Flow& flow) {
-  const auto steps = static_cast<double>(run.integer("steps"));
-  const std::string resolution = fmt::format("{} x {} cells, tau = {:g}, {:g} steps", run.integer("nx"),
-                                             run.integer("ny"), run.real("tau"), steps);
-  const auto judge = [&](const std::string& id, const std::string& text, double value, double scale,
-                         const std::string& reason) {
-    run.record.measure(id + "_defect", value);
-    std::string claim_id = id;
-    std::replace(claim_id.begin(), claim_id.end(), '_', '-');
-    run.record.check({.id = claim_id, .text = text, .quantity = "largest defect", .source = source},
-                     {.value = value, .resolution = resolution},
-                     Roundoff{.operations = steps + 16, .scale = scale, .reason = reason + ", once per step"});
+/// Bounds of energy and scales, for twice the energy of the given velocity, which the projection can only lessen. In
+/// the norm of the masses, |r| grows no faster than |u| = sqrt(2 E), and sums of products are no more than products
+/// of norms; a single node may have all of the energy.
+struct Most {
+  double energy;
+  Scales scales;
+};
+
+Most most(const Values& values) {
+  const auto size = [&](std::initializer_list<const char*> coefficients) {
+    double sum = 0;
+    for (const char* name : coefficients) sum += std::abs(values.real(name));
+    return sum;
   };
-  const Kept::Defects& defects = kept.largest();
-  run.record.measure("kinetic_energy", kept.first().energy);
-  run.record.measure("angular_momentum", kept.first().angular_momentum);
-  const Stepping stepping = mechanics::stepping_named(run.text("scheme"));
-  if (stepping == Stepping::one_step_feedback) {
-    run.record.measure("energy_defect", defects.energy);
-  } else {
-    judge("energy", "The kinetic energy is kept.", defects.energy, kept.first().energy, "rounding of the energy");
-  }
-  judge("momentum", "The momentum is kept.", defects.momentum, kept.scales().momentum, "rounding of sum m|u|");
-  judge("angular_momentum", "So is the angular momentum.", defects.angular_momentum, kept.scales().angular_momentum,
-        "rounding of sum m|r||u|");
+  constexpr double mass = 4;
+  constexpr double farthest = std::numbers::sqrt2;
+  const double speed = std::hypot(size({"u_0", "u_x", "u_y", "u_yy"}), size({"v_0", "v_x", "v_y", "v_xx"}));
+  const double energy = mass * speed * speed;
+  const double u = std::sqrt(2 * energy);
+  const double time = values.real("tau") * static_cast<double>(values.integer("steps"));
+  const auto cells = static_cast<double>(values.integer("nx") * values.integer("ny"));
+  const double width = 2 / static_cast<double>(std::min(values.integer("nx"), values.integer("ny")));
+  return {.energy = energy,
+          .scales = {.momentum = std::sqrt(mass) * u,
+                     .angular_momentum = (std::sqrt(mass) * farthest + time * u) * u,
+                     .area = (farthest + time * u * std::sqrt(cells)) * width}};
+}
+
+void claims(const Values& values, Claims<Results> claims) {
+  const auto steps = static_cast<double>(values.integer("steps"));
+  const Most cap = most(values);
+  const auto kept = [&](const Claims<Results>& to, const std::string& id, const std::string& text,
+                        double Defects::*defect, double largest, std::function<double(const Results&)> scale,
+                        const std::string& reason) {
+    to.at(fmt::format("{} x {} cells, tau = {:g}, {:g} steps", values.integer("nx"), values.integer("ny"),
+                      values.real("tau"), steps))
+        .check(
+            {.id = id, .text = text, .quantity = "largest defect", .source = source},
+            [defect, scale](const Results& r) -> Measurement {
+              const Worst found = r.largest(defect);
+              return {
+                  .value = found.value(), .where = fmt::format("t = {:g}", found.where()), .told = {.scale = scale(r)}};
+            },
+            Roundoff{.operations = steps + 16,
+                     .scale = evidence::Amount::told_by_run(largest),
+                     .reason = reason + ", once per step"});
+  };
+  const auto of = [](double Scales::*scale) { return [scale](const Results& r) { return r.largest(scale); }; };
+  const Stepping stepping = mechanics::stepping_named(values.text("scheme"));
+  kept(
+      claims.only_if(stepping != Stepping::one_step_feedback, "the feedback gives up the energy"), "energy",
+      "The kinetic energy is kept.", &Defects::energy, cap.energy, [](const Results& r) { return r.first.energy; },
+      "rounding of the energy");
+  kept(claims, "momentum", "The momentum is kept.", &Defects::momentum, cap.scales.momentum, of(&Scales::momentum),
+       "rounding of sum m|u|");
+  kept(claims, "angular-momentum", "So is the angular momentum.", &Defects::angular_momentum,
+       cap.scales.angular_momentum, of(&Scales::angular_momentum), "rounding of sum m|r||u|");
   const std::string rounding = "rounding of a corner's place, times the width of a cell";
-  if (stepping == Stepping::one_step) {
-    judge("modified_area", "Every cell keeps V[r] - (tau^2/4) V[r'].", defects.modified_area, kept.scales().area,
-          rounding);
-    run.record.measure("area_defect", defects.area);
-    double fastest = 0;
-    for (std::size_t cell = 0; cell < flow.model().mesh().cells(); ++cell) {
-      fastest = std::max(fastest, std::abs(cell_area(flow.model().mesh(), flow.u(), flow.v(), cell)));
-    }
-    run.record.measure("area_of_velocities", fastest);
-  } else {
-    run.record.measure("modified_area_defect", defects.modified_area);
-    if (stepping == Stepping::conservative) {
-      judge("area", "Every cell keeps its area.", defects.area, kept.scales().area, rounding);
-    } else {
-      run.record.measure("area_defect", defects.area);
-    }
-  }
+  kept(claims.only_if(stepping == Stepping::one_step, "it is what one step without feedback keeps"), "modified-area",
+       "Every cell keeps V[r] - (tau^2/4) V[r'].", &Defects::modified_area, cap.scales.area, of(&Scales::area),
+       rounding);
+  kept(claims.only_if(stepping == Stepping::conservative, "one step changes areas by O(tau^2)"), "area",
+       "Every cell keeps its area.", &Defects::area, cap.scales.area, of(&Scales::area), rounding);
 }
 
-void draw(Running& run, const History& history, const Flow& flow) {
-  auto& figure = run.record.figure("patch", "The patch at the end", "Its mesh; it began as a square of equal cells.");
-  draw_mesh(figure.panel({.x = "x", .y = "y", .equal_aspect = true}), "mesh", flow);
-  auto& drifts = run.record.figure("defects", "Defects in time", "What is exactly zero is not drawn.");
-  auto& panel = drifts.panel({.x = "t", .y = "defect", .log_y = true});
-  const auto line = [&](const std::string& label, double Kept::Defects::*defect) {
-    std::vector<double> time;
-    std::vector<double> values;
-    for (std::size_t i = 0; i < history.time.size(); ++i) {
-      if (!(history.defects[i].*defect > 0)) continue;
-      time.push_back(history.time[i]);
-      values.push_back(history.defects[i].*defect);
-    }
-    panel.line(label, time, values);
-  };
-  line("energy", &Kept::Defects::energy);
-  line("momentum", &Kept::Defects::momentum);
-  line("angular momentum", &Kept::Defects::angular_momentum);
-  line("modified areas", &Kept::Defects::modified_area);
-  line("areas", &Kept::Defects::area);
-}
-
-void run(Running& run) {
-  Flow flow = patch(run);
+Results compute(const Run& run) {
   const double tau = run.real("tau");
   const long steps = run.integer("steps");
-  const long every = std::max(1L, steps / 400);
-  Kept kept(flow, tau);
-  History history;
+  const long every = steps < 400 ? 1 : steps / 400;
+  Flow flow = patch(run);
+  Results r{.first = invariants_of(flow, tau), .time = {}, .defects = {}, .scales = {}, .flow = std::move(flow)};
   for (long n = 1; n <= steps; ++n) {
-    flow.advance(tau);
+    r.flow.advance(tau);
     if (n % every != 0 && n < steps) continue;
-    history.defects.push_back(kept.observe(flow));
-    history.time.push_back(flow.time());
+    r.time.push_back(r.flow.time());
+    r.defects.push_back(defects_of(r.flow, tau, r.first));
+    r.scales.push_back(scales_of(r.flow));
     run.progress(static_cast<double>(n) / static_cast<double>(steps));
   }
-  claim(run, kept, flow);
-  draw(run, history, flow);
+  return r;
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  draw_mesh(exhibit.figure("patch", "The patch at the end", "Its mesh; it began as a square of equal cells.")
+                .panel({.x = "x", .y = "y", .equal_aspect = true}),
+            "mesh", r.flow);
+  auto& panel = exhibit.figure("defects", "Defects in time", "What is exactly zero is not drawn.")
+                    .panel({.x = "t", .y = "defect", .log_y = true});
+  const auto defect = [&](const std::string& id, const std::string& label, double Defects::*member) {
+    exhibit.measure(id + "_defect", r.largest(member).value());
+    std::vector<double> time;
+    std::vector<double> values_above_zero;
+    for (std::size_t i = 0; i < r.time.size(); ++i) {
+      if (!(r.defects[i].*member > 0)) continue;
+      time.push_back(r.time[i]);
+      values_above_zero.push_back(r.defects[i].*member);
+    }
+    panel.line(label, time, values_above_zero);
+  };
+  defect("energy", "energy", &Defects::energy);
+  defect("momentum", "momentum", &Defects::momentum);
+  defect("angular_momentum", "angular momentum", &Defects::angular_momentum);
+  defect("modified_area", "modified areas", &Defects::modified_area);
+  defect("area", "areas", &Defects::area);
+  exhibit.measure("kinetic_energy", r.first.energy);
+  exhibit.measure("angular_momentum", r.first.angular_momentum);
+  if (values.text("scheme") != "one_step") return;
+  const Mesh& mesh = r.flow.model().mesh();
+  Worst fastest;
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    fastest.add(cell_area(mesh, r.flow.u(), r.flow.v(), cell));
+  }
+  exhibit.measure("area_of_velocities", fastest.value());
 }
 
 }  // namespace
@@ -254,7 +276,7 @@ Case free_patch_mesh() {
       integer("steps", {1000, 10000, 100000}, {1, 1e8}, "number of steps"),
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -32,10 +32,17 @@ std::vector<double> times_of(const Values& values) {
   return evenly(0, values.real("time"), 101);
 }
 
-void run(Running& run) {
-  const exact::StretchingDrop drop = drop_of(run.values());
-  claim_identities(run.record, drop.self_test(), drop.uncertainty(), source);
-  const std::vector<double> times = times_of(run.values());
+void claims(const Values& values, Claims<exact::SelfTest> claims) {
+  claim_identities(claims, drop_of(values).self_test(), source);
+}
+
+exact::SelfTest compute(const Run& run) {
+  return drop_of(run).self_test();
+}
+
+void show(const exact::SelfTest& /*identities*/, const Values& values, evidence::Exhibit& exhibit) {
+  const exact::StretchingDrop drop = drop_of(values);
+  const std::vector<double> times = times_of(values);
   std::vector<double> along;
   std::vector<double> across;
   std::vector<double> pressure;
@@ -44,11 +51,12 @@ void run(Running& run) {
     across.push_back(drop.other_axis(t));
     pressure.push_back(drop.at(t).central_pressure);
   }
-  auto& figure = run.record.figure("drop", "Semi-axes and pressure", "Along and across the stretching; at the centre.");
+  auto& figure = exhibit.figure("drop", "Semi-axes and pressure", "Along and across the stretching; at the centre.");
   auto& axes = figure.panel({.x = "t [s]", .y = "semi-axis [m]"});
   axes.line("along x", times, along, Role::exact);
   axes.line("along y", times, across, Role::guide);
   figure.panel({.x = "t [s]", .y = "pressure [Pa]"}).line("centre", times, pressure, Role::exact);
+  exhibit.measure("reference_uncertainty", drop.uncertainty());
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
@@ -86,7 +94,7 @@ Case stretching_drop() {
       real("time", 2.0, "s", {1e-9, 1e6}, "end of the series that is asked for"),
       tolerance_parameter(),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted};
   return c;
 }

@@ -1,10 +1,10 @@
 #include "validation/instruments/mesh_double_shear.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 
@@ -92,6 +92,8 @@ DoubleShearErrors errors_at_end(const Flow& flow, const DoubleShearRun& run) {
   MeanSquare position;
   MeanSquare velocity;
   MeanSquare shape;
+  Worst largest;
+  Worst interior;
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
     const DoubleShear::Sample s = run.motion.at(mesh.x[k], mesh.y[k], flow.time());
     const double dx = flow.x()[k] - s.x;
@@ -101,11 +103,12 @@ DoubleShearErrors errors_at_end(const Flow& flow, const DoubleShearRun& run) {
     const double mass = flow.model().nodes().mass()[k];
     position.add(mass, dx * dx + dy * dy);
     velocity.add(mass, du * du + dv * dv);
-    const double larger = std::max(std::abs(dx), std::abs(dy));
-    errors.position = std::max(errors.position, larger);
     const Point place = lattice_place(mesh, k);
-    const bool inside = std::max(std::abs(place.x), std::abs(place.y)) <= 0.5;
-    if (inside) errors.interior = std::max(errors.interior, larger);
+    const bool inside = std::abs(place.x) <= 0.5 && std::abs(place.y) <= 0.5;
+    for (const double component : {dx, dy}) {
+      largest.add(component);
+      if (inside) interior.add(component);
+    }
     if (k < mesh.node(0, mesh.rows) || std::abs(place.x) > judged_edge) continue;
     const TopEdge edge(run.motion.parameters(), flow.time(), flow.x()[k]);
     shape.add(1, std::pow(flow.y()[k] - edge.height, 2) / (1 + edge.slope * edge.slope));
@@ -118,14 +121,18 @@ DoubleShearErrors errors_at_end(const Flow& flow, const DoubleShearRun& run) {
     const double exact = run.motion.at(label.x, label.y, flow.time() - tau).pressure;
     lambda.add(flow.model().first_areas()[cell], std::pow(pressure[cell] - exact, 2));
   }
+  errors.position = largest.value();
+  errors.interior = interior.value();
   errors.rms_position = position.root();
   errors.rms_velocity = velocity.root();
   errors.rms_lambda = lambda.root();
   errors.shape = shape.root();
   const EdgeSlip slips = edge_slip(flow, run);
+  Worst slip;
   for (std::size_t i = 0; i < slips.label.size(); ++i) {
-    if (std::abs(lattice_place(mesh, i).x) <= judged_edge) errors.slip = std::max(errors.slip, std::abs(slips.slip[i]));
+    if (std::abs(lattice_place(mesh, i).x) <= judged_edge) slip.add(slips.slip[i]);
   }
+  errors.slip = slip.value();
   return errors;
 }
 

@@ -25,16 +25,16 @@ meshes, divided by $h$, lie on that line. Slips fill a layer of one cell, and th
 $h$ is $h^3$: the root-mean-square errors are of order 1.5. At a corner the slips along two sides meet, and a few cells
 are of first order in every respect.
 */
-#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
-#include "validation/instruments/mesh_double_shear.hpp"
-#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/refinement.hpp"
+#include "validation/instruments/mesh_double_shear.hpp"
+#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -44,13 +44,11 @@ using evidence::Order;
 using evidence::Role;
 using lagrangian_mesh_2d::Flow;
 
-const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";
-
-DoubleShearRun run_of(const Run& run, long n) {
+DoubleShearRun run_of(const Values& values, long n) {
   return {.n = static_cast<std::size_t>(n),
-          .tau_over_h = run.real("tau_over_h"),
-          .scheme = {.stepping = mechanics::stepping_named(run.text("scheme"))},
-          .distortion = run.real("distortion")};
+          .tau_over_h = values.real("tau_over_h"),
+          .scheme = {.stepping = mechanics::stepping_named(values.text("scheme"))},
+          .distortion = values.real("distortion")};
 }
 
 /// From a quarter of n to n, multiples of eight: then nodes lie on the borders of interior and judged edge.
@@ -63,56 +61,77 @@ std::vector<long> meshes_up_to(long n) {
   return meshes;
 }
 
-Refinement judged_quantities() {
-  const Order second{2, 0.1, "second order of smooth solutions"};
-  const Order interior{2, 0.15, "second order; coarse meshes' interiors still feel the layer at the edges"};
-  const Order shape{2, 0.2, "second order, and first order at the corners, whose influence decays along the edge"};
+RefinementStudy study_of_orders() {
   const Order layer{1.5, 0.1, "errors of first order in a layer of one cell"};
-  const Order first{1, 0.1, "slip of half a cell's pressure gradient; the next term is of second order"};
-  return Refinement(
-      {{"interior",
-        "places in the interior",
-        "Nodes in the interior are where they should be to second order.",
-        interior,
-        {{16, "8.14e-4"}, {32, "1.91e-4"}, {64, "4.71e-5"}}},
-       {"pressure",
-        "pressure, rms",
-        "The pressure is of second order.",
-        second,
-        {{16, "1.63e-3"}, {32, "3.93e-4"}, {64, "9.73e-5"}}},
-       {"shape", "shape of the surface, rms", "The shape of the surface is of second order.", shape},
-       {"position",
-        "places, rms",
-        "Places of all nodes are of order 1.5 in the root mean square.",
-        layer,
-        {{16, "1.56e-2"}, {32, "5.64e-3"}, {64, "2.02e-3"}}},
-       {"velocity",
-        "velocities, rms",
-        "So are velocities.",
-        layer,
-        {{16, "2.74e-2"}, {32, "1.01e-2"}, {64, "3.66e-3"}}},
-       {"slip",
-        "slip along the surface",
-        "Surface nodes slip along the surface to first order.",
-        first,
-        {{16, "5.95e-2"}, {32, "3.02e-2"}, {64, "1.51e-2"}}},
-       {"largest",
-        "places, largest",
-        "At the corners places are of first order.",
-        Order{1, 0.15, "slips along two sides meet within a few cells, fewer of them in the square on coarse meshes"},
-        {{16, "9.06e-2"}, {32, "4.76e-2"}, {64, "2.44e-2"}}}},
-      source);
+  return {.quantities =
+              {{"interior", "places in the interior", "Nodes in the interior are where they should be to second order.",
+                Order{2, 0.15, "second order; coarse meshes' interiors still feel the layer at the edges"}},
+               {"pressure", "pressure, rms", "The pressure is of second order.",
+                Order{2, 0.1, "second order of smooth solutions"}},
+               {"shape", "shape of the surface, rms", "The shape of the surface is of second order.",
+                Order{2, 0.2, "second order, and first order at the corners, whose influence decays along the edge"}},
+               {"position", "places, rms", "Places of all nodes are of order 1.5 in the root mean square.", layer},
+               {"velocity", "velocities, rms", "So are velocities.", layer},
+               {"slip", "slip along the surface", "Surface nodes slip along the surface to first order.",
+                Order{1, 0.1, "slip of half a cell's pressure gradient; the next term is of second order"}},
+               {"largest", "places, largest", "At the corners places are of first order.",
+                Order{1, 0.15,
+                      "slips along two sides meet within a few cells, fewer of them in the square on coarse meshes"}}},
+          .source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4"};
+}
+constexpr std::size_t slip_quantity = 5;
+
+struct Results {
+  Refinement refinement;
+  std::vector<EdgeSlip> slips;  ///< over the width of a cell, on each mesh
+  Flow coarsest;                ///< at the end
+};
+
+void claims(const Values& values, Claims<Results> claims) {
+  const RefinementStudy study = study_of_orders();
+  study.claim_orders(claims.of(&Results::refinement));
+  const DoubleShearRun finest = run_of(values, meshes_up_to(values.integer("n")).back());
+  claims.at(fmt::format("n = {}", finest.n))
+      .only_if(finest.distortion == 0, "the estimate is for equal cells")
+      .check(
+          {.id = "slip",
+           .text = "The slip is that of the pressure gradient half a cell below the surface.",
+           .quantity = "slip along the surface over its estimate 2 h P X (1 - cos t), X = 3/4",
+           .source = "momentum of a surface node; see the article"},
+          [finest](const Results& r) {
+            return r.refinement.finest(slip_quantity) / expected_slip(finest, judged_edge);
+          },
+          Bound{.limit = finest.spacing(), .reason = "the next term is smaller by a factor h", .expected = 1});
+  study.claim_digits(claims.of(&Results::refinement)
+                         .only_if(values.as_published(), "the earlier program ran with the default parameters"),
+                     values, "regression_mms_mesh");
 }
 
-std::vector<double> listed(const DoubleShearErrors& errors) {
-  return {errors.interior,     errors.rms_lambda, errors.shape,   errors.rms_position,
-          errors.rms_velocity, errors.slip,       errors.position};
+Results compute(const Run& run) {
+  Refinement refinement;
+  std::vector<EdgeSlip> slips;
+  std::optional<Flow> coarsest;
+  const std::vector<long> meshes = meshes_up_to(run.integer("n"));
+  for (const long n : meshes) {
+    const DoubleShearRun shear = run_of(run, n);
+    Flow flow = double_shear_flow(shear);
+    advance_to_end(flow, shear);
+    const DoubleShearErrors errors = errors_at_end(flow, shear);
+    refinement.add(n, {errors.interior, errors.rms_lambda, errors.shape, errors.rms_position, errors.rms_velocity,
+                       errors.slip, errors.position});
+    slips.push_back(edge_slip(flow, shear));
+    for (double& value : slips.back().slip) value /= shear.spacing();
+    if (!coarsest) coarsest = std::move(flow);
+    run.progress(std::pow(static_cast<double>(n) / static_cast<double>(meshes.back()), 3));
+  }
+  return {std::move(refinement), std::move(slips), std::move(*coarsest)};
 }
 
-void draw_mesh_at_end(Running& run, const Flow& flow, const DoubleShearRun& shear) {
-  auto& figure = run.record.figure("mesh", "The mesh at the end",
-                                   "Computed, and where the nodes should be. They differ at the edges, along them.");
-  auto& panel = figure.panel({.x = "x", .y = "y", .equal_aspect = true});
+void draw_mesh_at_end(const Flow& flow, const DoubleShearRun& shear, evidence::Exhibit& exhibit) {
+  auto& panel = exhibit
+                    .figure("mesh", "The mesh at the end",
+                            "Computed, and where the nodes should be. They differ at the edges, along them.")
+                    .panel({.x = "x", .y = "y", .equal_aspect = true});
   const lagrangian_mesh_2d::Mesh& mesh = flow.model().mesh();
   std::vector<double> x;
   std::vector<double> y;
@@ -125,46 +144,30 @@ void draw_mesh_at_end(Running& run, const Flow& flow, const DoubleShearRun& shea
   draw_mesh(panel, "computed", flow);
 }
 
-void claim_slip(Running& run, const DoubleShearRun& finest, double slip) {
-  const double expected = expected_slip(finest, judged_edge);
-  run.record.check({.id = "slip",
-                    .text = "The slip is that of the pressure gradient half a cell below the surface.",
-                    .quantity = "slip along the surface over its estimate 2 h P X (1 - cos t), X = 3/4",
-                    .source = "momentum of a surface node; see the article"},
-                   {.value = slip / expected, .resolution = fmt::format("n = {}", finest.n)},
-                   Bound{.limit = finest.spacing(), .reason = "the next term is smaller by a factor h", .expected = 1});
-}
-
-void run(Running& run) {
-  Refinement refinement = judged_quantities();
-  auto& figure = run.record.figure("convergence", "Errors under refinement",
-                                   "Against the number of cells across; grey lines have slopes 1 and 2.");
-  auto& slips = run.record.figure("slip", "Slip of surface nodes along the surface",
-                                  "At the top edge, divided by the width of a cell, over the nodes' labels.");
-  auto& slip_panel = slips.panel({.x = "X", .y = "slip/h"});
-  const std::vector<long> meshes = meshes_up_to(run.integer("n"));
-  for (const long n : meshes) {
-    const DoubleShearRun shear = run_of(run, n);
-    Flow flow = double_shear_flow(shear);
-    advance_to_end(flow, shear);
-    const DoubleShearErrors errors = errors_at_end(flow, shear);
-    refinement.add(n, listed(errors));
-    EdgeSlip slip = edge_slip(flow, shear);
-    for (double& value : slip.slip) value /= shear.spacing();
-    slip_panel.line(fmt::format("n = {}", n), slip.label, slip.slip);
-    if (n == meshes.front()) draw_mesh_at_end(run, flow, shear);
-    run.progress(std::pow(static_cast<double>(n) / static_cast<double>(meshes.back()), 3));
+void draw_slips(const Results& r, const DoubleShearRun& finest, evidence::Exhibit& exhibit) {
+  auto& panel = exhibit
+                    .figure("slip", "Slip of surface nodes along the surface",
+                            "At the top edge, divided by the width of a cell, over the nodes' labels.")
+                    .panel({.x = "X", .y = "slip/h"});
+  for (std::size_t m = 0; m < r.slips.size(); ++m) {
+    panel.line(fmt::format("n = {:g}", r.refinement.n()[m]), r.slips[m].label, r.slips[m].slip);
   }
-  const DoubleShearRun finest = run_of(run, meshes.back());
   const std::vector<double> labels = evenly(-1, 1, 2);
   std::vector<double> expected;
   for (const double label : labels) expected.push_back(expected_slip(finest, label) / finest.spacing());
-  slip_panel.line("estimate", labels, expected, Role::guide);
-  refinement.draw(figure.panel({.x = "cells n", .y = "error", .log_x = true, .log_y = true}));
-  refinement.tabulate(run.record);
-  refinement.claim_orders(run.record);
-  if (finest.distortion == 0) claim_slip(run, finest, refinement.finest(5));
-  if (run.as_published()) refinement.claim_digits(run.record);
+  panel.line("estimate", labels, expected, Role::guide);
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const RefinementStudy study = study_of_orders();
+  const std::vector<long> meshes = meshes_up_to(values.integer("n"));
+  study.draw(r.refinement, exhibit
+                               .figure("convergence", "Errors under refinement",
+                                       "Against the number of cells across; grey lines have slopes 1 and 2.")
+                               .panel({.x = "cells n", .y = "error", .log_x = true, .log_y = true}));
+  draw_slips(r, run_of(values, meshes.back()), exhibit);
+  draw_mesh_at_end(r.coarsest, run_of(values, meshes.front()), exhibit);
+  study.tabulate(r.refinement, exhibit);
 }
 
 }  // namespace
@@ -181,7 +184,7 @@ Case mms_mesh() {
       choice("scheme", std::string("one_step"), {"one_step", "conservative"}, "time stepping"),
       real("distortion", 0.0, "1", {0, 0.2}, "amplitude of the initial mesh's displacement"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -18,24 +18,19 @@ The volumes of the cells err by the time step alone; with the conservative schem
 */
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "validation/case/case.hpp"
-#include "validation/instruments/plan_manufactured_flow.hpp"
 #include "validation/case/refinement.hpp"
+#include "validation/instruments/plan_manufactured_flow.hpp"
 
 namespace seiche::validation::cases {
 namespace {
 
 using evidence::Order;
-using evidence::Role;
 
-const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";
-
-PlanManufacturedRun run_of(const Run& run, long n) {
+PlanManufacturedRun run_of(const Values& values, long n) {
   return {.n = static_cast<std::size_t>(n),
-          .steps_per_cell = run.integer("steps_per_cell"),
-          .scheme = {.stepping = mechanics::stepping_named(run.text("scheme"))}};
+          .steps_per_cell = values.integer("steps_per_cell"),
+          .scheme = {.stepping = mechanics::stepping_named(values.text("scheme"))}};
 }
 
 /// From a quarter of n to n.
@@ -46,53 +41,49 @@ std::vector<long> lattices_up_to(long n) {
   return lattices;
 }
 
-Refinement judged_quantities() {
+RefinementStudy study_of(const Values& values) {
   const Order second{2, 0.05, "second order of smooth solutions"};
-  return Refinement({{"position",
-                      "places, L2",
-                      "Places are of second order.",
-                      second,
-                      {{8, "1.187e-2"}, {16, "3.021e-3"}, {32, "7.575e-4"}}},
-                     {"elevation",
-                      "elevations, L2",
-                      "Elevations are of second order.",
-                      second,
-                      {{8, "3.790e-2"}, {16, "9.441e-3"}, {32, "2.355e-3"}}},
-                     {"velocity",
-                      "velocities, L2",
-                      "Velocities are of second order.",
-                      second,
-                      {{8, "1.23e-2"}, {16, "2.97e-3"}, {32, "7.35e-4"}}},
-                     {"volume", "volumes, largest", "", {}}},
-                    source);
+  return {.quantities = {{"position", "places, L2", "Places are of second order.", second},
+                         {"elevation", "elevations, L2", "Elevations are of second order.", second},
+                         {"velocity", "velocities, L2", "Velocities are of second order.", second},
+                         {"volume", "volumes, largest"}},
+          .source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4",
+          .coarsest = lattices_up_to(values.integer("n"))[1]};
 }
 
-void draw_lattice(Running& run, const PlanManufacturedRun& manufactured) {
-  auto& figure = run.record.figure("motion", "The lattice in its basin at the beginning",
-                                   "Elevation of the surface at t = 0 over the places of the columns, seen from above "
-                                   "and in perspective: the columns are not where their labels are.");
-  const auto flow = plan_manufactured_flow(manufactured);
-  const evidence::Lattice lattice{
-      .columns = flow.shape().columns, .rows = flow.shape().rows, .x = flow.x(), .y = flow.y(), .z = flow.z()};
-  figure.panel({.x = "x", .y = "y", .z = "elevation"}).plan("t = 0", lattice);
-  figure.panel({.x = "x", .y = "y", .z = "elevation"}).surface("t = 0", lattice);
+void claims(const Values& values, Claims<Refinement> claims) {
+  const RefinementStudy study = study_of(values);
+  study.claim_orders(claims);
+  study.claim_digits(claims.only_if(values.as_published(), "the earlier program ran with the default parameters"),
+                     values, "regression_mms_plan");
 }
 
-void run(Running& run) {
-  Refinement refinement = judged_quantities();
-  auto& figure = run.record.figure("convergence", "Errors under refinement",
-                                   "Against the number of cells across; grey lines have slopes 1 and 2.");
+Refinement compute(const Run& run) {
+  Refinement refinement;
   const std::vector<long> lattices = lattices_up_to(run.integer("n"));
   for (const long n : lattices) {
     const PlanManufacturedErrors errors = plan_manufactured_errors(run_of(run, n));
     refinement.add(n, {errors.position, errors.elevation, errors.velocity, errors.volume});
     run.progress(std::pow(static_cast<double>(n) / static_cast<double>(lattices.back()), 3));
   }
-  refinement.draw(figure.panel({.x = "cells n", .y = "error", .log_x = true, .log_y = true}));
-  refinement.tabulate(run.record);
-  refinement.claim_orders(run.record, lattices[1]);
-  draw_lattice(run, run_of(run, lattices[1]));
-  if (run.as_published()) refinement.claim_digits(run.record);
+  return refinement;
+}
+
+void show(const Refinement& refinement, const Values& values, evidence::Exhibit& exhibit) {
+  const RefinementStudy study = study_of(values);
+  study.draw(refinement, exhibit
+                             .figure("convergence", "Errors under refinement",
+                                     "Against the number of cells across; grey lines have slopes 1 and 2.")
+                             .panel({.x = "cells n", .y = "error", .log_x = true, .log_y = true}));
+  study.tabulate(refinement, exhibit);
+  auto& figure = exhibit.figure("motion", "The lattice in its basin at the beginning",
+                                "Elevation of the surface at t = 0 over the places of the columns, seen from above "
+                                "and in perspective: the columns are not where their labels are.");
+  const auto flow = plan_manufactured_flow(run_of(values, study.coarsest));
+  const evidence::Lattice lattice{
+      .columns = flow.shape().columns, .rows = flow.shape().rows, .x = flow.x(), .y = flow.y(), .z = flow.z()};
+  figure.panel({.x = "x", .y = "y", .z = "elevation"}).plan("t = 0", lattice);
+  figure.panel({.x = "x", .y = "y", .z = "elevation"}).surface("t = 0", lattice);
 }
 
 }  // namespace
@@ -107,7 +98,7 @@ Case mms_plan() {
       integer("steps_per_cell", 4, {1, 100}, "time step: a cell's width over this"),
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

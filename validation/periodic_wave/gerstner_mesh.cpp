@@ -31,9 +31,9 @@ within a few cells, a little more on finer meshes.
 #include "seiche/exact/gerstner.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "validation/case/case.hpp"
-#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/refinement.hpp"
+#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -46,7 +46,6 @@ using lagrangian_mesh_2d::Mesh;
 
 constexpr double pi = std::numbers::pi;
 constexpr double deepest = -2;
-const std::string source = "Gerstner (1804); Lamb, Hydrodynamics (1932), section 251";
 
 /// The wave with the surface's label at b = 0, as in the article.
 class Wave {
@@ -102,14 +101,14 @@ Labelled mesh_of(const std::shared_ptr<const Wave>& wave, std::size_t n) {
 }
 
 /// A mesh of the sequence at the end of the time.
-struct Result {
+struct MeshAtEnd {
   Labelled labelled;
   Flow flow;
   double spacing;
   std::vector<double> earlier_y;  ///< of the nodes before the last step, to which its pressures belong
 };
 
-Result computed(const Run& run, const std::shared_ptr<const Wave>& wave, long n) {
+MeshAtEnd computed(const Run& run, const std::shared_ptr<const Wave>& wave, long n) {
   Labelled labelled = mesh_of(wave, static_cast<std::size_t>(n));
   Flow flow(labelled.mesh, [&](Point place) { return wave->velocity(wave->label_at_start(place), 0); },
             {.stepping = mechanics::stepping_named(run.text("scheme"))});
@@ -128,12 +127,12 @@ bool in_middle_half(std::size_t index, std::size_t count) {
 }
 
 /// In the order of the quantities.
-std::vector<double> errors_of(const Result& result, const Wave& wave) {
+std::vector<double> errors_of(const MeshAtEnd& result, const Wave& wave) {
   const Flow& flow = result.flow;
   const Mesh& mesh = result.labelled.mesh;
   double squares = 0;
-  double largest = 0;
-  double shape = 0;
+  Worst largest;
+  Worst shape;
   for (std::size_t j = 1; j <= mesh.rows; ++j) {
     for (std::size_t i = 1; i < mesh.columns; ++i) {
       const std::size_t k = mesh.node(i, j);
@@ -142,9 +141,9 @@ std::vector<double> errors_of(const Result& result, const Wave& wave) {
       const double dy = flow.y()[k] - exact.y;
       squares += dx * dx + dy * dy;
       if (!in_middle_half(i, mesh.columns)) continue;
-      largest = std::max({largest, std::abs(dx), std::abs(dy)});
-      if (j < mesh.rows) continue;
-      shape = std::max(shape, std::abs(flow.y()[k] - wave.elevation(flow.x()[k], flow.time())));
+      largest.add(dx);
+      largest.add(dy);
+      if (j == mesh.rows) shape.add(flow.y()[k] - wave.elevation(flow.x()[k], flow.time()));
     }
   }
   const std::vector<double> dynamic = flow.dynamic_pressure();
@@ -160,68 +159,92 @@ std::vector<double> errors_of(const Result& result, const Wave& wave) {
     pressure += std::pow(dynamic[cell] - y - wave.pressure({0, (lower + upper) / 2}), 2);
     ++cells;
   }
-  return {shape, std::sqrt(pressure / cells),
-          std::sqrt(squares / static_cast<double>(2 * mesh.rows * (mesh.columns - 1))), largest};
+  return {shape.value(), std::sqrt(pressure / cells),
+          std::sqrt(squares / static_cast<double>(2 * mesh.rows * (mesh.columns - 1))), largest.value()};
 }
 
-Refinement judged_quantities() {
-  return Refinement(
-      {{"shape", "shape of the surface", "The shape of the surface is of second order.",
-        Order{2, 0.2, "second order, and what the ends, where slipping nodes meet led ones, leave at a distance"}},
-       {"pressure", "pressure, rms", "So is the pressure.", Order{2, 0.2, "the same"}},
-       {"position",
-        "places, rms",
-        "Places of all nodes are of order 1.5 in the root mean square.",
-        Order{1.5, 0.1, "errors of first order in a layer of one cell"},
-        {{4, "1.66e-2"}, {8, "6.13e-3"}, {16, "2.23e-3"}, {32, "8.0e-4"}}},
-       {"largest",
-        "places, largest",
-        "Surface nodes slip along the surface to first order.",
-        Order{1, 0.1, "slip of half a cell's pressure gradient; the next term is of second order"},
-        {{4, "1.07e-1"}, {32, "1.38e-2"}}}},
-      source);
-}
+/// Horizontal distance of surface nodes from where they should be, in rows, by label.
+struct Slip {
+  std::vector<double> label, slip;
+};
 
-void draw_wave(Running& run, const Result& result, const Wave& wave) {
-  auto& figure = run.record.figure("mesh", "The mesh at the end", "Computed, and the exact surface.");
-  auto& panel = figure.panel({.x = "x", .y = "y", .equal_aspect = true});
-  draw_mesh(panel, "mesh", result.flow);
-  const std::vector<double> x = evenly(result.flow.surface_x().front(), result.flow.surface_x().back(), 201);
-  std::vector<double> y;
-  for (const double at : x) y.push_back(wave.elevation(at, result.flow.time()));
-  panel.line("exact surface", x, y, Role::exact);
-}
-
-void draw_slip(evidence::Panel& panel, const Result& result, const Wave& wave, long n) {
+Slip slip_of(const MeshAtEnd& result, const Wave& wave) {
   const Mesh& mesh = result.labelled.mesh;
-  std::vector<double> label;
-  std::vector<double> slip;
+  Slip slips;
   for (std::size_t k = mesh.node(0, mesh.rows); k < mesh.nodes(); ++k) {
     const Point at = result.labelled.labels[k];
     const Point exact = wave.position(at, result.flow.time());
-    label.push_back(at.x);
-    slip.push_back((result.flow.x()[k] - exact.x) / result.spacing);
+    slips.label.push_back(at.x);
+    slips.slip.push_back((result.flow.x()[k] - exact.x) / result.spacing);
   }
-  panel.line(fmt::format("n = {}", n), label, slip);
+  return slips;
 }
 
-void run(Running& run) {
-  const double amplitude = run.real("amplitude");
-  const double time = run.real("time");
-  const auto wave = std::make_shared<const Wave>(amplitude);
-  Refinement refinement = judged_quantities();
-  auto& figure = run.record.figure("convergence", "Errors under refinement",
-                                   "Against the number of rows in a unit of depth; grey lines have slopes 1 and 2.");
-  auto& slips = run.record.figure("slip", "Slip of surface nodes",
-                                  "Horizontal distance of surface nodes from where they should be, in rows.");
-  auto& panel = slips.panel({.x = "a", .y = "slip/h"});
+std::vector<long> meshes_up_to(long n) {
+  return {n / 8, n / 4, 3 * n / 8, n / 2, 3 * n / 4, n};
+}
+
+RefinementStudy study_of(const Values& values) {
+  return {
+      .quantities =
+          {{"shape", "shape of the surface", "The shape of the surface is of second order.",
+            Order{2, 0.2, "second order, and what the ends, where slipping nodes meet led ones, leave at a distance"}},
+           {"pressure", "pressure, rms", "So is the pressure.", Order{2, 0.2, "the same"}},
+           {"position", "places, rms", "Places of all nodes are of order 1.5 in the root mean square.",
+            Order{1.5, 0.1, "errors of first order in a layer of one cell"}},
+           {"largest", "places, largest", "Surface nodes slip along the surface to first order.",
+            Order{1, 0.1, "slip of half a cell's pressure gradient; the next term is of second order"}}},
+      .source = "Gerstner (1804); Lamb, Hydrodynamics (1932), section 251",
+      .coarsest = values.integer("n") / 4};
+}
+
+struct Results {
+  std::shared_ptr<const Wave> wave;
+  Refinement refinement;
+  std::vector<Slip> slips;  ///< on each mesh
+  std::vector<Flow> flows;  ///< at the end, on the mesh that is drawn
+};
+
+void claims(const Values& values, Claims<Results> claims) {
+  const RefinementStudy study = study_of(values);
+  study.claim_orders(claims.of(&Results::refinement));
+  study.claim_digits(claims.of(&Results::refinement)
+                         .only_if(values.as_published(), "the earlier program ran with the default parameters"),
+                     values, "regression_gerstner_mesh");
+}
+
+Results compute(const Run& run) {
+  Results r{.wave = std::make_shared<const Wave>(run.real("amplitude")), .refinement = {}, .slips = {}, .flows = {}};
   const long finest = run.integer("n");
-  for (const long n : {finest / 8, finest / 4, 3 * finest / 8, finest / 2, 3 * finest / 4, finest}) {
-    const Result result = computed(run, wave, n);
-    refinement.add(n, errors_of(result, *wave));
-    draw_slip(panel, result, *wave, n);
-    if (n == finest / 4) draw_wave(run, result, *wave);
+  for (const long n : meshes_up_to(finest)) {
+    MeshAtEnd result = computed(run, r.wave, n);
+    r.refinement.add(n, errors_of(result, *r.wave));
+    r.slips.push_back(slip_of(result, *r.wave));
+    if (n == finest / 4) r.flows.push_back(std::move(result.flow));
     run.progress(std::pow(static_cast<double>(n) / static_cast<double>(finest), 3));
+  }
+  return r;
+}
+
+void draw_wave(const Flow& flow, const Wave& wave, evidence::Exhibit& exhibit) {
+  auto& panel = exhibit.figure("mesh", "The mesh at the end", "Computed, and the exact surface.")
+                    .panel({.x = "x", .y = "y", .equal_aspect = true});
+  draw_mesh(panel, "mesh", flow);
+  const std::vector<double> x = evenly(flow.surface_x().front(), flow.surface_x().back(), 201);
+  std::vector<double> y;
+  for (const double at : x) y.push_back(wave.elevation(at, flow.time()));
+  panel.line("exact surface", x, y, Role::exact);
+}
+
+void draw_slips(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const double amplitude = values.real("amplitude");
+  const double time = values.real("time");
+  auto& panel = exhibit
+                    .figure("slip", "Slip of surface nodes",
+                            "Horizontal distance of surface nodes from where they should be, in rows.")
+                    .panel({.x = "a", .y = "slip/h"});
+  for (std::size_t m = 0; m < r.slips.size(); ++m) {
+    panel.line(fmt::format("n = {:g}", r.refinement.n()[m]), r.slips[m].label, r.slips[m].slip);
   }
   const std::vector<double> labels = evenly(0, 2 * pi, 201);
   std::vector<double> estimate;
@@ -229,10 +252,17 @@ void run(Running& run) {
     estimate.push_back(amplitude / 2 * (std::sin(a - time) - std::sin(a) + time * std::cos(a)));
   }
   panel.line("estimate for small waves", labels, estimate, Role::guide);
-  refinement.draw(figure.panel({.x = "n", .y = "error", .log_x = true, .log_y = true}));
-  refinement.tabulate(run.record);
-  refinement.claim_orders(run.record, finest / 4);
-  if (run.as_published()) refinement.claim_digits(run.record);
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const RefinementStudy study = study_of(values);
+  study.draw(r.refinement, exhibit
+                               .figure("convergence", "Errors under refinement",
+                                       "Against the number of rows in a unit of depth; grey lines have slopes 1 and 2.")
+                               .panel({.x = "n", .y = "error", .log_x = true, .log_y = true}));
+  draw_slips(r, values, exhibit);
+  draw_wave(r.flows.front(), *r.wave, exhibit);
+  study.tabulate(r.refinement, exhibit);
 }
 
 }  // namespace
@@ -250,7 +280,7 @@ Case gerstner_mesh() {
       real("time", 2.4, "1/sqrt(g k)", {0.1, 50}, "end of the run; a period is 2 pi"),
       choice("scheme", std::string("one_step"), {"one_step", "conservative"}, "time stepping"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 
