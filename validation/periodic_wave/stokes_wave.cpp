@@ -31,13 +31,27 @@ exact::StokesWave wave_of(const Values& values) {
           values.real("gravity")};
 }
 
-void run(Running& run) {
-  const exact::StokesWave wave = wave_of(run.values());
-  claim_identities(run.record, wave.self_test(), wave.uncertainty(), source);
-  run.record.measure("phase_speed", wave.phase_speed());
-  run.record.measure("crest_elevation", wave.crest_elevation());
-  run.record.measure("trough_elevation", wave.trough_elevation());
-  run.record.measure("crest_velocity", wave.crest_velocity());
+struct Results {
+  exact::StokesWave wave;
+  exact::SelfTest identities;
+};
+
+void claims(const Values& values, Claims<Results> claims) {
+  claim_identities(claims.of(&Results::identities), wave_of(values).self_test(), source);
+}
+
+Results compute(const Run& run) {
+  const exact::StokesWave wave = wave_of(run);
+  return {wave, wave.self_test()};
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  const exact::StokesWave& wave = r.wave;
+  exhibit.measure("reference_uncertainty", wave.uncertainty());
+  exhibit.measure("phase_speed", wave.phase_speed());
+  exhibit.measure("crest_elevation", wave.crest_elevation());
+  exhibit.measure("trough_elevation", wave.trough_elevation());
+  exhibit.measure("crest_velocity", wave.crest_velocity());
 
   const std::vector<double> x = evenly(-wave.wavelength(), wave.wavelength(), 401);
   std::vector<double> surface;
@@ -48,8 +62,8 @@ void run(Running& run) {
     linear.push_back(wave.amplitude() * std::cos(wave.wavenumber() * at));
     velocity.push_back(wave.velocity(at, surface.back()).u);
   }
-  auto& figure = run.record.figure("wave", "Two wavelengths of the wave",
-                                   "Surface beside a cosine of the same height; horizontal velocity of the surface.");
+  auto& figure = exhibit.figure("wave", "Two wavelengths of the wave",
+                                "Surface beside a cosine of the same height; horizontal velocity of the surface.");
   auto& profile = figure.panel({.x = "x [m]", .y = "elevation [m]"});
   profile.line("Euler", x, surface, Role::exact);
   profile.line("cosine", x, linear, Role::guide);
@@ -92,7 +106,7 @@ Case stokes_wave() {
       real("periods", 10.0, "1", {1e-3, 1e6}, "periods until the last surface that is asked for"),
       tolerance_parameter(),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted};
   return c;
 }

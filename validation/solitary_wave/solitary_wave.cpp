@@ -29,13 +29,27 @@ exact::SolitaryWave wave_of(const Values& values) {
   return exact::SolitaryWave(values.real("amplitude"), values.real("depth"), values.real("gravity"));
 }
 
-void run(Running& run) {
-  const exact::SolitaryWave wave = wave_of(run.values());
-  claim_identities(run.record, wave.self_test(), wave.uncertainty(), source);
-  run.record.measure("speed", wave.speed());
-  run.record.measure("mass", wave.mass());
-  run.record.measure("kinetic_energy", wave.kinetic_energy());
-  run.record.measure("potential_energy", wave.potential_energy());
+struct Results {
+  exact::SolitaryWave wave;
+  exact::SelfTest identities;
+};
+
+void claims(const Values& values, Claims<Results> claims) {
+  claim_identities(claims.of(&Results::identities), wave_of(values).self_test(), source);
+}
+
+Results compute(const Run& run) {
+  const exact::SolitaryWave wave = wave_of(run);
+  return {wave, wave.self_test()};
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  const exact::SolitaryWave& wave = r.wave;
+  exhibit.measure("reference_uncertainty", wave.uncertainty());
+  exhibit.measure("speed", wave.speed());
+  exhibit.measure("mass", wave.mass());
+  exhibit.measure("kinetic_energy", wave.kinetic_energy());
+  exhibit.measure("potential_energy", wave.potential_energy());
 
   const double depth = wave.depth();
   const std::vector<double> x = evenly(-8 * depth, 8 * depth, 401);
@@ -46,9 +60,9 @@ void run(Running& run) {
     surface.push_back(wave.elevation(at));
     serre.push_back(model.elevation(at));
   }
-  auto& figure = run.record.figure("wave", "The solitary wave",
-                                   "Surface beside Rayleigh's (exact for Serre's equations), and horizontal velocity "
-                                   "over the depth at three sections.");
+  auto& figure = exhibit.figure("wave", "The solitary wave",
+                                "Surface beside Rayleigh's (exact for Serre's equations), and horizontal velocity "
+                                "over the depth at three sections.");
   auto& profile = figure.panel({.x = "x [m]", .y = "elevation [m]"});
   profile.line("Euler", x, surface, Role::exact);
   profile.line("Rayleigh, Serre", x, serre, Role::guide);
@@ -98,7 +112,7 @@ Case solitary_wave() {
       real("time", 10.0, "s", {1e-6, 1e6}, "last time at which a surface is asked for"),
       tolerance_parameter(),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted};
   return c;
 }

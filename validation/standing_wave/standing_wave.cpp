@@ -33,14 +33,28 @@ exact::StandingWave wave_of(const Values& values) {
   return {values.real("amplitude"), values.real("wavelength"), values.real("depth"), values.real("gravity")};
 }
 
-void run(Running& run) {
-  const exact::StandingWave wave = wave_of(run.values());
-  claim_identities(run.record, wave.self_test(), wave.uncertainty(), source);
-  run.record.measure("frequency", wave.frequency());
-  run.record.measure("critical_depth", exact::StandingWave::critical_depth());
+struct Results {
+  exact::StandingWave wave;
+  exact::SelfTest identities;
+};
+
+void claims(const Values& values, Claims<Results> claims) {
+  claim_identities(claims.of(&Results::identities), wave_of(values).self_test(), source);
+}
+
+Results compute(const Run& run) {
+  const exact::StandingWave wave = wave_of(run);
+  return {wave, wave.self_test()};
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  const exact::StandingWave& wave = r.wave;
+  exhibit.measure("reference_uncertainty", wave.uncertainty());
+  exhibit.measure("frequency", wave.frequency());
+  exhibit.measure("critical_depth", exact::StandingWave::critical_depth());
   const std::vector<double> x = evenly(0, std::numbers::pi / wave.wavenumber(), 201);
-  auto& figure = run.record.figure("surface", "Half a wavelength at five instants",
-                                   "From the highest surface at the left wall to the lowest.");
+  auto& figure = exhibit.figure("surface", "Half a wavelength at five instants",
+                                "From the highest surface at the left wall to the lowest.");
   auto& panel = figure.panel({.x = "x [m]", .y = "elevation [m]"});
   for (const double phase : {0.0, 0.125, 0.25, 0.375, 0.5}) {
     std::vector<double> eta;
@@ -81,7 +95,7 @@ Case standing_wave() {
       real("periods", 5.0, "1", {1, 1e3}, "periods of the series that is asked for"),
       tolerance_parameter(),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted};
   return c;
 }

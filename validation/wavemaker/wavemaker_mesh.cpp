@@ -18,18 +18,17 @@ the settled wave. The difference from theory falls by four when cells and steps 
 out short waves of all lengths. Their height falls with the wavenumber like $k^{-3/4}$ only, no mesh resolves them all,
 and the difference falls as slowly. The second order has twice the frequency: crests become sharper, troughs flatter.
 */
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
+#include "reports/evidence/slope_guide.hpp"
 #include "seiche/exact/wavemaker.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "validation/case/case.hpp"
-#include "reports/evidence/slope_guide.hpp"
 #include "validation/wavemaker/soft_piston.hpp"
 
 namespace seiche::validation::cases {
@@ -125,102 +124,144 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return std::sqrt(difference / norm);
 }
 
-void claim_linear(Running& run, const Paddle& paddle, const Mesh& mesh, const Gauges& theory, double interval, double end) {
-  const std::array<double, 4> factors{0.5, 1, 1.5, run.tier() == Tier::quick ? 2.0 : 3.0};
-  const Paddle tiny = paddle.with_stroke(1e-5);
+/// Errors of the linear wave on meshes refined in all directions.
+struct Convergence {
   std::vector<double> sizes;
-  std::array<std::vector<double>, gauges.size()> errors;
-  std::vector<double> all;
+  Gauges errors;            ///< relative L2, one per mesh
+  std::vector<double> all;  ///< the largest of the gauges
+
+  [[nodiscard]] evidence::ObservedOrder order() const { return evidence::observed_order(sizes, all); }
+};
+
+/// What the parameters decide.
+struct SetUp {
+  Paddle paddle;
+  Mesh mesh;
+  exact::Wavemaker settled;
+  double interval, end;
+};
+
+SetUp set_up(const Values& values) {
+  const double period = values.real("period");
+  const Paddle paddle{2 * std::numbers::pi / period, values.real("stroke"), values.text("start") == "jump"};
+  return {paddle,
+          {values.real("h1"), values.integer("rows"), values.real("tau")},
+          {exact::Paddle::piston, 1, 1, paddle.omega},
+          period / 40,
+          values.real("periods") * period};
+}
+
+constexpr std::size_t unrefined = 1;
+
+Convergence converge(const Run& run, const SetUp& s, const Gauges& theory) {
+  const std::array<double, 4> factors{0.5, 1, 1.5, run.tier() == Tier::quick ? 2.0 : 3.0};
+  const Paddle tiny = s.paddle.with_stroke(1e-5);
+  Convergence c;
   for (const double factor : factors) {
-    const Mesh finer = mesh.refined(factor);
-    const Series result = make_waves(tiny, finer, mechanics::stepping_named(run.text("scheme")), interval, end);
-    sizes.push_back(finer.spacing);
-    double worst = 0;
+    const Mesh finer = s.mesh.refined(factor);
+    const Series result = make_waves(tiny, finer, mechanics::stepping_named(run.text("scheme")), s.interval, s.end);
+    c.sizes.push_back(finer.spacing);
+    Worst all;
     for (std::size_t g = 0; g < gauges.size(); ++g) {
       std::vector<double> linear = result.elevation[g];
       for (double& eta : linear) eta /= tiny.stroke;
-      errors[g].push_back(distance(linear, theory[g]));
-      worst = std::max(worst, errors[g].back());
-      if (factor == 1) {
-        run.record.measure(fmt::format("relative_error_at_{:g}", gauges[g]), errors[g].back());
-      }
+      c.errors[g].push_back(distance(linear, theory[g]));
+      all.add(c.errors[g].back());
     }
-    all.push_back(worst);
+    c.all.push_back(all.value());
     run.progress(0.7 * factor / factors.back());
   }
-  const evidence::ObservedOrder observed = evidence::observed_order(sizes, all);
-  run.record.measure("order", observed.order);
-  if (!paddle.sudden) {
-    run.record.check({.id = "order",
-                      .text = "The linear wave converges to linear theory with the second order.",
-                      .quantity = "order of the largest relative L2 error of the gauges",
-                      .source = source},
-                     observed,
-                     evidence::Order{.theory = 2,
-                                     .tolerance = 0.5,
-                                     .reason = "second order in cells and steps; half an order for coarse meshes and "
-                                               "for where piston and surface meet"});
+  return c;
+}
+
+struct Results {
+  SetUp set_up;
+  Orders high, low;  ///< of the stroke, and of half of it
+  Gauges theory;
+  Convergence convergence;
+};
+
+/// Largest distance of the second orders of the gauges.
+double second_order_changes(const Results& r) {
+  Worst off;
+  for (std::size_t g = 0; g < gauges.size(); ++g) off.add(distance(r.high.even[g], r.low.even[g]));
+  return off.value();
+}
+
+void claims(const Values& values, Claims<Results> claims) {
+  const SetUp s = set_up(values);
+  claims.only_if(!s.paddle.sudden, "no mesh resolves all waves of a piston that jumps")
+      .check(
+          {.id = "order",
+           .text = "The linear wave converges to linear theory with the second order.",
+           .quantity = "order of the largest relative L2 error of the gauges",
+           .source = source},
+          [](const Results& r) { return r.convergence.order(); },
+          evidence::Order{.theory = 2,
+                          .tolerance = 0.5,
+                          .reason = "second order in cells and steps; half an order for coarse meshes and "
+                                    "for where piston and surface meet"});
+  const double steepness = s.settled.wavenumber() * s.paddle.stroke;
+  claims.at(s.mesh.name())
+      .check({.id = "second-order",
+              .text = "What linear theory leaves out is four times as high for twice the stroke.",
+              .quantity = "largest relative L2 distance of the even parts over the stroke's square",
+              .source = source},
+             second_order_changes,
+             Bound{.limit = 10 * steepness * steepness,
+                   .reason = "the next even order is the fourth, the square of k S relative to the second, times "
+                             "a coefficient of order one, which grows with the ten depths that the wave has run"});
+}
+
+Results compute(const Run& run) {
+  Results r{.set_up = set_up(run)};
+  const SetUp& s = r.set_up;
+  r.high = orders(s.paddle, s.mesh, run, s.interval, s.end);
+  r.low = orders(s.paddle.with_stroke(s.paddle.stroke / 2), s.mesh, run, s.interval, s.end);
+  const SoftPiston unit = s.paddle.with_stroke(1).motion();
+  for (std::size_t g = 0; g < gauges.size(); ++g) {
+    r.theory[g] = unit.elevation(gauges[g], s.interval, static_cast<long>(r.high.time.size()));
   }
-  auto& panel = run.record
+  r.convergence = converge(run, s, r.theory);
+  return r;
+}
+
+void draw_convergence(evidence::Exhibit& exhibit, const Convergence& c) {
+  auto& panel = exhibit
                     .figure("convergence", "Errors of the linear wave",
                             "Relative L2 difference from the exact transient at the gauges; rows and steps in "
                             "proportion to the columns.")
                     .panel({.x = "h1 [depth]", .y = "relative error", .log_x = true, .log_y = true});
   for (std::size_t g = 0; g < gauges.size(); ++g) {
-    panel.points(fmt::format("gauge at {:g}", gauges[g]), sizes, errors[g], g == 0 ? Role::computed : Role::peer);
+    panel.points(fmt::format("gauge at {:g}", gauges[g]), c.sizes, c.errors[g], g == 0 ? Role::computed : Role::peer);
+    exhibit.measure(fmt::format("relative_error_at_{:g}", gauges[g]), c.errors[g][unrefined]);
   }
-  slope_guide(panel, 2, sizes, all.back());
+  slope_guide(panel, 2, c.sizes, c.all.back());
+  exhibit.measure("order", c.order().order);
 }
 
-void run(Running& run) {
-  const Paddle paddle{2 * std::numbers::pi / run.real("period"), run.real("stroke"), run.text("start") == "jump"};
-  const Mesh mesh{run.real("h1"), run.integer("rows"), run.real("tau")};
-  const double end = run.real("periods") * run.real("period");
-  const double interval = run.real("period") / 40;
-  const exact::Wavemaker settled(exact::Paddle::piston, 1, 1, paddle.omega);
-  const SoftPiston unit = paddle.with_stroke(1).motion();
-  run.record.measure("wavelength", settled.wavelength());
-  run.record.measure("height_per_stroke", settled.height_per_stroke());
-
-  const Orders high = orders(paddle, mesh, run, interval, end);
-  const Orders low = orders(paddle.with_stroke(paddle.stroke / 2), mesh, run, interval, end);
-  Gauges theory;
-  for (std::size_t g = 0; g < gauges.size(); ++g) {
-    theory[g] = unit.elevation(gauges[g], interval, static_cast<long>(high.time.size()));
-  }
-  claim_linear(run, paddle, mesh, theory, interval, end);
-
-  double off = 0;
-  auto& waves = run.record.figure(
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  const SetUp& s = r.set_up;
+  exhibit.measure("wavelength", s.settled.wavelength());
+  exhibit.measure("height_per_stroke", s.settled.height_per_stroke());
+  draw_convergence(exhibit, r.convergence);
+  const double stroke = s.paddle.stroke;
+  auto& waves = exhibit.figure(
       "gauges", "Elevation at the gauges",
-      fmt::format("Over the stroke {:g}, with the exact transient of linear theory; {}.", paddle.stroke, mesh.name()));
-  auto& second = run.record.figure("second-order", "The second order",
-                                   "What does not change sign with the stroke, over its square: for the stroke and for "
-                                   "half of it.");
+      fmt::format("Over the stroke {:g}, with the exact transient of linear theory; {}.", stroke, s.mesh.name()));
+  auto& second = exhibit.figure("second-order", "The second order",
+                                "What does not change sign with the stroke, over its square: for the stroke and for "
+                                "half of it.");
   for (std::size_t g = 0; g < gauges.size(); ++g) {
-    auto& panel = waves.panel({.x = "t [sqrt(depth/g)]",
-                               .y = "elevation/stroke",
-                               .title = fmt::format("{:g} depths from the piston", gauges[g])});
-    panel.line("linear theory", high.time, theory[g], Role::exact);
-    panel.line("mesh", high.time, high.odd[g], Role::computed);
-    auto& even = second.panel({.x = "t [sqrt(depth/g)]",
-                               .y = "elevation depth/stroke^2",
-                               .title = fmt::format("{:g} depths from the piston", gauges[g])});
-    even.line(fmt::format("stroke {:g}", paddle.stroke), high.time, high.even[g], Role::computed);
-    even.line(fmt::format("stroke {:g}", paddle.stroke / 2), low.time, low.even[g], Role::peer);
-    off = std::max(off, distance(high.even[g], low.even[g]));
-    run.record.measure(fmt::format("second_order_at_{:g}", gauges[g]), *std::ranges::max_element(high.even[g]));
+    const std::string title = fmt::format("{:g} depths from the piston", gauges[g]);
+    auto& panel = waves.panel({.x = "t [sqrt(depth/g)]", .y = "elevation/stroke", .title = title});
+    panel.line("linear theory", r.high.time, r.theory[g], Role::exact);
+    panel.line("mesh", r.high.time, r.high.odd[g], Role::computed);
+    auto& even = second.panel({.x = "t [sqrt(depth/g)]", .y = "elevation depth/stroke^2", .title = title});
+    even.line(fmt::format("stroke {:g}", stroke), r.high.time, r.high.even[g], Role::computed);
+    even.line(fmt::format("stroke {:g}", stroke / 2), r.low.time, r.low.even[g], Role::peer);
+    exhibit.measure(fmt::format("second_order_at_{:g}", gauges[g]), largest(r.high.even[g]));
   }
-  const double steepness = settled.wavenumber() * paddle.stroke;
-  run.record.check(
-      {.id = "second-order",
-       .text = "What linear theory leaves out is four times as high for twice the stroke.",
-       .quantity = "largest relative L2 distance of the even parts over the stroke's square",
-       .source = source},
-      {.value = off, .resolution = mesh.name()},
-      Bound{.limit = 10 * steepness * steepness,
-            .reason = "the next even order is the fourth, the square of k S relative to the second, times "
-                      "a coefficient of order one, which grows with the ten depths that the wave has run"});
 }
 
 }  // namespace
@@ -244,7 +285,7 @@ Case wavemaker_mesh() {
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"},
              "stepping; Frank's is the first"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 
