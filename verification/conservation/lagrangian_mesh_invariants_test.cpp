@@ -6,6 +6,7 @@
 
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/named_integrator.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
@@ -34,7 +35,7 @@ Drift drift(Integrator integrator, double tau, int steps, long reproject_every =
   std::vector<double> area(patch.constraints());
   std::vector<double> bending(patch.constraints());
   std::vector<double> first;
-  double modified = 0;
+  Largest modified;
   for (int n = 0; n <= steps; ++n) {
     if (n > 0) {
       step(state, tau);
@@ -45,11 +46,11 @@ Drift drift(Integrator integrator, double tau, int steps, long reproject_every =
     patch.curvature(state.u, state.u, bending);
     for (std::size_t s = 0; s < area.size(); ++s) area[s] -= tau * tau / 8 * bending[s];
     if (n == 0) first = area;
-    modified = std::max(modified, largest_difference(area, first));
+    modified.add(largest_difference(area, first));
   }
   const InvariantsLedger& ledger = watch.ledger();
   return {ledger.largest_defect("energy"), ledger.largest_defect("momentum"), ledger.largest_defect("angular_momentum"),
-          ledger.largest_defect("volume_worst"), modified};
+          ledger.largest_defect("volume_worst"), modified.value()};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "seiche/mechanics/named_integrator.hpp"
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -116,14 +117,14 @@ double growth(double share_of_limit, int steps) {
   RigidChain chain = hanging_chain();
   const StepFunction step = make_integrator(Integrator::one_step, chain);
   State state = displaced(all, count - 1);
-  double start = 0;
-  for (std::size_t i = 0; i < state.q.size(); i += 3) start = std::max(start, std::abs(state.q[i]));
-  double largest = 0;
-  for (int n = 0; n < steps && largest < 1e3 * start; ++n) {
+  Worst start;
+  for (std::size_t i = 0; i < state.q.size(); i += 3) start.add(state.q[i]);
+  Worst largest;
+  for (int n = 0; n < steps && largest.value() < 1e3 * start.value(); ++n) {
     step(state, share_of_limit * 2 / all.frequency.back());
-    for (std::size_t i = 0; i < state.q.size(); i += 3) largest = std::max(largest, std::abs(state.q[i]));
+    for (std::size_t i = 0; i < state.q.size(); i += 3) largest.add(state.q[i]);
   }
-  return largest / start;
+  return largest.value() / start.value();
 }
 
 }  // namespace

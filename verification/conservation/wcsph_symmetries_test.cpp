@@ -12,6 +12,7 @@
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/wcsph_direct_sums.hpp"
 #include "verification/wcsph_problems.hpp"
@@ -59,11 +60,11 @@ Result after(Flow flow, int steps, double step, double u = 0, double w = 0) {
 }
 
 double largest(const std::vector<double>& one, const std::vector<double>& other, double period) {
-  double difference = 0;
+  Worst difference;
   for (std::size_t a = 0; a < one.size(); ++a) {
-    difference = std::max(difference, std::abs(std::remainder(one[a] - other[a], period)));
+    difference.add(std::remainder(one[a] - other[a], period));
   }
-  return difference;
+  return difference.value();
 }
 
 /// The midpoint rule with sums over all pairs, no walls.

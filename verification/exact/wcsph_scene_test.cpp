@@ -10,6 +10,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -85,10 +86,10 @@ Distances distances(const Scene& scene) {
     if (p.kind[i] != Kind::fluid) continue;
     for (std::size_t k = 0; k < p.size(); ++k) {
       if (k == i) continue;
-      double dx = std::abs(p.x[i] - p.x[k]);
-      if (std::isfinite(scene.period.x)) dx = std::min(dx, scene.period.x - dx);
+      Smallest dx;
+      if (std::isfinite(scene.period.x)) dx.add(scene.period.x - dx);
       double& least = p.kind[k] == Kind::fluid ? result.fluid : result.wall;
-      least = std::min(least, std::hypot(dx, p.z[i] - p.z[k]) / scene.spacing);
+      least = std::min(least, std::hypot(dx.value(), p.z[i] - p.z[k]) / scene.spacing);
     }
   }
   return result;
@@ -149,10 +150,10 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
               "Every scene on both lattices: the mass is that of the water's area, no particle is nearer to another "
               "than the lattice has it, walls of the square lattice stand a spacing from the water's first particles "
               "and half a spacing from its effective end, and the pressure of the density is that of water at rest.");
-  double mass_defect = 0;
+  Worst mass_defect;
   Distances square;
   Distances centred;
-  double pressure_error = 0;
+  Largest pressure_error;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     Distances& least = lattice == Lattice::square ? square : centred;
     DamBreak dam = square_column(lattice, false);
@@ -169,7 +170,7 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
         {flume(with_piston, water(0.013)), 0.06 * 0.013},
         {periodic_layer({.period = 0.5, .depth = 0.2, .spacing = 0.02, .lattice = lattice}, water(0.2)), 0.1}};
     for (const auto& [scene, area] : scenes) {
-      mass_defect = std::max(mass_defect, std::abs(fluid_mass(scene.particles) / (1000 * area) - 1));
+      mass_defect.add(fluid_mass(scene.particles) / (1000 * area) - 1);
       const Distances here = distances(scene);
       least.fluid = std::min(least.fluid, here.fluid);
       least.wall = std::min(least.wall, here.wall);
@@ -180,8 +181,8 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
         if (!below_water) continue;
         const double depth = std::max(scene.still_water - scene.particles.z[i], 0.0);
         const double expected = 1000 * 9.81 * depth;
-        pressure_error = std::max(pressure_error, std::abs(fluid.pressure(scene.particles.density[i]) - expected) /
-                                                      (1000 * 9.81 * scene.still_water));
+        pressure_error.add(std::abs(fluid.pressure(scene.particles.density[i]) - expected) /
+                           (1000 * 9.81 * scene.still_water));
       }
     }
   }
@@ -190,7 +191,7 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
        .text = "The fluid's mass is rho_0 times the area of the water.",
        .quantity = "relative defect",
        .source = lattices},
-      {.value = mass_defect},
+      {.value = mass_defect.value()},
       evidence::Roundoff{.operations = 10, .scale = 1, .reason = "dx^2 of rounded lengths; the sum is compensated"});
   check.that({.id = "fluid-square",
               .text = "Square lattice: neighbours are dx apart.",
@@ -222,22 +223,22 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
               .text = "The pressure is rho_0 g (z_s - z), in the water and in the walls of the tank.",
               .quantity = "largest error over rho_0 g H",
               .source = "Monaghan, J. Comput. Phys. 110 (1994) 399"},
-             {.value = pressure_error},
+             {.value = pressure_error.value()},
              evidence::Roundoff{.operations = 10,
                                 .scale = 200 / 7.0,
                                 .reason = "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 200/7 multiplies the rounding of the "
                                           "power, about 10 operations"});
 
   const Scene with_flap = flume(flap_flume(), water(0.013));
-  double rearmost = 0;
+  Smallest rearmost;
   const Paddle& paddle = with_flap.paddles.at(0);
   for (double phase = 0; phase < 1; phase += 0.01) {
     const double t = 0.308 * phase;
     for (std::size_t i = 0; i < with_flap.particles.size(); ++i) {
       if (with_flap.particles.kind[i] != Kind::paddle) continue;
-      rearmost = std::min(rearmost, carried(paddle.pose(t), paddle.rate(t), paddle.hinge_x, paddle.hinge_z,
-                                            with_flap.particles.x[i], with_flap.particles.z[i])
-                                        .x);
+      rearmost.add(carried(paddle.pose(t), paddle.rate(t), paddle.hinge_x, paddle.hinge_z, with_flap.particles.x[i],
+                           with_flap.particles.z[i])
+                       .x);
     }
   }
   check.that({.id = "sweep",
@@ -245,9 +246,9 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
               .quantity = "rearmost place of the paddle behind the end of the bottom",
               .unit = "m",
               .source = "interface of the scene"},
-             {.value = std::max(with_flap.extents.left - rearmost, 0.0)},
+             {.value = std::max(with_flap.extents.left - rearmost.value(), 0.0)},
              evidence::Bound{.limit = 0, .reason = "nothing sticks out"});
-  check.measure("rearmost place of the paddle over dx", rearmost / with_flap.spacing);
+  check.measure("rearmost place of the paddle over dx", rearmost.value() / with_flap.spacing);
 
   DamBreak odd = tall_column(Lattice::square, false);
   CHECK(dam_break(odd, water(0.114)).warnings.empty());
