@@ -63,13 +63,13 @@ InflowErrors inflow_errors(double spacing) {
   Flow flow(rectangular_lattice(
       {.begin = 0, .end = 30, .south = 0, .north = spacing, .columns = columns, .rows = 1, .sides = {.west = west}}));
   flow.advance_to((15 - start) / wave.speed(), 0.1 * spacing);
-  InflowErrors errors;
+  Worst wave_error;
+  Worst side_error;
   for (std::size_t k = 0; k < flow.x().size(); ++k) {
     const double distance = flow.x()[k] - 15;
-    double& worst = std::abs(distance) < 6 ? errors.wave : errors.side;
-    worst = std::max(worst, std::abs(flow.z()[k] - wave.elevation(distance)));
+    (std::abs(distance) < 6 ? wave_error : side_error).add(flow.z()[k] - wave.elevation(distance));
   }
-  return errors;
+  return {wave_error.value(), side_error.value()};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -45,7 +46,8 @@ inline double largest_difference(mechanics::Input a, mechanics::Input b) {
 }
 
 inline double largest_difference(const mechanics::State& a, const mechanics::State& b) {
-  return std::max(largest_difference(mechanics::Input(a.q), b.q), largest_difference(mechanics::Input(a.u), b.u));
+  return worst(
+      std::array{largest_difference(mechanics::Input(a.q), b.q), largest_difference(mechanics::Input(a.u), b.u)});
 }
 
 }  // namespace seiche::verification

@@ -155,6 +155,7 @@ class DirectSums {
     Largest fastest;
     for (std::size_t a = 0; a < p_.size(); ++a) {
       Worst shear;
+      shear.add(0);  // of the particle and itself
       neighbours(a, [&](std::size_t b, const Pair& pair) { shear.add(approach(velocity(a) - velocity(b), pair)); });
       fastest.add((sound_speed_[a] + shear.value()) / smoothing_[a]);
     }

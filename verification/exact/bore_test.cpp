@@ -3,7 +3,7 @@
 #include "seiche/exact/bore_reflection.hpp"
 #include "seiche/exact/cell_average.hpp"
 #include "seiche/samples.hpp"
-#include "verification/exact/reference_digits.hpp"
+#include "verification/reference_digits.hpp"
 
 using namespace seiche;
 using exact::Bore;

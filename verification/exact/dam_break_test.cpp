@@ -4,8 +4,8 @@
 #include "seiche/exact/cell_average.hpp"
 #include "seiche/exact/dam_break.hpp"
 #include "seiche/samples.hpp"
-#include "verification/exact/reference_digits.hpp"
 #include "verification/exact/shallow_water_residual.hpp"
+#include "verification/reference_digits.hpp"
 
 using namespace seiche;
 using exact::Ritter;

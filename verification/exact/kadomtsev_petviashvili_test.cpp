@@ -9,7 +9,7 @@
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "seiche/samples.hpp"
-#include "verification/exact/self_test_claims.hpp"
+#include "verification/self_test_claims.hpp"
 
 using namespace seiche;
 using exact::KadomtsevPetviashvili;

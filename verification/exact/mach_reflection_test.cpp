@@ -3,8 +3,8 @@
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "seiche/samples.hpp"
-#include "verification/exact/digits_table.hpp"
-#include "verification/exact/self_test_claims.hpp"
+#include "verification/digits_table.hpp"
+#include "verification/self_test_claims.hpp"
 
 using namespace seiche;
 using exact::MachReflection;

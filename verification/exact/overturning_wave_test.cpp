@@ -12,7 +12,7 @@
 #include "seiche/exact/overturning/curve_distance.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/reference_table.hpp"
-#include "verification/exact/self_test_claims.hpp"
+#include "verification/self_test_claims.hpp"
 
 using namespace seiche;
 using exact::OverturningWave;

@@ -5,7 +5,7 @@
 #include "seiche/exact/colliding_bores.hpp"
 #include "seiche/exact/riemann.hpp"
 #include "seiche/samples.hpp"
-#include "verification/exact/reference_digits.hpp"
+#include "verification/reference_digits.hpp"
 
 using namespace seiche;
 using exact::Riemann;

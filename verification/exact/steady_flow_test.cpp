@@ -3,7 +3,7 @@
 #include "seiche/exact/macdonald.hpp"
 #include "seiche/exact/steady_bump.hpp"
 #include "seiche/samples.hpp"
-#include "verification/exact/reference_digits.hpp"
+#include "verification/reference_digits.hpp"
 
 using namespace seiche;
 using exact::MacDonald;

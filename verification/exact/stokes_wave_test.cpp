@@ -46,7 +46,7 @@ TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
       {"crest", "crest elevation", &StokesWave::crest_elevation, &StokesRow::crest},
       {"trough", "trough elevation", &StokesWave::trough_elevation, &StokesRow::trough},
       {"crest-velocity", "velocity at the crest", &StokesWave::crest_velocity, &StokesRow::crest_velocity}};
-  std::vector<double> worst(columns.size(), 0.0);
+  std::vector<Largest> worst(columns.size());
   Worst depth;
   Largest identity;
   Worst speed;
@@ -61,7 +61,7 @@ TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const double printed = row.*columns[k].printed;
       const double limit = 0.5e-14 + 5e-15 * std::abs(printed) + reference;
-      worst[k] = std::max(worst[k], std::abs(columns[k].computed(wave) - printed) / limit);
+      worst[k].add(std::abs(columns[k].computed(wave) - printed) / limit);
     }
     if (std::isfinite(row.mean_depth)) {
       if (row.mean_depth > 0) {
@@ -75,7 +75,7 @@ TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
     const auto identities = wave.self_test();
     for (const auto& held : identities) {
       INFO(held.name << " at a = " << row.amplitude << ", d = " << row.conformal_depth << ": " << held.defect);
-      CHECK(held.holds());
+      CHECK(held.defect <= held.accuracy);
       identity.add(held.defect);
     }
     const auto finer =
@@ -96,7 +96,7 @@ TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
                 .text = "The " + columns[k].quantity + " of every wave has the digits of the table.",
                 .quantity = "largest distance over half a printed unit and the reference's uncertainty",
                 .source = source},
-               {.value = worst[k]},
+               {.value = worst[k].value()},
                evidence::Bound{.limit = 1,
                                .reason = "half a unit of the 14th decimal, 5e-15 (agreement of the reference's two "
                                          "resolutions), and the reference's rounding, eps/q^3 at the crest or "

@@ -1,6 +1,7 @@
 // The dispersive shallow-water model makes whole steps in two passes over memory, with an elimination from both ends.
 // They must do what the separate calls of the integrators do.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -74,12 +75,12 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 }
 
 double motion_difference(const State& a, const State& b) {
-  return std::max(largest_difference(a.q, b.q), largest_difference(a.u, b.u));
+  return worst(std::array{largest_difference(a.q, b.q), largest_difference(a.u, b.u)});
 }
 
 /// Of coordinates, rates and multipliers.
 double largest_difference(const State& a, const State& b) {
-  return std::max(motion_difference(a, b), largest_difference(a.multipliers, b.multipliers));
+  return worst(std::array{motion_difference(a, b), largest_difference(a.multipliers, b.multipliers)});
 }
 
 /// No force, but one that only the separate calls can take.

@@ -86,6 +86,9 @@ void SolitaryRunup::find_steepness() {
   const double crest = highest_.time / time_unit_;
   const double quiet = crest + 10 * (1 / gamma_ + toe_);
   const double span = std::min(1 / gamma_, toe_) / 50;
+  Largest run_up;
+  Largest overall;
+  Worst excursion;
   for (double tau = arrival_; tau < quiet; tau += span) {
     const Jet here = jet(tau);
     const double bend = toe_ * toe_ * here.curvature;
@@ -93,10 +96,12 @@ void SolitaryRunup::find_steepness() {
       const double vertical = root([&](double s) { return toe_ * toe_ * jet(s).curvature - 1; }, tau - span, tau);
       breaking_time_ = time_unit_ * (vertical - toe_ * toe_ * jet(vertical).slope);
     }
-    if (tau < crest) steepness_.run_up = std::max(steepness_.run_up, bend);
-    steepness_.overall = std::max(steepness_.overall, bend);
-    excursion_ = std::max(excursion_, toe_ * toe_ * std::abs(here.slope));
+    if (tau < crest) run_up.add(bend);
+    overall.add(bend);
+    excursion.add(toe_ * toe_ * here.slope);
   }
+  steepness_ = {.run_up = run_up.value(), .overall = overall.value()};
+  excursion_ = excursion.value();
 }
 
 SolitaryRunup::Jet SolitaryRunup::jet(double tau) const {

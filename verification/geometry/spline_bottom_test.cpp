@@ -42,7 +42,7 @@ void over_places(const Work& work) {
 
 }  // namespace
 
-TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[exact]") {
+TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[geometry]") {
   Check check("spline_bottom", "Bottom through elevations on a grid",
               "A hill 0.4 high, spacings 1/4 to 1/32, elevations in the middles of its cells, slopes at 4300 places. "
               "Values converge with order 4, slopes with order 3.");

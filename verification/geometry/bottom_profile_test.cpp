@@ -94,7 +94,7 @@ std::vector<Interval> intervals(const Profile& profile, int count) {
 
 }  // namespace
 
-TEST_CASE("means of a bottom and of its square are exact over any interval", "[exact]") {
+TEST_CASE("means of a bottom and of its square are exact over any interval", "[geometry]") {
   Check check("bottom_profile", "Means of a bottom over an interval",
               "Models that keep volume and energy to round-off need the means of $b$ and $b^2$ over cells and over the "
               "way of a marker in a step, which may be $10^{-12}$ long, may cross corners, and may be run from right "
@@ -143,7 +143,7 @@ TEST_CASE("means of a bottom and of its square are exact over any interval", "[e
   }
 }
 
-TEST_CASE("the mean over no length is the elevation itself", "[exact]") {
+TEST_CASE("the mean over no length is the elevation itself", "[geometry]") {
   for (const Profile& profile : profiles()) {
     const BottomProfile& bottom = *profile.bottom;
     std::vector<double> places = {-10, -6.45, -3.3, 0, 1.7, 10};
@@ -158,7 +158,7 @@ TEST_CASE("the mean over no length is the elevation itself", "[exact]") {
   }
 }
 
-TEST_CASE("elevations of many places are those of single ones, across any number of corners", "[exact]") {
+TEST_CASE("elevations of many places are those of single ones, across any number of corners", "[geometry]") {
   for (const Profile& profile : profiles()) {
     std::vector<double> x;
     for (int k = 0; k <= 4000; ++k) x.push_back(-10 + 0.005 * k);
@@ -177,7 +177,7 @@ TEST_CASE("elevations of many places are those of single ones, across any number
   }
 }
 
-TEST_CASE("slopes are derivatives, at a corner of its right side", "[exact]") {
+TEST_CASE("slopes are derivatives, at a corner of its right side", "[geometry]") {
   const PiecewiseLinearBottom broken(knots, heights);
   for (std::size_t k = 0; k < knots.size(); ++k) {
     const std::size_t piece = std::min(k, knots.size() - 2);
@@ -193,7 +193,7 @@ TEST_CASE("slopes are derivatives, at a corner of its right side", "[exact]") {
   }
 }
 
-TEST_CASE("a slope is called uniform only where it is", "[exact]") {
+TEST_CASE("a slope is called uniform only where it is", "[geometry]") {
   const PiecewiseLinearBottom broken(knots, heights);
   CHECK(broken.uniform_slope(-9, -7) == broken.slope(-8));
   CHECK(broken.uniform_slope(-7, -9) == broken.slope(-8));
@@ -208,7 +208,7 @@ TEST_CASE("a slope is called uniform only where it is", "[exact]") {
   CHECK_FALSE(SmoothBottom(wave, wave_slope, -10, 10).uniform_slope(0, 1).has_value());
 }
 
-TEST_CASE("outside of its extent a bottom refuses to answer, naming the place and the extent", "[exact]") {
+TEST_CASE("outside of its extent a bottom refuses to answer, naming the place and the extent", "[geometry]") {
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   const PiecewiseLinearBottom broken(knots, heights);
   const SmoothBottom smooth(wave, wave_slope, -10, 10);

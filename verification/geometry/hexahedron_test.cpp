@@ -80,7 +80,8 @@ double largest_of(std::span<const double> values) {
 
 }  // namespace
 
-TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean of the cuts of its faces", "[exact]") {
+TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean of the cuts of its faces",
+          "[geometry]") {
   Check check("hexahedron_volume", "Volume of a hexahedron",
               "1000 random hexahedra, the corners of a unit cube moved by up to a quarter along each axis.");
   std::minstd_rand random(1);
@@ -105,7 +106,7 @@ TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean 
              {.value = quadrature.value()}, rounding);
 }
 
-TEST_CASE("gradients of volumes and of the potential energy agree with differences", "[exact]") {
+TEST_CASE("gradients of volumes and of the potential energy agree with differences", "[geometry]") {
   Check check(
       "hexahedral_mesh_gradients", "Gradients of the hexahedral mesh",
       "A random mesh of 12 x 10 x 2 cells under a hump, moved along random velocities: rates of the volumes and "
@@ -198,7 +199,7 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
                       .reason = "27 coefficients of 24 products each, of numbers up to the largest of A mu"});
 }
 
-TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix", "[exact]") {
+TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix", "[geometry]") {
   Check check("hexahedral_lattice_symbol", "Symbol of the undeformed hexahedral lattice",
               "7 x 5 x 3 boxes of 0.4 x 0.6 between walls, on a level bottom, density 1.3. Cosines between the walls "
               "times a power of the layer, for every pair of phases: the assembled matrix against the symbol.");

@@ -40,7 +40,7 @@ double mass_defect(Fitting fitting) {
 
 }  // namespace
 
-TEST_CASE("layers follow their surface and patches their circle", "[exact]") {
+TEST_CASE("layers follow their surface and patches their circle", "[geometry]") {
   Check check("wcsph_layers_patches", "Layers with an uneven surface and round patches",
               "A cosine of half the depth on columns that keep the spacing and on stretched ones: the mass is exact, "
               "cut lattices have it to their resolution. A disc of 1 m: the count, the second moment that the "

@@ -10,8 +10,8 @@
 #include "seiche/exact/plan_dispersion.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
-#include "verification/exact/digits_table.hpp"
-#include "verification/exact/self_test_claims.hpp"
+#include "verification/digits_table.hpp"
+#include "verification/self_test_claims.hpp"
 
 using namespace seiche;
 using exact::AiryDispersion;
@@ -135,7 +135,7 @@ void draw(verification::Check& check) {
 
 }  // namespace
 
-TEST_CASE("the law of the hexahedral mesh has the known digits and limits", "[exact]") {
+TEST_CASE("the law of the hexahedral mesh has the known digits and limits", "[dispersion]") {
   verification::Check check(
       "exact_hexahedral_dispersion", "Dispersion law of the three-dimensional Lagrangian mesh",
       "The errors against Airy's law known to two digits, beside those of the plan model: Frank's remark that waves "

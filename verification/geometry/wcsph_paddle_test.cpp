@@ -25,7 +25,7 @@ PointMotion at(const Paddle& paddle, double t, double x, double z) {
 
 }  // namespace
 
-TEST_CASE("paddles move rigidly with the velocity that they state", "[exact]") {
+TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]") {
   const std::string source = "kinematics of a rigid body; Dean and Dalrymple (1991), ch. 6, for the motion X_w";
   Check check("wcsph_paddles", "Piston and flap",
               "A flap in 1.3 cm of water whose stroke is 2.3 depths, so that it leans by 49.6 degrees, and a piston: "
