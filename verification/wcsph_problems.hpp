@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "seiche/models/wcsph/flow.hpp"
+#include "seiche/samples.hpp"
 #include "verification/noise.hpp"
 
 namespace seiche::verification {
@@ -103,13 +104,13 @@ inline std::vector<double> sorted_back(const wcsph::Particles& particles, const 
 
 /// Largest difference over the largest magnitude of the reference.
 inline double relative_difference(const std::vector<double>& values, const std::vector<double>& reference) {
-  double difference = 0;
-  double scale = 0;
+  Worst difference;
+  Worst scale;
   for (std::size_t a = 0; a < values.size(); ++a) {
-    difference = std::max(difference, std::abs(values[a] - reference[a]));
-    scale = std::max(scale, std::abs(reference[a]));
+    difference.add(values[a] - reference[a]);
+    scale.add(reference[a]);
   }
-  return scale == 0 ? difference : difference / scale;
+  return scale.value() == 0 ? difference.value() : difference.value() / scale.value();
 }
 
 }  // namespace seiche::verification

@@ -72,9 +72,8 @@ class Solution {
       py::dict entry;
       entry["name"] = identity.name;
       entry["defect"] = identity.defect;
-      entry["limit"] = identity.limit;
+      entry["accuracy"] = identity.accuracy;
       entry["reason"] = identity.reason;
-      entry["holds"] = identity.holds();
       result.append(entry);
     }
     return result;
@@ -192,7 +191,9 @@ PYBIND11_MODULE(seiche, m) {
       .def("__call__", &Solution::at,
            "Outputs by name at the given coordinates, which broadcast like numpy's. Outside the fluid: ValueError, or "
            "NaN with outside='nan'.")
-      .def("self_test", &Solution::self_test, "The solution's own identities, each with defect, limit and reason.")
+      .def("self_test", &Solution::self_test,
+           "The solution's own identities, each with its defect, the accuracy that round-off or resolution explain, "
+           "and why.")
       .def_property_readonly("scalars", &Solution::scalars, "Numbers that belong to the solution as a whole, by name.")
       .def_property_readonly("uncertainty", &Solution::uncertainty,
                              "Bound of the numerical error, relative to the solution's own scale.")

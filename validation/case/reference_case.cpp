@@ -21,7 +21,7 @@ void claim_identities(Claims<exact::SelfTest> claims, const exact::SelfTest& dec
          .quantity = "relative defect",
          .source = source},
         [k](const exact::SelfTest& test) { return test.at(k).defect; },
-        evidence::Bound{.limit = identity.limit, .reason = identity.reason});
+        evidence::Bound{.limit = identity.accuracy, .reason = identity.reason});
   }
 }
 
@@ -34,7 +34,7 @@ void claim_identities(evidence::Record& record, const exact::SelfTest& identitie
                   .text = fmt::format("The reference satisfies its own identity: {}.", identity.name),
                   .quantity = "relative defect",
                   .source = source},
-                 {.value = identity.defect}, evidence::Bound{.limit = identity.limit, .reason = identity.reason});
+                 {.value = identity.defect}, evidence::Bound{.limit = identity.accuracy, .reason = identity.reason});
   }
 }
 

@@ -72,7 +72,7 @@ void add_exact(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--out", options->out, "file to write instead of printing; HDF5 always goes to a file, NAME.h5");
   command->add_flag("--integrals", options->integrals, "also the scalar results and the numerical uncertainty");
-  command->add_flag("--self-test", options->self_test, "check the solution against its own identities, and stop");
+  command->add_flag("--self-test", options->self_test, "by how much the solution misses its own identities, and stop");
   command->footer(
       "Examples:\n"
       "  seiche exact solitary --set amplitude=0.3 --at x=0,y=-0.5 --integrals\n"

@@ -1,10 +1,12 @@
 // The implicit variant: energy of a nonlinear potential, constraints and momenta to round-off.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "seiche/mechanics/composition.hpp"
 #include "seiche/models/rigid_chain/integrators.hpp"
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/flat_channel.hpp"
 
@@ -112,7 +114,8 @@ TEST_CASE("a solitary wave in a periodic channel: what each scheme conserves", "
        .text = "Momentum to round-off with every scheme.",
        .quantity = "largest momentum defect",
        .source = source},
-      {.value = std::max({a1.momentum, a2.momentum, a3.momentum, b2.momentum, b3.momentum, c2.momentum, h2.momentum})},
+      {.value = worst(
+           std::array{a1.momentum, a2.momentum, a3.momentum, b2.momentum, b3.momentum, c2.momentum, h2.momentum})},
       Roundoff{.operations = 4000, .scale = 1.6, .reason = "one rounded update per step of the wave's momentum"});
   check.that({.id = "C-feedback-volume",
               .text = "Fully conservative with feedback: volumes no longer accumulate even rounding.",

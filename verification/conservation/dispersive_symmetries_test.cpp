@@ -13,6 +13,7 @@
 #include "seiche/mechanics/conservative_step.hpp"
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/start.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_defects.hpp"
 
@@ -65,14 +66,16 @@ double largest_difference(const Flow& a, const Flow& b, bool reversed, const Cha
   const std::vector<double> ua = a.u(), va = a.v(), ub = b.u(), vb = b.v();
   const std::size_t n = a.x().size();
   if (b.x().size() != n) return std::numeric_limits<double>::infinity();
-  double largest = 0;
+  Worst largest;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t k = reversed ? n - 1 - i : i;
     const auto [x, y, u, v] = change(b.x()[k], b.y()[k], ub[k], vb[k]);
-    largest =
-        std::max({largest, std::abs(a.x()[i] - x), std::abs(a.y()[i] - y), std::abs(ua[i] - u), std::abs(va[i] - v)});
+    largest.add(a.x()[i] - x);
+    largest.add(a.y()[i] - y);
+    largest.add(ua[i] - u);
+    largest.add(va[i] - v);
   }
-  return largest;
+  return largest.value();
 }
 
 struct Seen {
@@ -108,10 +111,10 @@ TEST_CASE("dispersive shallow water returns when its velocities are reversed", "
       for (int n = 0; n < steps; ++n) scheme.step(state, tau);
       for (double& u : state.u) u = -u;
     }
-    double largest = 0;
-    for (std::size_t i = 0; i < state.q.size(); ++i) largest = std::max(largest, std::abs(state.q[i] - start.q[i]));
-    for (std::size_t i = 0; i < state.u.size(); ++i) largest = std::max(largest, std::abs(state.u[i] - start.u[i]));
-    return largest;
+    Worst largest;
+    for (std::size_t i = 0; i < state.q.size(); ++i) largest.add(state.q[i] - start.q[i]);
+    for (std::size_t i = 0; i < state.u.size(); ++i) largest.add(state.u[i] - start.u[i]);
+    return largest.value();
   };
   const auto returns = [&](const std::string& id, const std::string& text, double value) {
     check.that({.id = id,
@@ -246,12 +249,12 @@ TEST_CASE("dispersive shallow water does not know units or the origin", "[conser
                             return Seen{x / depth, y / depth, u / speed, v / speed};
                           }),
        steps, 30);
-  double pressure = 0;
+  Worst pressure;
   for (std::size_t j = 0; j < reference.multipliers().size(); ++j) {
     const double scale = metres.density * gravity * depth;
-    pressure = std::max(pressure, std::abs(reference.multipliers()[j] - in_metres.multipliers()[j] / scale));
+    pressure.add(reference.multipliers()[j] - in_metres.multipliers()[j] / scale);
   }
-  same("pressure", "So do the multipliers, in units of the pressure at the bottom.", pressure, steps, 30);
+  same("pressure", "So do the multipliers, in units of the pressure at the bottom.", pressure.value(), steps, 30);
   same(
       "place", "The place of the origin does not matter.",
       [&] {
@@ -275,9 +278,9 @@ TEST_CASE("dispersive shallow water does not know units or the origin", "[conser
                             return Seen{x, y + 0.25, u, v};
                           }),
        steps, 60);
-  double multiplier = 0;
+  Worst multiplier;
   for (std::size_t j = 0; j < level.multipliers().size(); ++j) {
-    multiplier = std::max(multiplier, std::abs(level.multipliers()[j] - from_above.multipliers()[j] - 0.25));
+    multiplier.add(level.multipliers()[j] - from_above.multipliers()[j] - 0.25);
   }
-  same("datum-multipliers", "It adds its height to the multipliers.", multiplier, steps, 60);
+  same("datum-multipliers", "It adds its height to the multipliers.", multiplier.value(), steps, 60);
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 using namespace seiche;
@@ -29,11 +30,11 @@ TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and witho
     }
     FiniteVolumeFlow flow({}, 0, 10, depth, std::vector<double>(cells, 0.0), bed);
     for (int k = 0; k < 10000; ++k) flow.step(0.005);
-    double fastest = 0;
-    double moved = 0;
+    Worst fastest;
+    Worst moved;
     for (std::size_t i = 0; i < cells; ++i) {
-      fastest = std::max(fastest, std::abs(flow.discharge()[i]));
-      moved = std::max(moved, std::abs(flow.depth()[i] - depth[i]));
+      fastest.add(flow.discharge()[i]);
+      moved.add(flow.depth()[i] - depth[i]);
     }
     const std::string id = height < 1 ? "covered" : "island";
     const evidence::Roundoff limit{.operations = 1e4, .scale = 1, .reason = "one rounding of g h tau/dx < 1 per step"};
@@ -43,13 +44,13 @@ TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and witho
                 .quantity = "largest discharge",
                 .unit = "m^2/s",
                 .source = source},
-               {.value = fastest, .resolution = "N = 200, tau = 0.005 s"}, limit);
+               {.value = fastest.value(), .resolution = "N = 200, tau = 0.005 s"}, limit);
     check.that({.id = id + "-depth",
                 .text = "The surface stays.",
                 .quantity = "largest change of depth",
                 .unit = "m",
                 .source = source},
-               {.value = moved, .resolution = "N = 200, tau = 0.005 s"}, limit);
+               {.value = moved.value(), .resolution = "N = 200, tau = 0.005 s"}, limit);
     check.that(
         {.id = id + "-mass", .text = "Mass is constant.", .quantity = "mass defect", .unit = "m^2", .source = source},
         {.value = flow.mass_defect(), .resolution = "N = 200, tau = 0.005 s"},

@@ -11,6 +11,7 @@
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/integrators.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -55,14 +56,15 @@ TEST_CASE("uniform pressure on the surface of the mesh leaves a lake at rest") {
               {.surface_pressure = [](double, double) { return p0; }});
     const std::vector<double> x(flow.x().begin(), flow.x().end());
     const std::vector<double> y(flow.y().begin(), flow.y().end());
-    double pressure = 0;
+    Worst pressure;
     for (long n = 0; n < steps; ++n) {
       flow.advance(tau);
-      for (const double lambda : flow.multipliers()) pressure = std::max(pressure, std::abs(lambda - p0));
+      for (const double lambda : flow.multipliers()) pressure.add(lambda - p0);
     }
-    double moved = 0;
+    Worst moved;
     for (std::size_t k = 0; k < x.size(); ++k) {
-      moved = std::max({moved, std::abs(flow.x()[k] - x[k]), std::abs(flow.y()[k] - y[k])});
+      moved.add(flow.x()[k] - x[k]);
+      moved.add(flow.y()[k] - y[k]);
     }
     const auto lightest = *std::ranges::min_element(flow.model().nodes().mass());
     const double kick = p0 * 0.5 * tau / lightest;  // a node's edge is half a depth long
@@ -71,7 +73,7 @@ TEST_CASE("uniform pressure on the surface of the mesh leaves a lake at rest") {
                 .quantity = "largest displacement after 1000 steps",
                 .unit = "depth",
                 .source = source},
-               {.value = moved, .resolution = "12 x 4 cells, tau = 0.05"},
+               {.value = moved.value(), .resolution = "12 x 4 cells, tau = 0.05"},
                Roundoff{.operations = 48.0 * static_cast<double>(steps),
                         .scale = kick * tau * std::sqrt(static_cast<double>(steps)),
                         .reason = "a step rounds the kick of the pressure on a node, p0 times half a depth over its "
@@ -81,7 +83,7 @@ TEST_CASE("uniform pressure on the surface of the mesh leaves a lake at rest") {
                 .quantity = "largest |lambda - p0|",
                 .unit = "rho g depth",
                 .source = source},
-               {.value = pressure, .resolution = "12 x 4 cells, tau = 0.05"},
+               {.value = pressure.value(), .resolution = "12 x 4 cells, tau = 0.05"},
                Roundoff{.operations = 48.0 * static_cast<double>(steps),
                         .scale = p0,
                         .reason = "the solution of 48 equations, and velocities of rounded kicks that must be "
@@ -156,12 +158,12 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
       const std::vector<double> down = wall(-1);
       const std::vector<double> reference = mode.elevations(scheme.stepping, tau, steps);
       std::vector<double> time, computed, expected;
-      double worst = 0;
-      double highest = 0;
+      Worst worst;
+      Worst highest;
       for (std::size_t n = 0; n < up.size(); ++n) {
         const double odd = 0.5 * (up[n] - down[n]);
-        worst = std::max(worst, std::abs(odd - reference[n]));
-        highest = std::max(highest, std::abs(reference[n]));
+        worst.add(odd - reference[n]);
+        highest.add(reference[n]);
         time.push_back(static_cast<double>(n + 1) * tau);
         computed.push_back(odd / pressure);
         expected.push_back(reference[n] / pressure);
@@ -174,9 +176,9 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
                   .text = scheme.text + ": the elevation is that of the oscillator.",
                   .quantity = "largest difference over the largest elevation",
                   .source = source},
-                 {.value = worst / highest, .resolution = "24 x 4 cells, tau = 0.1, 400 steps"},
-                 Bound{.limit = steps * tau * omega * highest * highest +
-                                4 * std::numeric_limits<double>::epsilon() * std::sqrt(10.0 * steps) / highest,
+                 {.value = worst.value() / highest.value(), .resolution = "24 x 4 cells, tau = 0.1, 400 steps"},
+                 Bound{.limit = steps * tau * omega * highest.value() * highest.value() +
+                                4 * std::numeric_limits<double>::epsilon() * std::sqrt(10.0 * steps) / highest.value(),
                        .reason = "third-order terms: the square of the elevation, in depths, times the phase that has "
                                  "passed; and places of order one that are rounded in ten operations of each step"});
     }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "seiche/mechanics/named_integrator.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
@@ -43,12 +44,13 @@ double there_and_back(MeshProblem problem, Integrator integrator, Run run) {
 /// Largest difference of places after turning b's back by `angle` and shifting it.
 double difference_of_places(const State& a, const State& b, double angle, double shift) {
   const std::size_t n = a.q.size() / 2;
-  double largest = 0;
+  Worst largest;
   for (std::size_t k = 0; k < n; ++k) {
     const Point r = turned({b.q[k] - shift, b.q[n + k] - shift}, -angle);
-    largest = std::max({largest, std::abs(r.x - a.q[k]), std::abs(r.y - a.q[n + k])});
+    largest.add(r.x - a.q[k]);
+    largest.add(r.y - a.q[n + k]);
   }
-  return largest;
+  return largest.value();
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/start.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::verification {
 
@@ -38,13 +40,14 @@ mechanics::InvariantsLedger watched_run(Problem& problem, mechanics::Scheme sche
 }
 
 inline double largest_difference(mechanics::Input a, mechanics::Input b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
+  Worst largest;
+  for (std::size_t i = 0; i < a.size(); ++i) largest.add(a[i] - b[i]);
+  return largest.value();
 }
 
 inline double largest_difference(const mechanics::State& a, const mechanics::State& b) {
-  return std::max(largest_difference(mechanics::Input(a.q), b.q), largest_difference(mechanics::Input(a.u), b.u));
+  return worst(
+      std::array{largest_difference(mechanics::Input(a.q), b.q), largest_difference(mechanics::Input(a.u), b.u)});
 }
 
 }  // namespace seiche::verification

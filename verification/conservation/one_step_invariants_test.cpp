@@ -4,6 +4,7 @@
 
 #include "seiche/models/rigid_chain/integrators.hpp"
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -17,9 +18,9 @@ using seiche::evidence::Roundoff;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 1, formulas (4), (5)";
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
+  Worst largest;
+  for (std::size_t i = 0; i < a.size(); ++i) largest.add(a[i] - b[i]);
+  return largest.value();
 }
 
 }  // namespace
@@ -37,8 +38,8 @@ TEST_CASE("energy of a spherical double pendulum over a million steps", "[conser
   std::vector<double> links(2);
   std::vector<double> bending(2);
   std::vector<double> first(2);
-  double modified = 0;
-  double scale = 0;
+  Worst modified;
+  Largest scale;
   const long steps = 1000000;
   for (long n = 0; n <= steps; ++n) {
     pendulum.constraint_values(state.q, links);
@@ -46,9 +47,9 @@ TEST_CASE("energy of a spherical double pendulum over a million steps", "[conser
     for (std::size_t s = 0; s < 2; ++s) {
       const double value = links[s] - tau * tau / 8 * bending[s];
       if (n == 0) first[s] = value;
-      modified = std::max(modified, std::abs(value - first[s]));
+      modified.add(value - first[s]);
     }
-    scale = std::max(scale, scales_of(pendulum, state).energy);
+    scale.add(scales_of(pendulum, state).energy);
     if (n == steps) break;
     scheme.step(state, tau);
     watch.record(state);
@@ -67,7 +68,7 @@ TEST_CASE("energy of a spherical double pendulum over a million steps", "[conser
        .quantity = "largest change of f - (tau^2/8) u.f''u",
        .unit = "l^2",
        .source = "follows from the scheme for quadratic constraints"},
-      {.value = modified, .resolution = resolution},
+      {.value = modified.value(), .resolution = resolution},
       Roundoff{.operations = 1e6, .scale = 1, .reason = "one rounded displacement of links of length 1 per step"});
   check.measure("largest link defect", watch.ledger().largest_defect("volume_worst"));
 }
@@ -105,7 +106,7 @@ TEST_CASE("the one-step scheme is reversible", "[conservation]") {
   Check check("one_step_reversible", "Time reversal",
               "Steps forward, velocities reversed, as many steps: the start returns, for the free chain (no "
               "potential), the pendulum (linear) and a chain in a cubic potential.");
-  double defect = 0;
+  Largest defect;
   for (const double cubic : {0.0, 0.3}) {
     for (const bool pinned : {false, true}) {
       RigidChain chain(
@@ -117,7 +118,8 @@ TEST_CASE("the one-step scheme is reversible", "[conservation]") {
         for (int n = 0; n < 100; ++n) scheme.step(state, 0.01);
         for (double& u : state.u) u = -u;
       }
-      defect = std::max({defect, largest_difference(state.q, start.q), largest_difference(state.u, start.u)});
+      defect.add(largest_difference(state.q, start.q));
+      defect.add(largest_difference(state.u, start.u));
     }
   }
   check.that(
@@ -125,7 +127,7 @@ TEST_CASE("the one-step scheme is reversible", "[conservation]") {
        .text = "The start returns.",
        .quantity = "largest difference of a coordinate or a rate",
        .source = source},
-      {.value = defect, .resolution = "tau = 0.01, 100 steps each way"},
+      {.value = defect.value(), .resolution = "tau = 0.01, 100 steps each way"},
       Roundoff{.operations = 200 * 12, .scale = 4, .reason = "200 steps of about 12 roundings of coordinates up to 4"});
 }
 
@@ -144,17 +146,17 @@ TEST_CASE("a quadratic potential has its own exact energy", "[conservation]") {
   };
   InvariantsWatch watch(chain, state);
   const double first = modified();
-  double defect = 0;
+  Worst defect;
   for (int n = 0; n < 10000; ++n) {
     scheme.step(state, tau);
     watch.record(state);
-    defect = std::max(defect, std::abs(modified() - first));
+    defect.add(modified() - first);
   }
   check.that({.id = "modified-energy",
               .text = "T + Pi - (tau^2/8) u.Pi''u is constant to round-off.",
               .quantity = "largest defect",
               .source = "follows from the scheme"},
-             {.value = defect, .resolution = "tau = 0.05, 10000 steps"},
+             {.value = defect.value(), .resolution = "tau = 0.05, 10000 steps"},
              Roundoff{.operations = 1e4, .scale = first, .reason = "one rounded energy per step"});
   check.measure("largest energy defect", watch.ledger().largest_defect("energy"));
 }

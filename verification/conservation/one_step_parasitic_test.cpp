@@ -5,6 +5,7 @@
 #include "seiche/mechanics/index_reduced.hpp"
 #include "seiche/models/rigid_chain/integrators.hpp"
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -23,8 +24,8 @@ enum class Begin { projected, smooth };
 
 /// Over the first steps.
 struct Alternation {
-  double fourth = 0;  ///< a sixteenth of the fourth difference: the alternation, what is smooth drops out to tau^4
-  double second = 0;  ///< a quarter of the second difference: with what is smooth to tau^2
+  Worst fourth;  ///< a sixteenth of the fourth difference: the alternation, what is smooth drops out to tau^4
+  Worst second;  ///< a quarter of the second difference: with what is smooth to tau^2
 };
 
 Alternation alternation(Begin begin, double tau) {
@@ -42,15 +43,11 @@ Alternation alternation(Begin begin, double tau) {
     for (std::size_t s = 0; s < state.multipliers.size(); ++s) {
       const double middle = h[1][s] - 2 * h[2][s] + h[3][s];
       const double outer = h[0][s] - 2 * h[2][s] + h[4][s];
-      result.second = std::max(result.second, std::abs(middle) / 4);
-      result.fourth = std::max(result.fourth, std::abs(outer - 4 * middle) / 16);
+      result.second.add(middle / 4);
+      result.fourth.add((outer - 4 * middle) / 16);
     }
   }
   return result;
-}
-
-double largest(Input values) {
-  return extent(values).largest;
 }
 
 /// Multipliers, accelerations and the part of the velocity outside the constraints at a state.
@@ -78,7 +75,7 @@ class Instant {
     for (std::size_t s = 0; s < outside.size(); ++s) outside[s] -= tau * tau / 2 * curvature[s];
     std::vector<double> amplitude(outside.size());
     chain_.solve(outside, amplitude);
-    return 2 / tau * largest(amplitude);
+    return 2 / tau * worst(amplitude);
   }
 
  private:
@@ -91,8 +88,8 @@ struct LongRun {
   std::vector<double> time;
   std::vector<double> parasite;  ///< every 1000 steps, before the reprojection
   std::vector<double> early;     ///< 100 steps after that
-  double jump = 0;               ///< of the multipliers from step to step
-  double excess = 0;             ///< of the jump over the change of the motion's own multipliers
+  Worst jump;                    ///< of the multipliers from step to step
+  Worst excess;                  ///< of the jump over the change of the motion's own multipliers
   double energy = 0;
   double momentum = 0;
   Scales scales;
@@ -118,8 +115,8 @@ LongRun free_chain_run(long every, long steps, double tau) {
       for (std::size_t s = 0; s < now.size(); ++s) {
         // From lambda at the middle of the last step but one to that of the last, across the instant between.
         const double jump = state.multipliers[s] - state.earlier_multipliers[s];
-        run.jump = std::max(run.jump, std::abs(jump));
-        run.excess = std::max(run.excess, std::abs(jump - (after[s] - before[s]) / 2));
+        run.jump.add(jump);
+        run.excess.add(jump - (after[s] - before[s]) / 2);
       }
     }
     before = std::move(now);
@@ -176,10 +173,10 @@ TEST_CASE("the corrected start leaves an alternation of third order", "[conserva
   std::vector<double> smooth;
   std::vector<double> second;
   for (const double tau : steps) {
-    projected.push_back(alternation(Begin::projected, tau).fourth);
+    projected.push_back(alternation(Begin::projected, tau).fourth.value());
     const Alternation corrected = alternation(Begin::smooth, tau);
-    smooth.push_back(corrected.fourth);
-    second.push_back(corrected.second);
+    smooth.push_back(corrected.fourth.value());
+    second.push_back(corrected.second.value());
   }
   check.that({.id = "projected",
               .text = "After a projected start the multipliers alternate by O(tau).",
@@ -197,7 +194,7 @@ TEST_CASE("the corrected start leaves an alternation of third order", "[conserva
        .text = "The amplitude is that of tau A^-1 B(u, u').",
        .quantity = "amplitude / (tau max |A^-1 B(u, u')|) at tau = 0.001",
        .source = expansion},
-      {.value = projected.back() / (tau * largest(instant.jerk(start))), .resolution = "tau = 0.001"},
+      {.value = projected.back() / (tau * worst(instant.jerk(start))), .resolution = "tau = 0.001"},
       Bound{.limit = 10 * tau,
             .reason = "taken over the first twelve steps, in which A and B change by some tau of themselves each",
             .expected = 1});
@@ -251,12 +248,12 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
               .text = "With reprojection every 1000 steps the multipliers jump by no more than the motion makes them.",
               .quantity = "largest excess of a jump over the change of the motion's multipliers",
               .source = digits + ": jumps up to 0.05 for reprojection every 1 to 1000 steps"},
-             {.value = cured.excess, .resolution = resolution}, Bound{0.05, "jump found there"});
+             {.value = cured.excess.value(), .resolution = resolution}, Bound{0.05, "jump found there"});
   check.known_failure({.id = "jump",
                        .text = "With reprojection every 1000 steps no jump exceeds 0.05, the motion's own included.",
                        .quantity = "largest jump of a multiplier from step to step",
                        .source = digits + ": jumps up to 0.05 for reprojection every 1 to 1000 steps"},
-                      {.value = cured.jump, .resolution = resolution}, Bound{0.05, "jump found there"},
+                      {.value = cured.jump.value(), .resolution = resolution}, Bound{0.05, "jump found there"},
                       "When the chain whips its multipliers change so much within a step: with reprojection after "
                       "every step, where nothing can have grown, jumps are as large. That number must stem from single "
                       "instants; their mean is 0.02.");
@@ -293,11 +290,11 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
       seiche::evidence::Roundoff{
           .operations = 1e6, .scale = cured.scales.momentum, .reason = "one rounded update of sum m|u| per step"});
   check.measure("momentum defect without cure", wild.momentum);
-  check.measure("largest jump, with cure", cured.jump);
-  check.measure("largest jump, reprojection every step", often.jump);
-  check.measure("largest excess of a jump, without cure", wild.excess);
-  check.measure("largest excess of a jump, reprojection every step", often.excess);
-  check.measure("alternation before reprojections, largest", largest(cured.parasite));
+  check.measure("largest jump, with cure", cured.jump.value());
+  check.measure("largest jump, reprojection every step", often.jump.value());
+  check.measure("largest excess of a jump, without cure", wild.excess.value());
+  check.measure("largest excess of a jump, reprojection every step", often.excess.value());
+  check.measure("alternation before reprojections, largest", worst(cured.parasite));
   check.measure("alternation at the end, without cure", wild.parasite.back());
   auto& figure = check.figure("parasitic", "Alternation of the multipliers", "Every 1000 steps, before reprojection.");
   auto& panel = figure.panel({.x = "time", .y = "amplitude of the alternation", .log_y = true});

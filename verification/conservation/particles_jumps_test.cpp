@@ -11,6 +11,7 @@
 #include "seiche/exact/dam_break.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -57,8 +58,8 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
   ParticleFlow flow(bore(gravity, 0, 40, 120, 2, 1, 120), {piston(u), Wall{}});
   const double start = flow.energy();
   const int steps = 100;
-  double deviation = 0;
-  double outside = 0;
+  Worst deviation;
+  Largest outside;
   std::vector<double> times;
   std::vector<double> lost;
   std::vector<double> expected;
@@ -68,9 +69,10 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
     times.push_back(flow.time());
     lost.push_back(start + work - flow.energy());
     expected.push_back(exact.energy_loss_rate() * flow.time());
-    deviation = std::max(deviation, std::abs(lost.back() - expected.back()));
+    deviation.add(lost.back() - expected.back());
     for (std::size_t i = 0; i < flow.particles().size(); ++i) {
-      outside = std::max({outside, flow.particles().depth(i) - 2, 1 - flow.particles().depth(i)});
+      outside.add(flow.particles().depth(i) - 2);
+      outside.add(1 - flow.particles().depth(i));
     }
   }
   const std::string resolution = "N = 120, tau = 0.08 s, 100 steps";
@@ -99,7 +101,7 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
               .quantity = "largest excess",
               .unit = "m",
               .source = source},
-             {.value = outside, .resolution = resolution}, rounding(steps, 2));
+             {.value = std::max(outside.value(), 0.0), .resolution = resolution}, rounding(steps, 2));
   check.that(
       {.id = "momentum",
        .text = "Momentum changes by the impulses of the ends only.",
@@ -113,7 +115,7 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
               .quantity = "largest deviation of the energy lost",
               .unit = "m^4/s^2",
               .source = "Stoker, Water Waves (1957), ch. 10"},
-             {.value = deviation, .resolution = resolution},
+             {.value = deviation.value(), .resolution = resolution},
              Roundoff{.operations = 100, .scale = start, .reason = "one rounded work per step; scale is the energy"});
   auto& panel = check.figure("energy", "Energy lost by the bore", "Energy of the two-state reconstruction against D t.")
                     .panel({.x = "t [s]", .y = "energy lost [m^4/s^2]"});
@@ -221,10 +223,10 @@ TEST_CASE("a dry front moves with the exact velocity for any number of particles
     scheme.self_similar_particles = 0;  // the method by itself, without the exact start
     ParticleFlow flow(uniform_stretches({{0, 10, {1, 0}}}, count), {Wall{}, Vacuum{}}, {}, scheme);
     const int steps = static_cast<int>(39 * count / 10);
-    double deviation = 0;
+    Worst deviation;
     for (int k = 0; k < steps; ++k) {
       flow.advance(3.12 / steps);
-      if (flow.time() > 0.5) deviation = std::max(deviation, std::abs(flow.discharge(10) - exact.discharge_at_dam()));
+      if (flow.time() > 0.5) deviation.add(flow.discharge(10) - exact.discharge_at_dam());
     }
     const std::string resolution = fmt::format("N = {}, tau = {:g} s", count, 3.12 / steps);
     check.that({.id = fmt::format("front_{}", count),
@@ -242,7 +244,7 @@ TEST_CASE("a dry front moves with the exact velocity for any number of particles
                 .quantity = "largest deviation",
                 .unit = "m^2/s",
                 .source = source + ", fig. 8"},
-               {.value = deviation, .resolution = resolution},
+               {.value = deviation.value(), .resolution = resolution},
                Bound{.limit = 1.0 / static_cast<double>(2 * count),
                      .reason = "the section lies in one of N particles of depth ~1/2: half a particle's share"});
   }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -70,9 +71,9 @@ Lattice ring(double amplitude) {
 }
 
 double fastest(const Flow& flow) {
-  double most = 0;
-  for (const double u : flow.state().u) most = std::max(most, std::abs(u));
-  return most;
+  Worst most;
+  for (const double u : flow.state().u) most.add(u);
+  return most.value();
 }
 
 }  // namespace
@@ -111,22 +112,22 @@ TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservat
        {Problem{"canal", "Straight shores", moved_water(20, 1)}, Problem{"ring", "A circular shore", ring(0.05)}}) {
     Flow flow(problem.lattice, {}, {.stepping = Stepping::conservative});
     const double energy = flow.energy();
-    double energy_defect = 0;
+    Worst energy_defect;
     constexpr int steps = 200;
     for (int n = 0; n < steps; ++n) {
       flow.advance(0.1);
-      energy_defect = std::max(energy_defect, std::abs(flow.energy() / energy - 1));
+      energy_defect.add(flow.energy() / energy - 1);
     }
     std::vector<double> defects(flow.shape().cells());
     flow.model().constraint_values(flow.state().q, defects);
-    double volume_defect = 0;
-    for (const double defect : defects) volume_defect = std::max(volume_defect, std::abs(defect));
+    Worst volume_defect;
+    for (const double defect : defects) volume_defect.add(defect);
     const auto cells = static_cast<double>(flow.shape().cells());
     check.that({.id = problem.id + "-energy",
                 .text = problem.text + ": the energy.",
                 .quantity = "largest relative defect",
                 .source = source},
-               {.value = energy_defect, .resolution = fmt::format("{} steps of 0.1", steps)},
+               {.value = energy_defect.value(), .resolution = fmt::format("{} steps of 0.1", steps)},
                Roundoff{.operations = steps * cells,
                         .scale = 1,
                         .reason = "one rounded work per cell and step, of the size of the energy"});
@@ -135,7 +136,7 @@ TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservat
                 .quantity = "largest defect",
                 .unit = "depth^3",
                 .source = source},
-               {.value = volume_defect, .resolution = fmt::format("{} steps of 0.1", steps)},
+               {.value = volume_defect.value(), .resolution = fmt::format("{} steps of 0.1", steps)},
                Roundoff{.operations = steps,
                         .scale = half_width,
                         .reason = "places up to 10, rounded per step, depth and width 1"});
@@ -159,11 +160,11 @@ TEST_CASE("water in a parabolic canal swings with Thacker's frequency", "[conser
       shore.push_back(flow.x()[0] + half_width);
       swing.push_back(0.5 * std::cos(2 * std::numbers::pi * time.back()));
     });
-    double error = 0;
-    for (std::size_t k = 0; k < time.size(); ++k) error = std::max(error, std::abs(shore[k] - swing[k]) / 0.5);
+    Largest error;
+    for (std::size_t k = 0; k < time.size(); ++k) error.add(std::abs(shore[k] - swing[k]) / 0.5);
     spacings.push_back(2 * half_width / static_cast<double>(columns));
-    errors.push_back(error);
-    check.measure(fmt::format("error_{}_columns", columns), error);
+    errors.push_back(error.value());
+    check.measure(fmt::format("error_{}_columns", columns), error.value());
     panel.line(fmt::format("{} columns", columns), time, shore);
     if (columns == 80) panel.line("Thacker", time, swing, Role::exact);
   }

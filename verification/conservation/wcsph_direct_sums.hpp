@@ -25,6 +25,7 @@
 #include <Eigen/Dense>
 
 #include "seiche/models/wcsph/flow.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::verification {
 
@@ -113,10 +114,10 @@ class DirectSums {
   /// -sum V_b r_ab . grad W_ab < 1.5, and all that have such a neighbour.
   [[nodiscard]] wcsph::Particles shifted(double tau) const {
     std::vector<double> divergence(p_.size(), 2.0);
-    double fastest = 0;
+    Largest fastest;
     for (std::size_t a = 0; a < p_.size(); ++a) {
       if (!fluid(a)) continue;
-      fastest = std::max(fastest, velocity(a).norm());
+      fastest.add(velocity(a).norm());
       divergence[a] = 0;
       neighbours(a, [&](std::size_t b, const Pair& pair) {
         divergence[a] -= p_.mass[b] / p_.density[b] * pair.r.dot(pair.gradient);
@@ -136,7 +137,7 @@ class DirectSums {
         density += volume * (p_.density[b] - p_.density[a]) * pair.gradient;
       });
       if (!fluid(a) || surface) continue;
-      Vector shift = -4 * smoothing_[a] * fastest * tau * crowd;
+      Vector shift = -4 * smoothing_[a] * fastest.value() * tau * crowd;
       if (shift.norm() > 0.1 * spacing_) shift *= 0.1 * spacing_ / shift.norm();
       const Vector change = flow * shift;
       result.x[a] += shift.x();
@@ -151,15 +152,14 @@ class DirectSums {
   /// max |h u_ab . r_ab/(r_ab^2 + 0.01 h^2)| added to the sound speed, over the smoothing length: 1/dt is its maximum
   /// over the Courant number.
   [[nodiscard]] double largest_step() const {
-    double fastest = 0;
+    Largest fastest;
     for (std::size_t a = 0; a < p_.size(); ++a) {
-      double shear = 0;
-      neighbours(a, [&](std::size_t b, const Pair& pair) {
-        shear = std::max(shear, std::abs(approach(velocity(a) - velocity(b), pair)));
-      });
-      fastest = std::max(fastest, (sound_speed_[a] + shear) / smoothing_[a]);
+      Worst shear;
+      shear.add(0);  // of the particle and itself
+      neighbours(a, [&](std::size_t b, const Pair& pair) { shear.add(approach(velocity(a) - velocity(b), pair)); });
+      fastest.add((sound_speed_[a] + shear.value()) / smoothing_[a]);
     }
-    return settings_.courant / fastest;
+    return settings_.courant / fastest.value();
   }
 
  private:

@@ -1,10 +1,12 @@
 // Rates of weakly compressible SPH against plain sums over all pairs, for every model, kernel and boundary.
+#include <array>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "seiche/models/wcsph/flow.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/wcsph_direct_sums.hpp"
 #include "verification/wcsph_problems.hpp"
@@ -58,8 +60,8 @@ Difference compare(Flow& flow) {
     }
     return relative_difference(mine, theirs);
   };
-  return {std::max(difference(computed.dx, direct.dx, false), difference(computed.dz, direct.dz, false)),
-          std::max(difference(computed.du, direct.du, false), difference(computed.dw, direct.dw, false)),
+  return {worst(std::array{difference(computed.dx, direct.dx, false), difference(computed.dz, direct.dz, false)}),
+          worst(std::array{difference(computed.du, direct.du, false), difference(computed.dw, direct.dw, false)}),
           difference(computed.ddensity, direct.ddensity, true)};
 }
 
@@ -118,7 +120,7 @@ TEST_CASE("rates equal the sums over all pairs for every viscosity, kernel and b
                                         setup.name, name_of(kernel), model.name),
                     .quantity = "largest relative difference of a rate",
                     .source = source},
-                   {.value = std::max({found.motion, found.acceleration, found.density})},
+                   {.value = worst(std::array{found.motion, found.acceleration, found.density})},
                    Bound{.limit = 1e-12,
                          .reason = "some 50 pairs of 40 roundings each; pressures are differences of numbers 20 times "
                                    "larger, distances of coordinates 10 times larger"});
@@ -163,7 +165,7 @@ TEST_CASE("rates equal the sums over all pairs with constant smoothing, clamped 
                   .text = fmt::format("{}, {}: all rates are those of the sums over all pairs.", setup.name, name),
                   .quantity = "largest relative difference of a rate",
                   .source = source},
-                 {.value = std::max({found.motion, found.acceleration, found.density})},
+                 {.value = worst(std::array{found.motion, found.acceleration, found.density})},
                  Bound{.limit = 1e-12, .reason = "as for the plain rates; corrections add a 2 x 2 inverse"});
     }
   }

@@ -8,8 +8,8 @@
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "verification/check.hpp"
-#include "verification/exact/reference_digits.hpp"
 #include "verification/lattice_sums.hpp"
+#include "verification/reference_digits.hpp"
 #include "verification/wcsph_problems.hpp"
 
 namespace {

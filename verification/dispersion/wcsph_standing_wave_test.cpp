@@ -8,6 +8,7 @@
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -54,11 +55,11 @@ struct Oscillation {
   [[nodiscard]] double damping() const {
     const std::vector<double> t = zeros();
     const auto peak = [&](double from, double to) {
-      double largest = 0;
+      Worst largest;
       for (std::size_t n = 0; n < time.size(); ++n) {
-        if (time[n] >= from && time[n] <= to) largest = std::max(largest, std::abs(amplitude[n]));
+        if (time[n] >= from && time[n] <= to) largest.add(amplitude[n]);
       }
-      return largest;
+      return largest.value();
     };
     const std::size_t last = t.size() - 1;
     return std::log(peak(t[0], t[1]) / peak(t[last - 1], t[last])) / (t[last] - t[1]);

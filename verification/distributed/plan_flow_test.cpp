@@ -7,6 +7,7 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/io/hdf5_table.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/distributed/problems.hpp"
 
@@ -54,10 +55,10 @@ TEST_CASE("a plan flow shared out among processes is that of one process, to the
     const Problem& problem = problems[p];
     const Outcome reference = alone(problem);
     std::vector<double> differences;
-    double rim = 0;
+    Largest rim;
     for (const Outcome& outcome : outcomes[p]) {
       differences.push_back(largest_difference(outcome, reference));
-      rim = std::max(rim, outcome.rim_difference);
+      rim.add(outcome.rim_difference);
     }
     const Outcome& finest = outcomes[p].back();
     const std::string resolution = fmt::format("{} steps of {}, relative residual {:.0e}, {} process(es)",
@@ -84,7 +85,7 @@ TEST_CASE("a plan flow shared out among processes is that of one process, to the
                 .text = "What several processes hold of a node is the same, bit by bit.",
                 .quantity = "largest difference between copies",
                 .source = source},
-               {.value = rim, .resolution = resolution}, Bound{.limit = 0, .reason = "copies are copied"});
+               {.value = rim.value(), .resolution = resolution}, Bound{.limit = 0, .reason = "copies are copied"});
     panel.line(problem.id, tolerances, differences);
     check.measure("iterations per solution at the finest tolerance, " + problem.id, finest.iterations);
     check.measure("difference of energies, " + problem.id, finest.energy - reference.energy);
@@ -153,11 +154,11 @@ TEST_CASE("what all processes write is read back as it was") {
 
   const io::Table read = io::read_hdf5(file);
   std::filesystem::remove_all(folder);
-  double worst = 0;
+  Worst worst;
   for (std::size_t k = 0; k < 6; ++k) {
     const auto& column = read.column(names[k]);
     REQUIRE(column.size() == written[k].size());
-    for (std::size_t n = 0; n < column.size(); ++n) worst = std::max(worst, std::abs(column[n] - written[k][n]));
+    for (std::size_t n = 0; n < column.size(); ++n) worst.add(column[n] - written[k][n]);
   }
   Check check(fmt::format("distributed_fields_file_{}", ranks()),
               fmt::format("Fields written by {} process(es) together", ranks()),
@@ -166,7 +167,8 @@ TEST_CASE("what all processes write is read back as it was") {
               .text = "Coordinates and velocities are read back as they were, row by row.",
               .quantity = "largest difference",
               .source = source},
-             {.value = worst, .resolution = "40 x 20 cells"}, Bound{.limit = 0, .reason = "the file keeps all digits"});
+             {.value = worst.value(), .resolution = "40 x 20 cells"},
+             Bound{.limit = 0, .reason = "the file keeps all digits"});
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "seiche/distributed/distributed_flow.hpp"
 #include "seiche/distributed/patches.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::verification::distributed_flows {
 
@@ -119,20 +120,20 @@ inline Outcome alone(const Problem& problem) {
 }
 
 inline double largest_difference(const Outcome& a, const Outcome& b) {
-  double largest = 0;
+  Worst largest;
   for (std::size_t k = 0; k < a.numbers.size(); ++k) {
-    largest = std::max(largest, std::abs(a.numbers[k] - b.numbers[k]));
+    largest.add(a.numbers[k] - b.numbers[k]);
   }
-  return largest;
+  return largest.value();
 }
 
 /// Largest velocity component.
 inline double speed(const Outcome& a) {
-  double largest = 0;
+  Worst largest;
   for (std::size_t k = a.numbers.size() / 2; k < a.numbers.size(); ++k) {
-    largest = std::max(largest, std::abs(a.numbers[k]));
+    largest.add(a.numbers[k]);
   }
-  return largest;
+  return largest.value();
 }
 
 }  // namespace seiche::verification::distributed_flows

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <boost/math/tools/minima.hpp>
 
+#include "seiche/samples.hpp"
 #include "validation/instruments/reflection_pattern.hpp"
 #include "validation/instruments/wall_history.hpp"
 #include "verification/check.hpp"
@@ -209,17 +210,17 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
   std::vector<double> five_nodes;
   for (double h = 0.3; h > 0.07; h /= std::numbers::sqrt2) {
     // The crest wanders over the spacing between the nodes as the lattice moves.
-    double worst_of_three = 0;
-    double worst_of_five = 0;
+    Worst worst_of_three;
+    Worst worst_of_five;
     for (int shift = 0; shift < 8; ++shift) {
       const SampledReflection row(waves, time_of(waves), 4.5 * h, h, 0, h * shift / 8);
       const Crest crest = wall_crest(row.lattice(), 0.01 * a);
-      worst_of_three = std::max(worst_of_three, std::abs(crest.height - exact_height));
-      worst_of_five = std::max(worst_of_five, std::abs(five_node_height(row.lattice(), crest, 0) - exact_height));
+      worst_of_three.add(crest.height - exact_height);
+      worst_of_five.add(five_node_height(row.lattice(), crest, 0) - exact_height);
     }
     spacings.push_back(h);
-    three_nodes.push_back(worst_of_three);
-    five_nodes.push_back(worst_of_five);
+    three_nodes.push_back(worst_of_three.value());
+    five_nodes.push_back(worst_of_five.value());
   }
   const auto claim_order = [&](const std::string& id, const std::string& nodes, const std::vector<double>& errors,
                                double order) {

@@ -3,8 +3,9 @@
 #include <numbers>
 
 #include "seiche/exact/stretching_drop.hpp"
-#include "verification/exact/digits_table.hpp"
-#include "verification/exact/self_test_claims.hpp"
+#include "seiche/samples.hpp"
+#include "verification/digits_table.hpp"
+#include "verification/self_test_claims.hpp"
 
 using namespace seiche;
 using exact::AffineDrop;
@@ -30,7 +31,7 @@ AffineDrop turning_drop() {
 /// Largest difference between the acceleration of a particle, by fourth-order differences of its path, and -grad p/rho.
 double momentum_residual(const AffineDrop& drop, double density, double time, double span) {
   const DropInstant now = drop.at(time);
-  double largest = 0;
+  Largest largest;
   for (const double angle : {0.1, 1.3, 2.9, 4.4}) {
     const Eigen::Vector2d start =
         drop.at(0).deformation * Eigen::Vector2d(0.8 * std::cos(angle), 0.8 * std::sin(angle));
@@ -43,9 +44,9 @@ double momentum_residual(const AffineDrop& drop, double density, double time, do
     const Eigen::Vector2d gradient(
         (now.pressure(here.x() + width, here.y()) - now.pressure(here.x() - width, here.y())) / (2 * width),
         (now.pressure(here.x(), here.y() + width) - now.pressure(here.x(), here.y() - width)) / (2 * width));
-    largest = std::max(largest, (acceleration + gradient / density).norm());
+    largest.add((acceleration + gradient / density).norm());
   }
-  return largest;
+  return largest.value();
 }
 
 void draw_outline(evidence::Panel& panel, const std::string& label, const DropInstant& instant, Role role) {
@@ -100,19 +101,19 @@ TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "
              evidence::observed_order(spans, residuals, 1e-11),
              evidence::Order{4, 0.3, "fourth-order differences of a smooth path"});
 
-  double surface = 0;
+  Worst surface;
   for (const double t : {-1.0, 0.0, 0.7, 2.0}) {
     const DropInstant instant = turning.at(t);
     for (double angle = 0; angle < 6.3; angle += 0.3) {
       const Eigen::Vector2d point = instant.deformation * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-      surface = std::max(surface, std::abs(instant.pressure(point.x(), point.y()) / instant.central_pressure));
+      surface.add(instant.pressure(point.x(), point.y()) / instant.central_pressure);
     }
   }
   check.that({.id = "surface",
               .text = "The pressure vanishes on the surface.",
               .quantity = "pressure there over the pressure in the centre",
               .source = source},
-             {.value = surface},
+             {.value = surface.value()},
              evidence::Roundoff{.operations = 16,
                                 .scale = 16,
                                 .reason = "two products with A and its inverse; condition number of A up to 16"});

@@ -45,7 +45,7 @@ TEST_CASE("every exact solution keeps its own identities", "[exact]") {
       "exact_self_tests", "What every exact solution says of itself",
       "Each solution of the catalogue, at its default parameters, is checked against identities that hold for it "
       "exactly: conservation across jumps, integral identities, invariants of the motion. No outside data take part. "
-      "`seiche exact NAME --self-test` does the same for any parameters.");
+      "`seiche exact NAME --self-test` measures the same for any parameters.");
   for (const exact::ExactSolution& solution : exact::catalogue()) {
     const exact::Evaluator evaluator = solution.evaluator();
     CHECK(evaluator.uncertainty() > 0);
@@ -57,7 +57,7 @@ TEST_CASE("every exact solution keeps its own identities", "[exact]") {
                   .quantity = "relative defect",
                   .source = solution.citation},
                  {.value = identities[k].defect},
-                 evidence::Bound{.limit = identities[k].limit, .reason = identities[k].reason});
+                 evidence::Bound{.limit = identities[k].accuracy, .reason = identities[k].reason});
     }
   }
 }

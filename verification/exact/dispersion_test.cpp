@@ -4,8 +4,8 @@
 
 #include "seiche/exact/frank_dispersion.hpp"
 #include "seiche/exact/linear_wave.hpp"
-#include "verification/exact/digits_table.hpp"
-#include "verification/exact/self_test_claims.hpp"
+#include "verification/digits_table.hpp"
+#include "verification/self_test_claims.hpp"
 
 using namespace seiche;
 using exact::AiryDispersion;

@@ -6,8 +6,8 @@
 
 #include "seiche/exact/dispersive_standing_wave.hpp"
 #include "seiche/exact/standing_wave.hpp"
-#include "verification/exact/digits_table.hpp"
-#include "verification/exact/self_test_claims.hpp"
+#include "verification/digits_table.hpp"
+#include "verification/self_test_claims.hpp"
 
 using namespace seiche;
 using exact::DispersiveStandingWave;

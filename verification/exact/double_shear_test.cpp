@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "seiche/exact/double_shear.hpp"
-#include "verification/exact/self_test_claims.hpp"
+#include "verification/self_test_claims.hpp"
 
 using namespace seiche;
 using exact::DoubleShear;

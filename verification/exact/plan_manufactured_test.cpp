@@ -8,7 +8,8 @@
 #include <Eigen/Dense>
 
 #include "seiche/exact/plan_manufactured.hpp"
-#include "verification/exact/self_test_claims.hpp"
+#include "seiche/samples.hpp"
+#include "verification/self_test_claims.hpp"
 
 using namespace seiche;
 using exact::PlanManufactured;
@@ -78,16 +79,17 @@ class Snapshot {
 
   /// Largest deviation from the force of the solution [m/s^2], inside the basin.
   [[nodiscard]] double deviation(const PlanManufactured& flow, double t) const {
-    double worst = 0;
+    Worst worst;
     const double step = 2 * flow.parameters().length / period_points;
     for (Eigen::Index i = 0; i <= period_points / 2; ++i) {
       for (Eigen::Index j = 0; j <= period_points / 2; ++j) {
         const auto at = flow.at(std::min(step * static_cast<double>(i), flow.parameters().length),
                                 std::min(step * static_cast<double>(j), flow.parameters().length), t);
-        worst = std::max({worst, std::abs(at.bx - force_x_(i, j)), std::abs(at.by - force_y_(i, j))});
+        worst.add(at.bx - force_x_(i, j));
+        worst.add(at.by - force_y_(i, j));
       }
     }
-    return worst;
+    return worst.value();
   }
 
  private:
@@ -102,7 +104,7 @@ class Snapshot {
 
 void claim_labels(verification::Check& check, const PlanManufactured& flow) {
   const double length = flow.parameters().length;
-  double worst = 0;
+  Worst worst;
   constexpr int points = 24;
   for (double t = 0; t < 5; t += 0.7) {
     for (int i = 0; i <= points; ++i) {
@@ -111,7 +113,8 @@ void claim_labels(verification::Check& check, const PlanManufactured& flow) {
         const double b = length * j / points;
         const auto at = flow.at(a, b, t);
         const auto label = flow.label(std::clamp(at.x, 0.0, length), std::clamp(at.y, 0.0, length), t);
-        worst = std::max({worst, std::abs(label.x - a), std::abs(label.y - b)});
+        worst.add(label.x - a);
+        worst.add(label.y - b);
       }
     }
   }
@@ -120,7 +123,7 @@ void claim_labels(verification::Check& check, const PlanManufactured& flow) {
               .quantity = "largest deviation of a label",
               .unit = "m",
               .source = source},
-             {.value = worst, .resolution = "25 by 25 columns, 8 times"},
+             {.value = worst.value(), .resolution = "25 by 25 columns, 8 times"},
              evidence::Roundoff{.operations = 20,
                                 .scale = length / 0.6,
                                 .reason = "places rounded ten times there and back, divided by J above 0.6"});
@@ -170,9 +173,9 @@ TEST_CASE("the manufactured motion in plan satisfies the forced Green-Naghdi equ
   const PlanManufactured flow;
   PlanManufactured::Parameters steep{
       .gravity = 9.81, .depth = 0.4, .length = 3, .amplitude = -0.2, .frequency = 4, .alpha = 0.4};
-  double deviation = 0;
+  Largest deviation;
   for (double t = 0.1; t < 5; t += 0.6) {
-    deviation = std::max(deviation, Snapshot(flow.parameters(), t).deviation(flow, t));
+    deviation.add(Snapshot(flow.parameters(), t).deviation(flow, t));
   }
   const double highest = 0.5 * period_points;
   check.that({.id = "force",
@@ -180,7 +183,7 @@ TEST_CASE("the manufactured motion in plan satisfies the forced Green-Naghdi equ
               .quantity = "largest deviation of a component",
               .unit = "m/s^2",
               .source = source},
-             {.value = deviation, .resolution = "48 by 48 labels over [0, 2 pi)^2, 9 times"},
+             {.value = deviation.value(), .resolution = "48 by 48 labels over [0, 2 pi)^2, 9 times"},
              evidence::Roundoff{.operations = 60 * 60,
                                 .scale = highest * highest / 3,
                                 .reason = "twice differentiated: highest wavenumber squared, times alpha H^2; "

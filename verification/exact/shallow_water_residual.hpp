@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "seiche/samples.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::verification {
@@ -32,7 +34,7 @@ double shallow_water_residual(const StateAt& state, double gravity, double x, do
   const double depth = state(x, t).depth;
   const double momentum = difference([&](double dt) { return discharge(0, dt); }, span_t) + difference(thrust, span_x) +
                           gravity * depth * slope - depth * force;
-  return std::max(std::abs(mass), std::abs(momentum));
+  return worst(std::array{mass, momentum});
 }
 
 }  // namespace seiche::verification

@@ -8,9 +8,10 @@
 
 #include "seiche/exact/hall_watts.hpp"
 #include "seiche/exact/solitary_runup.hpp"
+#include "seiche/samples.hpp"
 #include "validation/case/reference_table.hpp"
-#include "verification/exact/digits_table.hpp"
-#include "verification/exact/self_test_claims.hpp"
+#include "verification/digits_table.hpp"
+#include "verification/self_test_claims.hpp"
 
 using namespace seiche;
 using exact::HallWatts;
@@ -111,7 +112,8 @@ void draw_runup(verification::Check& check) {
     panel.line("law", a, law, Role::guide);
     if (!correlation.empty()) {
       panel.line("Hall and Watts, fit", a, correlation, Role::peer);
-      const io::Table points = validation::reference_table("frank_1994_runup_hall_watts", check.record().reference_data);
+      const io::Table points =
+          validation::reference_table("frank_1994_runup_hall_watts", check.record().reference_data);
       std::vector<double> x;
       std::vector<double> y;
       for (std::size_t row = 0; row < points.rows(); ++row) {
@@ -140,7 +142,7 @@ TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[e
   std::vector<Printed> highest;
   std::vector<Printed> times;
   std::vector<Printed> laws;
-  double adaptive = 0;
+  Largest adaptive;
   for (const Row& row : table) {
     const SolitaryRunup wave(1, 1, row.amplitude, row.cotangent);
     highest.push_back({wave.highest().elevation, row.highest});
@@ -148,9 +150,8 @@ TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[e
     laws.push_back({wave.law(), row.law});
     claim_self_test(check, row.highest.substr(2, 4), wave, source);
     for (const double t : {1.2 * row.cotangent, 2.1 * row.cotangent, 3.5 * row.cotangent}) {
-      adaptive =
-          std::max(adaptive, std::abs(by_quadrature(row.amplitude, row.cotangent, t) - wave.linear_elevation(t)) /
-                                 wave.highest().elevation);
+      adaptive.add(std::abs(by_quadrature(row.amplitude, row.cotangent, t) - wave.linear_elevation(t)) /
+                   wave.highest().elevation);
     }
     const SolitaryRunup scaled(9.81, 0.3, 0.3 * row.amplitude, row.cotangent);
     highest.push_back({scaled.highest().elevation / 0.3, row.highest});
@@ -163,7 +164,7 @@ TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[e
               .text = "Adaptive quadrature of the same integral gives the same elevation.",
               .quantity = "largest difference over the run-up",
               .source = source},
-             {.value = adaptive},
+             {.value = adaptive.value()},
              evidence::Bound{.limit = 2e-12, .reason = "tolerance 1e-13 on each of up to 20 panels"});
 
   // The shoreline moves along the beach: elevation' = velocity tan beta.
@@ -171,14 +172,14 @@ TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[e
   std::vector<double> spans;
   std::vector<double> residuals;
   for (double span = 0.4; span > 0.02; span /= 2) {
-    double largest = 0;
+    Worst largest;
     for (const double t : {28.0, 33.0, 36.0, 40.0, 44.0}) {
       const auto z = [&](double steps) { return wave.shoreline(t + steps * span).elevation; };
       const double rise = (8 * (z(1) - z(-1)) - (z(2) - z(-2))) / (12 * span);
-      largest = std::max(largest, std::abs(rise - wave.shoreline(t).velocity / 19.85));
+      largest.add(rise - wave.shoreline(t).velocity / 19.85);
     }
     spans.push_back(span);
-    residuals.push_back(largest);
+    residuals.push_back(largest.value());
   }
   check.that({.id = "kinematics",
               .text = "The nonlinear shoreline moves along the beach: the residual is that of the time differences.",
@@ -221,10 +222,11 @@ TEST_CASE("the published analytic profiles end where our shoreline is", "[exact]
   verification::Check check("exact_solitary_profiles", "Analytic profiles of Synolakis' solution",
                             "a/d = 0.019 on 1:19.85. The first wet point of each published profile brackets the "
                             "shoreline within their spacing of 0.1 d along the beach, 0.005 d in elevation.");
-  const io::Table profiles = validation::reference_table("synolakis_1987_analytic_profiles", check.record().reference_data);
+  const io::Table profiles =
+      validation::reference_table("synolakis_1987_analytic_profiles", check.record().reference_data);
   const SolitaryRunup wave(1, 1, 0.019, 19.85);
   const double shift = std::acosh(std::sqrt(20.0)) / std::sqrt(0.75 * 0.019);
-  double worst = 0;
+  Worst worst;
   double previous = 0;
   for (std::size_t row = 0; row < profiles.rows(); ++row) {
     const double t = profiles.column("t")[row];
@@ -233,7 +235,7 @@ TEST_CASE("the published analytic profiles end where our shoreline is", "[exact]
     if (t - shift >= wave.breaking_time()) continue;
     const double first = -profiles.column("x_over_d")[row] / 19.85;
     const double middle = first + 0.05 / 19.85;
-    worst = std::max(worst, std::abs(wave.shoreline(t - shift).elevation - middle));
+    worst.add(wave.shoreline(t - shift).elevation - middle);
     check.measure("shoreline over d at t = " + std::to_string(std::lround(t)), wave.shoreline(t - shift).elevation);
   }
   check.that({.id = "bracket",
@@ -241,7 +243,7 @@ TEST_CASE("the published analytic profiles end where our shoreline is", "[exact]
               .quantity = "largest distance from the middle between the first wet point and the dry one before",
               .unit = "d",
               .source = source},
-             {.value = worst},
+             {.value = worst.value()},
              evidence::Bound{.limit = 0.05 / 19.85 + 5e-6,
                              .reason = "half the spacing of the profiles, and half a unit of their last digit"});
 }
@@ -258,22 +260,22 @@ TEST_CASE("Hall and Watts' correlation and Frank's run-up table", "[exact]") {
   claim_self_test(check, "hall-watts", HallWatts(0.3, 0.4), "Hall and Watts (1953)");
 
   const io::Table runup = validation::reference_table("frank_1994_runup", check.record().reference_data);
-  double law = 0;
+  Worst law;
   for (std::size_t row = 0; row < runup.rows(); ++row) {
     const SolitaryRunup wave(1, 1, runup.column("A")[row], runup.column("cot_slope")[row]);
-    law = std::max(law, std::abs(wave.law() - runup.column("R_law")[row]));
+    law.add(wave.law() - runup.column("R_law")[row]);
   }
   check.that({.id = "frank-law",
               .text = "All entries of the law printed in Frank's table agree with it.",
               .quantity = "largest difference",
               .unit = "d",
               .source = frank},
-             {.value = law},
+             {.value = law.value()},
              evidence::Bound{.limit = 0.0015, .reason = "three decimals, amplitudes rounded to two or three digits"});
 
   const io::Table measured = validation::reference_table("frank_1994_runup_hall_watts", check.record().reference_data);
-  double worst = 0;
-  double suspicious = 0;
+  Largest others;
+  Largest suspicious;
   for (std::size_t row = 0; row < measured.rows(); ++row) {
     const double cotangent = measured.column("cot_slope")[row];
     const double amplitude = measured.column("A")[row];
@@ -282,14 +284,14 @@ TEST_CASE("Hall and Watts' correlation and Frank's run-up table", "[exact]") {
     check.measure("correlation over Frank's number, less 1: cot " + std::to_string(cotangent).substr(0, 5) + ", a " +
                       std::to_string(amplitude).substr(0, 5),
                   HallWatts(1, 1 / cotangent).runup(amplitude) / printed - 1);
-    (printed == 0.173 ? suspicious : worst) = std::max(printed == 0.173 ? suspicious : worst, deviation);
+    (printed == 0.173 ? suspicious : others).add(deviation);
   }
   check.that(
       {.id = "frank-hall-watts",
        .text = "Frank's interpolations of the measurements follow the correlation, but for one entry.",
        .quantity = "largest relative difference",
        .source = frank},
-      {.value = worst},
+      {.value = others.value(), .uncertainty = 0},  // a formula, evaluated to round-off
       evidence::Uncertainty{
           .data = HallWatts::scatter(), .useful = 0.15, .reason = "scatter of run-up measurements, 5 % (assumed)"});
   const evidence::Bound limit{.limit = 0.03, .reason = "what an interpolation of their plotted measurements can give"};
@@ -297,17 +299,22 @@ TEST_CASE("Hall and Watts' correlation and Frank's run-up table", "[exact]") {
                        .text = "They follow it to 3 %.",
                        .quantity = "largest relative difference",
                        .source = frank},
-                      {.value = worst}, limit,
-                      "four of 17 entries differ by 3.3 to 5.5 %: three of the four at cot 1 and one at cot 2.747, the "
-                      "others by less than 3 %; the interpolation is not that of the correlation");
+                      {.value = others.value()}, limit,
+                      {.value = 0.05543,
+                       .width = 5e-5,
+                       .reason = "four of 17 entries differ by 3.3 to 5.5 %: three of the four at cot 1 and one at cot "
+                                 "2.747, the others by less than 3 %; the interpolation is not that of the "
+                                 "correlation, a formula as exact as the digits of this band"});
   check.known_failure(
       {.id = "frank-hall-watts-173",
        .text = "So does the entry for cot 3.732, a = 0.05.",
        .quantity = "relative difference",
        .source = frank},
-      {.value = suspicious}, limit,
-      "0.173 is out of line with its neighbours, 0.281 at a = 0.1 and 0.121 on the slope 3.333: a misprint "
-      "is likely");
+      {.value = suspicious.value()}, limit,
+      {.value = 0.27,
+       .width = 5e-5,
+       .reason = "0.173 is out of line with its neighbours, 0.281 at a = 0.1 and 0.121 on the slope 3.333: a misprint "
+                 "is likely; the correlation is a formula"});
 }
 
 TEST_CASE("waves and beaches outside the theory are refused", "[exact]") {

@@ -3,8 +3,9 @@
 #include <numbers>
 
 #include "seiche/exact/standing_wave.hpp"
-#include "verification/exact/digits_table.hpp"
-#include "verification/exact/self_test_claims.hpp"
+#include "seiche/samples.hpp"
+#include "verification/digits_table.hpp"
+#include "verification/self_test_claims.hpp"
 
 using namespace seiche;
 using exact::StandingWave;
@@ -38,8 +39,8 @@ StandingWave wave(double e, double depth) {
 
 /// Largest residuals of eta_t + u eta_x - v and of the surface pressure over half a wave and a period.
 struct Residuals {
-  double kinematic = 0;
-  double dynamic = 0;
+  Worst kinematic;
+  Worst dynamic;
 };
 
 Residuals free_surface(const StandingWave& w) {
@@ -56,8 +57,8 @@ Residuals free_surface(const StandingWave& w) {
       const auto [u, v] = w.velocity(x, eta, t);
       const double rise = difference([&](double d) { return w.elevation(x, t + d); });
       const double slope = difference([&](double d) { return w.elevation(x + d, t); });
-      worst.kinematic = std::max(worst.kinematic, std::abs(rise + u * slope - v));
-      worst.dynamic = std::max(worst.dynamic, std::abs(w.pressure(x, eta, t)));
+      worst.kinematic.add(rise + u * slope - v);
+      worst.dynamic.add(w.pressure(x, eta, t));
     }
   }
   return worst;

@@ -12,6 +12,7 @@
 #include "seiche/exact/stokes_wave.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -105,9 +106,9 @@ double unequal_columns(const Mesh& mesh, const Piece& piece, double depth) {
     areas.push_back(area);
   }
   const double mean = std::accumulate(areas.begin(), areas.end(), 0.0) / static_cast<double>(areas.size());
-  double worst = 0;
-  for (const double area : areas) worst = std::max(worst, std::abs(area / mean - 1));
-  return worst;
+  Worst worst;
+  for (const double area : areas) worst.add(area / mean - 1);
+  return worst.value();
 }
 
 struct Errors {
@@ -125,31 +126,32 @@ Errors errors_of(const Piece& piece, double depth, std::size_t columns, std::siz
                 .potential = std::abs(model.potential_energy(flow.state().q) / piece.potential - 1),
                 .change = 0,
                 .interior_change = 0};
-  double speed = 0;
+  Worst speed;
+  Worst interior_change;
   double sum = 0;
   double all = 0;
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
     const Point v = piece.velocity({mesh.x[k], mesh.y[k]});
     const double change = std::hypot(flow.u()[k] - v.x, flow.v()[k] - v.y);
-    speed = std::max(speed, std::hypot(v.x, v.y));
+    speed.add(std::hypot(v.x, v.y));
     const std::size_t row = k / (mesh.columns + 1);
-    if (2 * row <= mesh.rows) errors.interior_change = std::max(errors.interior_change, change);
+    if (2 * row <= mesh.rows) interior_change.add(change);
     sum += change * change * model.nodes().mass()[k];
     all += (v.x * v.x + v.y * v.y) * model.nodes().mass()[k];
   }
   errors.change = std::sqrt(sum / all);
-  errors.interior_change /= speed;
+  errors.interior_change = interior_change.value() / speed.value();
   return errors;
 }
 
 void check_piece(Check& check, const std::string& id, const std::string& name, const Piece& piece, double depth,
                  std::size_t columns_per_row) {
   std::vector<double> h, area, kinetic, potential, change, interior;
-  double columns = 0;
+  Largest columns;
   for (const std::size_t rows : {4, 8, 16, 32}) {
     const Errors errors = errors_of(piece, depth, columns_per_row * rows, rows);
     h.push_back(1 / static_cast<double>(rows));
-    columns = std::max(columns, errors.columns);
+    columns.add(errors.columns);
     area.push_back(errors.area);
     kinetic.push_back(errors.kinetic);
     potential.push_back(errors.potential);
@@ -160,7 +162,7 @@ void check_piece(Check& check, const std::string& id, const std::string& name, c
               .text = name + ": the columns hold equal areas of water.",
               .quantity = "largest relative difference from their mean",
               .source = source},
-             {.value = columns, .resolution = "4 to 32 rows"},
+             {.value = columns.value(), .resolution = "4 to 32 rows"},
              Roundoff{.operations = 10,
                       .scale = static_cast<double>(32 * columns_per_row),
                       .reason = "both ends of a column are rounded places, up to the tank's length, that is as many "

@@ -11,6 +11,7 @@
 
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -35,14 +36,14 @@ Flow released(std::size_t columns, std::size_t rows, Stepping stepping, NinePoin
 }
 
 double largest_difference(const Flow& a, const Flow& b) {
-  double largest = 0;
+  Worst largest;
   for (std::size_t i = 0; i < a.state().q.size(); ++i) {
-    largest = std::max(largest, std::abs(a.state().q[i] - b.state().q[i]));
+    largest.add(a.state().q[i] - b.state().q[i]);
   }
   for (std::size_t i = 0; i < a.state().u.size(); ++i) {
-    largest = std::max(largest, std::abs(a.state().u[i] - b.state().u[i]));
+    largest.add(a.state().u[i] - b.state().u[i]);
   }
-  return largest;
+  return largest.value();
 }
 
 const std::vector<std::pair<std::string, Stepping>> steppings{{"one-step", Stepping::one_step},

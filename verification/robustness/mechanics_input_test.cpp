@@ -83,6 +83,7 @@ TEST_CASE("an implicit step that does not converge says so and leaves the state"
 TEST_CASE("the ledger counts what is booked and refuses wrong numbers of values", "[robustness]") {
   InvariantsLedger ledger;
   const std::size_t mass = ledger.watch("mass", 2);
+  CHECK(std::isnan(ledger.entry("mass").largest_defect));
   ledger.book(mass, 0.25);
   ledger.record(std::vector{2.25}, 1e-9);
   CHECK(ledger.entry("mass").defect == 0);
@@ -92,5 +93,7 @@ TEST_CASE("the ledger counts what is booked and refuses wrong numbers of values"
   CHECK_THROWS_WITH(ledger.record(std::vector{1.0, 2.0}), Contains("values"));
   CHECK_THROWS_WITH(ledger.entry("energy"), Contains("mass"));
   ledger.record(std::vector{std::nan("")});
+  ledger.record(std::vector{2.25});
   CHECK(std::isnan(ledger.entry("mass").largest_defect));
+  CHECK(std::isnan(ledger.largest_defect("mass")));
 }

@@ -20,6 +20,7 @@
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/hdf5_table.hpp"
 #include "seiche/io/isolated.hpp"
+#include "seiche/samples.hpp"
 #include "validation/case/configuration.hpp"
 #include "validation/case/registry.hpp"
 #include "verification/check.hpp"
@@ -119,7 +120,7 @@ struct Tally {
   long refused = 0;
   long misbehaved = 0;  ///< another exception, a message of several lines, or an empty one
   long crashes = 0;     ///< of a child process
-  double slowest = 0;   ///< [s]
+  Largest slowest;      ///< [s]
   std::string example;
 };
 
@@ -152,8 +153,7 @@ Tally fuzz(const std::vector<std::string>& valid, long count, std::uint64_t seed
       tally.example = message;
     }
     if (message.find("child process") != std::string::npos) ++tally.crashes;
-    tally.slowest =
-        std::max(tally.slowest, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    tally.slowest.add(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   }
   return tally;
 }
@@ -163,7 +163,7 @@ void claim(Check& check, const std::string& format, const Tally& tally) {
   INFO(format << ": " << tally.example);
   check.measure(format + "_inputs", static_cast<double>(count));
   check.measure(format + "_accepted", static_cast<double>(tally.accepted));
-  check.measure(format + "_slowest_s", tally.slowest);
+  check.measure(format + "_slowest_s", tally.slowest.value());
   check.that({.id = format,
               .text = fmt::format("Every damaged {} input is read or refused in one line.", format),
               .quantity = "inputs that end otherwise",

@@ -8,6 +8,7 @@
 #include "seiche/exact/frank_dispersion.hpp"
 #include "seiche/exact/layer_response.hpp"
 #include "seiche/require.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::exact {
 
@@ -61,11 +62,11 @@ double LagrangianMeshDispersion::surface_response(double wavenumber) const {
 
 double LagrangianMeshDispersion::largest_frequency() const {
   constexpr int samples = 2000;
-  double largest = 0;
+  Largest largest;
   for (int i = 1; i <= samples; ++i) {
-    largest = std::max(largest, frequency(std::numbers::pi / column_width_ * i / samples));
+    largest.add(frequency(std::numbers::pi / column_width_ * i / samples));
   }
-  return largest;
+  return largest.value();
 }
 
 Provenance LagrangianMeshDispersion::provenance() {
@@ -101,20 +102,19 @@ SelfTest LagrangianMeshDispersion::self_test() const {
   const LagrangianMeshDispersion one_row(gravity_, depth_, column_width_, 1, inertia);
   const FrankDispersion markers(gravity_, depth_, column_width_,
                                 {.alpha = one_row.inertia_, .beta = 1.0 / 3, .gamma = 0});
-  double rows_defect = 0;
-  double markers_defect = 0;
+  Worst rows_defect;
+  Worst markers_defect;
   constexpr int waves = 16;
   for (int i = 1; i < waves; ++i) {
     const double part = static_cast<double>(i) / waves;
-    rows_defect = std::max(rows_defect, std::abs(by_recurrence(part * resolved) / frequency(part * resolved) - 1));
-    markers_defect =
-        std::max(markers_defect, std::abs(one_row.frequency(part * shortest) / markers.frequency(part * shortest) - 1));
+    rows_defect.add(by_recurrence(part * resolved) / frequency(part * resolved) - 1);
+    markers_defect.add(one_row.frequency(part * shortest) / markers.frequency(part * shortest) - 1);
   }
   const double shortest_frequency = std::sqrt(gravity_ / (3 * inertia_ * row_height()));
   const double longest = 1e-9 / std::max(depth_, column_width_);
-  return {{"frequency from the rows one by one", rows_defect, 1e-15 * static_cast<double>(8 + 2 * rows_),
+  return {{"frequency from the rows one by one", rows_defect.value(), 1e-15 * static_cast<double>(8 + 2 * rows_),
            "16 roundings in either formula, 4 more per row"},
-          {"one row: formula (13) with alpha = b", markers_defect, 2e-14,
+          {"one row: formula (13) with alpha = b", markers_defect.value(), 2e-14,
            "90 ulp: 40 roundings, the shortest of the waves makes a rounding of the phase ten of the tangent"},
           {"shortest wave: omega^2 = g/(3 b h2)", std::abs(frequency(shortest) / shortest_frequency - 1), 4e-15,
            "18 ulp for as many roundings"},

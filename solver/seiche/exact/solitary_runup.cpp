@@ -12,6 +12,7 @@
 #include <boost/math/tools/roots.hpp>
 
 #include "seiche/require.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::exact {
 namespace {
@@ -85,6 +86,9 @@ void SolitaryRunup::find_steepness() {
   const double crest = highest_.time / time_unit_;
   const double quiet = crest + 10 * (1 / gamma_ + toe_);
   const double span = std::min(1 / gamma_, toe_) / 50;
+  Largest run_up;
+  Largest overall;
+  Worst excursion;
   for (double tau = arrival_; tau < quiet; tau += span) {
     const Jet here = jet(tau);
     const double bend = toe_ * toe_ * here.curvature;
@@ -92,10 +96,12 @@ void SolitaryRunup::find_steepness() {
       const double vertical = root([&](double s) { return toe_ * toe_ * jet(s).curvature - 1; }, tau - span, tau);
       breaking_time_ = time_unit_ * (vertical - toe_ * toe_ * jet(vertical).slope);
     }
-    if (tau < crest) steepness_.run_up = std::max(steepness_.run_up, bend);
-    steepness_.overall = std::max(steepness_.overall, bend);
-    excursion_ = std::max(excursion_, toe_ * toe_ * std::abs(here.slope));
+    if (tau < crest) run_up.add(bend);
+    overall.add(bend);
+    excursion.add(toe_ * toe_ * here.slope);
   }
+  steepness_ = {.run_up = run_up.value(), .overall = overall.value()};
+  excursion_ = excursion.value();
 }
 
 SolitaryRunup::Jet SolitaryRunup::jet(double tau) const {
@@ -176,21 +182,21 @@ double SolitaryRunup::uncertainty() const {
 SelfTest SolitaryRunup::self_test() const {
   const double gravity = depth_ / (time_unit_ * time_unit_);
   const SolitaryRunup finer(gravity, depth_, amplitude_ * depth_, toe_, 1.5);
-  double change = 0;
-  double before = 0;
+  Worst change;
+  Worst before;
   for (int i = 0; i <= 40; ++i) {
     const double t = time_unit_ * (arrival_ + (end_ - arrival_) * i / 40);
-    change = std::max(change, std::abs(finer.linear_elevation(t) - linear_elevation(t)));
+    change.add(finer.linear_elevation(t) - linear_elevation(t));
     // The crest's forerunner e^{2 gamma (t - 2 X0)} is still below 1e-15 here; the terms that cancel are not.
     const double early = arrival_ + 2.5 / gamma_ * i / 40;
-    before = std::max(before, std::abs(finer.linear_elevation(time_unit_ * early)));
+    before.add(finer.linear_elevation(time_unit_ * early));
   }
   const double crest = highest_.elevation;
-  return {{"a finer and longer rule gives the same elevation", change / crest, uncertainty(),
+  return {{"a finer and longer rule gives the same elevation", change.value() / crest, uncertainty(),
            "the rule converges exponentially; sum of about a thousand terms up to a fifth of R"},
           {"a finer and longer rule gives the same maximum", std::abs(finer.highest_.elevation / crest - 1),
            uncertainty(), "as above"},
-          {"the shoreline rests before the wave arrives", before / crest, uncertainty(),
+          {"the shoreline rests before the wave arrives", before.value() / crest, uncertainty(),
            "causality, by cancellation of terms up to a fifth of R"}};
 }
 

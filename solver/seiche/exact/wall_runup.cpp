@@ -9,6 +9,7 @@
 #include "seiche/exact/overturning/initial.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "seiche/require.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::exact {
 
@@ -73,9 +74,11 @@ WallRunup::WallRunup(double amplitude, double depth, std::size_t markers, double
   const ow::Invariants& start = motion.moments().front().invariants;
   volume_change_ = std::abs(highest.invariants.volume / start.volume - 1);
   energy_change_ = std::abs(highest.invariants.energy() / start.energy() - 1);
+  Worst asymmetry;
   for (std::size_t j = 1; j < wall; ++j) {
-    asymmetry_ = std::max(asymmetry_, std::abs(surface.y[wall + j] - surface.y[wall - j]) / k * depth / runup_);
+    asymmetry.add(std::abs(surface.y[wall + j] - surface.y[wall - j]) / k * depth / runup_);
   }
+  asymmetry_ = asymmetry.value();
 }
 
 double WallRunup::su_mirie(double amplitude, double depth) {

@@ -1,4 +1,5 @@
 #include "seiche/mechanics/invariants.hpp"
+#include "seiche/samples.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,20 +19,21 @@ void InvariantsLedger::record(Input values, double solver_residual) {
     throw std::invalid_argument(
         fmt::format("values: {} given; allowed: {}, one per entry", values.size(), entries_.size()));
   }
+  const auto keep_larger = [first = records_ == 0](double& largest, double sample) {
+    // Nothing is larger than a NaN: it stays.
+    if (first || std::isnan(sample) || std::abs(sample) > largest) largest = std::abs(sample);
+  };
   for (std::size_t i = 0; i < values.size(); ++i) {
     Entry& entry = entries_[i];
     const double before = entry.defect;
     entry.value = values[i];
     entry.defect = (values[i] - entry.initial) - entry.booked.value();
     entry.step_defect = entry.defect - before;
-    // A NaN must not be lost in a maximum.
-    if (!(std::abs(entry.defect) <= entry.largest_defect)) entry.largest_defect = std::abs(entry.defect);
-    if (!(std::abs(entry.step_defect) <= entry.largest_step_defect)) {
-      entry.largest_step_defect = std::abs(entry.step_defect);
-    }
+    keep_larger(entry.largest_defect, entry.defect);
+    keep_larger(entry.largest_step_defect, entry.step_defect);
   }
   residual_ = solver_residual;
-  largest_residual_ = std::max(largest_residual_, solver_residual);
+  residuals_.add(solver_residual);
   ++records_;
 }
 
@@ -44,26 +46,21 @@ const InvariantsLedger::Entry& InvariantsLedger::entry(const std::string& name) 
 }
 
 double InvariantsLedger::largest_defect(const std::string& begins) const {
-  double largest = 0;
+  Worst worst;
   bool found = false;
   for (const Entry& e : entries_) {
     if (!e.name.starts_with(begins)) continue;
     found = true;
-    if (!(e.largest_defect <= largest)) largest = e.largest_defect;
+    worst.add(e.largest_defect);
   }
   if (!found) throw std::invalid_argument(fmt::format("no invariant begins with {}", begins));
-  return largest;
+  return worst.value();
 }
 
 Extent extent(Input values) {
-  Extent result;
   CompensatedSum sum;
-  for (const double v : values) {
-    result.largest = std::max(result.largest, std::abs(v));
-    sum.add(v);
-  }
-  result.sum = sum.value();
-  return result;
+  for (const double v : values) sum.add(v);
+  return {.largest = values.empty() ? 0 : worst(values), .sum = sum.value()};
 }
 
 }  // namespace seiche::mechanics

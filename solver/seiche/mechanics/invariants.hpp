@@ -12,6 +12,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::mechanics {
 
@@ -21,10 +22,11 @@ class InvariantsLedger {
     std::string name;
     double initial = 0;
     double value = 0;
-    double defect = 0;               ///< value - initial - booked
-    double step_defect = 0;          ///< change of the defect in the last step
-    double largest_defect = 0;       ///< max |defect| so far
-    double largest_step_defect = 0;  ///< max |step_defect| so far
+    double defect = 0;       ///< value - initial - booked
+    double step_defect = 0;  ///< change of the defect in the last step
+    /// max |defect| and max |step_defect| so far: NaN before the first record, and once a value was not a number.
+    double largest_defect = std::numeric_limits<double>::quiet_NaN();
+    double largest_step_defect = std::numeric_limits<double>::quiet_NaN();
     CompensatedSum booked = {};
   };
 
@@ -43,13 +45,13 @@ class InvariantsLedger {
   [[nodiscard]] double largest_defect(const std::string& begins) const;
   [[nodiscard]] long records() const { return records_; }
   [[nodiscard]] double solver_residual() const { return residual_; }
-  [[nodiscard]] double largest_solver_residual() const { return largest_residual_; }
+  [[nodiscard]] double largest_solver_residual() const { return residuals_.value(); }
 
  private:
   std::vector<Entry> entries_;
   long records_ = 0;
   double residual_ = 0;
-  double largest_residual_ = 0;
+  Worst residuals_;
 };
 
 /// Largest magnitude and compensated sum of an array.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -41,27 +42,27 @@ void over_places(const Work& work) {
 
 }  // namespace
 
-TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[exact]") {
+TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[geometry]") {
   Check check("spline_bottom", "Bottom through elevations on a grid",
               "A hill 0.4 high, spacings 1/4 to 1/32, elevations in the middles of its cells, slopes at 4300 places. "
               "Values converge with order 4, slopes with order 3.");
   std::vector<double> spacings, values, slopes;
   for (const double spacing : {0.25, 0.125, 0.0625, 0.03125}) {
     const SplineBottom bottom = hill_bottom(spacing);
-    double value = 0;
-    double slope = 0;
+    Worst value;
+    Worst slope;
     for (double x = -1 + spacing / 2; x < 11; x += spacing) {
       for (double y = -1 + spacing / 2; y < 11; y += spacing) {
-        value = std::max(value, std::abs(bottom.slope(x, y).elevation - hill(x, y)));
+        value.add(bottom.slope(x, y).elevation - hill(x, y));
       }
     }
     over_places([&](double x, double y) {
       const double rate = -0.6 * (x - 5) * (hill(x, y) + 1);
-      slope = std::max(slope, std::abs(bottom.slope(x, y).along_x - rate));
+      slope.add(bottom.slope(x, y).along_x - rate);
     });
     spacings.push_back(spacing);
-    values.push_back(value);
-    slopes.push_back(slope);
+    values.push_back(value.value());
+    slopes.push_back(slope.value());
   }
   check.that(
       {.id = "order", .text = "Elevations are of order 4.", .quantity = "order of the largest error", .source = source},
@@ -82,22 +83,22 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ex
     }
     return elevation;
   }());
-  double worst = 0;
+  Worst worst;
   for (double x = 0; x <= 3.5; x += 0.31) {
     for (double y = -1; y <= 2; y += 0.23) {
-      worst = std::max(worst, std::abs(polynomial.slope(x, y).elevation - cubic(x, y)));
+      worst.add(polynomial.slope(x, y).elevation - cubic(x, y));
     }
   }
   check.that({.id = "cubic",
               .text = "Cubic polynomials on uneven grids are exact.",
               .quantity = "largest error",
               .source = source},
-             {.value = worst},
+             {.value = worst.value()},
              Roundoff{.operations = 200, .scale = 4, .reason = "two solves of five slopes, elevations up to 4"});
 
   const SplineBottom bottom = hill_bottom(0.5);
-  double rate = 0;
-  double across = 0;
+  Worst rate;
+  Worst across;
   constexpr double h = 1e-3;
   over_places([&](double x, double y) {
     // Five-point differences do not see cubics' rounding errors larger than 1e-13/h; kinks of third derivatives are
@@ -106,11 +107,9 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ex
     if (cell(x - 2 * h) != cell(x + 2 * h) || cell(y - 2 * h) != cell(y + 2 * h) || x < -0.99 || x > 10.99) return;
     const auto difference = [&](const auto& f) { return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h); };
     const auto integral = bottom.integral(x, y);
-    rate = std::max(rate, std::abs(difference([&](double d) { return bottom.integral(x + d, y).value; }) -
-                                   bottom.slope(x, y).elevation));
-    rate = std::max(rate, std::abs(integral.elevation - bottom.slope(x, y).elevation));
-    across = std::max(
-        across, std::abs(difference([&](double d) { return bottom.integral(x, y + d).value; }) - integral.along_y));
+    rate.add(difference([&](double d) { return bottom.integral(x + d, y).value; }) - bottom.slope(x, y).elevation);
+    rate.add(integral.elevation - bottom.slope(x, y).elevation);
+    across.add(difference([&](double d) { return bottom.integral(x, y + d).value; }) - integral.along_y);
   });
   const Bound differences{1e-11,
                           "values up to 12 rounded to 2e-15, divided by h = 1e-3; the formula is exact for quartics"};
@@ -118,12 +117,12 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ex
               .text = "The integral's rate along x is the bottom.",
               .quantity = "largest difference",
               .source = source},
-             {.value = rate}, differences);
+             {.value = rate.value()}, differences);
   check.that({.id = "integral-across",
               .text = "Its rate along y is what it says.",
               .quantity = "largest difference",
               .source = source},
-             {.value = across}, differences);
+             {.value = across.value()}, differences);
 }
 
 TEST_CASE("over a spline bottom still water stays still and energy is conserved", "[conservation]") {
@@ -139,24 +138,24 @@ TEST_CASE("over a spline bottom still water stays still and energy is conserved"
   Rectangle basin{.begin = 0, .end = 10, .south = 0, .north = 10, .columns = 20, .rows = 20, .bottom = bottom};
   Flow lake(rectangular_lattice(basin));
   for (int n = 0; n < 200; ++n) lake.advance(0.1);
-  double fastest = 0;
-  for (const double u : lake.state().u) fastest = std::max(fastest, std::abs(u));
+  Worst fastest;
+  for (const double u : lake.state().u) fastest.add(u);
   check.that({.id = "lake", .text = "A lake stays at rest.", .quantity = "largest velocity", .source = source},
-             {.value = fastest, .resolution = "20 x 20 cells, 200 steps"},
+             {.value = fastest.value(), .resolution = "20 x 20 cells, 200 steps"},
              Bound{0, "z = 0 everywhere: potential energy has no gradient there"});
   basin.elevation = [](double x, double y) { return 0.1 * std::exp(-(x - 3) * (x - 3) - (y - 4) * (y - 4)); };
   Flow flow(rectangular_lattice(basin), {}, {.stepping = Stepping::conservative}, {.tolerance = 1e-13});
   const double energy = flow.energy();
-  double defect = 0;
+  Worst defect;
   for (int n = 0; n < 50; ++n) {
     flow.advance(0.1);
-    defect = std::max(defect, std::abs(flow.energy() / energy - 1));
+    defect.add(flow.energy() / energy - 1);
   }
   check.that({.id = "energy",
               .text = "The conservative scheme keeps the energy of a wave.",
               .quantity = "largest relative defect",
               .source = source},
-             {.value = defect, .resolution = "20 x 20 cells, 50 steps"},
+             {.value = defect.value(), .resolution = "20 x 20 cells, 50 steps"},
              Roundoff{.operations = 50.0 * 400, .scale = 1, .reason = "one rounded work per cell and step"});
 }
 

@@ -10,6 +10,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "seiche/geometry/bottom_profile.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -93,7 +94,7 @@ std::vector<Interval> intervals(const Profile& profile, int count) {
 
 }  // namespace
 
-TEST_CASE("means of a bottom and of its square are exact over any interval", "[exact]") {
+TEST_CASE("means of a bottom and of its square are exact over any interval", "[geometry]") {
   Check check("bottom_profile", "Means of a bottom over an interval",
               "Models that keep volume and energy to round-off need the means of $b$ and $b^2$ over cells and over the "
               "way of a marker in a step, which may be $10^{-12}$ long, may cross corners, and may be run from right "
@@ -102,18 +103,18 @@ TEST_CASE("means of a bottom and of its square are exact over any interval", "[e
   for (const Profile& profile : profiles()) {
     const BottomProfile& bottom = *profile.bottom;
     const bool broken = profile.id == "broken";
-    double mean = 0;
-    double square = 0;
-    double additive = 0;
+    Worst mean;
+    Worst square;
+    Largest additive;
     long one_sided = 0;
     for (const auto [from, to] : intervals(profile, 3000)) {
       const auto b = [&](double x) { return bottom.elevation(x); };
       const auto b2 = [&](double x) { return bottom.elevation(x) * bottom.elevation(x); };
-      mean = std::max(mean, std::abs(bottom.mean(from, to) - quadrature_mean(profile, from, to, b)));
-      square = std::max(square, std::abs(bottom.mean_square(from, to) - quadrature_mean(profile, from, to, b2)));
+      mean.add(bottom.mean(from, to) - quadrature_mean(profile, from, to, b));
+      square.add(bottom.mean_square(from, to) - quadrature_mean(profile, from, to, b2));
       const double middle = from + 0.3 * (to - from);
       const double parts = (middle - from) * bottom.mean(from, middle) + (to - middle) * bottom.mean(middle, to);
-      additive = std::max(additive, std::abs((to - from) * bottom.mean(from, to) - parts) / std::abs(to - from));
+      additive.add(std::abs((to - from) * bottom.mean(from, to) - parts) / std::abs(to - from));
       one_sided += bottom.mean(from, to) != bottom.mean(to, from) ? 1 : 0;
       one_sided += bottom.mean_square(from, to) != bottom.mean_square(to, from) ? 1 : 0;
     }
@@ -135,14 +136,14 @@ TEST_CASE("means of a bottom and of its square are exact over any interval", "[e
     INFO(profile.id);
     CHECK(one_sided == 0);  // from right to left is the same to the last bit, except by Gauss's rule
     const double heights_and_places = 2 + 10 * steepest;
-    claim("mean", "The mean of b is that of quadrature.", "largest difference", mean, heights_and_places);
-    claim("mean-square", "So is the mean of its square.", "largest difference", square, 4 * heights_and_places);
-    claim("additive", "Means over two parts make that of the whole.", "largest difference over the length", additive,
-          heights_and_places);
+    claim("mean", "The mean of b is that of quadrature.", "largest difference", mean.value(), heights_and_places);
+    claim("mean-square", "So is the mean of its square.", "largest difference", square.value(), 4 * heights_and_places);
+    claim("additive", "Means over two parts make that of the whole.", "largest difference over the length",
+          additive.value(), heights_and_places);
   }
 }
 
-TEST_CASE("the mean over no length is the elevation itself", "[exact]") {
+TEST_CASE("the mean over no length is the elevation itself", "[geometry]") {
   for (const Profile& profile : profiles()) {
     const BottomProfile& bottom = *profile.bottom;
     std::vector<double> places = {-10, -6.45, -3.3, 0, 1.7, 10};
@@ -157,7 +158,7 @@ TEST_CASE("the mean over no length is the elevation itself", "[exact]") {
   }
 }
 
-TEST_CASE("elevations of many places are those of single ones, across any number of corners", "[exact]") {
+TEST_CASE("elevations of many places are those of single ones, across any number of corners", "[geometry]") {
   for (const Profile& profile : profiles()) {
     std::vector<double> x;
     for (int k = 0; k <= 4000; ++k) x.push_back(-10 + 0.005 * k);
@@ -176,7 +177,7 @@ TEST_CASE("elevations of many places are those of single ones, across any number
   }
 }
 
-TEST_CASE("slopes are derivatives, at a corner of its right side", "[exact]") {
+TEST_CASE("slopes are derivatives, at a corner of its right side", "[geometry]") {
   const PiecewiseLinearBottom broken(knots, heights);
   for (std::size_t k = 0; k < knots.size(); ++k) {
     const std::size_t piece = std::min(k, knots.size() - 2);
@@ -192,7 +193,7 @@ TEST_CASE("slopes are derivatives, at a corner of its right side", "[exact]") {
   }
 }
 
-TEST_CASE("a slope is called uniform only where it is", "[exact]") {
+TEST_CASE("a slope is called uniform only where it is", "[geometry]") {
   const PiecewiseLinearBottom broken(knots, heights);
   CHECK(broken.uniform_slope(-9, -7) == broken.slope(-8));
   CHECK(broken.uniform_slope(-7, -9) == broken.slope(-8));
@@ -207,7 +208,7 @@ TEST_CASE("a slope is called uniform only where it is", "[exact]") {
   CHECK_FALSE(SmoothBottom(wave, wave_slope, -10, 10).uniform_slope(0, 1).has_value());
 }
 
-TEST_CASE("outside of its extent a bottom refuses to answer, naming the place and the extent", "[exact]") {
+TEST_CASE("outside of its extent a bottom refuses to answer, naming the place and the extent", "[geometry]") {
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   const PiecewiseLinearBottom broken(knots, heights);
   const SmoothBottom smooth(wave, wave_slope, -10, 10);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "seiche/geometry/bilinear_patch.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 
@@ -44,7 +45,7 @@ double volume_gradient_error(Model& model) {
   std::vector<double> unit(model.rates(), 0.0);
   std::vector<double> above(model.constraints()), below(model.constraints()), rates(model.constraints());
   model.linearise({0, 0}, q);
-  double worst = 0;
+  Worst worst;
   for (std::size_t i = 0; i < q.size(); ++i) {
     unit[i] = 1;
     model.constraint_rates(unit, rates);
@@ -55,10 +56,10 @@ double volume_gradient_error(Model& model) {
     model.constraint_values(q, below);
     q[i] = state.q[i];
     for (std::size_t s = 0; s < rates.size(); ++s) {
-      worst = std::max(worst, std::abs(rates[s] - (above[s] - below[s]) / (2 * difference_step)));
+      worst.add(rates[s] - (above[s] - below[s]) / (2 * difference_step));
     }
   }
-  return worst;
+  return worst.value();
 }
 
 /// The same for forces and differences of the potential energy. Over a level bottom W is diagonal without sides: m kick
@@ -70,7 +71,7 @@ double force_error(Model& model) {
   std::vector<double> kick(model.rates(), 0.0);
   model.kick(1, kick);
   const std::size_t n = model.nodes();
-  double worst = 0;
+  Worst worst;
   for (std::size_t i = 0; i < q.size(); ++i) {
     q[i] = state.q[i] + difference_step;
     const double above = model.potential_energy(q);
@@ -79,9 +80,9 @@ double force_error(Model& model) {
     q[i] = state.q[i];
     const double inertia = i < 2 * n ? 1 : model.settings().inertia;
     const double force = kick[i] * model.node_masses()[i % n] * inertia;
-    worst = std::max(worst, std::abs(force + (above - below) / (2 * difference_step)));
+    worst.add(force + (above - below) / (2 * difference_step));
   }
-  return worst;
+  return worst.value();
 }
 
 /// Volume below the two triangles that a diagonal cuts from the patch.
@@ -125,7 +126,7 @@ double gauss(const bilinear_patch::Corners& x, const bilinear_patch::Corners& y,
 
 }  // namespace
 
-TEST_CASE("gradients of the plan model's volumes and energy are those of differences", "[exact]") {
+TEST_CASE("gradients of the plan model's volumes and energy are those of differences", "[conservation]") {
   Check check("dispersive_plan_gradients", "Plan model: gradients",
               "6 x 5 cells off a rectangle at random below a curved surface: every entry of the gradients of all "
               "volumes, over a level bottom, a polynomial one and a bump that is none, and the forces on all nodes, "
@@ -148,14 +149,16 @@ TEST_CASE("gradients of the plan model's volumes and energy are those of differe
   claim("energy", "Potential energy.", force_error(level));
 }
 
-TEST_CASE("a bilinear patch is the mean of its two triangulations and its integrals are exact", "[exact]") {
+TEST_CASE("a bilinear patch is the mean of its two triangulations and its integrals are exact", "[conservation]") {
   Check check("bilinear_patch_identities", "Bilinear patches: identities",
               "1000 quadrilaterals with random corners. The volume below a patch is the mean of those below the two "
               "pairs of triangles that its diagonals cut, and, as its moment, what Gauss's rule of 3 x 3 points gives, "
               "which is exact for these integrands.");
   std::minstd_rand random(7);
   std::uniform_real_distribution<double> uniform(-0.2, 0.2);
-  double mean = 0, volume_error = 0, moment_error = 0;
+  Worst mean;
+  Worst volume_error;
+  Worst moment_error;
   for (int n = 0; n < 1000; ++n) {
     const auto near = [&](double a, double b, double c, double d) {
       return bilinear_patch::Corners{a + uniform(random), b + uniform(random), c + uniform(random),
@@ -165,16 +168,15 @@ TEST_CASE("a bilinear patch is the mean of its two triangulations and its integr
     const auto y = near(0, 0, 1, 1);
     const auto z = near(1, 1, 1, 1);
     const double volume = bilinear_patch::volume(x, y, z);
-    mean = std::max(mean, std::abs(volume - 0.5 * (triangulated(x, y, z, true) + triangulated(x, y, z, false))));
-    volume_error = std::max(volume_error, std::abs(volume - gauss(x, y, z, [](double at) { return at; })));
-    moment_error = std::max(moment_error, std::abs(bilinear_patch::moment(x, y, z) -
-                                                   gauss(x, y, z, [](double at) { return at * at / 2; })));
+    mean.add(volume - 0.5 * (triangulated(x, y, z, true) + triangulated(x, y, z, false)));
+    volume_error.add(volume - gauss(x, y, z, [](double at) { return at; }));
+    moment_error.add(bilinear_patch::moment(x, y, z) - gauss(x, y, z, [](double at) { return at * at / 2; }));
   }
   const auto claim = [&](const std::string& id, const std::string& text, double value) {
     check.that({.id = id, .text = text, .quantity = "largest difference", .source = source}, {.value = value},
                Roundoff{.operations = 60, .scale = 1, .reason = "some 60 operations on numbers of size one"});
   };
-  claim("triangulations", "The volume is the mean of the two triangulations.", mean);
-  claim("volume", "The volume is the integral.", volume_error);
-  claim("moment", "The moment is the integral.", moment_error);
+  claim("triangulations", "The volume is the mean of the two triangulations.", mean.value());
+  claim("volume", "The volume is the integral.", volume_error.value());
+  claim("moment", "The moment is the integral.", moment_error.value());
 }

@@ -9,6 +9,7 @@
 #include "seiche/linear/hexahedral_lattice.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
@@ -72,39 +73,40 @@ double volume_by_quadrature(const CellCorners& r) {
 }
 
 double largest_of(std::span<const double> values) {
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
+  Worst largest;
+  for (const double value : values) largest.add(value);
+  return largest.value();
 }
 
 }  // namespace
 
-TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean of the cuts of its faces", "[exact]") {
+TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean of the cuts of its faces",
+          "[geometry]") {
   Check check("hexahedron_volume", "Volume of a hexahedron",
               "1000 random hexahedra, the corners of a unit cube moved by up to a quarter along each axis.");
   std::minstd_rand random(1);
-  double cuts = 0;
-  double quadrature = 0;
+  Worst cuts;
+  Worst quadrature;
   for (int n = 0; n < 1000; ++n) {
     const CellCorners cell = random_cell(random);
     const double volume = hexahedron_volume(cell);
-    cuts = std::max(cuts, std::abs(volume - volume_of_cut_faces(cell)));
-    quadrature = std::max(quadrature, std::abs(volume - volume_by_quadrature(cell)));
+    cuts.add(volume - volume_of_cut_faces(cell));
+    quadrature.add(volume - volume_by_quadrature(cell));
   }
   const Roundoff rounding{.operations = 200, .scale = 1, .reason = "some 200 products and sums of numbers up to 1"};
   check.that({.id = "cuts",
               .text = "It is the mean of the two ways to cut the faces into triangles.",
               .quantity = "largest difference of volumes",
               .source = source},
-             {.value = cuts}, rounding);
+             {.value = cuts.value()}, rounding);
   check.that({.id = "trilinear",
               .text = "It is the volume of the trilinear map.",
               .quantity = "largest difference of volumes",
               .source = source},
-             {.value = quadrature}, rounding);
+             {.value = quadrature.value()}, rounding);
 }
 
-TEST_CASE("gradients of volumes and of the potential energy agree with differences", "[exact]") {
+TEST_CASE("gradients of volumes and of the potential energy agree with differences", "[geometry]") {
   Check check(
       "hexahedral_mesh_gradients", "Gradients of the hexahedral mesh",
       "A random mesh of 12 x 10 x 2 cells under a hump, moved along random velocities: rates of the volumes and "
@@ -197,7 +199,7 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
                       .reason = "27 coefficients of 24 products each, of numbers up to the largest of A mu"});
 }
 
-TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix", "[exact]") {
+TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix", "[geometry]") {
   Check check("hexahedral_lattice_symbol", "Symbol of the undeformed hexahedral lattice",
               "7 x 5 x 3 boxes of 0.4 x 0.6 between walls, on a level bottom, density 1.3. Cosines between the walls "
               "times a power of the layer, for every pair of phases: the assembled matrix against the symbol.");
@@ -210,8 +212,8 @@ TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix"
   const seiche::linear::HexahedralLattice symbol(0.4, 0.6, {0.5, 0.5, 0.5}, 1.3);
   seiche::linear::LatticeArray x = model.matrix().own;
   seiche::linear::LatticeArray product = x;
-  double worst = 0;
-  double scale = 0;
+  Worst worst;
+  Largest scale;
   for (std::size_t m = 0; m < 7; ++m) {
     for (std::size_t l = 0; l < 5; ++l) {
       const double theta = std::numbers::pi * static_cast<double>(m) / 7;
@@ -231,8 +233,8 @@ TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix"
         double expected = diagonal[k] * layer_values[k];
         if (k > 0) expected += off_diagonal[k - 1] * layer_values[k - 1];
         if (k < 2) expected += off_diagonal[k] * layer_values[k + 1];
-        worst = std::max(worst, std::abs(product.data()[c] - expected * plan(c)));
-        scale = std::max(scale, diagonal[k]);
+        worst.add(product.data()[c] - expected * plan(c));
+        scale.add(diagonal[k]);
       }
     }
   }
@@ -240,6 +242,6 @@ TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix"
               .text = "A times a cosine is the symbol times the cosine.",
               .quantity = "largest difference of A x",
               .source = source},
-             {.value = worst},
-             Roundoff{.operations = 27 * 24, .scale = scale, .reason = "27 coefficients of 24 products each"});
+             {.value = worst.value()},
+             Roundoff{.operations = 27 * 24, .scale = scale.value(), .reason = "27 coefficients of 24 products each"});
 }

@@ -10,6 +10,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -75,8 +76,8 @@ double fluid_mass(const Particles& particles) {
 
 /// Smallest distance of fluid to fluid and of fluid to walls, in dx.
 struct Distances {
-  double fluid = std::numeric_limits<double>::infinity();
-  double wall = std::numeric_limits<double>::infinity();
+  Smallest fluid;
+  Smallest wall;
 };
 Distances distances(const Scene& scene) {
   const Particles& p = scene.particles;
@@ -85,10 +86,9 @@ Distances distances(const Scene& scene) {
     if (p.kind[i] != Kind::fluid) continue;
     for (std::size_t k = 0; k < p.size(); ++k) {
       if (k == i) continue;
-      double dx = std::abs(p.x[i] - p.x[k]);
-      if (std::isfinite(scene.period.x)) dx = std::min(dx, scene.period.x - dx);
-      double& least = p.kind[k] == Kind::fluid ? result.fluid : result.wall;
-      least = std::min(least, std::hypot(dx, p.z[i] - p.z[k]) / scene.spacing);
+      const double apart = std::abs(p.x[i] - p.x[k]);
+      const double dx = std::isfinite(scene.period.x) ? std::min(apart, scene.period.x - apart) : apart;
+      (p.kind[k] == Kind::fluid ? result.fluid : result.wall).add(std::hypot(dx, p.z[i] - p.z[k]) / scene.spacing);
     }
   }
   return result;
@@ -96,7 +96,7 @@ Distances distances(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("dam breaks have the published numbers of particles", "[exact]") {
+TEST_CASE("dam breaks have the published numbers of particles", "[geometry]") {
   Check check(
       "wcsph_particle_counts", "Particle counts of the dam breaks",
       "A column of 50 x 100 cells and one of 60 x 60, body-centred, in open tanks whose walls are two staggered "
@@ -144,15 +144,15 @@ TEST_CASE("dam breaks have the published numbers of particles", "[exact]") {
   }
 }
 
-TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrostatically", "[exact]") {
+TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrostatically", "[geometry]") {
   Check check("wcsph_scenes", "Particles of the beginning",
               "Every scene on both lattices: the mass is that of the water's area, no particle is nearer to another "
               "than the lattice has it, walls of the square lattice stand a spacing from the water's first particles "
               "and half a spacing from its effective end, and the pressure of the density is that of water at rest.");
-  double mass_defect = 0;
+  Worst mass_defect;
   Distances square;
   Distances centred;
-  double pressure_error = 0;
+  Largest pressure_error;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     Distances& least = lattice == Lattice::square ? square : centred;
     DamBreak dam = square_column(lattice, false);
@@ -169,10 +169,10 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
         {flume(with_piston, water(0.013)), 0.06 * 0.013},
         {periodic_layer({.period = 0.5, .depth = 0.2, .spacing = 0.02, .lattice = lattice}, water(0.2)), 0.1}};
     for (const auto& [scene, area] : scenes) {
-      mass_defect = std::max(mass_defect, std::abs(fluid_mass(scene.particles) / (1000 * area) - 1));
+      mass_defect.add(fluid_mass(scene.particles) / (1000 * area) - 1);
       const Distances here = distances(scene);
-      least.fluid = std::min(least.fluid, here.fluid);
-      least.wall = std::min(least.wall, here.wall);
+      least.fluid.add(here.fluid);
+      least.wall.add(here.wall);
       const Settings settings = water(scene.still_water);
       const TaitFluid fluid(settings.density, settings.sound_speed, settings.exponent);
       for (std::size_t i = 0; i < scene.particles.size(); ++i) {
@@ -180,8 +180,8 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
         if (!below_water) continue;
         const double depth = std::max(scene.still_water - scene.particles.z[i], 0.0);
         const double expected = 1000 * 9.81 * depth;
-        pressure_error = std::max(pressure_error, std::abs(fluid.pressure(scene.particles.density[i]) - expected) /
-                                                      (1000 * 9.81 * scene.still_water));
+        pressure_error.add(std::abs(fluid.pressure(scene.particles.density[i]) - expected) /
+                           (1000 * 9.81 * scene.still_water));
       }
     }
   }
@@ -190,25 +190,25 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
        .text = "The fluid's mass is rho_0 times the area of the water.",
        .quantity = "relative defect",
        .source = lattices},
-      {.value = mass_defect},
+      {.value = mass_defect.value()},
       evidence::Roundoff{.operations = 10, .scale = 1, .reason = "dx^2 of rounded lengths; the sum is compensated"});
   check.that({.id = "fluid-square",
               .text = "Square lattice: neighbours are dx apart.",
               .quantity = "distance/dx",
               .source = lattices},
-             {.value = square.fluid},
+             {.value = square.fluid.value()},
              evidence::Bound{.limit = 1e-10, .reason = "round-off of coordinates up to 60 dx", .expected = 1});
   check.that({.id = "fluid-centred",
               .text = "Body-centred lattice: neighbours are dx/sqrt 2 apart.",
               .quantity = "distance/dx",
               .source = lattices},
-             {.value = centred.fluid},
+             {.value = centred.fluid.value()},
              evidence::Bound{.limit = 1e-10, .reason = "round-off", .expected = 1 / std::numbers::sqrt2});
   check.that({.id = "wall-square",
               .text = "Square lattice: the first row of water is dx from the row of the wall.",
               .quantity = "distance/dx",
               .source = lattices},
-             {.value = square.wall},
+             {.value = square.wall.value()},
              evidence::Bound{.limit = 1e-10, .reason = "round-off; in the periodic layer dx too", .expected = 1});
   check.that(
       {.id = "wall-centred",
@@ -216,28 +216,28 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
                "spacing in front of the wall, and a quarter beside its particles.",
        .quantity = "distance/dx",
        .source = lattices},
-      {.value = centred.wall},
+      {.value = centred.wall.value()},
       evidence::Bound{.limit = 1e-10, .reason = "round-off", .expected = std::hypot(0.75, 0.25)});
   check.that({.id = "hydrostatic",
               .text = "The pressure is rho_0 g (z_s - z), in the water and in the walls of the tank.",
               .quantity = "largest error over rho_0 g H",
               .source = "Monaghan, J. Comput. Phys. 110 (1994) 399"},
-             {.value = pressure_error},
+             {.value = pressure_error.value()},
              evidence::Roundoff{.operations = 10,
                                 .scale = 200 / 7.0,
                                 .reason = "B [(rho/rho_0)^7 - 1]: B/(rho_0 g H) = 200/7 multiplies the rounding of the "
                                           "power, about 10 operations"});
 
   const Scene with_flap = flume(flap_flume(), water(0.013));
-  double rearmost = 0;
+  Smallest rearmost;
   const Paddle& paddle = with_flap.paddles.at(0);
   for (double phase = 0; phase < 1; phase += 0.01) {
     const double t = 0.308 * phase;
     for (std::size_t i = 0; i < with_flap.particles.size(); ++i) {
       if (with_flap.particles.kind[i] != Kind::paddle) continue;
-      rearmost = std::min(rearmost, carried(paddle.pose(t), paddle.rate(t), paddle.hinge_x, paddle.hinge_z,
-                                            with_flap.particles.x[i], with_flap.particles.z[i])
-                                        .x);
+      rearmost.add(carried(paddle.pose(t), paddle.rate(t), paddle.hinge_x, paddle.hinge_z, with_flap.particles.x[i],
+                           with_flap.particles.z[i])
+                       .x);
     }
   }
   check.that({.id = "sweep",
@@ -245,9 +245,9 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
               .quantity = "rearmost place of the paddle behind the end of the bottom",
               .unit = "m",
               .source = "interface of the scene"},
-             {.value = std::max(with_flap.extents.left - rearmost, 0.0)},
+             {.value = std::max(with_flap.extents.left - rearmost.value(), 0.0)},
              evidence::Bound{.limit = 0, .reason = "nothing sticks out"});
-  check.measure("rearmost place of the paddle over dx", rearmost / with_flap.spacing);
+  check.measure("rearmost place of the paddle over dx", rearmost.value() / with_flap.spacing);
 
   DamBreak odd = tall_column(Lattice::square, false);
   CHECK(dam_break(odd, water(0.114)).warnings.empty());

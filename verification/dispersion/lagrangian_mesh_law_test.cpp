@@ -8,8 +8,8 @@
 #include "seiche/exact/frank_dispersion.hpp"
 #include "seiche/exact/lagrangian_mesh_dispersion.hpp"
 #include "verification/check.hpp"
-#include "verification/exact/digits_table.hpp"
-#include "verification/exact/self_test_claims.hpp"
+#include "verification/digits_table.hpp"
+#include "verification/self_test_claims.hpp"
 
 using namespace seiche;
 using exact::LagrangianMeshDispersion;
@@ -39,7 +39,7 @@ double error_against_airy(double wavelength, double column_width, std::size_t ro
 
 }  // namespace
 
-TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[exact]") {
+TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[dispersion]") {
   verification::Check check(
       "exact_lagrangian_mesh_dispersion", "Dispersion law of the two-dimensional Lagrangian mesh",
       "The closed form to the digits known, the frequencies of the two time schemes, the errors against Airy's law "

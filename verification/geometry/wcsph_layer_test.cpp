@@ -7,6 +7,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -39,7 +40,7 @@ double mass_defect(Fitting fitting) {
 
 }  // namespace
 
-TEST_CASE("layers follow their surface and patches their circle", "[exact]") {
+TEST_CASE("layers follow their surface and patches their circle", "[geometry]") {
   Check check("wcsph_layers_patches", "Layers with an uneven surface and round patches",
               "A cosine of half the depth on columns that keep the spacing and on stretched ones: the mass is exact, "
               "cut lattices have it to their resolution. A disc of 1 m: the count, the second moment that the "
@@ -67,18 +68,18 @@ TEST_CASE("layers follow their surface and patches their circle", "[exact]") {
       {.value = mass_defect(Fitting::cut)},
       evidence::Bound{.limit = 0.05, .reason = "half a spacing of 0.1 depth at most, were all columns wrong alike"});
   const Scene overturning = wavy_layer(Fitting::columns);
-  double lightest = 1;
-  double heaviest = 0;
+  Smallest lightest;
+  Largest heaviest;
   for (std::size_t i = 0; i < overturning.particles.size(); ++i) {
     if (overturning.particles.kind[i] != Kind::fluid) continue;
-    lightest = std::min(lightest, overturning.particles.mass[i] / 0.1);
-    heaviest = std::max(heaviest, overturning.particles.mass[i] / 0.1);
+    lightest.add(overturning.particles.mass[i] / 0.1);
+    heaviest.add(overturning.particles.mass[i] / 0.1);
   }
   check.that({.id = "masses",
               .text = "Columns that keep the spacing stretch it little: masses are nearly equal.",
               .quantity = "heaviest over lightest",
               .source = "interface of the scene"},
-             {.value = heaviest / lightest},
+             {.value = heaviest.value() / lightest.value()},
              evidence::Bound{.limit = 0.2,
                              .reason = "in the lowest column of 5.0 dx half a spacing is a tenth up or down",
                              .expected = 1});
@@ -92,13 +93,14 @@ TEST_CASE("layers follow their surface and patches their circle", "[exact]") {
                             .spacing = 0.02},
                            water);
   double second = 0;
-  double wrong = 0;
+  Largest wrong;
   const TaitFluid fluid(1000, 14);
   const Particles& p = disc.particles;
   for (std::size_t i = 0; i < p.size(); ++i) {
     second += p.z[i] * p.z[i];
-    wrong = std::max({wrong, std::abs(p.u[i] + p.x[i]), std::abs(p.w[i] - p.z[i]),
-                      std::abs(fluid.pressure(p.density[i]) - 500 * (1 - p.x[i] * p.x[i] - p.z[i] * p.z[i])) / 500});
+    wrong.add(std::abs(p.u[i] + p.x[i]));
+    wrong.add(std::abs(p.w[i] - p.z[i]));
+    wrong.add(std::abs(fluid.pressure(p.density[i]) - 500 * (1 - p.x[i] * p.x[i] - p.z[i] * p.z[i])) / 500);
   }
   check.that({.id = "disc",
               .text = "A disc of 1 m at dx = 0.02 m has 7860 particles.",
@@ -116,7 +118,7 @@ TEST_CASE("layers follow their surface and patches their circle", "[exact]") {
               .text = "Velocity and pressure at the particles are the given ones.",
               .quantity = "largest error, over 1 m/s and 500 Pa",
               .source = "interface of the scene"},
-             {.value = wrong},
+             {.value = wrong.value()},
              evidence::Roundoff{.operations = 10,
                                 .scale = 28000 / 500.0,
                                 .reason = "B = 28000 Pa times the rounding of "

@@ -8,6 +8,7 @@
 #include "seiche/models/wcsph/free_surface.hpp"
 #include "seiche/models/wcsph/front.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -35,12 +36,12 @@ VolumeFraction fraction_of(const Scene& scene, double smoothing = 1.3, KernelNam
 /// Largest error of the elevation of a layer, in dx.
 template <class Elevation>
 double elevation_error(const Scene& scene, const VolumeFraction& fraction, Elevation expected) {
-  double error = 0;
+  Largest error;
   for (int k = 0; k < 200; ++k) {
     const double x = scene.far_wall * (k + 0.37) / 200;
-    error = std::max(error, std::abs(fraction.elevation(x).value() - expected(x)) / scene.spacing);
+    error.add(std::abs(fraction.elevation(x).value() - expected(x)) / scene.spacing);
   }
-  return error;
+  return error.value();
 }
 
 /// Errors of the contour of a disc of radius 1 m, over 64 places of the disc on the lattice.
@@ -48,7 +49,7 @@ struct DiscErrors {
   double area_mean;     ///< relative
   double area_scatter;  ///< standard deviation, relative
   double centre;        ///< root mean square [m]
-  double radius;        ///< largest [m]
+  Worst radius;         ///< largest [m]
 };
 DiscErrors disc_errors(double spacing) {
   constexpr int places = 8;
@@ -68,15 +69,15 @@ DiscErrors disc_errors(double spacing) {
       REQUIRE(curves.size() == 1);
       REQUIRE(curves[0].closed);
       const Place centre = curves[0].centroid();
-      double off = 0;
+      Worst off;
       for (std::size_t k = 0; k < curves[0].x.size(); ++k) {
-        off = std::max(off, std::abs(std::hypot(curves[0].x[k] - x0, curves[0].z[k] - z0) - 1));
+        off.add(std::hypot(curves[0].x[k] - x0, curves[0].z[k] - z0) - 1);
       }
       const double area = -curves[0].area() / pi - 1;
       errors.area_mean += area / count;
       errors.area_scatter += area * area / count;
       errors.centre += (std::pow(centre.x - x0, 2) + std::pow(centre.z - z0, 2)) / count;
-      errors.radius = std::max(errors.radius, off);
+      errors.radius.add(off);
     }
   }
   errors.area_scatter = std::sqrt(errors.area_scatter - errors.area_mean * errors.area_mean);
@@ -86,25 +87,24 @@ DiscErrors disc_errors(double spacing) {
 
 }  // namespace
 
-TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[exact]") {
+TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[geometry]") {
   Check check("wcsph_elevation", "Elevation from the volume fraction",
               "A level layer on both lattices with both kernels, also beside walls, and a wave of small steepness on "
               "halving spacings. A level where half of the kernel's weight is water is where the water ends, to what "
               "the lattice's sums differ from the integral; a curved surface is smoothed over h.");
-  double level = 0;
+  Largest level;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
       const double smoothing = kernel == KernelName::cubic_spline ? 1.3 : 2;
       const Scene layer = periodic_layer({.period = 1, .depth = 0.5, .spacing = 0.05, .lattice = lattice}, water);
-      level =
-          std::max(level, elevation_error(layer, fraction_of(layer, smoothing, kernel), [](double) { return 0.5; }));
+      level.add(elevation_error(layer, fraction_of(layer, smoothing, kernel), [](double) { return 0.5; }));
     }
   }
   check.that({.id = "level",
               .text = "A level layer has its elevation.",
               .quantity = "largest error over dx",
               .source = fractions},
-             {.value = level},
+             {.value = level.value()},
              evidence::Bound{.limit = 0.1,
                              .reason = "particles stand for cells dx high: a tenth of that is what is read "
                                        "off them"});
@@ -170,7 +170,7 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
   CHECK(std::abs(gauges.elevation(1).at(1) - 0.5) < 0.005);
 }
 
-TEST_CASE("contours of discs and rings are where they should be", "[exact]") {
+TEST_CASE("contours of discs and rings are where they should be", "[geometry]") {
   Check check("wcsph_contours", "Free-surface contours",
               "Level curves of given fields, with linear interpolation along the edges of the grid; the contour of a "
               "disc of particles against its radius, area and centre, on 64 places of the disc on the lattice; "
@@ -206,14 +206,14 @@ TEST_CASE("contours of discs and rings are where they should be", "[exact]") {
   std::vector<double> means;
   std::vector<double> scatters;
   std::vector<double> centres;
-  double farthest = 0;
+  Largest farthest;
   for (const double spacing : {0.14, 0.1, 0.07, 0.05, 0.035, 0.025}) {
     const DiscErrors errors = disc_errors(spacing);
     spacings.push_back(spacing);
     means.push_back(std::abs(errors.area_mean));
     scatters.push_back(errors.area_scatter);
     centres.push_back(errors.centre);
-    farthest = std::max(farthest, errors.radius / spacing);
+    farthest.add(errors.radius.value() / spacing);
   }
   const std::string remainder =
       "Kendall, Q. J. Math. 19 (1948) 1: rms R^(1/2) of the number of lattice points in a disc";
@@ -222,7 +222,7 @@ TEST_CASE("contours of discs and rings are where they should be", "[exact]") {
        .text = "No point of a disc's contour is farther off than half a cell's diagonal.",
        .quantity = "largest distance over dx",
        .source = fractions},
-      {.value = farthest},
+      {.value = farthest.value()},
       evidence::Bound{.limit = 0.75, .reason = "whether a cell belongs to the disc is decided by its middle: 0.71 dx"});
   check.that({.id = "disc-area",
               .text = "The disc's area, mean over its places on the lattice, has second order.",
@@ -277,7 +277,7 @@ TEST_CASE("contours of discs and rings are where they should be", "[exact]") {
   CHECK(std::abs(curves[0].distance(0, 0) - 1) < 0.04);
 }
 
-TEST_CASE("front and height of a column are those of its particles, not of spray", "[exact]") {
+TEST_CASE("front and height of a column are those of its particles, not of spray", "[geometry]") {
   const Scene dam =
       dam_break({.width = 0.5, .height = 1, .tank_length = 2, .wall_height = 1.5, .spacing = 0.05}, water);
   Particles particles = dam.particles;

@@ -12,8 +12,9 @@
 
 #include "seiche/linear/nine_point_sparse.hpp"
 #include "seiche/linear/tridiagonal.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
-#include "verification/exact/mesh_matrix.hpp"
+#include "verification/linear/mesh_matrix.hpp"
 
 namespace {
 
@@ -68,13 +69,13 @@ Eigen::VectorXd solution(const NinePointMatrix& a, const Eigen::VectorXd& b) {
 
 /// |b - A x| / (|A| |x| + |b|), largest entry of each.
 double backward_error(const Eigen::MatrixXd& a, const Eigen::VectorXd& x, const Eigen::VectorXd& b) {
-  const double scale = (a.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs()).maxCoeff();
-  return (b - a * x).cwiseAbs().maxCoeff() / scale;
+  const double scale = worst(a.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs());
+  return worst(b - a * x) / scale;
 }
 
 }  // namespace
 
-TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[exact]") {
+TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[linear]") {
   seiche::verification::Check check(
       "nine_point_cholesky", "Direct solvers of nine-point systems",
       "Pressure matrices of deformed quadrilateral meshes, from one cell to 40 x 33, with a random right-hand side: "
@@ -83,8 +84,8 @@ TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[exac
       "LLT. Residuals are relative to $|A||x| + |b|$, which elimination of a positive definite matrix reaches whatever "
       "its condition; solutions differ by up to the condition number times that.");
   struct Errors {
-    double residual = 0;
-    double difference = 0;  // from the dense solution, over the condition number
+    Worst residual;
+    Worst difference;  // from the dense solution, over the condition number
   } banded, sparse;
   for (const Shape shape : {Shape{1, 1},
                             {2, 1},
@@ -111,8 +112,8 @@ TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[exac
       const Eigen::LLT<Eigen::MatrixXd> cholesky(full);
       const Eigen::VectorXd expected = cholesky.solve(b);
       const auto compare = [&](const Eigen::VectorXd& x, Errors& errors) {
-        errors.residual = std::max(errors.residual, backward_error(full, x, b));
-        errors.difference = std::max(errors.difference, (x - expected).norm() / expected.norm() * cholesky.rcond());
+        errors.residual.add(backward_error(full, x, b));
+        errors.difference.add((x - expected).norm() / expected.norm() * cholesky.rcond());
       };
       compare(solution<NinePointCholesky>(a, b), banded);
       compare(solution<NinePointSparse>(a, b), sparse);
@@ -129,19 +130,19 @@ TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[exac
                 .text = text + " leaves a residual of round-off.",
                 .quantity = "largest residual relative to $|A||x| + |b|$",
                 .source = "Golub & Van Loan, Matrix Computations (2013), 4.2-4.3"},
-               {.value = errors.residual, .resolution = "1 to 1320 cells"}, residual);
+               {.value = errors.residual.value(), .resolution = "1 to 1320 cells"}, residual);
     check.that({.id = id + "-solution",
                 .text = text + " agrees with dense elimination.",
                 .quantity = "largest difference of the solutions over the condition number",
                 .source = "Golub & Van Loan, Matrix Computations (2013), 2.6"},
-               {.value = errors.difference, .resolution = "1 to 1320 cells"},
+               {.value = errors.difference.value(), .resolution = "1 to 1320 cells"},
                seiche::evidence::Bound{200 * round_off, "the residuals' bound, for each of the two solutions", 0.0});
   };
   claim("banded", "Block elimination inside the band", banded);
   claim("sparse", "Sparse factorisation", sparse);
 }
 
-TEST_CASE("direct solvers of nine-point systems agree on lattices too large for dense elimination", "[exact]") {
+TEST_CASE("direct solvers of nine-point systems agree on lattices too large for dense elimination", "[linear]") {
   for (const Shape shape : {Shape{240, 8}, {16, 300}, {64, 64}, {200, 100}}) {
     NinePointMatrix a = matrix_of(shape, 0.05);
     const Eigen::VectorXd b = random_vector(a.size());
@@ -153,17 +154,17 @@ TEST_CASE("direct solvers of nine-point systems agree on lattices too large for 
       a.multiply(in, out);
       return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(out.data(), x.size()));
     };
-    const double difference = product(banded - sparse).cwiseAbs().maxCoeff();
+    const double difference = worst(product(banded - sparse));
     for (LatticeArray* const values : {&a.right, &a.up, &a.up_right, &a.up_left}) {
       for (double& value : values->values()) value = std::abs(value);
     }
     // A factor's row has up to 102 numbers; two residuals.
     const double round_off = std::numeric_limits<double>::epsilon() / 2;
-    CHECK(difference <= 2 * 220 * round_off * product(sparse.cwiseAbs()).maxCoeff());
+    CHECK(difference <= 2 * 220 * round_off * worst(product(sparse.cwiseAbs())));
   }
 }
 
-TEMPLATE_TEST_CASE("a nine-point matrix that is not positive definite is refused with its cell", "[exact]",
+TEMPLATE_TEST_CASE("a nine-point matrix that is not positive definite is refused with its cell", "[linear]",
                    NinePointCholesky, NinePointSparse) {
   for (const Shape shape : {Shape{1, 1}, {4, 3}, {30, 9}, {9, 30}, {40, 3}}) {
     TestType solver(shape.columns, shape.rows);
@@ -193,7 +194,7 @@ TEMPLATE_TEST_CASE("a nine-point matrix that is not positive definite is refused
   CHECK_THROWS_AS(TestType(3, 0), std::invalid_argument);
 }
 
-TEST_CASE("sparse Cholesky refuses what is not a lower triangle and a wrong number of values", "[exact]") {
+TEST_CASE("sparse Cholesky refuses what is not a lower triangle and a wrong number of values", "[linear]") {
   Eigen::SparseMatrix<double> a(3, 3);
   for (int i = 0; i < 3; ++i) a.insert(i, i) = 1;
   a.makeCompressed();

@@ -2,6 +2,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -13,8 +14,9 @@
 #include "seiche/linear/cosine_lattice.hpp"
 #include "seiche/linear/layered_lattice.hpp"
 #include "seiche/linear/tridiagonal.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
-#include "verification/exact/mesh_matrix.hpp"
+#include "verification/linear/mesh_matrix.hpp"
 
 namespace {
 
@@ -64,7 +66,7 @@ double inverse_error(CosineLattice& lattice, const Eigen::MatrixXd& a) {
   const Eigen::VectorXd expected = a.llt().solve(as_vector(b.values()));
   std::vector<double> x(b.values().begin(), b.values().end());
   lattice.solve(x, x);
-  return (as_vector(x) - expected).lpNorm<Eigen::Infinity>() / expected.lpNorm<Eigen::Infinity>();
+  return worst(as_vector(x) - expected) / worst(expected);
 }
 
 double mesh_error(std::size_t columns, double h1, const std::vector<double>& row_heights) {
@@ -133,7 +135,7 @@ struct Problem {
 
 }  // namespace
 
-TEST_CASE("the cosine lattice inverts undeformed lattices to single precision", "[exact]") {
+TEST_CASE("the cosine lattice inverts undeformed lattices to single precision", "[linear]") {
   Check check(
       "cosine_lattice", "Cosine transforms invert the undeformed lattice",
       "The pressure matrix of an undeformed mesh, and a box of second differences in three directions, for random "
@@ -148,33 +150,33 @@ TEST_CASE("the cosine lattice inverts undeformed lattices to single precision", 
                                        "single precision, 6e-8, times some tens of roundings in the transforms and in "
                                        "the elimination over the layers"});
   };
-  double mesh = 0;
+  Largest mesh;
   for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 2}, {3, 5}, {64, 8}, {101, 17}, {15, 64}}) {
-    mesh = std::max(mesh, mesh_error(static_cast<std::size_t>(columns), 0.3,
-                                     std::vector<double>(static_cast<std::size_t>(rows), 0.2)));
+    mesh.add(
+        mesh_error(static_cast<std::size_t>(columns), 0.3, std::vector<double>(static_cast<std::size_t>(rows), 0.2)));
   }
-  claim("mesh", "Mesh of equal rows.", mesh, "1 x 1 to 101 x 17 and 15 x 64 cells");
+  claim("mesh", "Mesh of equal rows.", mesh.value(), "1 x 1 to 101 x 17 and 15 x 64 cells");
   claim("rows", "Mesh whose rows differ in height.",
-        std::max(mesh_error(12, 0.3, {0.4, 0.1, 0.2, 0.15, 0.3, 0.25}), mesh_error(7, 0.1, {0.1, 0.3})),
+        worst(std::array{mesh_error(12, 0.3, {0.4, 0.1, 0.2, 0.15, 0.3, 0.25}), mesh_error(7, 0.1, {0.1, 0.3})}),
         "12 x 6, 7 x 2");
-  double box = 0;
+  Largest box;
   for (const CosineLattice::Shape shape :
        {CosineLattice::Shape{6, 5, 4}, {5, 6, 3}, {17, 3, 7}, {1, 8, 2}, {33, 2, 5}, {3, 33, 5}, {2, 1, 40}}) {
-    box = std::max(box, box_error(shape));
+    box.add(box_error(shape));
   }
-  claim("box", "Two horizontal directions and layers.", box, "2 x 1 x 40 to 33 x 2 x 5 unknowns");
-  claim("plan", "Two horizontal directions, one layer.", std::max(box_error({20, 31, 1}), box_error({31, 20, 1})),
-        "20 x 31");
+  claim("box", "Two horizontal directions and layers.", box.value(), "2 x 1 x 40 to 33 x 2 x 5 unknowns");
+  claim("plan", "Two horizontal directions, one layer.",
+        worst(std::array{box_error({20, 31, 1}), box_error({31, 20, 1})}), "20 x 31");
 }
 
-TEST_CASE("conjugate gradients agree with dense elimination", "[exact]") {
+TEST_CASE("conjugate gradients agree with dense elimination", "[linear]") {
   Check check(
       "lattice_conjugate_gradients", "Conjugate gradients on deformed meshes against dense Cholesky",
       "Pressure matrices of deformed meshes, random right-hand sides, against Eigen's dense Cholesky. The error "
       "is at most the residual times the norm of the inverse, 1/(smallest eigenvalue).");
   for (const double tolerance : {1e-6, 1e-10, 1e-13}) {
-    double worst = 0;
-    double true_residual = 0;
+    Largest worst;
+    Largest true_residual;
     for (const auto& [columns, rows] : {std::pair{40, 20}, {33, 7}, {1, 12}, {50, 1}, {7, 30}}) {
       Problem problem(static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), 0.1);
       const auto b = random_array(problem.a.columns, problem.a.rows);
@@ -185,8 +187,8 @@ TEST_CASE("conjugate gradients agree with dense elimination", "[exact]") {
       problem.solve(b, x, {tolerance});
       const auto found = as_vector(x.values());
       const double b_norm = as_vector(b.values()).norm();
-      worst = std::max(worst, (found - expected).norm() * smallest / b_norm);
-      true_residual = std::max(true_residual, (as_vector(b.values()) - a * found).norm() / b_norm);
+      worst.add((found - expected).norm() * smallest / b_norm);
+      true_residual.add((as_vector(b.values()) - a * found).norm() / b_norm);
     }
     // Roundings of the elimination and of the recurrence of the residual, at the size of |A| |x|.
     const double roundoff = 2e-14;
@@ -196,19 +198,19 @@ TEST_CASE("conjugate gradients agree with dense elimination", "[exact]") {
          .text = fmt::format("Solutions to a relative residual of {:.0e} have the error that it allows.", tolerance),
          .quantity = "error times smallest eigenvalue over norm of the right-hand side",
          .source = golub},
-        {.value = worst, .resolution = "12 to 800 unknowns, amplitude 0.1"},
+        {.value = worst.value(), .resolution = "12 to 800 unknowns, amplitude 0.1"},
         seiche::evidence::Bound{tolerance + roundoff, "the tolerance, and 2e-14 for rounding errors of |A| |x|"});
     check.that(
         {.id = "residual-" + id,
          .text = fmt::format("The true residual is {:.0e} when its recurrence says so.", tolerance),
          .quantity = "norm of b - A x over norm of b",
          .source = golub},
-        {.value = true_residual, .resolution = "12 to 800 unknowns, amplitude 0.1"},
+        {.value = true_residual.value(), .resolution = "12 to 800 unknowns, amplitude 0.1"},
         seiche::evidence::Bound{tolerance + roundoff, "the tolerance, and 2e-14 for rounding errors of |A| |x|"});
   }
 }
 
-TEST_CASE("iterations depend on the deformation, not on the size", "[exact]") {
+TEST_CASE("iterations depend on the deformation, not on the size", "[linear]") {
   Check check(
       "lattice_iterations", "Iterations of the pressure solver",
       "A mesh four depths long, deformed along half cosines, random right-hand side, no initial guess. On equal "
@@ -233,22 +235,23 @@ TEST_CASE("iterations depend on the deformation, not on the size", "[exact]") {
                  i + 1 == rows.size() ? seiche::evidence::Role::computed : seiche::evidence::Role::peer);
   }
   const std::size_t chosen = 3;
-  double spread = 0;
+  Largest spread;
   for (std::size_t k = 0; k < amplitudes.size(); ++k) {
     const auto [least, most] = std::minmax({found[0][k], found[1][k], found[2][k]});
-    if (amplitudes[k] <= 0.1) spread = std::max(spread, most - least);
+    if (amplitudes[k] <= 0.1) spread.add(most - least);
   }
   check.that({.id = "undeformed",
               .text = "On the undeformed mesh each iteration gains single precision.",
               .quantity = "iterations to 1e-10",
               .source = golub},
-             {.value = std::max({found[0][0], found[1][0], found[2][0]}), .resolution = "64 x 16 to 1024 x 256 cells"},
+             {.value = largest(std::array{found[0][0], found[1][0], found[2][0]}),
+              .resolution = "64 x 16 to 1024 x 256 cells"},
              seiche::evidence::Bound{3, "1e-10 is two factors of 1e-5, and one iteration for what the factors vary"});
   check.that({.id = "count",
               .text = "At an amplitude of 0.05 depths, 1e-10 takes at most 14 iterations.",
               .quantity = "iterations to 1e-10",
               .source = frank},
-             {.value = std::max({found[0][chosen], found[1][chosen], found[2][chosen]}),
+             {.value = largest(std::array{found[0][chosen], found[1][chosen], found[2][chosen]}),
               .resolution = "64 x 16 to 1024 x 256 cells"},
              seiche::evidence::Bound{14, "the budget of a time step of a million cells"});
   check.that(
@@ -263,11 +266,11 @@ TEST_CASE("iterations depend on the deformation, not on the size", "[exact]") {
        .text = "The number of iterations does not depend on the size, up to an amplitude of 0.1 depths.",
        .quantity = "largest difference between meshes of one amplitude",
        .source = golub},
-      {.value = spread, .resolution = "64 x 16 to 1024 x 256 cells, 256 times more cells"},
+      {.value = spread.value(), .resolution = "64 x 16 to 1024 x 256 cells, 256 times more cells"},
       seiche::evidence::Bound{3, "the coarsest mesh holds fewer of the eigenvalues that lie between the same bounds"});
 }
 
-TEST_CASE("the pressure solver gives the same bytes with any number of threads", "[exact]") {
+TEST_CASE("the pressure solver gives the same bytes with any number of threads", "[linear]") {
   const int threads = omp_get_max_threads();
   const auto same_bytes = [](const auto& solution) {
     omp_set_num_threads(1);
@@ -299,7 +302,7 @@ TEST_CASE("the pressure solver gives the same bytes with any number of threads",
   omp_set_num_threads(threads);
 }
 
-TEST_CASE("conjugate gradients at the edges of their range", "[exact]") {
+TEST_CASE("conjugate gradients at the edges of their range", "[linear]") {
   Problem problem(24, 9, 0.05);
   const auto b = random_array(24, 9);
   LatticeArray x(24, 9);
@@ -328,7 +331,7 @@ TEST_CASE("conjugate gradients at the edges of their range", "[exact]") {
   }
 }
 
-TEST_CASE("lattices that have no inverse are refused", "[exact]") {
+TEST_CASE("lattices that have no inverse are refused", "[linear]") {
   const auto constant = [](double value) {
     return [value](double, double, std::span<double> diagonal, std::span<double> off) {
       std::ranges::fill(diagonal, value);

@@ -7,6 +7,7 @@
 
 #include "seiche/models/wcsph/free_surface.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -77,17 +78,17 @@ std::vector<Contour> contours_of(const Tongue& tongue, double spacing) {
 
 }  // namespace
 
-TEST_CASE("a wave overturns when its front is past the vertical", "[exact]") {
+TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") {
   Check check("wcsph_overturning", "Detector of overturning",
               "A cosine that is sheared more and more, to either side, as particles of spacing 1/100 of its length: "
               "overhang and tip against those of the curve, and when the detector says that it has overturned.");
   constexpr double spacing = 0.01;
   const std::string source = "x = X + (q/k) cos kX: geometry of the curve";
-  double overhang_error = 0;
-  double tip_error = 0;
+  Largest overhang_error;
+  Largest tip_error;
   bool sides = true;
-  double missed = 0;
-  double false_alarm = 0;
+  Largest missed;
+  Largest false_alarm;
   std::vector<double> q_drawn;
   std::vector<double> drawn;
   std::vector<double> exact;
@@ -102,13 +103,13 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[exact]") {
         drawn.push_back(found.extent);
         exact.push_back(wave.overhang());
       }
-      overhang_error = std::max(overhang_error, std::abs(found.extent - wave.overhang()) / spacing);
+      overhang_error.add(std::abs(found.extent - wave.overhang()) / spacing);
       const bool detected = overturns(curves, spacing);
-      if (detected && wave.overhang() == 0) false_alarm = std::max(false_alarm, 1.0);
-      if (!detected) missed = std::max(missed, wave.overhang() / spacing);
+      if (wave.overhang() == 0) false_alarm.add(detected ? 1 : 0);
+      missed.add(detected ? 0 : wave.overhang() / spacing);
       if (wave.overhang() < 3 * spacing) continue;
       sides = sides && found.towards_right == towards_right;
-      tip_error = std::max(tip_error, std::abs(found.tip.x - wave.tip().x) / spacing);
+      tip_error.add(std::abs(found.tip.x - wave.tip().x) / spacing);
     }
   }
   const std::string reason =
@@ -118,12 +119,12 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[exact]") {
               .text = "The overhang is that of the curve.",
               .quantity = "largest error over dx",
               .source = source},
-             {.value = overhang_error}, evidence::Bound{.limit = 1.5, .reason = reason});
+             {.value = overhang_error.value()}, evidence::Bound{.limit = 1.5, .reason = reason});
   check.that({.id = "tip",
               .text = "The tip of the jet reaches as far forward as the curve's.",
               .quantity = "largest error of its x over dx",
               .source = source},
-             {.value = tip_error}, evidence::Bound{.limit = 0.75, .reason = "one such extremum, 0.71 dx"});
+             {.value = tip_error.value()}, evidence::Bound{.limit = 0.75, .reason = "one such extremum, 0.71 dx"});
   check.that({.id = "side",
               .text = "The direction in which it breaks is found.",
               .quantity = "directions right",
@@ -134,13 +135,13 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[exact]") {
               .text = "No wave that is single-valued is said to overturn.",
               .quantity = "false alarms",
               .source = source},
-             {.value = false_alarm},
+             {.value = false_alarm.value()},
              evidence::Qualitative{"overturns(curves, dx) at q <= 1", "noise of the contour is below dx", false});
   check.that({.id = "missed",
               .text = "Every wave that overhangs by two and a half spacings is found.",
               .quantity = "largest overhang that was not, over dx",
               .source = source},
-             {.value = missed},
+             {.value = missed.value()},
              evidence::Bound{.limit = 2.5, .reason = "the threshold dx and the error of the overhang, 1.5 dx"});
   auto& figure = check.figure("sheared", "Overturning of a sheared cosine",
                               "Left: the contour of the particles at q = 3. Right: overhang against the curve's.");
@@ -161,7 +162,7 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[exact]") {
   growth.points("from the particles", q_drawn, drawn);
 }
 
-TEST_CASE("a jet touches down when it shuts off air", "[exact]") {
+TEST_CASE("a jet touches down when it shuts off air", "[geometry]") {
   Check check("wcsph_touch_down", "Detector of touching down",
               "A tongue of water grows along a half ring over the level and lands; to either side; and air shut off by "
               "a wall of the box. When is it said to have landed, and how much air is enclosed?");
@@ -169,23 +170,23 @@ TEST_CASE("a jet touches down when it shuts off air", "[exact]") {
   const double hole = 4 * spacing * spacing;
   const std::string source = "geometry of half a ring";
   const double half_disc = pi / 2 * Tongue::inner * Tongue::inner;
-  double early = 0;
+  Largest early;
   double late = 0;
-  double cavity = 0;
-  double tip = 0;
+  Worst cavity;
+  Largest tip;
   for (const bool towards_right : {true, false}) {
     for (double gap = 0; gap < 12; gap += 0.5) {
       // The inner corner of the tongue is `gap` spacings above the level.
       const Tongue tongue{std::asin(gap * spacing / Tongue::inner), towards_right};
       const std::vector<Contour> curves = contours_of(tongue, spacing);
       const bool landed = touches_down(curves, hole);
-      if (landed) early = std::max(early, gap);
+      early.add(landed ? gap : 0);
       if (!landed && gap == 0) late = 1;
-      if (gap == 0) cavity = std::max(cavity, std::abs(cavity_area(curves, hole) / half_disc - 1));
+      if (gap == 0) cavity.add(cavity_area(curves, hole) / half_disc - 1);
       if (landed) continue;
       const Overhang found = overhang(*main_surface(curves));
       const double forward = found.tip.x * (towards_right ? 1 : -1);
-      tip = std::max(tip, std::abs(forward - Tongue::outer * std::cos(tongue.angle)) / spacing);
+      tip.add(std::abs(forward - Tongue::outer * std::cos(tongue.angle)) / spacing);
       CHECK(found.towards_right == towards_right);
     }
   }
@@ -198,20 +199,20 @@ TEST_CASE("a jet touches down when it shuts off air", "[exact]") {
               .text = "One whose gap is wider than the support of a kernel has not.",
               .quantity = "widest gap said to be closed, over dx",
               .source = source},
-             {.value = early},
+             {.value = early.value()},
              evidence::Bound{.limit = 2.6, .reason = "below 2h = 2.6 dx the weights of both sides overlap"});
   check.that({.id = "cavity",
               .text = "The air enclosed is half a disc.",
               .quantity = "relative error of the area",
               .source = source},
-             {.value = cavity},
+             {.value = cavity.value()},
              evidence::Bound{.limit = 0.71 * spacing * (pi + 2) * Tongue::inner / half_disc,
                              .reason = "the contour's largest distance, 0.71 dx, all around"});
   check.that({.id = "tip",
               .text = "Before, the tip is as far forward as the tongue.",
               .quantity = "largest error of its x over dx",
               .source = source},
-             {.value = tip},
+             {.value = tip.value()},
              evidence::Bound{.limit = 1.5, .reason = "a corner of 90 degrees is rounded over h, besides 0.71 dx"});
 
   // Air in a corner, under water that leans against the wall on the right; and water that lies in such a corner.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification {
@@ -33,21 +34,21 @@ struct Accuracy {
 /// larger; the measured number is the worst deviation in units of that.
 inline void check_table(Check& check, const std::string& id, const std::string& quantity,
                         const std::vector<Printed>& rows, const std::string& source, const Accuracy& accuracy = {}) {
-  double worst = 0;
+  Largest worst;
   for (const Printed& row : rows) {
     const double expected = std::stod(row.printed);
     const double limit = std::max(half_unit(row.printed), accuracy.relative * std::abs(expected));
     const double deviation = std::abs(row.value - expected) / limit;
     INFO(quantity << ": " << row.value << " for " << row.printed);
     CHECK(deviation <= 1);
-    worst = std::max(worst, deviation);
+    worst.add(deviation);
   }
   check.that(
       {.id = id,
        .text = "All " + std::to_string(rows.size()) + " numbers have every digit of the reference: " + quantity + ".",
        .quantity = "largest deviation, in units of what the printed digits allow",
        .source = source},
-      {.value = worst},
+      {.value = worst.value()},
       evidence::Bound{.limit = 1,
                       .reason = "half a unit of the last digit printed or, where larger, " + accuracy.reason});
 }
