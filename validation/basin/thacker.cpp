@@ -17,6 +17,7 @@ with hydrostatic reconstruction beside it, whose shoreline is the last cell that
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -35,6 +36,8 @@ namespace {
 
 using evidence::Role;
 namespace particles = shallow_water_particles;
+
+constexpr double pi = std::numbers::pi;
 
 /// Shorelines over time, and the state at the end.
 struct Motion {
@@ -137,8 +140,10 @@ double end_of(const Values& values) {
   return values.real("periods") * bowl_of(values).period();
 }
 
+/// Particles share the water, cells the whole bowl.
 double cell_of(const Values& values) {
-  return 2 * values.real("radius") / static_cast<double>(values.integer("particles"));
+  const double length = values.text("scheme") == "muscl" ? channel_length(values) : 2 * values.real("radius");
+  return length / static_cast<double>(values.integer("particles"));
 }
 
 struct Shoreline {
@@ -161,13 +166,14 @@ const std::array shorelines{Shoreline{"left", &Motion::left, &exact::Thacker::le
 void claims(const Values& values, Claims<Motion> claims) {
   const exact::Thacker bowl = bowl_of(values);
   const std::string& scheme = values.text("scheme");
-  const double radius = values.real("radius");
   const double displacement = values.real("displacement");
   const double cell = cell_of(values);
-  const auto at = claims.at(fmt::format("{}, N = {}", scheme, values.integer("particles")));
+  const long n = values.integer("particles");
+  const auto at = claims.at(fmt::format("{}, N = {}", scheme, n));
   // The deepest water at its fastest, at a tenth of the Courant number 0.4.
   const double fastest =
       std::sqrt(values.real("gravity") * values.real("depth")) + bowl.angular_frequency() * displacement;
+  const double most_steps = end_of(values) * fastest / (0.04 * cell);
   at.check(
       {.id = "mass",
        .text = "No water is lost at the moving shorelines.",
@@ -175,13 +181,16 @@ void claims(const Values& values, Claims<Motion> claims) {
        .unit = "m^2",
        .source = "conservation law of mass"},
       [](const Motion& motion) -> Measurement {
-        return {.value = motion.mass_defect, .told = {.operations = static_cast<double>(motion.time.size())}};
+        const auto updates = static_cast<double>(motion.depth.size() * motion.time.size());
+        return {.value = motion.mass_defect, .told = {.operations = updates}};
       },
-      evidence::Roundoff{.operations = evidence::Amount::told_by_run(end_of(values) * fastest / (0.04 * cell)),
-                         .scale = bowl.area(),
-                         .reason = "one rounded update per step, of the size of all the water"});
-  // Truncation: the second-order method has an error of order (w/a)^2 of the displacement per period.
-  const double limit = scheme == "muscl" || scheme == "G1" ? 4 * cell : 12 * displacement * std::pow(cell / radius, 2);
+      evidence::Roundoff{.operations = evidence::Amount::told_by_run(static_cast<double>(n) * most_steps),
+                         .scale = bowl.area() / static_cast<double>(n),
+                         .reason = "one rounded update of every cell and step, of the size of its share of the water"});
+  // A half-wave across the water, by differences of second order: omega is off by the part (k w)^2/24, k = pi/(2 a).
+  const double periods = values.real("periods") < 1 ? 1 : values.real("periods");
+  const double phase = 2 * pi * periods * std::pow(0.5 * pi * cell / values.real("radius"), 2) / 24;
+  const bool first_order = scheme == "muscl" || scheme == "G1";
   for (const Shoreline& shoreline : shorelines) {
     at.check(
         {.id = fmt::format("shoreline-{}", shoreline.side),
@@ -193,9 +202,9 @@ void claims(const Values& values, Claims<Motion> claims) {
           const Worst distance = shoreline.error(motion, bowl);
           return {.value = distance.value(), .where = fmt::format("t = {:g} s", distance.where())};
         },
-        evidence::Bound{.limit = limit,
-                        .reason = "second order: twelve times (w/a)^2 of the displacement; fixed-grid and "
-                                  "first-order schemes: four cells"});
+        evidence::Bound{.limit = first_order ? 4 * cell : phase * displacement,
+                        .reason = "second order: the displacement by the phase error (k w)^2/24 of a half-wave across "
+                                  "the water, over all periods; fixed-grid and first-order schemes: four cells"});
   }
 }
 

@@ -12,6 +12,7 @@ Bed, friction and the two ends act together over $L = 1000$ m.
 which the water enters is only first-order accurate, and with the ends included it decides the mean error.
 */
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ which the water enters is only first-order accurate, and with the ends included 
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
+#include "validation/steady_flow/open_ends.hpp"
 #include "validation/studies/shallow_water/flow_evidence.hpp"
 
 namespace seiche::validation::cases {
@@ -42,95 +44,142 @@ Profile inner_part(const Profile& whole, double from, double to) {
   return part;
 }
 
-void run(Running& run) {
-  const double gravity = run.real("gravity");
-  const double time = run.real("time");
-  const exact::MacDonald channel = exact::MacDonald::smooth_rise(gravity, discharge);
-  const double length = channel.length();
-  const long n = run.integer("particles");
-  std::vector<double> widths;
-  std::vector<double> errors;
-  std::vector<double> inner_errors;
-  Profile finest;
+constexpr std::array<long, 4> refinements{1, 2, 4, 8};
+
+/// A flow that has settled, at one resolution.
+struct Settled {
+  Profile profile;
+  double error = 0;            ///< mean of the depth [m]
+  double inner_error = 0;      ///< the same 100 m off the ends [m]
+  double discharge_error = 0;  ///< mean, relative
   double mass_defect = 0;
-  long steps = 0;
-  evidence::Table table{.id = "resolutions",
-                        .title = "Refinement",
-                        .caption = "Mean errors after the flow has settled.",
-                        .columns = {{"N", ""}, {"L1(h)", "m"}, {"L1(h) 100 m off the ends", "m"}, {"L1(q)/q", ""}}};
-  for (long k = 0; k < 4; ++k) {
-    const auto count = static_cast<std::size_t>(n << k);
-    // Starts from a flow of the right discharge and twice the rise of depth: the rise has to be found.
-    const auto depth = [&](double x) { return channel.at(x).depth * (1 + 0.1 * std::sin(3.14159 * x / length)); };
-    particles::ParticleFlow flow(
-        particles::particles_from_profile(particles::equal_width_edges(0, length, count), depth,
-                                          [&](double x) { return discharge / depth(x); }),
-        {.left = particles::Open{.discharge = [](double) { return discharge; }, .depth = {}},
-         .right = particles::Open{.discharge = {}, .depth = [h = channel.at(length).depth](double) { return h; }}},
-        {.gravity = gravity, .bed = channel.bed(), .manning = channel.manning()});
-    while (flow.time() < time * (1 - 1e-12)) {
-      flow.advance(std::min(flow.largest_step().tau, time - flow.time()));
-      run.progress((static_cast<double>(k) + flow.time() / time) / 4);
-    }
-    finest = flow.measured_profile();
-    mass_defect = flow.mass_defect();
-    steps = flow.steps();
-    widths.push_back(length / static_cast<double>(count));
-    errors.push_back(shallow_water::cell_error(finest, [&](double x) { return channel.at(x); }).depth.l1);
-    inner_errors.push_back(shallow_water::cell_error(inner_part(finest, 100, length - 100), [&](double x) {
-                             return channel.at(x);
-                           }).depth.l1);
-    double spread = 0;
-    for (const State& s : finest.means)
-      spread += std::abs(s.depth * s.velocity / discharge - 1) / static_cast<double>(finest.means.size());
-    table.rows.push_back({static_cast<double>(count), errors.back(), inner_errors.back(), spread});
-    run.record.measure("relative_discharge_error", spread);
+};
+
+struct Results {
+  std::vector<double> widths;
+  std::vector<Settled> settled;
+
+  [[nodiscard]] const Settled& finest() const { return settled.back(); }
+  [[nodiscard]] evidence::ObservedOrder order(double Settled::*error) const {
+    std::vector<double> errors;
+    for (const Settled& s : settled) errors.push_back(s.*error);
+    return evidence::observed_order(widths, errors);
   }
-  run.record.table(std::move(table));
-  run.record.measure("cell_l1_h", errors.back());
-  run.record.measure("cell_l1_h_inner", inner_errors.back());
-  run.record.measure("order_with_ends", evidence::observed_order(widths, errors).order);
-  run.record.measure("mass_defect", mass_defect);
-  run.record.check(
+};
+
+exact::MacDonald channel_of(const Values& values) {
+  return exact::MacDonald::smooth_rise(values.real("gravity"), discharge);
+}
+
+Settled settle(const exact::MacDonald& channel, const Values& values, std::size_t count,
+               const Run::Progress& progress) {
+  const double length = channel.length();
+  const double time = values.real("time");
+  // Starts from a flow of the right discharge and twice the rise of depth: the rise has to be found.
+  const auto depth = [&](double x) { return channel.at(x).depth * (1 + 0.1 * std::sin(3.14159 * x / length)); };
+  particles::ParticleFlow flow(
+      particles::particles_from_profile(particles::equal_width_edges(0, length, count), depth,
+                                        [&](double x) { return discharge / depth(x); }),
+      {.left = particles::Open{.discharge = [](double) { return discharge; }, .depth = {}},
+       .right = particles::Open{.discharge = {}, .depth = [h = channel.at(length).depth](double) { return h; }}},
+      {.gravity = values.real("gravity"), .bed = channel.bed(), .manning = channel.manning()});
+  while (flow.time() < time * (1 - 1e-12)) {
+    flow.advance(std::min(flow.largest_step().tau, time - flow.time()));
+    progress(flow.time() / time);
+  }
+  const auto exact = [&](double x) { return channel.at(x); };
+  Settled settled{.profile = flow.measured_profile(), .mass_defect = flow.mass_defect()};
+  settled.error = shallow_water::cell_error(settled.profile, exact).depth.l1;
+  settled.inner_error = shallow_water::cell_error(inner_part(settled.profile, 100, length - 100), exact).depth.l1;
+  for (const State& s : settled.profile.means) {
+    settled.discharge_error +=
+        std::abs(s.depth * s.velocity / discharge - 1) / static_cast<double>(settled.profile.means.size());
+  }
+  return settled;
+}
+
+void claims(const Values& values, Claims<Results> claims) {
+  const exact::MacDonald channel = channel_of(values);
+  const long finest = refinements.back() * values.integer("particles");
+  claims.check(
       {.id = "order",
        .text = "Away from the ends the depth converges at second order with bed and friction.",
        .quantity = "observed order of cell L1(h), 100 m off the ends",
        .source = "MacDonald et al. (1997)"},
-      evidence::observed_order(widths, inner_errors),
+      [](const Results& r) { return r.order(&Settled::inner_error); },
       evidence::Order{
           2, 0.5, "second order; particles enter at their own rhythm, which scatters single errors by a few tenths"});
-  run.record.check(
-      {.id = "mass",
-       .text = "Mass is what it was, plus inflow, less outflow.",
-       .quantity = "mass less the booked mass",
-       .unit = "m^2",
-       .source = "conservation law of mass"},
-      {.value = mass_defect, .resolution = fmt::format("N = {}", n << 3)},
-      evidence::Roundoff{.operations = static_cast<double>(steps),
-                         .scale = 2 * discharge * time + length,
-                         .reason = "every step books what enters and leaves; of the size of all that passed"});
+  const State inflow = channel.at(0);
+  claims.at(fmt::format("N = {}", finest))
+      .check(
+          {.id = "mass",
+           .text = "Mass is what it was, plus inflow, less outflow.",
+           .quantity = "mass less the booked mass",
+           .unit = "m^2",
+           .source = "conservation law of mass"},
+          [](const Results& r) { return r.finest().mass_defect; },
+          open_ends_roundoff({.length = channel.length(),
+                              .depth = channel.at(channel.length()).depth,
+                              .discharge = discharge,
+                              .celerity = std::sqrt(values.real("gravity") * inflow.depth)},
+                             finest, values.real("time")));
+}
+
+Results compute(const Run& run) {
+  const exact::MacDonald channel = channel_of(run);
+  Results r;
+  for (std::size_t k = 0; k < refinements.size(); ++k) {
+    const long count = refinements[k] * run.integer("particles");
+    r.widths.push_back(channel.length() / static_cast<double>(count));
+    r.settled.push_back(settle(channel, run, static_cast<std::size_t>(count), [&](double done) {
+      run.progress((static_cast<double>(k) + done) / static_cast<double>(refinements.size()));
+    }));
+  }
+  return r;
+}
+
+void draw(evidence::Exhibit& exhibit, const exact::MacDonald& channel, const Means& means) {
   std::vector<double> x;
   std::vector<double> surface;
   std::vector<double> bed;
+  std::vector<double> exact;
   for (int k = 0; k <= 400; ++k) {
-    x.push_back(length * k / 400);
+    x.push_back(channel.length() * k / 400);
     bed.push_back(channel.elevation(x.back()));
-    surface.push_back(bed.back() + channel.at(x.back()).depth);
+    exact.push_back(channel.at(x.back()).depth);
+    surface.push_back(bed.back() + exact.back());
   }
-  const Means means = means_of(finest);
   std::vector<double> level;
-  for (std::size_t i = 0; i < means.centre.size(); ++i)
+  for (std::size_t i = 0; i < means.centre.size(); ++i) {
     level.push_back(means.depth[i] + channel.elevation(means.centre[i]));
-  auto& figure = run.record.figure("profile", "A river reach with friction", "Bed and surface; depth.");
+  }
+  auto& figure = exhibit.figure("profile", "A river reach with friction", "Bed and surface; depth.");
   auto& top = figure.panel({.x = "x [m]", .y = "elevation [m]"});
   top.fill("water", x, surface, Role::water);
   top.fill("bed", x, bed, Role::bed);
   top.points("particles", means.centre, level, Role::computed);
-  std::vector<double> exact;
-  for (const double at : x) exact.push_back(channel.at(at).depth);
   auto& bottom = figure.panel({.x = "x [m]", .y = "depth h [m]"});
   bottom.line("exact", x, exact, Role::exact);
   bottom.points("particles", means.centre, means.depth, Role::computed);
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  evidence::Table table{.id = "resolutions",
+                        .title = "Refinement",
+                        .caption = "Mean errors after the flow has settled.",
+                        .columns = {{"N", ""}, {"L1(h)", "m"}, {"L1(h) 100 m off the ends", "m"}, {"L1(q)/q", ""}}};
+  for (std::size_t k = 0; k < r.settled.size(); ++k) {
+    const Settled& s = r.settled[k];
+    table.rows.push_back(
+        {static_cast<double>(refinements[k] * values.integer("particles")), s.error, s.inner_error, s.discharge_error});
+  }
+  exhibit.table(std::move(table));
+  exhibit.measure("relative_discharge_error", r.finest().discharge_error);
+  exhibit.measure("cell_l1_h", r.finest().error);
+  exhibit.measure("cell_l1_h_inner", r.finest().inner_error);
+  exhibit.measure("order_with_ends", r.order(&Settled::error).order);
+  exhibit.measure("mass_defect", r.finest().mass_defect);
+  draw(exhibit, channel_of(values), means_of(r.finest().profile));
 }
 
 }  // namespace
@@ -146,7 +195,7 @@ Case macdonald_channel() {
       real("time", {1000, 3000, 6000}, "s", {1, 1e6}, "time in which the flow settles"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 
