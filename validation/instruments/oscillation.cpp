@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "seiche/samples.hpp"
 #include "validation/instruments/peak.hpp"
 
 namespace seiche::validation {
@@ -57,10 +58,10 @@ Period period_of(std::span<const double> samples, double interval) {
     likeness.push_back(c);
   }
   const std::vector<Crest> peaks = crests_above(0, lag, likeness);
-  double highest = 0;
-  for (const Crest& peak : peaks) highest = std::max(highest, peak.height);
+  Largest highest;
+  for (const Crest& peak : peaks) highest.add(peak.height);
   const auto first =
-      std::find_if(peaks.begin(), peaks.end(), [&](const Crest& peak) { return peak.height >= 0.9 * highest; });
+      std::find_if(peaks.begin(), peaks.end(), [&](const Crest& peak) { return peak.height >= 0.9 * highest.value(); });
   if (first == peaks.end()) return {unknown, unknown};
   return {first->place, first->height};
 }
@@ -74,9 +75,9 @@ std::vector<double> distances(std::span<const Crest> crests) {
 double relative_spread(std::span<const double> values) {
   if (values.size() < 2) return unknown;
   const double middle = mean(values);
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::abs(value - middle));
-  return largest / std::abs(middle);
+  Worst deviation;
+  for (const double value : values) deviation.add(value - middle);
+  return deviation.value() / std::abs(middle);
 }
 
 }  // namespace seiche::validation

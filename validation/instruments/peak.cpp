@@ -1,10 +1,16 @@
 #include "validation/instruments/peak.hpp"
 
+#include <cmath>
+
 namespace seiche::validation {
 
 void Peak::add(double t, double value) {
   const Point now{t, value};
-  if (count_ == 0 || value > highest_.value) {
+  if (count_ > 0 && std::isnan(value_)) return;
+  if (std::isnan(value)) {
+    value_ = value;
+    time_ = t;
+  } else if (count_ == 0 || value > highest_.value) {
     before_ = count_ == 0 ? now : last_;
     highest_ = now;
     time_ = t;

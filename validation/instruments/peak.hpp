@@ -1,6 +1,8 @@
 /// The first high point of a series that comes value by value, between its points.
 #pragma once
 
+#include <limits>
+
 namespace seiche::validation {
 
 /// Keeps the highest value of a series and its neighbours; between them runs the parabola through the three.
@@ -10,6 +12,7 @@ class Peak {
   void add(double t, double value);
 
   /// Top of the parabola; the highest value itself while it is the first or the last.
+  /// NaN if a value was, or if there was none.
   [[nodiscard]] double value() const { return value_; }
   [[nodiscard]] double time() const { return time_; }
 
@@ -25,8 +28,8 @@ class Peak {
   Point last_;
   long count_ = 0;
   bool highest_is_last_ = false;
-  double value_ = 0;
-  double time_ = 0;
+  double value_ = std::numeric_limits<double>::quiet_NaN();
+  double time_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace seiche::validation

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "seiche/require.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -69,8 +70,7 @@ Fitted fitted(const SurfaceLattice& surface, const std::vector<Place>& places) {
 evidence::Measurement ratio(const evidence::Measurement& over, const evidence::Measurement& under) {
   const double value = over.value / under.value;
   return {.value = value,
-          .uncertainty = std::abs(value) *
-                         std::hypot(over.half_width() / over.value, under.half_width() / under.value),
+          .uncertainty = std::abs(value) * std::hypot(over.half_width() / over.value, under.half_width() / under.value),
           .resolution = over.resolution};
 }
 
@@ -100,10 +100,10 @@ Found find_crests(const SurfaceLattice& surface, double amplitude, const Reflect
     }
     if (highest) reflected.emplace_back(highest->height, Place{highest->column, j});
   }
-  double tallest = 0;
-  for (const auto& [top, place] : reflected) tallest = std::max(tallest, top);
+  Largest tallest;
+  for (const auto& [top, place] : reflected) tallest.add(top);
   for (const auto& [top, place] : reflected) {
-    if (top >= bands.lowest * tallest) found.reflected.push_back(place);
+    if (top >= bands.lowest * tallest.value()) found.reflected.push_back(place);
   }
   return found;
 }

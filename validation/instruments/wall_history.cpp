@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <boost/math/tools/minima.hpp>
 
+#include "seiche/samples.hpp"
 #include "validation/instruments/straight_line.hpp"
 
 namespace seiche::validation {
@@ -124,14 +125,15 @@ WallLimit wall_limit(std::span<const double> time, std::span<const double> ampli
   result.exponential = exponential(series.since(0.5));
   result.algebraic = algebraic(series.since(0.5));
   const double limit = result.exponential.limit;
-  double uncertainty = result.exponential.misfit;
-  const auto differs = [&](double other) { uncertainty = std::max(uncertainty, std::abs(other - limit)); };
+  Worst uncertainty;
+  uncertainty.add(result.exponential.misfit);
+  const auto differs = [&](double other) { uncertainty.add(other - limit); };
   differs(exponential(series.since(1.0 / 3)).limit);
   differs(exponential(series.since(2.0 / 3)).limit);
   if (result.algebraic.misfit <= 3 * result.exponential.misfit) differs(result.algebraic.limit);
   if (!result.exponential.bends) differs(amplitude.back());
   result.amplitude = {
-      .value = limit, .uncertainty = uncertainty, .resolution = fmt::format("until t = {:g}", time.back())};
+      .value = limit, .uncertainty = uncertainty.value(), .resolution = fmt::format("until t = {:g}", time.back())};
   return result;
 }
 

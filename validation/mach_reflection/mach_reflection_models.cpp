@@ -7,19 +7,20 @@ times in $\sqrt{\text{depth}/g}$.
 only: the hexahedra shed some of it. So amplitudes are taken over the measured incident one.
 
 **What is compared.** Amplitudes at the wall and of the reflected wave, and its angle. The models with each other on the
-same lattice, the hexahedra with an independent implementation of the same model.
+same lattice, the hexahedra with an earlier program for the same equations.
 
 **What to look at.** The models agree within 4 to 6 %, which is what they differ in physics and lattice. Next to
 resonance both stems still grow at the end.
 */
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include "validation/case/case.hpp"
+#include "validation/case/on_threads.hpp"
 #include "validation/mach_reflection/reflection_reference.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
-#include "validation/case/on_threads.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -29,18 +30,27 @@ using evidence::Role;
 
 const std::string source = "Frank (1994), section 4.3";
 
-/// A configuration, and what an independent implementation of the hexahedra with two layers found there.
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// A configuration, and what an earlier program for the hexahedra with two layers found there.
 struct Configuration {
   double amplitude, angle, spacing, time;
-  double wall_ratio, reflected_ratio, reflected_angle;
+  double wall_ratio = nothing, reflected_ratio = nothing, reflected_angle = nothing;
 
   [[nodiscard]] std::string id() const { return fmt::format("{}-{:.0f}", id_of(amplitude), angle); }
   [[nodiscard]] std::string text() const { return fmt::format("a = {:g}, {:g} deg", amplitude, angle); }
 };
-const std::vector<Configuration>& published() {
-  static const std::vector<Configuration> all = {{0.3, 30, 0.7, 400, 2.94, 0.60, 39.8},
-                                                 {0.186, 25, 0.9, 500, 2.90, 0.56, 33.3},
-                                                 {0.3, 36, 0.7, 400, 3.07, 0.893, 37.8}};
+const std::string known_table = "regression_mach_reflection_models";
+
+std::vector<Configuration> configurations(const Values& values) {
+  if (values.tier() == Tier::quick) return {{.amplitude = 0.3, .angle = 30, .spacing = 1, .time = 160}};
+  const io::Table table = values.table(known_table);
+  std::vector<Configuration> all;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const auto at = [&](const char* column) { return table.column(column)[k]; };
+    all.push_back(
+        {at("a"), at("psi_i_deg"), at("h"), at("t_end"), at("aw_over_ai"), at("ar_over_ai"), at("psi_r_deg")});
+  }
   return all;
 }
 
@@ -48,14 +58,74 @@ struct Pair {
   Configuration configuration;
   Reflection columns, hexahedra;
 };
+using Results = std::vector<Pair>;
 
-std::vector<Pair> compute(Running& run) {
-  std::vector<Pair> pairs;
-  if (run.tier() == Tier::quick) {
-    pairs.push_back({{0.3, 30, 1, 160, 0, 0, 0}, {}, {}});
-  } else {
-    for (const Configuration& one : published()) pairs.push_back({one, {}, {}});
+struct Quantity {
+  std::string id, text, unit;
+  Measurement (Reflection::*measured)() const;
+  double Configuration::*known;
+  double relative, absolute;  ///< standard uncertainty of the known number
+  double useful;
+};
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> all = {
+      {"a_w", "the amplitude at the wall", "1", &Reflection::wall_ratio, &Configuration::wall_ratio, 0.02, 0, 0.4},
+      {"a_r", "the reflected amplitude", "1", &Reflection::reflected_ratio, &Configuration::reflected_ratio, 0.04, 0,
+       0.2},
+      {"psi_r", "the angle of reflection", "deg", &Reflection::reflected_angle, &Configuration::reflected_angle, 0, 0.3,
+       5}};
+  return all;
+}
+
+void claim_known(Claims<Pair> claims, const Configuration& configuration) {
+  for (const Quantity& quantity : quantities()) {
+    const double known = configuration.*quantity.known;
+    claims.check(
+        {.id = fmt::format("{}-{}", quantity.id, configuration.id()),
+         .text = fmt::format("{}: {} is that of an earlier program for the hexahedra.", configuration.text(),
+                             quantity.text),
+         .quantity = quantity.id,
+         .unit = quantity.unit,
+         .source = regression_of(known_table)},
+        [measured = quantity.measured](const Pair& pair) { return (pair.hexahedra.*measured)(); },
+        evidence::Uncertainty{.expected = known,
+                              .data = std::hypot(quantity.relative * known, quantity.absolute),
+                              .useful = quantity.useful,
+                              .reason = "same lattice and time; uncertainty as stated with its amplitudes of the "
+                                        "water columns, ours the scatter of the rows"});
   }
+}
+
+void claim_models(Claims<Pair> claims, const Configuration& configuration) {
+  claims.check(
+      {.id = "models-" + configuration.id(),
+       .text = fmt::format("{}: the two models have nearly the same amplitude at the wall.", configuration.text()),
+       .quantity = "a_w/a_i of the hexahedra over that of the columns, less 1",
+       .source = source},
+      [](const Pair& pair) -> Measurement {
+        const Measurement layered = pair.hexahedra.wall_ratio();
+        const Measurement columns = pair.columns.wall_ratio();
+        return {.value = layered.value / columns.value - 1,
+                .uncertainty = std::hypot(layered.half_width(), columns.half_width()) / columns.value,
+                .resolution = pair.hexahedra.run.resolution()};
+      },
+      evidence::Bound{.limit = 0.06, .reason = "an earlier program finds 4 to 6 % between the two models"});
+}
+
+void claims(const Values& values, Claims<Results> claims) {
+  const std::vector<Configuration> all = configurations(values);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto pair = claims.of([k](const Results& r) -> const Pair& { return r.at(k); });
+    claim_models(pair, all[k]);
+    if (values.tier() == Tier::quick) continue;
+    claim_known(pair.only_if(values.integer("layers") == 2, "the earlier program's hexahedra are in two layers"),
+                all[k]);
+  }
+}
+
+Results compute(const Run& run) {
+  Results pairs;
+  for (const Configuration& one : configurations(run)) pairs.push_back({one, {}, {}});
   const std::size_t count = 2 * pairs.size();
   on_threads(
       count, workers_of(run.tier()),
@@ -75,57 +145,7 @@ std::vector<Pair> compute(Running& run) {
   return pairs;
 }
 
-struct Quantity {
-  std::string id, text, unit;
-  Measurement (Reflection::*measured)() const;
-  double Configuration::*known;
-  double relative, absolute;  ///< standard uncertainty of the known number
-  double useful;
-};
-const std::vector<Quantity>& quantities() {
-  static const std::vector<Quantity> all = {
-      {"a_w", "the amplitude at the wall", "1", &Reflection::wall_ratio, &Configuration::wall_ratio, 0.02, 0, 0.4},
-      {"a_r", "the reflected amplitude", "1", &Reflection::reflected_ratio, &Configuration::reflected_ratio, 0.04, 0,
-       0.2},
-      {"psi_r", "the angle of reflection", "deg", &Reflection::reflected_angle, &Configuration::reflected_angle, 0, 0.3,
-       5}};
-  return all;
-}
-
-void claim_known(evidence::Record& record, const Pair& pair) {
-  for (const Quantity& quantity : quantities()) {
-    const double known = pair.configuration.*quantity.known;
-    record.check(
-        {.id = fmt::format("{}-{}", quantity.id, pair.configuration.id()),
-         .text = fmt::format("{}: {} is that of an independent program of the hexahedra.", pair.configuration.text(),
-                             quantity.text),
-         .quantity = quantity.id,
-         .unit = quantity.unit,
-         .source = independent_reflections},
-        (pair.hexahedra.*quantity.measured)(),
-        evidence::Uncertainty{.expected = known,
-                              .data = std::hypot(quantity.relative * known, quantity.absolute),
-                              .useful = quantity.useful,
-                              .reason = "same lattice and time; uncertainty as stated with its amplitudes of the "
-                                        "water columns, ours the scatter of the rows"});
-  }
-}
-
-void claim_models(evidence::Record& record, const Pair& pair) {
-  const Measurement layered = pair.hexahedra.wall_ratio();
-  const Measurement columns = pair.columns.wall_ratio();
-  record.check(
-      {.id = "models-" + pair.configuration.id(),
-       .text = fmt::format("{}: the two models have nearly the same amplitude at the wall.", pair.configuration.text()),
-       .quantity = "a_w/a_i of the hexahedra over that of the columns, less 1",
-       .source = source},
-      {.value = layered.value / columns.value - 1,
-       .uncertainty = std::hypot(layered.half_width(), columns.half_width()) / columns.value,
-       .resolution = pair.hexahedra.run.resolution()},
-      evidence::Bound{.limit = 0.06, .reason = "an independent implementation of both finds 4 to 6 % between them"});
-}
-
-void show(evidence::Record& record, const std::vector<Pair>& pairs) {
+void show(const Results& pairs, const Values& /*values*/, evidence::Exhibit& exhibit) {
   evidence::Table table{.id = "models",
                         .title = "Two models on the same lattices",
                         .caption = "Growth: of a_w in the last fifth of the run.",
@@ -144,12 +164,12 @@ void show(evidence::Record& record, const std::vector<Pair>& pairs) {
                         .rows = {},
                         .atlas = {}};
   auto& history =
-      record.figure("history", "Amplitude at the wall by two models", "Over the measured incident amplitude.");
+      exhibit.figure("history", "Amplitude at the wall by two models", "Over the measured incident amplitude.");
   for (const Pair& pair : pairs) {
     auto& panel = history.panel({.x = "t [sqrt(depth/g)]", .y = "a_w/a_i", .title = pair.configuration.text()});
-    auto& sections = record.figure("crests-" + pair.configuration.id(), "The pattern by two models",
-                                   fmt::format("{}: columns left, hexahedra right; {}.", pair.configuration.text(),
-                                               pair.hexahedra.run.resolution()));
+    auto& sections = exhibit.figure("crests-" + pair.configuration.id(), "The pattern by two models",
+                                    fmt::format("{}: columns left, hexahedra right; {}.", pair.configuration.text(),
+                                                pair.hexahedra.run.resolution()));
     for (const auto& [name, reflection] :
          {std::pair{"columns", &pair.columns}, std::pair{"hexahedra", &pair.hexahedra}}) {
       const Reflection& r = *reflection;
@@ -165,21 +185,12 @@ void show(evidence::Record& record, const std::vector<Pair>& pairs) {
       sections.panel({.x = "x [depth]", .y = "y [depth]", .z = "elevation [depth]", .title = name})
           .plan("elevation", r.surface.lattice());
       const std::string suffix = fmt::format("_{}_{}", name, pair.configuration.id());
-      record.measure("a_w_over_a_i" + suffix, r.wall_ratio().value);
-      record.measure("a_r_over_a_i" + suffix, r.reflected_ratio().value);
-      record.measure("psi_r" + suffix, r.reflected_angle().value);
+      exhibit.measure("a_w_over_a_i" + suffix, r.wall_ratio().value);
+      exhibit.measure("a_r_over_a_i" + suffix, r.reflected_ratio().value);
+      exhibit.measure("psi_r" + suffix, r.reflected_angle().value);
     }
   }
-  record.table(std::move(table));
-}
-
-void run(Running& run) {
-  const std::vector<Pair> pairs = compute(run);
-  for (const Pair& pair : pairs) {
-    claim_models(run.record, pair);
-    if (pair.configuration.wall_ratio > 0 && run.integer("layers") == 2) claim_known(run.record, pair);
-  }
-  show(run.record, pairs);
+  exhibit.table(std::move(table));
 }
 
 }  // namespace
@@ -190,7 +201,7 @@ Case mach_reflection_models() {
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 4";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {integer("layers", 2, {1, 8}, "of hexahedra")};
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

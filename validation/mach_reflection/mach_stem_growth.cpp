@@ -33,31 +33,81 @@ constexpr double between_patterns = 5;  // time
 
 /// What is seen of the pattern on its way.
 struct Development {
+  struct Picture {
+    double time;
+    SurfacePart surface;
+  };
+
   std::vector<double> time, wall_x, height, length;
+  std::vector<Picture> pictures;
 
   /// Of the last half, where the stem has parted from the wall's beginning.
   [[nodiscard]] std::span<const double> late(const std::vector<double>& values) const {
     return std::span(values).subspan(values.size() / 2);
   }
+  [[nodiscard]] Measurement angle() const { return stem_angle(late(wall_x), late(length)); }
+  /// Of the third quarter or the last.
+  [[nodiscard]] double angle_of_half(bool second) const {
+    const std::size_t half = late(length).size() / 2;
+    const auto part = [&](const std::vector<double>& values) {
+      return second ? late(values).subspan(half) : late(values).first(half);
+    };
+    return stem_angle(part(wall_x), part(length)).value;
+  }
+  /// Of the crest on the wall.
+  [[nodiscard]] StraightLine path() const { return straight_line(late(time), late(wall_x)); }
 };
 
-std::string resolution_of(const Run& run) {
-  return fmt::format("h = {:g}, tau = {:g}", run.real("h"), 0.5 * run.real("h"));
+ObliqueWave wave_of(const Values& values) {
+  return {values.real("amplitude"), radians(values.real("angle"))};
 }
 
-Development develop(Running& run, const ObliqueWave& wave) {
+double theoretical_height(const ObliqueWave& wave) {
+  return exact::MachReflection(wave.amplitude(), wave.angle(), exact::MachReflection::Theory::kodama_yeh).wall_ratio() *
+         wave.amplitude();
+}
+
+std::string resolution_of(const Values& values) {
+  return fmt::format("h = {:g}, tau = {:g}", values.real("h"), 0.5 * values.real("h"));
+}
+
+void claims(const Values& values, Claims<Development> claims) {
+  claims = claims.at(resolution_of(values));
+  claims.check(
+      {.id = "straight",
+       .text = "The stem's length grows in proportion to the path: the third and the last quarter of it "
+               "give the same angle.",
+       .quantity = "difference of the angles over the angle",
+       .source = source},
+      [](const Development& d) { return (d.angle_of_half(true) - d.angle_of_half(false)) / d.angle().value; },
+      Bound{.limit = 0.1,
+            .reason = "a tenth of the angle: what the stem's height still lacks in the third quarter, up to "
+                      "1 %, changes the speeds whose difference makes the stem grow by a tenth of it"});
+  claims.check(
+      {.id = "speed",
+       .text = "The crest on the wall is as fast as Serre's solitary wave of its height.",
+       .quantity = "speed over sqrt(1 + a_w), less 1",
+       .source = "Serre (1953)"},
+      [h = values.real("h")](const Development& d) -> Measurement {
+        const double height = d.height.back();
+        const double speed = std::sqrt(1 + height);
+        const double width = std::sqrt(0.75 * height / (1 + height));
+        const StraightLine path = d.path();
+        return {.value = path.slope / speed - 1,
+                .uncertainty = path.slope_error / speed,
+                .told = {.limit = std::pow(h * width, 2) / 12}};
+      },
+      // K^2 is less than 3/4 for waves of any height.
+      Bound{.limit = evidence::Amount::told_by_run(std::pow(values.real("h"), 2) / 16),
+            .reason = "(h K)^2/12, K^2 = 3a/(4(1 + a)): the leading dispersion error of the lattice for a "
+                      "wave as narrow as the stem"});
+}
+
+Development compute(const Run& run) {
+  const ObliqueWave wave = wave_of(run);
   const double end = run.real("time");
-  auto flow = reflection_flow(wave, window_until(end, wave, run.real("h")), {.tolerance = 1e-7});
-  auto& perspective =
-      run.record.figure("perspective", "Development of the triple configuration",
-                        fmt::format("a_i = {:g}, {:g} deg, {}. The wall is in front; x from the crest on the wall.",
-                                    wave.amplitude(), run.real("angle"), resolution_of(run)),
-                        {"frank-fig-6"});
-  auto& plan = run.record.figure("plan", "The same from above",
-                                 "Elevation; x from the crest on the wall, all times on the same scales.");
   const double unit = wave.width_unit();
-  const exact::MachReflection theory(wave.amplitude(), wave.angle(), exact::MachReflection::Theory::kodama_yeh);
-  const double highest = theory.wall_ratio() * wave.amplitude();
+  auto flow = reflection_flow(wave, window_until(end, wave, run.real("h")), {.tolerance = 1e-7});
   Development development;
   double shown = 0;
   for (double t = between_patterns; t < end + 1e-9; t += between_patterns) {
@@ -71,83 +121,53 @@ Development develop(Running& run, const ObliqueWave& wave) {
     // Each picture at more than twice the time of the one before, the last at the end.
     if ((t >= 2.4 * shown + 10 && t <= 0.5 * end) || t > end - 1e-9) {
       shown = t;
-      const SurfacePart part =
-          part_of(surface, {pattern.wall.x - 22 * unit, pattern.wall.x + 32 * unit, 45 * unit}, pattern.wall.x);
-      evidence::Axes axes{.x = "x [depth]",
-                          .y = "y [depth]",
-                          .z = "elevation [depth]",
-                          .title = fmt::format("t = {:g}", t),
-                          .z_min = -0.05 * highest,
-                          .z_max = highest};
-      plan.panel(axes).plan("elevation", part.lattice());
-      axes.view = {.azimuth = -60, .elevation = 32, .exaggeration = std::nullopt};
-      perspective.panel(axes).surface("water", part.lattice());
+      development.pictures.push_back(
+          {t, part_of(surface, {pattern.wall.x - 22 * unit, pattern.wall.x + 32 * unit, 45 * unit}, pattern.wall.x)});
     }
     run.progress(t / end);
   }
   return development;
 }
 
-void claim_growth(Running& run, const Development& development) {
-  const evidence::Measurement angle =
-      stem_angle(development.late(development.wall_x), development.late(development.length));
-  const std::size_t half = development.late(development.length).size() / 2;
-  const auto part = [&](const std::vector<double>& values, bool second) {
-    return second ? development.late(values).subspan(half) : development.late(values).first(half);
-  };
-  const double before = stem_angle(part(development.wall_x, false), part(development.length, false)).value;
-  const double after = stem_angle(part(development.wall_x, true), part(development.length, true)).value;
-  run.record.measure("stem_angle", degrees(angle.value));
-  run.record.measure("stem_length", development.length.back());
-  run.record.check(
-      {.id = "straight",
-       .text = "The stem's length grows in proportion to the path: the third and the last quarter of it "
-               "give the same angle.",
-       .quantity = "difference of the angles over the angle",
-       .source = source},
-      {.value = (after - before) / angle.value, .resolution = resolution_of(run)},
-      Bound{.limit = 0.1,
-            .reason = "a tenth of the angle: what the stem's height still lacks in the third quarter, up to "
-                      "1 %, changes the speeds whose difference makes the stem grow by a tenth of it"});
+void draw_pictures(evidence::Exhibit& exhibit, const Values& values, const Development& development) {
+  const ObliqueWave wave = wave_of(values);
+  auto& perspective =
+      exhibit.figure("perspective", "Development of the triple configuration",
+                     fmt::format("a_i = {:g}, {:g} deg, {}. The wall is in front; x from the crest on the wall.",
+                                 wave.amplitude(), values.real("angle"), resolution_of(values)),
+                     {"frank-fig-6"});
+  auto& plan = exhibit.figure("plan", "The same from above",
+                              "Elevation; x from the crest on the wall, all times on the same scales.");
+  const double highest = theoretical_height(wave);
+  for (const Development::Picture& picture : development.pictures) {
+    evidence::Axes axes{.x = "x [depth]",
+                        .y = "y [depth]",
+                        .z = "elevation [depth]",
+                        .title = fmt::format("t = {:g}", picture.time),
+                        .z_min = -0.05 * highest,
+                        .z_max = highest};
+    plan.panel(axes).plan("elevation", picture.surface.lattice());
+    axes.view = {.azimuth = -60, .elevation = 32, .exaggeration = std::nullopt};
+    perspective.panel(axes).surface("water", picture.surface.lattice());
+  }
 }
 
-void claim_speed(Running& run, const Development& development) {
-  const StraightLine path = straight_line(development.late(development.time), development.late(development.wall_x));
-  const double height = development.height.back();
-  const double speed = std::sqrt(1 + height);
-  const double width = std::sqrt(0.75 * height / (1 + height));
-  run.record.measure("wall_speed", path.slope);
-  run.record.measure("a_w", height);
-  run.record.check(
-      {.id = "speed",
-       .text = "The crest on the wall is as fast as Serre's solitary wave of its height.",
-       .quantity = "speed over sqrt(1 + a_w), less 1",
-       .source = "Serre (1953)"},
-      {.value = path.slope / speed - 1, .uncertainty = path.slope_error / speed, .resolution = resolution_of(run)},
-      Bound{.limit = std::pow(run.real("h") * width, 2) / 12,
-            .reason = "(h K)^2/12, K^2 = 3a/(4(1 + a)): the leading dispersion error of the lattice for a "
-                      "wave as narrow as the stem"});
-}
-
-void draw_growth(Running& run, const ObliqueWave& wave, const Development& development) {
-  auto& figure = run.record.figure("growth", "Growth of the stem",
-                                   fmt::format("{}. Height on the wall and length.", resolution_of(run)));
+void show(const Development& development, const Values& values, evidence::Exhibit& exhibit) {
+  draw_pictures(exhibit, values, development);
+  exhibit.measure("stem_angle", degrees(development.angle().value));
+  exhibit.measure("stem_length", development.length.back());
+  exhibit.measure("wall_speed", development.path().slope);
+  exhibit.measure("a_w", development.height.back());
+  auto& figure = exhibit.figure("growth", "Growth of the stem",
+                                fmt::format("{}. Height on the wall and length.", resolution_of(values)));
   std::vector<double> ratio = development.height;
-  for (double& value : ratio) value /= wave.amplitude();
+  for (double& value : ratio) value /= values.real("amplitude");
   figure.panel({.x = "t [sqrt(depth/g)]", .y = "a_w/a_i"}).line("height", development.time, ratio);
   auto& length = figure.panel({.x = "t [sqrt(depth/g)]", .y = "length [depth]"});
   length.line("length", development.time, development.length);
   const StraightLine line = straight_line(development.late(development.time), development.late(development.length));
   length.line("straight line through the last half", std::vector{0.0, development.time.back()},
               std::vector{line.at(0), line.at(development.time.back())}, Role::guide);
-}
-
-void run(Running& run) {
-  const ObliqueWave wave(run.real("amplitude"), radians(run.real("angle")));
-  const Development development = develop(run, wave);
-  claim_growth(run, development);
-  claim_speed(run, development);
-  draw_growth(run, wave, development);
 }
 
 }  // namespace
@@ -163,7 +183,7 @@ Case mach_stem_growth() {
       real("h", {1, 0.5, 0.35}, "depth", {0.1, 1.25}, "spacing of the lattice at rest; steps are half of it"),
       real("time", 300.0, "sqrt(depth/g)", {100, 20000}, "how long"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

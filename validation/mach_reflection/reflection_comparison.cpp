@@ -6,88 +6,128 @@
 #include <fmt/format.h>
 
 namespace seiche::validation {
+namespace {
 
 using evidence::Bound;
-using evidence::Measurement;
 
-void claim_independent(evidence::Record& record, const ReflectionSeries& series,
-                       const std::vector<KnownReflection>& known) {
-  struct Worst {
-    std::string id, text;
-    double value = 0;
-  };
-  std::vector<Worst> worst = {{"a_w", "amplitudes at the wall, at the time at which its runs ended,"},
-                              {"a_r", "reflected amplitudes"},
-                              {"psi_r", "reflected angles"},
-                              {"stem", "angles of the stem's path"}};
+struct Quantity {
+  std::string id, text;
+  Measurement (*measured)(const Reflection&, const KnownReflection&);
+  Known KnownReflection::*known;
+  bool of_end;  ///< of the end of the run, which is the same only where nothing grows any more
+};
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> all = {
+      {"a_w", "amplitudes at the wall, at the time at which its runs ended,",
+       [](const Reflection& r, const KnownReflection& known) { return wall_ratio_until(r, known.end); },
+       &KnownReflection::wall_ratio, false},
+      {"a_r", "reflected amplitudes", [](const Reflection& r, const KnownReflection&) { return r.reflected_ratio(); },
+       &KnownReflection::reflected_ratio, true},
+      {"psi_r", "reflected angles", [](const Reflection& r, const KnownReflection&) { return r.reflected_angle(); },
+       &KnownReflection::reflected_angle, true},
+      {"stem", "angles of the stem's path",
+       [](const Reflection& r, const KnownReflection&) {
+         return Measurement{.value = degrees(r.stem.value), .uncertainty = degrees(r.stem.half_width())};
+       },
+       &KnownReflection::stem_angle, true}};
+  return all;
+}
+
+/// A reflection of the series, by its number, and what is known of it.
+struct Row {
+  std::size_t number;
+  KnownReflection known;
+};
+
+/// Over the expanded uncertainty, in which the scatter of our rows counts for no more than what is stated of theirs.
+double difference(const ReflectionSeries& series, const Row& row, const Quantity& quantity) {
+  const Measurement ours = quantity.measured(series.reflections.at(row.number), row.known);
+  const Known& theirs = row.known.*quantity.known;
+  const double stated = 2 * theirs.uncertainty;
+  return std::abs(ours.value - theirs.value) / std::hypot(stated, std::min(ours.half_width(), stated));
+}
+
+void claim_rows(Claims<ReflectionSeries> claims, const ReflectionSeries& series, const Quantity& quantity,
+                const std::vector<Row>& rows, std::size_t compared) {
   const Bound same{.limit = 1,
                    .reason =
-                       "expanded uncertainty: twice that stated with its table, and the scatter of our rows; "
-                       "same spacing and steps"};
-  const auto compare = [&](Worst& w, const Measurement& ours, const Known& theirs, double angle) {
-    const double expanded = std::hypot(2 * theirs.uncertainty, ours.half_width());
-    const double difference = std::abs(ours.value - theirs.value) / expanded;
-    if (theirs.doubt.empty()) {
-      w.value = std::max(w.value, difference);
-      return;
+                       "expanded uncertainty: twice that stated with its table, and, up to as much, the scatter "
+                       "of our rows; same spacing and steps"};
+  std::vector<Row> expected;
+  for (const Row& row : rows) {
+    const auto& doubt = (row.known.*quantity.known).doubt;
+    if (!doubt) {
+      expected.push_back(row);
+      continue;
     }
-    record.known_failure({.id = fmt::format("{}-{}-{:g}", w.id, id_of(series.amplitude), angle),
-                          .text = fmt::format("a = {:g}, {:g} deg: so are the {}.", series.amplitude, angle, w.text),
-                          .quantity = "difference over its expanded uncertainty",
-                          .source = independent_reflections},
-                         {.value = difference, .resolution = fmt::format("h = {:g}", series.spacing)}, same,
-                         theirs.doubt);
-  };
-  long compared = 0;
+    claims.at(fmt::format("h = {:g}", series.spacing))
+        .known_failure(
+            {.id = fmt::format("{}-{}-{:g}", quantity.id, id_of(series.amplitude), row.known.angle),
+             .text =
+                 fmt::format("a = {:g}, {:g} deg: so are the {}.", series.amplitude, row.known.angle, quantity.text),
+             .quantity = "difference over its expanded uncertainty",
+             .source = regression_of(known_reflections_table)},
+            [row, quantity](const ReflectionSeries& r) { return difference(r, row, quantity); }, same, *doubt);
+  }
+  claims.only_if(!expected.empty(), "no angle of the series is known")
+      .at(fmt::format("h = {:g}, {} angles", series.spacing, compared))
+      .check(
+          {.id = quantity.id + "-" + id_of(series.amplitude),
+           .text = fmt::format("a = {:g}: the {} are those of an earlier program.", series.amplitude, quantity.text),
+           .quantity = "largest difference over its expanded uncertainty",
+           .source = regression_of(known_reflections_table)},
+          [expected, quantity](const ReflectionSeries& r) {
+            Worst worst;
+            for (const Row& row : expected) worst.add(difference(r, row, quantity), row.known.angle);
+            return Measurement{.value = worst.value(), .where = fmt::format("{:g} deg", worst.where())};
+          },
+          same);
+}
+
+}  // namespace
+
+void claim_known_reflections(Claims<ReflectionSeries> claims, const ReflectionSeries& series,
+                             const std::vector<KnownReflection>& known) {
+  std::vector<Row> rows;
+  std::vector<Row> steady;
   for (std::size_t k = 0; k < series.angles.size(); ++k) {
-    const Reflection& r = series.reflections[k];
     const auto one = known_reflection(known, series.amplitude, series.angles[k]);
     if (!one) continue;
-    ++compared;
-    compare(worst[0], wall_ratio_until(r, one->end), one->wall_ratio, one->angle);
-    if (!is_steady(one->growth)) continue;  // the others are of the end, which is not the same
-    compare(worst[1], r.reflected_ratio(), one->reflected_ratio, one->angle);
-    compare(worst[2], r.reflected_angle(), one->reflected_angle, one->angle);
-    compare(worst[3], {.value = degrees(r.stem.value), .uncertainty = degrees(r.stem.half_width()), .resolution = {}},
-            one->stem_angle, one->angle);
+    rows.push_back({k, *one});
+    if (is_steady(one->growth)) steady.push_back({k, *one});
   }
-  for (const Worst& w : worst) {
-    record.check(
-        {.id = w.id + "-" + id_of(series.amplitude),
-         .text = fmt::format("a = {:g}: the {} are those of an independent program.", series.amplitude, w.text),
-         .quantity = "largest difference over its expanded uncertainty",
-         .source = independent_reflections},
-        {.value = w.value, .resolution = fmt::format("h = {:g}, {} angles", series.spacing, compared)}, same);
+  for (const Quantity& quantity : quantities()) {
+    claim_rows(claims, series, quantity, quantity.of_end ? steady : rows, rows.size());
   }
 }
 
-void claim_independent_histories(evidence::Record& record, const std::vector<ReflectionSeries>& all) {
-  struct History {
-    double amplitude, angle;
-    std::vector<double> time, wall;
-  };
-  const std::vector<History> known = {
-      {0.3, 36, {100, 200, 300, 400, 500, 600}, {0.8168, 0.8988, 0.9414, 0.9677, 0.9843, 0.9945}},
-      {0.097, 25, {301, 603, 900, 1200}, {0.2774, 0.3089, 0.3248, 0.3340}},
-      {0.05, 19, {500, 1000, 1500, 2000, 2400}, {0.1393, 0.1593, 0.1695, 0.1754, 0.1780}}};
-  for (const History& history : known) {
-    for (const ReflectionSeries& series : all) {
-      const auto angle = std::find(series.angles.begin(), series.angles.end(), history.angle);
-      if (series.amplitude != history.amplitude || angle == series.angles.end()) continue;
-      const Reflection& r = series.reflections[static_cast<std::size_t>(angle - series.angles.begin())];
-      double worst = 0;
-      for (std::size_t k = 0; k < history.time.size() && history.time[k] <= r.time.back(); ++k) {
-        const double ours = r.wall_at(history.time[k]);
-        worst = std::max(worst, std::abs(ours / history.wall[k] - 1));
-      }
-      record.check({.id = "history-" + id_of(series.amplitude),
-                    .text = fmt::format("a = {:g}, {:g} deg: the stem grows as in an independent program.",
-                                        series.amplitude, history.angle),
-                    .quantity = "largest relative difference of a_w",
-                    .source = independent_reflections},
-                   {.value = worst, .resolution = r.run.resolution()},
-                   Bound{.limit = 0.02, .reason = "the uncertainty stated with its amplitudes at the wall"});
+void claim_known_history(Claims<ReflectionSeries> claims, const ReflectionSeries& series, const Values& values) {
+  const std::string name = "regression_mach_reflection_history";
+  const io::Table table = values.table(name);
+  for (std::size_t k = 0; k < series.angles.size(); ++k) {
+    std::vector<std::pair<double, double>> history;  // time, a_w
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      if (table.column("a")[row] != series.amplitude || table.column("psi_i_deg")[row] != series.angles[k]) continue;
+      history.emplace_back(table.column("t")[row], table.column("a_w")[row]);
     }
+    if (history.empty()) continue;
+    claims.check(
+        {.id = "history-" + id_of(series.amplitude),
+         .text = fmt::format("a = {:g}, {:g} deg: the stem grows as in an earlier program.", series.amplitude,
+                             series.angles[k]),
+         .quantity = "largest relative difference of a_w",
+         .source = regression_of(name)},
+        [history, k](const ReflectionSeries& all) -> Measurement {
+          const Reflection& r = all.reflections.at(k);
+          Worst worst;
+          for (const auto& [time, wall] : history) {
+            if (time <= r.time.back()) worst.add(r.wall_at(time) / wall - 1, time);
+          }
+          return {.value = worst.value(),
+                  .resolution = r.run.resolution(),
+                  .where = fmt::format("t = {:g}", worst.where())};
+        },
+        Bound{.limit = 0.02, .reason = "the uncertainty stated with its amplitudes at the wall"});
   }
 }
 

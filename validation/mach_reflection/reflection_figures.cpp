@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "seiche/exact/mach_reflection.hpp"
-#include "validation/case/reference_table.hpp"
+#include "seiche/samples.hpp"
 #include "validation/case/reference_case.hpp"
 
 namespace seiche::validation {
@@ -20,9 +20,8 @@ using exact::MachReflection;
 /// "a = 0.3: h = 0.5, tau = 0.25, t = 318 .. 720".
 std::string name_of(const ReflectionSeries& series) {
   const std::vector<double> ends = series.all([](const Reflection& r) { return r.time.back(); });
-  const auto [first, last] = std::minmax_element(ends.begin(), ends.end());
   return fmt::format("a = {:g}: h = {:g}, tau = {:g}, t = {:.0f} .. {:.0f}", series.amplitude, series.spacing,
-                     series.reflections.front().run.tau(), *first, *last);
+                     series.reflections.front().run.tau(), smallest(ends), largest(ends));
 }
 
 using Kappa = double (ReflectionRun::*)() const;
@@ -51,10 +50,11 @@ void theory_curve(Panel& panel, double (*ratio)(double), double last) {
   panel.line("theory of small waves", kappa, values, Role::exact);
 }
 
-double largest(const std::vector<ReflectionSeries>& series, Kappa kappa) {
-  double last = 1.3;
-  for (const ReflectionSeries& one : series) last = std::max(last, kappas(one, kappa).back());
-  return std::min(last + 0.05, 2.7);
+double last_kappa(const std::vector<ReflectionSeries>& series, Kappa kappa) {
+  Largest last;
+  last.add(1.3);
+  for (const ReflectionSeries& one : series) last.add(kappas(one, kappa).back());
+  return std::min(last.value() + 0.05, 2.7);
 }
 
 /// Where runs did not become steady: their limits.
@@ -73,8 +73,8 @@ void limits(Panel& panel, const std::vector<ReflectionSeries>& series, Kappa kap
 
 }  // namespace
 
-void draw_amplitudes(evidence::Record& record, const std::vector<ReflectionSeries>& series) {
-  auto& figure = record.figure(
+void draw_amplitudes(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
+  auto& figure = exhibit.figure(
       "amplitudes", "Amplitudes at the wall and of the reflected wave",
       "Over the measured incident amplitude; bars: the scatter along the crests. Left over the parameter of Miles "
       "(1977), "
@@ -83,7 +83,7 @@ void draw_amplitudes(evidence::Record& record, const std::vector<ReflectionSerie
       "fifth also its limit.",
       {"frank-fig-7"});
   for (const Axis& axis : axes()) {
-    const double last = largest(series, axis.kappa);
+    const double last = last_kappa(series, axis.kappa);
     auto& panel = figure.panel({.x = axis.label, .y = "a_w/a_i", .x_max = last, .y_min = 1, .y_max = 4.1});
     theory_curve(
         panel, [](double k) { return MachReflection::wall_ratio(k); }, last);
@@ -96,7 +96,7 @@ void draw_amplitudes(evidence::Record& record, const std::vector<ReflectionSerie
     panel.line("Frank (1994)", std::vector{0.1, last}, std::vector{3.5, 3.5}, Role::guide);
   }
   for (const Axis& axis : axes()) {
-    const double last = largest(series, axis.kappa);
+    const double last = last_kappa(series, axis.kappa);
     auto& panel = figure.panel({.x = axis.label, .y = "a_r/a_i", .x_max = last, .y_min = 0, .y_max = 1.1});
     theory_curve(
         panel, [](double k) { return MachReflection::reflected_ratio(k); }, last);
@@ -109,13 +109,13 @@ void draw_amplitudes(evidence::Record& record, const std::vector<ReflectionSerie
   }
 }
 
-void draw_regimes(evidence::Record& record, const std::vector<ReflectionSeries>& series) {
-  auto& figure = record.figure("regimes", "Regular and irregular reflection",
-                               "Irregular: a_r below 0.95 a_i, or, on lattices so coarse that no a_r reaches that, "
-                               "below 0.99 of the largest. Curves: the boundary of Miles (1977) and kappa = 1 for "
-                               "finite angles. Horizontal: "
-                               "transitions in experiments as quoted by Frank (1994).",
-                               {"frank-fig-8"});
+void draw_regimes(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series, const Values& values) {
+  auto& figure = exhibit.figure("regimes", "Regular and irregular reflection",
+                                "Irregular: a_r below 0.95 a_i, or, on lattices so coarse that no a_r reaches that, "
+                                "below 0.99 of the largest. Curves: the boundary of Miles (1977) and kappa = 1 for "
+                                "finite angles. Horizontal: "
+                                "transitions in experiments as quoted by Frank (1994).",
+                                {"frank-fig-8"});
   auto& panel =
       figure.panel({.x = "a_i [depth]", .y = "psi_i [deg]", .x_min = 0, .x_max = 0.4, .y_min = 0, .y_max = 60});
   const std::vector<double> fine = evenly(1e-4, 0.4, 200);
@@ -137,7 +137,7 @@ void draw_regimes(evidence::Record& record, const std::vector<ReflectionSeries>&
   }
   if (!irregular_a.empty()) panel.points("irregular", irregular_a, irregular_psi);
   if (!regular_a.empty()) panel.points("regular", regular_a, regular_psi);
-  const io::Table published = reference_table("mach_reflection_angles_published", record.reference_data);
+  const io::Table published = values.table("mach_reflection_angles_published");
   for (std::size_t k = 0; k < published.column("angle").size(); ++k) {
     if (std::lround(published.column("quantity")[k]) != 1) continue;
     const double angle = published.column("angle")[k];
@@ -155,9 +155,9 @@ void draw_regimes(evidence::Record& record, const std::vector<ReflectionSeries>&
   }
 }
 
-void draw_angle_law(evidence::Record& record, const ReflectionSeries& series, const AngleLaw& law, double last) {
-  auto& figure = record.figure("angle-law", "The reflected amplitude against the square of the angle",
-                               fmt::format("{}. Fit up to {:g} deg.", name_of(series), last), {"frank-ar-law"});
+void draw_angle_law(evidence::Exhibit& exhibit, const ReflectionSeries& series, const AngleLaw& law, double last) {
+  auto& figure = exhibit.figure("angle-law", "The reflected amplitude against the square of the angle",
+                                fmt::format("{}. Fit up to {:g} deg.", name_of(series), last), {"frank-ar-law"});
   auto& panel = figure.panel({.x = "psi_i^2 [rad^2]", .y = "a_r [depth]", .x_min = 0, .y_min = 0});
   std::vector<double> square, amplitude, error;
   for (const Reflection& r : series.reflections) {
@@ -176,12 +176,12 @@ void draw_angle_law(evidence::Record& record, const ReflectionSeries& series, co
   through("psi_i^2/3, Miles (1977)", 1.0 / 3, Role::exact);
 }
 
-void draw_reflected_angles(evidence::Record& record, const std::vector<ReflectionSeries>& series) {
+void draw_reflected_angles(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
   auto& figure =
-      record.figure("angles", "The angle of reflection",
-                    "Bars: twice the standard error of the line through the reflected crest. Where "
-                    "reflection is irregular, psi_r falls as psi_i grows; Miles (1977) has sqrt(3 a_i) there, "
-                    "drawn up to it. Then the two angles are equal.");
+      exhibit.figure("angles", "The angle of reflection",
+                     "Bars: twice the standard error of the line through the reflected crest. Where "
+                     "reflection is irregular, psi_r falls as psi_i grows; Miles (1977) has sqrt(3 a_i) there, "
+                     "drawn up to it. Then the two angles are equal.");
   auto& panel = figure.panel({.x = "psi_i [deg]", .y = "psi_r [deg]", .y_min = 15, .y_max = 60});
   for (const ReflectionSeries& one : series) {
     panel.points(name_of(one), one.angles, one.all([](const Reflection& r) { return r.reflected_angle().value; }),
@@ -195,10 +195,11 @@ void draw_reflected_angles(evidence::Record& record, const std::vector<Reflectio
   panel.line("psi_r = psi_i", std::vector{15.0, 60.0}, std::vector{15.0, 60.0}, Role::exact);
 }
 
-void draw_growth(evidence::Record& record, const std::vector<ReflectionSeries>& series) {
-  auto& figure = record.figure("growth", "The amplitude at the wall as time goes on",
-                               "Over the measured incident amplitude, against the slow time of weakly nonlinear waves. "
-                               "The nearer to resonance, the slower.");
+void draw_growth(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
+  auto& figure =
+      exhibit.figure("growth", "The amplitude at the wall as time goes on",
+                     "Over the measured incident amplitude, against the slow time of weakly nonlinear waves. "
+                     "The nearer to resonance, the slower.");
   for (const ReflectionSeries& one : series) {
     const double slow = std::pow(one.amplitude, 1.5);
     auto& panel = figure.panel({.x = "a_i^(3/2) t [sqrt(depth/g)]",
@@ -217,7 +218,7 @@ void draw_growth(evidence::Record& record, const std::vector<ReflectionSeries>& 
   }
 }
 
-void tabulate_reflections(evidence::Record& record, const std::vector<ReflectionSeries>& series) {
+void tabulate_reflections(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
   evidence::Table table{.id = "runs",
                         .title = "All runs",
                         .caption =
@@ -257,7 +258,7 @@ void tabulate_reflections(evidence::Record& record, const std::vector<Reflection
                             static_cast<double>(r.cells), rounded(r.seconds, 10)});
     }
   }
-  record.table(std::move(table));
+  exhibit.table(std::move(table));
 }
 
 }  // namespace seiche::validation

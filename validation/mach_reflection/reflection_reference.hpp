@@ -5,18 +5,23 @@
 #include <string>
 #include <vector>
 
-#include "reports/evidence/record.hpp"
+#include "validation/case/parameter.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 
 namespace seiche::validation {
 
-inline const std::string independent_reflections = "computed once by an independent implementation of the same model";
+/// The source of a claim that compares with a table of an earlier program.
+inline std::string regression_of(const std::string& table) {
+  return "regression: an earlier program for the same equations, table reference_data/" + table;
+}
+inline const std::string known_reflections_table = "mach_reflection_model2";
 
 /// A number with its standard uncertainty.
 struct Known {
   double value = 0;
   double uncertainty = 0;
-  std::string doubt = {};  ///< why nothing can be expected to agree with it; empty: it can
+  /// Nothing can be expected to agree with it: by how many expanded uncertainties on the table's lattices, and why.
+  std::optional<evidence::KnownFailure> doubt = {};
 };
 
 /// A row of reference_data/mach_reflection_model2; angles in degrees.
@@ -28,7 +33,7 @@ struct KnownReflection {
   double growth = 0;  ///< of a_w in the last fifth
 };
 
-std::vector<KnownReflection> known_reflections(evidence::Record& record);
+std::vector<KnownReflection> known_reflections(const Values& values);
 /// The one at this amplitude and angle [deg], if it is there.
 std::optional<KnownReflection> known_reflection(const std::vector<KnownReflection>& all, double amplitude,
                                                 double angle);

@@ -11,6 +11,7 @@
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "seiche/require.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -49,17 +50,25 @@ Reflection follow(Flow& flow, const ReflectionRun& run, const std::function<void
   double heights = 0;
   double times = 0;
   long summed = 0;
+  Largest tallest;
+  Smallest lowest;
   for (long step = 1; step <= steps; ++step) {
     flow.advance(tau);
     const SurfaceLattice now = surface_of(flow);
-    heights += five_node_height(now, wall_crest(now, 0.5 * run.amplitude), 0);
+    const double height = five_node_height(now, wall_crest(now, 0.5 * run.amplitude), 0);
+    heights += height;
+    tallest.add(height);
+    lowest.add(height);
     times += flow.time();
     ++summed;
     if (step % every == 0 || step == steps) {
       result.time.push_back(times / static_cast<double>(summed));
       result.wall.push_back(heights / static_cast<double>(summed));
+      if (summed == every) result.ripple = 0.5 * (tallest.value() - lowest.value());
       heights = times = 0;
       summed = 0;
+      tallest = {};
+      lowest = {};
       if (progress) progress(static_cast<double>(step) / static_cast<double>(steps));
     }
     if ((steps - step) % every_pattern == 0 && 5 * (steps - step) <= 2 * steps) {
@@ -130,7 +139,7 @@ double Reflection::wall_at(double when) const {
 }
 
 evidence::Measurement Reflection::wall_ratio() const {
-  const evidence::Measurement end{.value = wall.back(), .resolution = {}};
+  const evidence::Measurement end{.value = wall.back(), .uncertainty = ripple};
   return over(end, pattern.incident_amplitude, run.resolution());
 }
 

@@ -13,10 +13,10 @@
 #include <string_view>
 #include <vector>
 
-#include "validation/mach_reflection/oblique_wave.hpp"
 #include "validation/instruments/reflection_pattern.hpp"
-#include "validation/mach_reflection/surface_part.hpp"
 #include "validation/instruments/wall_history.hpp"
+#include "validation/mach_reflection/oblique_wave.hpp"
+#include "validation/mach_reflection/surface_part.hpp"
 
 namespace seiche::validation {
 
@@ -57,6 +57,7 @@ struct Reflection {
   ReflectionRun run;
   std::vector<double> time;
   std::vector<double> wall;    ///< a_w then, means over 2.5 time units
+  double ripple = 0;           ///< half of the range of heights of which the last of them is the mean
   ReflectionPattern pattern;   ///< at the end
   SurfacePart surface;         ///< at the end, x from the crest on the wall
   WallLimit limit;             ///< of a_w

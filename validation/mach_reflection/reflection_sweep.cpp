@@ -1,28 +1,32 @@
 #include "validation/mach_reflection/reflection_sweep.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "seiche/samples.hpp"
 #include "validation/case/on_threads.hpp"
 
 namespace seiche::validation {
 
 const Reflection& ReflectionSeries::highest() const {
-  return *std::max_element(reflections.begin(), reflections.end(), [](const Reflection& a, const Reflection& b) {
-    return a.wall_ratio().value < b.wall_ratio().value;
-  });
+  Largest ratio;
+  for (std::size_t k = 0; k < reflections.size(); ++k) {
+    ratio.add(reflections[k].wall_ratio().value, static_cast<double>(k));
+  }
+  return reflections.at(static_cast<std::size_t>(ratio.where()));
 }
 
 double ReflectionSeries::regular_ratio() const {
-  double largest = 0;
+  Largest ratio;
   for (const Reflection& reflection : reflections) {
-    largest = std::fmax(largest, reflection.reflected_ratio().value);
+    if (reflection.pattern.reflected) ratio.add(reflection.reflected_ratio().value);
   }
-  return largest > regular_from ? regular_from : regular_from_largest * largest;
+  return ratio.value() > regular_from ? regular_from : regular_from_largest * ratio.value();
 }
 
 evidence::Measurement ReflectionSeries::boundary() const {
@@ -32,7 +36,7 @@ evidence::Measurement ReflectionSeries::boundary() const {
     const evidence::Measurement above = reflections[k].reflected_ratio();
     if (!(below.value < regular && above.value >= regular)) continue;
     const double slope = (above.value - below.value) / (angles[k] - angles[k - 1]);
-    const double scatter = std::max(below.half_width(), above.half_width()) / slope;
+    const double scatter = largest(std::array{below.half_width(), above.half_width()}) / slope;
     return {.value = angles[k - 1] + (regular - below.value) / slope,
             .uncertainty = std::min(scatter, angles[k] - angles[k - 1]),
             .resolution = fmt::format("h = {:g}, between {:g} and {:g} deg", spacing, angles[k - 1], angles[k])};
@@ -63,11 +67,13 @@ AngleLaw angle_law(const ReflectionSeries& series, double last) {
   }
   AngleLaw law{.factor = product / squares};
   double left = 0;
+  Worst largest_residual;
   for (std::size_t k = 0; k < square.size(); ++k) {
     const double residual = amplitude[k] - law.factor * square[k];
     left += residual * residual;
-    law.largest_residual = std::max(law.largest_residual, std::abs(residual) / amplitude[k]);
+    largest_residual.add(residual / amplitude[k]);
   }
+  law.largest_residual = largest_residual.value();
   law.uncertainty = 2 * std::sqrt(left / static_cast<double>(square.size() - 1) / squares);
   return law;
 }
@@ -82,7 +88,6 @@ void sweep(std::vector<ReflectionSeries>& series, double time, std::size_t worke
   double all = 0;
   for (std::size_t s = 0; s < series.size(); ++s) {
     ReflectionSeries& one = series[s];
-    std::sort(one.angles.begin(), one.angles.end());
     one.reflections.assign(one.angles.size(), Reflection{});
     for (std::size_t k = 0; k < one.angles.size(); ++k) {
       ReflectionRun& run = one.reflections[k].run;

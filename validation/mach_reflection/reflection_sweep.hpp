@@ -29,6 +29,7 @@ struct ReflectionSeries {
     return values;
   }
   /// The one whose wall amplitude, over the incident, is highest at the end.
+  /// Throws std::out_of_range without reflections.
   [[nodiscard]] const Reflection& highest() const;
   /// a_r/a_i from which on reflection counts as regular.
   [[nodiscard]] double regular_ratio() const;
@@ -48,7 +49,7 @@ struct AngleLaw {
 };
 AngleLaw angle_law(const ReflectionSeries& series, double last);
 
-/// Computes all reflections, the costly ones first.
+/// Computes all reflections of the angles of the series, the costly ones first.
 /// @param time  how long; 0 for ReflectionRun::settled_time()
 void sweep(std::vector<ReflectionSeries>& series, double time, std::size_t workers,
            const std::function<void(double)>& progress);
