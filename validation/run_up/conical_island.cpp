@@ -73,7 +73,6 @@ Measured measured(const io::Table& table, double height) {
 struct Passed {
   double height = 0;  // [m]
   double spacing = 0;
-  double step = 0;
   std::vector<double> time, front, back;  // elevation of the shoreline over the height
   Worst energy_defect;
   Worst volume_defect;           // relative, of the worst cell
@@ -98,8 +97,7 @@ std::string resolution(double spacing, double step) {
 
 Passed pass(const ConicalIsland& island, double spacing, const std::function<void(const Flow&)>& observe = {}) {
   Flow flow = island.flow();
-  Passed passed{
-      .height = island.wave().amplitude(), .spacing = spacing, .step = island.step(), .envelope = RunupEnvelope(flow)};
+  Passed passed{.height = island.wave().amplitude(), .spacing = spacing, .envelope = RunupEnvelope(flow)};
   const double energy = flow.energy();
   const double end = island.passage() + after_passage;
   try {
