@@ -33,7 +33,7 @@ RunDown run_down(const SolitaryClimb& climb) {
   const double energy = flow.energy();
   Peak edge;
   Smallest lowest;
-  Largest later;  // since the lowest
+  Largest later;  // from the lowest on
   try {
     while (flow.time() < end) {
       flow.advance(climb.step(flow));
@@ -44,9 +44,8 @@ RunDown run_down(const SolitaryClimb& climb) {
       } else if (lowest.count() == 0 || shoreline < lowest.value()) {
         lowest.add(shoreline);
         later = {};
-      } else {
-        later.add(shoreline);
       }
+      if (lowest.count() > 0) later.add(shoreline);
     }
   } catch (const Divergence& failure) {
     fate.failure = failure.what();

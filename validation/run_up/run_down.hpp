@@ -16,7 +16,7 @@ struct RunDown {
   double runup_time = none;    ///< of the highest shoreline, since the start
   bool fell = false;           ///< that maximum was passed
   double lowest = none;        ///< of the shoreline after it
-  double later = none;         ///< highest of the shoreline after that
+  double later = none;         ///< highest of the shoreline from then on
   double energy = none;        ///< at the end, over that of the start
   std::string failure;         ///< empty if the run went through
   double failure_time = none;  ///< since the start

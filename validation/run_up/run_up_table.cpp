@@ -217,8 +217,8 @@ void claim_measurements(Claims<Results> claims) {
                off(green_naghdi, true), scatter);
   claims.known_failure(claim("measurements", "So it does with the thesis's kinetic energy."), off(consistent, true),
                        scatter,
-                       {.value = 0.12,
-                        .width = 0.003,
+                       {.value = 0.122,
+                        .width = 0.005,
                         .reason = "it stays below the measurements, the more the higher the wave, at last by a "
                                   "quarter, as the thesis's own column does"});
   claims.check(claim("measurements-mild",
