@@ -5,6 +5,8 @@
 #include <numeric>
 #include <span>
 
+#include "seiche/samples.hpp"
+
 namespace seiche::validation {
 namespace {
 
@@ -42,12 +44,13 @@ double CrestTrack::mean_elevation(double from) const {
 CrestTrack follow_crest(lagrangian_mesh_2d::Flow& flow, double time, double tau,
                         const std::function<void()>& after_step) {
   CrestTrack track;
+  Smallest corner;
   const auto add = [&] {
     const lagrangian_mesh_2d::Flow::Crest crest = flow.crest();
     track.time.push_back(flow.time());
     track.place.push_back(crest.place);
     track.elevation.push_back(crest.elevation);
-    track.worst_corner = std::min(track.worst_corner, flow.worst_corner().shape);
+    corner.add(flow.worst_corner().shape);
   };
   add();
   try {
@@ -58,6 +61,7 @@ CrestTrack follow_crest(lagrangian_mesh_2d::Flow& flow, double time, double tau,
   } catch (const Divergence& divergence) {
     track.folded = divergence;
   }
+  track.worst_corner = corner.value();
   return track;
 }
 
@@ -65,11 +69,11 @@ double largest_profile_error(const lagrangian_mesh_2d::Flow& flow, double crest,
                              const std::function<double(double)>& profile) {
   const std::span<const double> x = flow.surface_x();
   const std::span<const double> y = flow.surface_y();
-  double largest = 0;
+  Worst largest;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (std::abs(x[i] - crest) <= reach) largest = std::max(largest, std::abs(y[i] - profile(x[i] - crest)));
+    if (std::abs(x[i] - crest) <= reach) largest.add(y[i] - profile(x[i] - crest));
   }
-  return largest;
+  return largest.value();
 }
 
 }  // namespace seiche::validation

@@ -12,7 +12,7 @@ namespace seiche::validation {
 
 struct CrestTrack {
   std::vector<double> time, place, elevation;
-  double worst_corner = 1;                ///< smallest shape of a corner of the mesh on the way
+  double worst_corner = 0;                ///< smallest shape of a corner of the mesh on the way
   std::optional<Divergence> folded = {};  ///< why the run ended before its time
 
   /// Of the least-squares line through the places from a time on [m/s].

@@ -6,6 +6,7 @@
 
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/samples.hpp"
 #include "validation/instruments/straight_line.hpp"
 
 namespace seiche::validation {
@@ -39,8 +40,9 @@ Motion motion_at(const SerreSolitary& wave, double x) {
 /// Top of the parabola through the highest node of the first `count` and its neighbours.
 void add_crest(SolitonTravel& result, double time, std::span<const double> x, std::span<const double> z,
                std::size_t count) {
-  const auto i = static_cast<std::size_t>(
-      std::max_element(z.begin() + 1, z.begin() + static_cast<std::ptrdiff_t>(count) - 1) - z.begin());
+  Largest highest;
+  for (std::size_t k = 1; k + 1 < count; ++k) highest.add(z[k], static_cast<double>(k));
+  const auto i = static_cast<std::size_t>(highest.where());
   const double left = (z[i] - z[i - 1]) / (x[i] - x[i - 1]);
   const double curvature = ((z[i + 1] - z[i]) / (x[i + 1] - x[i]) - left) / (x[i + 1] - x[i - 1]);
   const double top = 0.5 * (x[i] + x[i - 1] - left / curvature);
@@ -78,13 +80,11 @@ double SolitonTravel::mean_height() const {
 }
 
 double SolitonTravel::lowest() const {
-  const auto heights = from_then(height);
-  return *std::min_element(heights.begin(), heights.end());
+  return smallest(from_then(height));
 }
 
 double SolitonTravel::highest() const {
-  const auto heights = from_then(height);
-  return *std::max_element(heights.begin(), heights.end());
+  return largest(from_then(height));
 }
 
 double SolitonTravel::speed() const {

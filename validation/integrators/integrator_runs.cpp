@@ -1,12 +1,11 @@
 #include "validation/integrators/integrator_runs.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "seiche/divergence.hpp"
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/mechanics/invariants.hpp"
+#include "seiche/samples.hpp"
 #include "validation/instruments/processor_time.hpp"
 
 namespace seiche::validation {
@@ -25,7 +24,7 @@ void measure(WorkPrecision& result, const ChainProblem& problem, const State& tr
   run(chain, state);
   result.error.push_back(distance(state, truth));
   result.solves.push_back(static_cast<double>(chain.solves() - before));
-  double shortest = std::numeric_limits<double>::infinity();
+  Smallest shortest;
   for (int batch = 0; batch < 5; ++batch) {
     int runs = 0;
     const double begin = processor_seconds();
@@ -34,9 +33,9 @@ void measure(WorkPrecision& result, const ChainProblem& problem, const State& tr
       run(chain, state);
       ++runs;
     } while (processor_seconds() - begin < 0.003);
-    shortest = std::min(shortest, (processor_seconds() - begin) / runs);
+    shortest.add((processor_seconds() - begin) / runs);
   }
-  result.cpu.push_back(shortest);
+  result.cpu.push_back(shortest.value());
 }
 
 /// Largest change of f_s - (tau^2/8) u.f_s''u since the first call.
@@ -50,23 +49,23 @@ class ModifiedLinks {
     chain_.curvature(state.u, state.u, bending_);
     for (std::size_t s = 0; s < links_.size(); ++s) links_[s] -= tau_ * tau_ / 8 * bending_[s];
     if (first_.empty()) first_ = links_;
-    for (std::size_t s = 0; s < links_.size(); ++s) largest_ = std::max(largest_, std::abs(links_[s] - first_[s]));
+    for (std::size_t s = 0; s < links_.size(); ++s) largest_.add(links_[s] - first_[s]);
   }
-  [[nodiscard]] double largest() const { return largest_; }
+  [[nodiscard]] double largest() const { return largest_.value(); }
 
  private:
   const RigidChain& chain_;
   double tau_;
   std::vector<double> links_, bending_, first_;
-  double largest_ = 0;
+  Worst largest_;
 };
 
 }  // namespace
 
 double distance(const State& a, const State& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.q.size(); ++i) largest = std::max(largest, std::abs(a.q[i] - b.q[i]));
-  return largest;
+  Worst largest;
+  for (std::size_t i = 0; i < a.q.size(); ++i) largest.add(a.q[i] - b.q[i]);
+  return largest.value();
 }
 
 State adaptive_state(const ChainProblem& problem, double time, double tolerance) {
@@ -109,6 +108,14 @@ double error_at(const WorkPrecision& curve, double solves) {
   return std::exp((1 - weight) * std::log(curve.error[right - 1]) + weight * std::log(curve.error[right]));
 }
 
+std::optional<std::size_t> KeptInvariants::last_until(double until) const {
+  constexpr double rounding = 1e-9;
+  std::optional<std::size_t> last;
+  for (std::size_t k = 0; k < time.size() && time[k] <= until * (1 + rounding); ++k) last = k;
+  const bool lasted = broken_down.empty() || (!time.empty() && time.back() >= until * (1 - rounding));
+  return lasted ? last : std::nullopt;
+}
+
 KeptInvariants kept_invariants(const ChainProblem& problem, mechanics::Integrator integrator, double tau, long steps,
                                bool pinned, const std::function<void(double)>& progress) {
   KeptInvariants result;
@@ -138,7 +145,8 @@ KeptInvariants kept_invariants(const ChainProblem& problem, mechanics::Integrato
       scales.include(scales_of(chain, state));
       if (static_cast<double>(n) < next && n < steps) continue;
       keep();
-      next = std::max(next + 1, next * growth);
+      const double later = next * growth;
+      next = later < next + 1 ? next + 1 : later;
       progress(static_cast<double>(n) / static_cast<double>(steps));
     }
   } catch (const Divergence& divergence) {

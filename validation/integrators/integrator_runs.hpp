@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,9 @@ struct KeptInvariants {
   double modified_links = 0;                ///< largest change of f_s - (tau^2/8) u.f_s''u
   std::vector<rigid_chain::Scales> scales;  ///< largest magnitudes so far of what is rounded
   std::string broken_down;                  ///< why the run ended early; empty if it did not
+
+  /// The last entry that is not after a time; empty where the run broke down before.
+  [[nodiscard]] std::optional<std::size_t> last_until(double until) const;
 };
 KeptInvariants kept_invariants(const ChainProblem& problem, mechanics::Integrator integrator, double tau, long steps,
                                bool pinned, const std::function<void(double)>& progress);

@@ -1,8 +1,9 @@
 #include "validation/solitary_wave/serre_wave.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
+
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 
@@ -48,6 +49,7 @@ SerreErrors errors_of(const Flow& flow, const SerreWave& wave) {
   SerreErrors errors;
   double elevations = 0;
   double velocities = 0;
+  Worst largest;
   for (std::size_t i = 0; i < flow.x().size(); ++i) {
     const double s = from_crest(wave, flow.x()[i], flow.time());
     const double elevation = exact.elevation(s);
@@ -57,10 +59,11 @@ SerreErrors errors_of(const Flow& flow, const SerreWave& wave) {
     elevations += elevation * elevation;
     errors.velocity += (u[i] - velocity) * (u[i] - velocity);
     velocities += velocity * velocity;
-    errors.largest = std::max(errors.largest, std::abs(error) / wave.amplitude);
+    largest.add(error / wave.amplitude);
   }
   errors.l2 = std::sqrt(errors.l2 / elevations);
   errors.velocity = std::sqrt(errors.velocity / velocities);
+  errors.largest = largest.value();
   errors.phase = from_crest(wave, flow.crest().place, flow.time());
   errors.crest = flow.crest().elevation;
   return errors;
@@ -69,16 +72,16 @@ SerreErrors errors_of(const Flow& flow, const SerreWave& wave) {
 double largest_surface_error(const Flow& flow, const SerreWave& wave) {
   constexpr int parts = 8;  // of a cell
   const exact::SerreSolitary exact = wave.exact();
-  double largest = 0;
+  Worst largest;
   for (std::size_t i = 0; i + 1 < flow.x().size(); ++i) {
     for (int k = 0; k <= parts; ++k) {
       const double w = static_cast<double>(k) / parts;
       const double s = from_crest(wave, (1 - w) * flow.x()[i] + w * flow.x()[i + 1], flow.time());
       const double y = (1 - w) * flow.y()[i] + w * flow.y()[i + 1];
-      largest = std::max(largest, std::abs(y - exact.elevation(s)));
+      largest.add(y - exact.elevation(s));
     }
   }
-  return largest / wave.amplitude;
+  return largest.value() / wave.amplitude;
 }
 
 Flow followed(const SerreWave& wave, double spacing, double tau, Scheme scheme) {
@@ -90,9 +93,9 @@ Flow followed(const SerreWave& wave, double spacing, double tau, Scheme scheme) 
 }
 
 double largest_shift(const Flow& one, const Flow& other) {
-  double largest = 0;
-  for (std::size_t i = 0; i < one.x().size(); ++i) largest = std::max(largest, std::abs(one.x()[i] - other.x()[i]));
-  return largest;
+  Worst largest;
+  for (std::size_t i = 0; i < one.x().size(); ++i) largest.add(one.x()[i] - other.x()[i]);
+  return largest.value();
 }
 
 std::string title(Scheme scheme) {

@@ -21,15 +21,18 @@ conservative one. So the errors of the former cancel in part, and its error is a
 and steps. What the latter buys is in the histories: energy and every cell's volume to round-off.
 */
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
 
 #include <fmt/format.h>
 
+#include "reports/evidence/slope_guide.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/solitary_wave/serre_history.hpp"
 #include "validation/solitary_wave/serre_wave.hpp"
-#include "reports/evidence/slope_guide.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -44,7 +47,9 @@ using evidence::Role;
 using evidence::Roundoff;
 
 const std::string source = "Serre (1953); Frank (1994), chapter 3";
-const std::string digits = "computed once by an independent implementation";
+const std::string digits =
+    "regression: an earlier program for the same equations, table reference_data/regression_serre_solitary_wave";
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const Scheme one_step{};
 const Scheme conservative{.stepping = Stepping::conservative};
 
@@ -76,26 +81,51 @@ std::vector<double> fractions(double first, long count) {
   return values;
 }
 
-/// Largest relative deviation from tabulated values; as many as there are.
-void claim_table(Running& run, const std::string& id, const std::string& what, const std::vector<double>& measured,
-                 const std::vector<double>& expected, const std::string& reason) {
-  double worst = 0;
-  for (std::size_t k = 0; k < expected.size(); ++k) {
-    worst = std::max(worst, std::abs(measured[k] / expected[k] - 1));
+/// What an earlier program found on one of the resolutions.
+struct Tabulated {
+  double size, value;
+};
+
+std::vector<Tabulated> tabulated(const io::Table& table, int refined, std::size_t stepping, int quantity) {
+  std::vector<Tabulated> found;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    if (table.column("refined")[k] == refined && table.column("stepping")[k] == static_cast<double>(stepping) &&
+        table.column("quantity")[k] == quantity) {
+      found.push_back({table.column("size")[k], table.column("value")[k]});
+    }
   }
-  run.record.check({.id = "digits-" + id,
-                    .text = what + " are those of an independent implementation.",
-                    .quantity = "largest relative deviation",
-                    .source = digits},
-                   {.value = worst, .resolution = fmt::format("{} resolutions", expected.size())},
-                   Bound{.limit = 0.05, .reason = reason});
+  return found;
 }
 
-void claim_second_order(Running& run, const std::string& id, const std::string& what, const std::vector<double>& sizes,
-                        const std::vector<double>& errors) {
-  run.record.check(
+/// Largest relative deviation from tabulated values. @param measured  one error per size of the refinement
+template <class Errors>
+void claim_table(Claims<Refinement> claims, const std::string& id, const std::string& what,
+                 const std::vector<Tabulated>& expected, Errors measured, const std::string& reason) {
+  claims.at(fmt::format("{} resolutions", expected.size()))
+      .check(
+          {.id = "digits-" + id,
+           .text = what + " are those of an earlier program.",
+           .quantity = "largest relative deviation",
+           .source = digits},
+          [expected, measured](const Refinement& r) {
+            const std::vector<double> errors = std::invoke(measured, r);
+            Worst deviation;
+            for (const Tabulated& one : expected) {
+              const auto at = std::find_if(r.size.begin(), r.size.end(),
+                                           [&](double size) { return std::abs(size / one.size - 1) < 1e-9; });
+              deviation.add(at == r.size.end() ? nan
+                                               : errors[static_cast<std::size_t>(at - r.size.begin())] / one.value - 1);
+            }
+            return deviation.value();
+          },
+          Bound{.limit = 0.05, .reason = reason});
+}
+
+void claim_second_order(Claims<Refinement> claims, const std::string& id, const std::string& what,
+                        std::vector<double> Refinement::*errors) {
+  claims.check(
       {.id = "order-" + id, .text = what + ": second order.", .quantity = "observed order", .source = source},
-      evidence::observed_order(sizes, errors),
+      [errors](const Refinement& r) { return evidence::observed_order(r.size, r.*errors); },
       Order{2, 0.1, "smooth wave; the coarsest cells still deviate by a few per cent of the order"});
 }
 
@@ -114,10 +144,214 @@ std::vector<double> with_tail(std::vector<double> errors, const SerreWave& wave)
   return errors;
 }
 
-/// Cells and steps together: the errors of both schemes, with slope guides.
-void refine_both(Running& run, const SerreWave& wave) {
-  const std::vector<double> h = fractions(2 * run.real("h"), run.integer("levels"));
-  auto& panel = run.record
+/// The run that the parameters describe.
+struct OwnRun {
+  Flow flow;
+  SerreHistory history;
+  SerreErrors errors;
+};
+
+struct Results {
+  SerreWave wave;
+  OwnRun own;
+  std::vector<SerreHistory> histories;        ///< of all steppings
+  std::array<Refinement, 2> together, steps;  ///< of the plain schemes
+  Refinement cells;                           ///< alone, at very short steps
+  std::vector<double> tau;                    ///< steps, against the limit of small ones
+  std::vector<std::vector<double>> in_time;   ///< largest error of a marker, of the schemes in time
+  std::vector<double> halved, energy;         ///< ever smaller steps, and the one-step scheme's energy defect
+
+  [[nodiscard]] double energy_ratio(std::size_t k) const { return energy[k] / energy[k + 1]; }
+};
+
+const std::array plain{one_step, conservative};
+constexpr std::array<const char*, 2> plain_ids{"one-step", "conservative"};
+constexpr std::array steppings{Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative};
+const std::array schemes_in_time{one_step, conservative, Scheme{.composition = TimeComposition::triple_jump},
+                                 Scheme{.composition = TimeComposition::suzuki},
+                                 Scheme{.stepping = Stepping::conservative, .composition = TimeComposition::suzuki}};
+
+bool composed(Scheme scheme) {
+  return scheme.composition != TimeComposition::none;
+}
+
+Scheme scheme_of(const Values& values) {
+  return {.stepping = dispersive_shallow_water_1d::stepping_named(values.text("scheme")),
+          .composition = dispersive_shallow_water_1d::composition_named(values.text("composition"))};
+}
+
+std::string resolution(const Values& values) {
+  return fmt::format("{}, h = {:g}, tau = {:g}", title(scheme_of(values)), values.real("h"), values.real("tau"));
+}
+
+/// Everything is kept that the scheme should keep, in the run of the parameters.
+void claim_kept(Claims<OwnRun> claims, const Values& values) {
+  const double h = values.real("h");
+  const auto claim = [&](const Claims<OwnRun>& applies, const std::string& id, const std::string& text,
+                         std::vector<double> SerreHistory::*defect, double scale, const std::string& reason) {
+    applies.check(
+        {.id = id, .text = text, .quantity = "largest relative defect", .source = source},
+        [defect](const OwnRun& own) -> Measurement {
+          return {.value = (own.history.*defect).back(),
+                  .told = {.operations = static_cast<double>(own.flow.solves())}};
+        },
+        // Steps are no shorter than a quarter of a cell takes, and take less than a hundred solves.
+        Roundoff{.operations =
+                     evidence::Amount::told_by_run(100 * values.real("time") / std::min(values.real("tau"), 0.25 * h)),
+                 .scale = scale,
+                 .reason = reason + ", once per solve"});
+  };
+  claim(claims, "momentum", "Momentum is kept: the bottom is level.", &SerreHistory::momentum, 1,
+        "the rounded momentum");
+  const auto kept = claims.only_if(scheme_of(values).stepping == Stepping::conservative,
+                                   "only the conservative scheme keeps it to round-off");
+  claim(kept, "energy", "Energy is kept.", &SerreHistory::energy, 1, "the rounded energy");
+  claim(kept, "volume", "Every cell's volume is kept.", &SerreHistory::volume, values.real("length") / h,
+        "a rounded coordinate, up to the channel's length, over the width of a cell");
+}
+
+void claim_orders(Claims<Results> claims) {
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    const auto together = claims.of([k](const Results& r) -> const Refinement& { return r.together.at(k); });
+    const std::string id = plain_ids.at(k);
+    const std::string name = title(plain.at(k));
+    claim_second_order(together, id + "-l2", "Elevation, " + name, &Refinement::l2);
+    claim_second_order(together, id + "-max", "Largest error of the elevation, " + name, &Refinement::largest);
+    claim_second_order(together, id + "-velocity", "Velocity, " + name, &Refinement::velocity);
+  }
+  claim_second_order(claims.of(&Results::cells), "cells", "Cells alone", &Refinement::l2);
+  for (std::size_t k = 0; k < schemes_in_time.size(); ++k) {
+    const std::string name = title(schemes_in_time.at(k));
+    const bool fourth = composed(schemes_in_time.at(k));
+    std::string id = name;
+    std::erase(id, ',');
+    std::replace(id.begin(), id.end(), ' ', '-');
+    claims.check(
+        {.id = "time-" + id,
+         .text = fmt::format("In time: {} is of order {}.", name, fourth ? 4 : 2),
+         .quantity = "observed order of the largest error of a marker",
+         .source = fourth ? "Yoshida (1990), Suzuki (1990)" : source},
+        [k](const Results& r) { return evidence::observed_order(r.tau, r.in_time.at(k), 1e-12); },
+        Order{fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
+              "smooth motion; below 1e-12 the rounding of coordinates up to 60 counts"});
+  }
+}
+
+void claim_tables(Claims<Results> everything, const Values& values, const SerreWave& wave) {
+  const bool same = values.real("amplitude") == 0.2 && values.real("h") == 0.25 && values.real("tau") == 0.1 &&
+                    values.real("length") == 60 && values.real("time") == 20 && values.real("alpha") == 1.0 / 3 &&
+                    values.integer("levels") >= 5;
+  const auto claims = everything.only_if(same, "the table is of the standard wave, cells and steps");
+  const io::Table table = values.table("regression_serre_solitary_wave");
+  const auto l2_with_tail = [wave](const Refinement& r) { return with_tail(r.l2, wave); };
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    const auto together = claims.of([k](const Results& r) -> const Refinement& { return r.together.at(k); });
+    const std::string id = plain_ids.at(k);
+    const std::string name = k == 0 ? "One-step" : "Conservative";
+    claim_table(together, id + "-l2", name + ": errors of the elevation", tabulated(table, 1, k, 1), l2_with_tail,
+                spacing_reason);
+    if (k == 0) {
+      claim_table(together, id + "-max", name + ": largest errors", tabulated(table, 1, k, 2), &Refinement::largest,
+                  spacing_reason);
+    }
+    claim_table(together, id + "-phase", name + ": phases", tabulated(table, 1, k, 3), &Refinement::phase,
+                spacing_reason);
+    claim_table(claims.of([k](const Results& r) -> const Refinement& { return r.steps.at(k); }), "steps-" + id,
+                "Errors of the steps alone, " + title(plain.at(k)) + ",", tabulated(table, 3, k, 1), &Refinement::l2,
+                "two or three digits are given; the error in space hardly counts");
+  }
+  claim_table(claims.of(&Results::cells), "cells", "Errors of the cells alone", tabulated(table, 2, 0, 1),
+              &Refinement::l2, spacing_reason);
+}
+
+void claims(const Values& values, Claims<Results> claims) {
+  claim_kept(claims.at(resolution(values)).of(&Results::own), values);
+  claim_orders(claims);
+  claim_tables(claims, values, wave_of(values));
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    claims.at(fmt::format("tau = {:g}", 4 * values.real("tau")))
+        .check(
+            {.id = fmt::format("phase-{}", plain_ids.at(k)),
+             .text = k == 0 ? "Long steps make the one-step wave lead." : "They make the conservative wave lag.",
+             .quantity = "crest ahead of the exact one",
+             .source =
+                 "discrete dispersion: sin and tan of half the phase advanced per step, Frank (1994), formula 13"},
+            [k](const Results& r) {
+              const double phase = r.steps.at(k).phase.front();
+              return std::isnan(phase) ? nan : phase > 0 ? 1.0 : 0.0;
+            },
+            evidence::Qualitative{.detector = "sign of the crest's phase error, cells eight times finer",
+                                  .reason = "the one-step scheme raises frequencies, the conservative one lowers "
+                                            "them",
+                                  .expected = k == 0});
+  }
+  const std::vector<double> halved = fractions(values.real("tau") / 2, 4);
+  claims.at(fmt::format("tau = {:g} .. {:g}", halved.front(), halved.back()))
+      .check(
+          {.id = "energy-ratio",
+           .text = "One-step: each halving of the step divides the energy defect by four.",
+           .quantity = "ratio farthest from four",
+           .source = "Frank (1994), chapter 1: second order"},
+          [](const Results& r) {
+            Worst off;
+            for (std::size_t k = 0; k + 1 < r.energy.size(); ++k) {
+              off.add(r.energy_ratio(k) - 4, static_cast<double>(k));
+            }
+            return r.energy_ratio(static_cast<std::size_t>(off.where()));
+          },
+          Bound{.limit = 1,
+                .reason = "steps up to h/5; of longer ones the fourth-order part, of opposite sign, takes off more",
+                .expected = 4});
+}
+
+OwnRun follow_one(const Values& values, const SerreWave& wave) {
+  OwnRun own{.flow = start(wave, values.real("h"), scheme_of(values)), .history = {}, .errors = {}};
+  own.history = follow(own.flow, wave, values.real("h"), values.real("tau"));
+  own.errors = errors_of(own.flow, wave);
+  return own;
+}
+
+Results compute(const Run& run) {
+  const SerreWave wave = wave_of(run);
+  const double h = run.real("h");
+  const double tau = run.real("tau");
+  const auto errors = [&](double spacing, double step, Scheme scheme) {
+    return errors_of(followed(wave, spacing, step, scheme), wave);
+  };
+  Results r{.wave = wave, .own = follow_one(run, wave)};
+  run.progress(0.05);
+  for (const Stepping stepping : steppings) {
+    Flow flow = start(wave, h, {.stepping = stepping});
+    r.histories.push_back(follow(flow, wave, h, tau));
+  }
+  run.progress(0.1);
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    for (const double spacing : fractions(2 * h, run.integer("levels"))) {
+      r.together.at(k).add(spacing, errors(spacing, tau * spacing / h, plain.at(k)));
+    }
+  }
+  run.progress(0.5);
+  for (const double spacing : fractions(2 * h, 4)) r.cells.add(spacing, errors(spacing, tau / 20, one_step));
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    for (const double step : fractions(4 * tau, 3)) r.steps.at(k).add(step, errors(h / 8, step, plain.at(k)));
+  }
+  run.progress(0.7);
+  r.tau = fractions(4 * tau, 4);
+  const Flow limit = followed(wave, h, r.tau.back() / 5, {.composition = TimeComposition::suzuki});
+  for (const Scheme scheme : schemes_in_time) {
+    auto& error = r.in_time.emplace_back();
+    for (const double step : r.tau) error.push_back(largest_shift(followed(wave, h, step, scheme), limit));
+  }
+  r.halved = fractions(tau / 2, 4);
+  for (const double step : r.halved) {
+    Flow flow = start(wave, h, one_step);
+    r.energy.push_back(follow(flow, wave, h, step).energy.back());
+  }
+  return r;
+}
+
+void draw_together(evidence::Exhibit& exhibit, const Results& r, const Values& values) {
+  auto& panel = exhibit
                     .figure("refined_together", "Cells and steps refined together",
                             "Relative L2 error of the elevation at the end.")
                     .panel({.x = "h, tau in proportion", .y = "relative L2 error", .log_x = true, .log_y = true});
@@ -131,193 +365,64 @@ void refine_both(Running& run, const SerreWave& wave) {
                                     {"max, elevation", "1"},
                                     {"L2, velocity", "1"},
                                     {"phase", "1"}}};
-  std::vector<Refinement> refinements;
-  for (const Scheme scheme : {one_step, conservative}) {
-    Refinement& errors = refinements.emplace_back();
-    for (const double spacing : h) {
-      const double tau = run.real("tau") * spacing / run.real("h");
-      errors.add(spacing, errors_of(followed(wave, spacing, tau, scheme), wave));
-      table.rows.push_back({title(scheme), spacing, tau, errors.l2.back(), errors.largest.back(),
-                            errors.velocity.back(), errors.phase.back()});
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    const Refinement& e = r.together.at(k);
+    for (std::size_t i = 0; i < e.size.size(); ++i) {
+      table.rows.push_back({title(plain.at(k)), e.size[i], values.real("tau") * e.size[i] / values.real("h"), e.l2[i],
+                            e.largest[i], e.velocity[i], e.phase[i]});
     }
-    const std::string id = scheme.stepping == Stepping::one_step ? "one-step" : "conservative";
-    claim_second_order(run, id + "-l2", "Elevation, " + title(scheme), h, errors.l2);
-    claim_second_order(run, id + "-max", "Largest error of the elevation, " + title(scheme), h, errors.largest);
-    claim_second_order(run, id + "-velocity", "Velocity, " + title(scheme), h, errors.velocity);
-    panel.points(title(scheme), h, errors.l2, Role::computed);
+    panel.points(title(plain.at(k)), e.size, e.l2, Role::computed);
   }
-  slope_guide(panel, 2, h, 1.5 * refinements.back().l2.back());
-  run.record.table(std::move(table));
-  if (!run.as_published()) return;
-  const auto claim = [&](const std::string& id, const std::string& what, const std::vector<double>& measured,
-                         const std::vector<double>& expected) {
-    claim_table(run, id, what, measured, expected, spacing_reason);
-  };
-  const Refinement& a = refinements.front();
-  const Refinement& c = refinements.back();
-  claim("one-step-l2", "One-step: errors of the elevation", with_tail(a.l2, wave),
-        {4.61e-3, 1.18e-3, 2.98e-4, 7.49e-5, 1.93e-5});
-  claim("one-step-max", "One-step: largest errors", a.largest, {5.07e-3, 1.30e-3, 3.32e-4, 8.33e-5, 2.08e-5});
-  claim("one-step-phase", "One-step: phases", a.phase, {-1.05e-2, -3.15e-3, -7.53e-4, -1.93e-4, -4.84e-5});
-  claim("conservative-l2", "Conservative: errors of the elevation", with_tail(c.l2, wave),
-        {1.44e-2, 3.67e-3, 9.25e-4, 2.32e-4, 5.81e-5});
-  claim("conservative-phase", "Conservative: phases", c.phase, {-4.57e-2, -1.21e-2, -3.01e-3, -7.58e-4, -1.90e-4});
+  slope_guide(panel, 2, r.together.back().size, 1.5 * r.together.back().l2.back());
+  exhibit.table(std::move(table));
 }
 
-/// Cells alone at very short steps, and steps alone on very fine cells.
-void refine_one(Running& run, const SerreWave& wave) {
-  auto& panel = run.record
+void draw_alone(evidence::Exhibit& exhibit, const Results& r) {
+  auto& panel = exhibit
                     .figure("refined_alone", "Cells alone, steps alone",
                             "Relative L2 error of the elevation; the other of h and tau is small.")
                     .panel({.x = "h or tau", .y = "relative L2 error", .log_x = true, .log_y = true});
-  Refinement space;
-  for (const double spacing : fractions(2 * run.real("h"), 4)) {
-    space.add(spacing, errors_of(followed(wave, spacing, run.real("tau") / 20, one_step), wave));
+  panel.points("cells alone", r.cells.size, r.cells.l2, Role::computed);
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    panel.points("steps alone, " + title(plain.at(k)), r.steps.at(k).size, r.steps.at(k).l2, Role::computed);
   }
-  panel.points("cells alone", space.size, space.l2, Role::computed);
-  claim_second_order(run, "cells", "Cells alone", space.size, space.l2);
-  if (run.as_published()) {
-    claim_table(run, "cells", "Errors of the cells alone", space.l2, {7.9e-3, 2.0e-3, 5.1e-4}, spacing_reason);
-  }
-  for (const Scheme scheme : {one_step, conservative}) {
-    Refinement time;
-    for (const double tau : fractions(4 * run.real("tau"), 3)) {
-      time.add(tau, errors_of(followed(wave, run.real("h") / 8, tau, scheme), wave));
-    }
-    panel.points("steps alone, " + title(scheme), time.size, time.l2, Role::computed);
-    const bool explicit_scheme = scheme.stepping == Stepping::one_step;
-    const std::string id = explicit_scheme ? "one-step" : "conservative";
-    run.record.check(
-        {.id = "phase-" + id,
-         .text = explicit_scheme ? "Long steps make the one-step wave lead." : "They make the conservative wave lag.",
-         .quantity = "crest ahead of the exact one",
-         .source = "discrete dispersion: sin and tan of half the phase advanced per step, Frank (1994), formula 13"},
-        {.value = time.phase.front() > 0 ? 1.0 : 0.0, .resolution = fmt::format("tau = {:g}", time.size.front())},
-        evidence::Qualitative{.detector = "sign of the crest's phase error, cells eight times finer",
-                              .reason = "the one-step scheme raises frequencies, the conservative one lowers them",
-                              .expected = explicit_scheme});
-    if (run.as_published()) {
-      const std::vector<double> expected =
-          explicit_scheme ? std::vector{1.45e-2, 3.55e-3, 8.6e-4} : std::vector{2.7e-2, 6.9e-3, 1.8e-3};
-      claim_table(run, "steps-" + id, "Errors of the steps alone, " + title(scheme) + ",", time.l2, expected,
-                  "two or three digits are given; the error in space hardly counts");
-    }
-  }
-  slope_guide(panel, 2, space.size, 0.6 * space.l2.back());
+  slope_guide(panel, 2, r.cells.size, 0.6 * r.cells.l2.back());
 }
 
-/// Steps alone, against the limit of small steps on the same cells.
-void refine_time(Running& run, const SerreWave& wave) {
-  const double h = run.real("h");
-  const std::vector<double> tau = fractions(4 * run.real("tau"), 4);
-  const Flow limit = followed(wave, h, tau.back() / 5, {.composition = TimeComposition::suzuki});
-  auto& panel = run.record
+void draw_orders_in_time(evidence::Exhibit& exhibit, const Results& r) {
+  auto& panel = exhibit
                     .figure("orders_in_time", "Orders in time",
                             "Largest error of a marker against the limit of small steps on the same cells.")
                     .panel({.x = "tau", .y = "largest error of a marker", .log_x = true, .log_y = true});
-  std::vector<double> second;
-  std::vector<double> fourth;
-  for (const Scheme scheme : {one_step, conservative, Scheme{.composition = TimeComposition::triple_jump},
-                              Scheme{.composition = TimeComposition::suzuki},
-                              Scheme{.stepping = Stepping::conservative, .composition = TimeComposition::suzuki}}) {
-    std::vector<double> error;
-    for (const double step : tau) error.push_back(largest_shift(followed(wave, h, step, scheme), limit));
-    const bool composed = scheme.composition != TimeComposition::none;
-    std::string id = title(scheme);
-    std::erase(id, ',');
-    std::replace(id.begin(), id.end(), ' ', '-');
-    run.record.check({.id = "time-" + id,
-                      .text = fmt::format("In time: {} is of order {}.", title(scheme), composed ? 4 : 2),
-                      .quantity = "observed order of the largest error of a marker",
-                      .source = composed ? "Yoshida (1990), Suzuki (1990)" : source},
-                     evidence::observed_order(tau, error, 1e-12),
-                     Order{composed ? 4.0 : 2.0, composed ? 0.2 : 0.1,
-                           "smooth motion; below 1e-12 the rounding of coordinates up to 60 counts"});
-    panel.points(title(scheme), tau, error, Role::computed);
-    (composed ? fourth : second) = error;
+  for (std::size_t k = 0; k < schemes_in_time.size(); ++k) {
+    panel.points(title(schemes_in_time.at(k)), r.tau, r.in_time[k], Role::computed);
   }
-  slope_guide(panel, 2, tau, 0.2 * second.back());
-  slope_guide(panel, 4, tau, 0.5 * fourth.back());
+  slope_guide(panel, 2, r.tau, 0.2 * r.in_time[1].back());
+  slope_guide(panel, 4, r.tau, 0.5 * r.in_time.back().back());
 }
 
-/// Energy of the one-step scheme: a fourth with each halving of the step.
-void halve_steps(Running& run, const SerreWave& wave) {
-  std::vector<double> defects;
-  const std::vector<double> taus = fractions(run.real("tau") / 2, 4);
-  for (const double tau : taus) {
-    Flow flow = start(wave, run.real("h"), one_step);
-    defects.push_back(follow(flow, wave, run.real("h"), tau).energy.back());
-  }
-  double worst = 4;
-  for (std::size_t k = 0; k + 1 < defects.size(); ++k) {
-    const double ratio = defects[k] / defects[k + 1];
-    run.record.measure(fmt::format("energy_ratio_{}", k + 1), ratio);
-    if (std::abs(ratio - 4) > std::abs(worst - 4)) worst = ratio;
-  }
-  run.record.check(
-      {.id = "energy-ratio",
-       .text = "One-step: each halving of the step divides the energy defect by four.",
-       .quantity = "ratio farthest from four",
-       .source = "Frank (1994), chapter 1: second order"},
-      {.value = worst, .resolution = fmt::format("tau = {:g} .. {:g}", taus.front(), taus.back())},
-      Bound{.limit = 1,
-            .reason = "steps up to h/5; of longer ones the fourth-order part, of opposite sign, takes off more",
-            .expected = 4});
-}
-
-void draw_histories(Running& run, const SerreWave& wave) {
-  auto& figure = run.record.figure("histories", "What is kept during the run",
-                                   "Crest over the amplitude, its phase, and the largest defects so far.");
+void draw_histories(evidence::Exhibit& exhibit, const Results& r) {
+  auto& figure = exhibit.figure("histories", "What is kept during the run",
+                                "Crest over the amplitude, its phase, and the largest defects so far.");
   auto& crest = figure.panel({.x = "t", .y = "crest/a"});
   auto& phase = figure.panel({.x = "t", .y = "crest less exact crest"});
   auto& energy = figure.panel({.x = "t", .y = "relative energy defect", .log_y = true});
   auto& volume = figure.panel({.x = "t", .y = "relative volume defect of a cell", .log_y = true});
-  for (const Stepping stepping : {Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative}) {
-    const Scheme scheme{.stepping = stepping};
-    Flow flow = start(wave, run.real("h"), scheme);
-    const SerreHistory h = follow(flow, wave, run.real("h"), run.real("tau"));
-    crest.line(title(scheme), h.time, h.crest, Role::computed);
-    phase.line(title(scheme), h.time, h.phase, Role::computed);
-    draw_defects(energy, title(scheme), h, &SerreHistory::energy);
-    draw_defects(volume, title(scheme), h, &SerreHistory::volume);
+  for (std::size_t k = 0; k < steppings.size(); ++k) {
+    const std::string name = title(Scheme{.stepping = steppings.at(k)});
+    const SerreHistory& h = r.histories[k];
+    crest.line(name, h.time, h.crest, Role::computed);
+    phase.line(name, h.time, h.phase, Role::computed);
+    draw_defects(energy, name, h, &SerreHistory::energy);
+    draw_defects(volume, name, h, &SerreHistory::volume);
   }
 }
 
-/// The run that the parameters describe.
-void follow_one(Running& run, const SerreWave& wave) {
-  const Scheme scheme{.stepping = dispersive_shallow_water_1d::stepping_named(run.text("scheme")),
-                      .composition = dispersive_shallow_water_1d::composition_named(run.text("composition"))};
-  Flow flow = start(wave, run.real("h"), scheme);
-  const double energy = flow.energy();
-  const SerreHistory h = follow(flow, wave, run.real("h"), run.real("tau"));
-  const SerreErrors errors = errors_of(flow, wave);
-  run.record.measure("l2_eta", errors.l2);
-  run.record.measure("max_eta", errors.largest);
-  run.record.measure("l2_velocity", errors.velocity);
-  run.record.measure("phase_error", errors.phase);
-  run.record.measure("crest", errors.crest);
-  run.record.measure("energy_defect", h.energy.back());
-  run.record.measure("momentum_defect", h.momentum.back());
-  run.record.measure("volume_defect", h.volume.back());
-  run.record.measure("solves_per_step", static_cast<double>(flow.solves()) / static_cast<double>(flow.steps()));
-
-  const std::string resolution = fmt::format("{}, h = {:g}, tau = {:g}", title(scheme), run.real("h"), run.real("tau"));
-  const auto operations = static_cast<double>(flow.solves());
-  const auto claim = [&](const std::string& id, const std::string& text, double value, double scale,
-                         const std::string& reason) {
-    run.record.check({.id = id, .text = text, .quantity = "largest relative defect", .source = source},
-                     {.value = value, .resolution = resolution},
-                     Roundoff{.operations = operations, .scale = scale, .reason = reason + ", once per solve"});
-  };
-  claim("momentum", "Momentum is kept: the bottom is level.", h.momentum.back(), 1, "the rounded momentum");
-  if (scheme.stepping == Stepping::conservative) {
-    claim("energy", "Energy is kept.", h.energy.back(), 1, fmt::format("the rounded energy {:.3g}", energy));
-    claim("volume", "Every cell's volume is kept.", h.volume.back(), wave.end / run.real("h"),
-          "a rounded coordinate, up to the channel's length, over the width of a cell");
-  }
-
+void draw_wave(evidence::Exhibit& exhibit, const Results& r, const Values& values) {
+  const SerreWave& wave = r.wave;
+  const Flow& flow = r.own.flow;
   auto& figure =
-      run.record.figure("wave", "The wave at the end", "Surface and its error at the markers: " + resolution);
+      exhibit.figure("wave", "The wave at the end", "Surface and its error at the markers: " + resolution(values));
   auto& surface = figure.panel({.x = "x - c t", .y = "elevation"});
   auto& error = figure.panel({.x = "x - c t", .y = "error of the elevation"});
   const exact::SerreSolitary exact = wave.exact();
@@ -326,9 +431,7 @@ void follow_one(Running& run, const SerreWave& wave) {
   std::vector<double> elevation;
   for (const double s : fine) elevation.push_back(exact.elevation(s));
   surface.line("exact", fine, elevation, Role::exact);
-  std::vector<double> place;
-  std::vector<double> height;
-  std::vector<double> difference;
+  std::vector<double> place, height, difference;
   for (std::size_t i = 0; i < flow.x().size(); ++i) {
     const double s = std::remainder(flow.x()[i] - wave.crest - exact.speed() * flow.time(), wave.length());
     if (std::abs(s) > reach) continue;
@@ -336,22 +439,30 @@ void follow_one(Running& run, const SerreWave& wave) {
     height.push_back(flow.y()[i]);
     difference.push_back(flow.y()[i] - exact.elevation(s));
   }
-  surface.points(title(scheme), place, height, Role::computed);
-  error.points(title(scheme), place, difference, Role::computed);
+  const std::string name = title(scheme_of(values));
+  surface.points(name, place, height, Role::computed);
+  error.points(name, place, difference, Role::computed);
 }
 
-void run(Running& run) {
-  const SerreWave wave = wave_of(run.values());
-  follow_one(run, wave);
-  run.progress(0.05);
-  draw_histories(run, wave);
-  run.progress(0.1);
-  refine_both(run, wave);
-  run.progress(0.5);
-  refine_one(run, wave);
-  run.progress(0.7);
-  refine_time(run, wave);
-  halve_steps(run, wave);
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const OwnRun& own = r.own;
+  exhibit.measure("l2_eta", own.errors.l2);
+  exhibit.measure("max_eta", own.errors.largest);
+  exhibit.measure("l2_velocity", own.errors.velocity);
+  exhibit.measure("phase_error", own.errors.phase);
+  exhibit.measure("crest", own.errors.crest);
+  exhibit.measure("energy_defect", own.history.energy.back());
+  exhibit.measure("momentum_defect", own.history.momentum.back());
+  exhibit.measure("volume_defect", own.history.volume.back());
+  exhibit.measure("solves_per_step", static_cast<double>(own.flow.solves()) / static_cast<double>(own.flow.steps()));
+  for (std::size_t k = 0; k + 1 < r.energy.size(); ++k) {
+    exhibit.measure(fmt::format("energy_ratio_{}", k + 1), r.energy_ratio(k));
+  }
+  draw_wave(exhibit, r, values);
+  draw_histories(exhibit, r);
+  draw_together(exhibit, r, values);
+  draw_alone(exhibit, r);
+  draw_orders_in_time(exhibit, r);
 }
 
 }  // namespace
@@ -375,7 +486,7 @@ Case solitary_1d() {
       real("alpha", 1.0 / 3, "1", {0.1, 1}, "factor of the vertical kinetic energy"),
       integer("levels", {5, 6, 7}, {4, 9}, "refinements of cells and steps together"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

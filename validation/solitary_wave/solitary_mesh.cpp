@@ -25,20 +25,20 @@ end, when it has long gone. `impulse`: the velocities that an impulsive pressure
 potential of the exact wave, gives the mesh at rest. They are a potential flow of the mesh, and the fold does not come.
 A small restoring force (`hourglass`) prevents it too.
 */
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <tuple>
 
 #include <fmt/format.h>
 
+#include "reports/evidence/slope_guide.hpp"
 #include "seiche/models/lagrangian_mesh_2d/impulsive_start.hpp"
 #include "validation/case/case.hpp"
-#include "validation/instruments/crest_track.hpp"
-#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 #include "validation/case/reference_case.hpp"
-#include "reports/evidence/slope_guide.hpp"
+#include "validation/instruments/crest_track.hpp"
 #include "validation/instruments/mesh_solitary_wave.hpp"
+#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -54,7 +54,10 @@ using lagrangian_mesh_2d::Settings;
 using lagrangian_mesh_2d::Stepping;
 
 const std::string source = "Frank (1994), chapter 2";
-const std::string digits = "computed once by an independent implementation";
+const std::string table_of_digits = "regression_solitary_mesh";
+const std::string digits =
+    "regression: an earlier program for the same scheme, table reference_data/" + table_of_digits;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double length = 60;  // of the tank
 constexpr double start = 15;
 constexpr double duration = 20;
@@ -69,6 +72,10 @@ struct Outcome {
   double phase = 0;        ///< crest less exact crest at the end
   double energy = 0;       ///< largest relative defect
   double area = 0;         ///< largest defect of a cell over its area
+  long solves = 0;
+
+  /// One of the errors; NaN where the mesh folded on the way.
+  [[nodiscard]] double whole(double Outcome::*error) const { return track.folded ? nan : this->*error; }
 };
 
 enum class First { sampled, impulse };  ///< velocities
@@ -96,7 +103,8 @@ Outcome travel(Flow& flow, const SolitaryWave& wave, double tau) {
   result.phase = track.place.back() - start - wave.speed() * track.time.back();
   result.energy = flow.ledger().entry("energy").largest_defect / flow.ledger().entry("energy").initial;
   const auto areas = flow.model().first_areas();
-  result.area = flow.ledger().entry("volume_worst").largest_defect / *std::min_element(areas.begin(), areas.end());
+  result.area = flow.ledger().entry("volume_worst").largest_defect / smallest(areas);
+  result.solves = static_cast<long>(flow.model().solver().solutions());
   return result;
 }
 
@@ -112,315 +120,353 @@ MeshResolution with_rows(long rows) {
   return {.column_width = 2 * height, .rows = rows, .tau = 0.4 * height};
 }
 
-evidence::Table table_of_runs(const std::string& id, const std::string& title, const std::string& caption) {
-  return {.id = id,
-          .title = title,
-          .caption = caption,
-          .columns = {{"amplitude", "depth"},
-                      {"h1", "depth"},
-                      {"rows", "1"},
-                      {"tau", "sqrt(depth/g)"},
-                      {"speed error", "1"},
-                      {"crest at the end", "depth"},
-                      {"profile error", "depth"},
-                      {"phase error", "depth"},
-                      {"worst corner", "1"},
-                      {"until", "sqrt(depth/g)"}}};
-}
-
-void add_row(evidence::Table& table, double amplitude, const MeshResolution& mesh, const Outcome& run) {
-  table.rows.push_back({amplitude, mesh.column_width, static_cast<double>(mesh.rows), mesh.tau, run.speed_error,
-                        run.crest, run.profile, run.phase, run.track.worst_corner, run.track.time.back()});
-}
-
-/// A number as it is printed, with the unit of its last digit.
-struct Printed {
-  double value;
-  double unit;
-};
-
-struct Published {
+/// A wave on a mesh and what became of it.
+struct Travel {
   double amplitude;
   MeshResolution mesh;
-  Printed speed_error, crest, profile;
+  Outcome outcome = {};
+};
+using Travels = std::vector<Travel>;
+
+evidence::Table table_of(const Travels& travels, const std::string& id, const std::string& title,
+                         const std::string& caption) {
+  evidence::Table table{.id = id,
+                        .title = title,
+                        .caption = caption,
+                        .columns = {{"amplitude", "depth"},
+                                    {"h1", "depth"},
+                                    {"rows", "1"},
+                                    {"tau", "sqrt(depth/g)"},
+                                    {"speed error", "1"},
+                                    {"crest at the end", "depth"},
+                                    {"profile error", "depth"},
+                                    {"phase error", "depth"},
+                                    {"worst corner", "1"},
+                                    {"until", "sqrt(depth/g)"}}};
+  for (const auto& [amplitude, mesh, run] : travels) {
+    table.rows.push_back({amplitude, mesh.column_width, static_cast<double>(mesh.rows), mesh.tau, run.speed_error,
+                          run.crest, run.profile, run.phase, run.track.worst_corner, run.track.time.back()});
+  }
+  return table;
+}
+
+struct Results {
+  SolitaryWave wave;
+  Flow flow;  ///< of the run that the parameters describe
+  Outcome own;
+  Travels steps;         ///< the one-step scheme with ever smaller steps
+  Outcome conservative;  ///< on the same mesh
+  Travels sides;         ///< coarse, columns halved, rows halved, both
+  Travels refinement;
+  Travels tabulated;
+  Outcome sampled, impulse, held;  ///< the coarsest mesh under a high wave
 };
 
-const std::vector<Published>& published() {
-  static const MeshResolution one{1, 2, 0.1};
-  static const MeshResolution two{0.5, 4, 0.1};
-  static const MeshResolution three{0.25, 8, 0.05};
-  static const MeshResolution four{0.125, 16, 0.025};
-  static const std::vector<Published> all = {
-      {0.1, one, {-6.7e-3, 1e-4}, {0.0988, 1e-4}, {3.6e-3, 1e-4}},
-      {0.1, two, {-1.9e-3, 1e-4}, {0.0997, 1e-4}, {1.0e-3, 1e-4}},
-      {0.1, three, {-4.9e-4, 1e-5}, {0.0999, 1e-4}, {2.7e-4, 1e-5}},
-      {0.1, four, {-1.25e-4, 1e-6}, {0.1000, 1e-4}, {6.9e-5, 1e-6}},
-      {0.3, one, {-8.3e-3, 1e-4}, {0.2823, 1e-4}, {2.0e-2, 1e-3}},
-      {0.3, two, {-2.3e-3, 1e-4}, {0.2938, 1e-4}, {6.4e-3, 1e-4}},
-      {0.3, three, {-6.0e-4, 1e-5}, {0.2981, 1e-4}, {1.9e-3, 1e-4}},
-      {0.3, four, {-1.5e-4, 1e-5}, {0.2995, 1e-4}, {5.1e-4, 1e-5}},
-      {0.5, two, {-4.3e-3, 1e-4}, {0.4776, 1e-4}, {2.1e-2, 1e-3}},
-      {0.5, three, {-1.3e-3, 1e-4}, {0.4918, 1e-4}, {8.0e-3, 1e-4}},
-      {0.5, four, {-3.7e-4, 1e-5}, {0.4975, 1e-4}, {2.5e-3, 1e-4}},
-  };
-  return all;
-}
+constexpr std::array<double, 3> tabulated_amplitudes{0.1, 0.3, 0.5};
+const MeshResolution coarse{0.5, 4, 0.1};
+const MeshResolution coarsest{1, 2, 0.1};
 
-/// How far a number is from a printed one, beyond what the printing rounds away.
-double beyond_rounding(double value, const Printed& printed) {
-  return std::max(0.0, std::abs(value - printed.value) - 0.5 * printed.unit);
-}
-
-void claim_published(Running& run) {
-  evidence::Table table = table_of_runs("published", "Three heights on the same meshes as an independent program",
-                                        "One-step scheme, no hourglass force.");
-  for (const double amplitude : {0.1, 0.3, 0.5}) {
-    const SolitaryWave wave(amplitude);
-    double speed = 0;
-    double crest = 0;
-    double profile = 0;
-    std::string meshes;
-    for (const Published& one : published()) {
-      if (one.amplitude != amplitude || (one.mesh.rows > 8 && run.tier() == Tier::quick)) continue;
-      const Outcome outcome = travel(wave, one.mesh);
-      add_row(table, amplitude, one.mesh, outcome);
-      speed = std::max(speed, beyond_rounding(outcome.speed_error, one.speed_error));
-      crest = std::max(crest, beyond_rounding(outcome.crest, one.crest));
-      profile = std::max(profile, beyond_rounding(outcome.profile, one.profile));
-      meshes += fmt::format("{}{}", meshes.empty() ? "rows: " : ", ", one.mesh.rows);
-    }
-    const Bound rounding{.limit = 0, .reason = "half a unit of the last digit given is all that may differ"};
-    const Bound beginning{.limit = 1e-3,
-                          .reason =
-                              "the speed of a line that begins 0.4 later differs by that on the coarsest mesh; when "
-                              "the other program's begins is not known to more digits"};
-    const auto claim = [&](const std::string& id, const std::string& what, double worst, const Bound& bound) {
-      run.record.check({.id = fmt::format("digits-{}-{:.0f}", id, 10 * amplitude),
-                        .text = fmt::format("A = {:g}: the {} is that of an independent program.", amplitude, what),
-                        .quantity = "largest difference beyond half a unit of the last digit given, over A",
-                        .source = digits},
-                       {.value = worst / amplitude, .resolution = meshes}, bound);
-    };
-    claim("speed", "speed error", speed, beginning);
-    claim("crest", "height of the crest", crest, rounding);
-    claim("profile", "profile error", profile, rounding);
+/// The meshes of an earlier program, not yet travelled; the finest not in the quick tier.
+Travels tabulated_meshes(const Values& values, const io::Table& table) {
+  Travels meshes;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const long rows = std::lround(table.column("rows")[k]);
+    if (rows > 8 && values.tier() == Tier::quick) continue;
+    meshes.push_back({table.column("A")[k], {table.column("h1")[k], rows, table.column("tau")[k]}});
   }
-  run.record.table(std::move(table));
+  return meshes;
+}
+
+/// How far a column's measures are from an earlier program's, beyond what the printing rounds away.
+Worst beyond_rounding(const Results& r, const io::Table& table, double amplitude, double Outcome::*measure,
+                      const std::string& column) {
+  Worst beyond;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    for (const Travel& travel : r.tabulated) {
+      if (table.column("A")[k] != amplitude || travel.amplitude != amplitude ||
+          table.column("rows")[k] != static_cast<double>(travel.mesh.rows)) {
+        continue;
+      }
+      const double off =
+          std::abs(travel.outcome.whole(measure) - table.column(column)[k]) - 0.5 * table.column(column + "_unit")[k];
+      beyond.add(off < 0 ? 0 : off);
+    }
+  }
+  return beyond;
+}
+
+void claim_tabulated(Claims<Results> claims, const Values& values) {
+  const io::Table table = values.table(table_of_digits);
+  const Bound rounding{.limit = 0, .reason = "half a unit of the last digit given is all that may differ"};
+  const Bound beginning{.limit = 1e-3,
+                        .reason =
+                            "the speed of a line that begins 0.4 later differs by that on the coarsest mesh; when "
+                            "the other program's begins is not known to more digits"};
+  for (const double amplitude : tabulated_amplitudes) {
+    std::string meshes;
+    for (const Travel& travel : tabulated_meshes(values, table)) {
+      if (travel.amplitude != amplitude) continue;
+      meshes += fmt::format("{}{}", meshes.empty() ? "rows: " : ", ", travel.mesh.rows);
+    }
+    const auto claim = [&](const std::string& id, const std::string& what, double Outcome::*measure,
+                           const std::string& column, const Bound& bound) {
+      claims.at(meshes).check(
+          {.id = fmt::format("digits-{}-{:.0f}", id, 10 * amplitude),
+           .text = fmt::format("A = {:g}: the {} is that of an earlier program.", amplitude, what),
+           .quantity = "largest difference beyond half a unit of the last digit given, over A",
+           .source = digits},
+          [=](const Results& r) { return beyond_rounding(r, table, amplitude, measure, column).value() / amplitude; },
+          bound);
+    };
+    claim("speed", "speed error", &Outcome::speed_error, "speed_error", beginning);
+    claim("crest", "height of the crest", &Outcome::crest, "crest", rounding);
+    claim("profile", "profile error", &Outcome::profile, "profile", rounding);
+  }
 }
 
 /// The coarsest mesh under a high wave: how long it lasts with either start, and with the restoring force.
-void claim_fold(Running& run) {
-  const SolitaryWave wave(0.5);
-  const MeshResolution mesh{1, 2, 0.1};
-  const Outcome sampled = travel(wave, mesh);
-  const Outcome impulse = travel(wave, mesh, {}, 0, First::impulse);
-  const Outcome held = travel(wave, mesh, {}, 0.02);
-  if (sampled.track.folded) {
-    run.record.measure("fold_time", sampled.track.folded->time());
-    run.record.measure("fold_place", sampled.track.folded->place());
-  }
+void claim_fold(Claims<Results> all) {
+  const auto claims = all.at(coarsest.text());
   const Bound to_the_end{
       .limit = 1e-9, .reason = "the time that was asked for, to the rounding of its steps", .expected = duration};
   const auto claim = [&](const std::string& id, const std::string& sentence) {
     return evidence::Claim{
         .id = id, .text = sentence, .quantity = "end of the run", .unit = "sqrt(depth/g)", .source = source};
   };
-  const auto end = [&](const Outcome& outcome) {
-    return evidence::Measurement{.value = outcome.track.time.back(), .resolution = mesh.text()};
+  const auto end = [](Outcome Results::*outcome) {
+    return [outcome](const Results& r) { return (r.*outcome).track.time.back(); };
   };
-  run.record.known_failure(
+  claims.known_failure(
       claim("fold",
             "A = 0.5 on cells one depth wide: no corner folds behind a wave that starts with sampled velocities."),
-      end(sampled), to_the_end,
-      "surface nodes with the exact velocity slide over the row beneath: no force stops them" +
-          (sampled.track.folded ? fmt::format("; {}", sampled.track.folded->what()) : ""));
-  run.record.check(claim("fold-impulse", "Nor behind one that an impulse on the surface starts."), end(impulse),
-                   to_the_end);
-  run.record.check(claim("fold-hourglass", "Nor where the hourglass force, kappa_0 = 0.02, holds the mesh."), end(held),
-                   to_the_end);
-  for (const auto& [id, outcome] :
-       {std::pair{"sampled", &sampled}, std::pair{"impulse", &impulse}, std::pair{"hourglass", &held}}) {
-    run.record.measure(fmt::format("worst_corner_{}", id), outcome->track.worst_corner);
-    run.record.measure(fmt::format("crest_{}", id), outcome->crest);
-    run.record.measure(fmt::format("speed_error_{}", id), outcome->speed_error);
-  }
+      end(&Results::sampled), to_the_end,
+      {.value = 19.2,
+       .width = 0.2,
+       .reason = "surface nodes with the exact velocity slide over the row beneath: no force stops them; two steps "
+                 "earlier or later the same corner folds"});
+  claims.check(claim("fold-impulse", "Nor behind one that an impulse on the surface starts."), end(&Results::impulse),
+               to_the_end);
+  claims.check(claim("fold-hourglass", "Nor where the hourglass force, kappa_0 = 0.02, holds the mesh."),
+               end(&Results::held), to_the_end);
 }
 
-/// Columns, rows and steps refined together.
-void refine(Running& run, const SolitaryWave& wave) {
-  const double amplitude = wave.amplitude();
-  evidence::Table table = table_of_runs("refinement", "Columns, rows and steps refined together",
-                                        "One-step scheme, as the parameters else.");
-  auto& errors = run.record
-                     .figure("errors", "Errors against the height of the cells",
-                             "At the end of the run; cells twice as wide as high, five steps to a column.")
-                     .panel({.x = "h2 [depth]", .y = "error", .log_x = true, .log_y = true});
-  auto& history = run.record.figure("history", "The crest on its way",
-                                    "The wave of the mesh is not quite the exact one: the crest falls back while the "
-                                    "difference is left behind.");
-  auto& lag = history.panel({.x = "t [sqrt(depth/g)]", .y = "crest less exact crest [depth]"});
-  auto& height = history.panel({.x = "t [sqrt(depth/g)]", .y = "crest/A"});
-  std::vector<long> ladder = {4, 6, 8, 12, 16};
-  if (run.tier() != Tier::quick) ladder.push_back(24);
-  std::vector<double> h2, speed, loss, profile, phase;
-  for (const long rows : ladder) {
-    const MeshResolution mesh = with_rows(rows);
-    const Outcome outcome = travel(wave, mesh, {}, run.real("hourglass"), first_of(run.values()));
-    add_row(table, amplitude, mesh, outcome);
-    std::vector<double> lags;
-    std::vector<double> heights;
-    for (std::size_t k = 0; k < outcome.track.time.size(); ++k) {
-      lags.push_back(outcome.track.place[k] - start - wave.speed() * outcome.track.time[k]);
-      heights.push_back(outcome.track.elevation[k] / amplitude);
-    }
-    lag.line(fmt::format("{} rows", rows), outcome.track.time, lags, Role::computed);
-    height.line(fmt::format("{} rows", rows), outcome.track.time, heights, Role::computed);
-    if (outcome.track.folded) continue;
-    h2.push_back(1 / static_cast<double>(rows));
-    speed.push_back(std::abs(outcome.speed_error));
-    loss.push_back(std::abs(amplitude - outcome.crest) / amplitude);
-    profile.push_back(outcome.profile / amplitude);
-    phase.push_back(std::abs(outcome.phase));
-  }
-  run.record.table(std::move(table));
-  if (h2.empty()) return;
-  for (const auto& [id, what, values] :
-       {std::tuple{"speed", "speed", &speed}, std::tuple{"crest", "loss of height over A", &loss},
-        std::tuple{"profile", "profile over A", &profile}, std::tuple{"phase", "phase [depth]", &phase}}) {
-    errors.points(what, h2, *values, Role::computed);
-    run.record.check({.id = fmt::format("order-{}", id),
-                      .text = fmt::format("Error of the {}: second order.", what),
-                      .quantity = "observed order",
-                      .source = source},
-                     evidence::observed_order(h2, *values),
-                     Order{2, 0.3,
-                           "the next term is of third order, not fourth: surface nodes feel the pressure half a cell "
-                           "below; with four rows it takes a fifth off the error, so 0.2 off the order"});
-  }
-  slope_guide(errors, 2, h2, 2 * phase.back());
+/// The refined errors, as figures and claims call them.
+struct Refined {
+  const char* id;
+  const char* what;
+  double (*of)(const Travel&);
+};
+constexpr std::array<Refined, 4> refined{
+    {{"speed", "speed", [](const Travel& t) { return std::abs(t.outcome.whole(&Outcome::speed_error)); }},
+     {"crest", "loss of height over A",
+      [](const Travel& t) { return std::abs(t.amplitude - t.outcome.whole(&Outcome::crest)) / t.amplitude; }},
+     {"profile", "profile over A", [](const Travel& t) { return t.outcome.whole(&Outcome::profile) / t.amplitude; }},
+     {"phase", "phase [depth]", [](const Travel& t) { return std::abs(t.outcome.whole(&Outcome::phase)); }}}};
+
+template <class Quantity>
+std::vector<double> each(const Travels& travels, Quantity quantity) {
+  std::vector<double> values;
+  for (const Travel& travel : travels) values.push_back(std::invoke(quantity, travel));
+  return values;
 }
 
-/// Which of the cell's sides matters.
-void refine_one_side(Running& run, const SolitaryWave& wave) {
-  evidence::Table table = table_of_runs("sides", "Columns alone, rows alone", "The steps are the same, 0.05.");
-  const auto profile = [&](double column_width, long rows) {
-    const MeshResolution mesh{column_width, rows, 0.05};
-    const Outcome outcome = travel(wave, mesh, {}, run.real("hourglass"), first_of(run.values()));
-    add_row(table, wave.amplitude(), mesh, outcome);
-    return outcome.track.folded ? std::numeric_limits<double>::quiet_NaN() : outcome.profile;
-  };
-  const double both_coarse = profile(0.5, 4);
-  const double columns_halved = profile(0.25, 4);
-  const double rows_halved = profile(0.5, 8);
-  profile(0.25, 8);
-  run.record.measure("gain_of_columns", 1 - columns_halved / both_coarse);
-  run.record.measure("gain_of_rows", 1 - rows_halved / both_coarse);
-  run.record.check(
-      {.id = "rows-govern",
-       .text = "The height of the cells governs the error: halving it takes off more than halving the width.",
-       .quantity = "profile error with half the height over that with half the width",
-       .source = source},
-      {.value = rows_halved / columns_halved, .resolution = "from h1 = 0.5, 4 rows"},
-      Bound{.limit = 1, .reason = "more than means a ratio below 1"});
-  run.record.table(std::move(table));
+std::vector<double> heights_of_cells(const Travels& travels) {
+  return each(travels, [](const Travel& t) { return 1 / static_cast<double>(t.mesh.rows); });
 }
 
 /// What the steps keep: the one-step scheme to second order in them, the conservative one to round-off.
-void claim_conservation(Running& run, const SolitaryWave& wave) {
-  const MeshResolution coarse{0.5, 4, 0.1};
-  std::vector<double> tau, energy, area;
-  for (int k = 0; k < 4; ++k) {
-    MeshResolution mesh = coarse;
-    mesh.tau = coarse.tau / static_cast<double>(1L << k);
-    const Outcome outcome = travel(wave, mesh, {}, run.real("hourglass"), first_of(run.values()));
-    tau.push_back(mesh.tau);
-    energy.push_back(outcome.energy);
-    area.push_back(outcome.area);
-  }
-  const auto claim_order = [&](const std::string& id, const std::string& what, const std::vector<double>& defects) {
-    run.record.check({.id = "one-step-" + id,
-                      .text = "One-step: " + what + " are kept to second order in the step.",
-                      .quantity = "observed order of the largest relative defect",
-                      .source = "Frank (1994), chapter 1"},
-                     evidence::observed_order(tau, defects),
-                     Order{2, 0.1, "even powers of the step only: the scheme is time-reversible"});
+void claim_conservation(Claims<Results> claims) {
+  const auto claim_order = [&](const std::string& id, const std::string& what, double Outcome::*defect) {
+    claims.check(
+        {.id = "one-step-" + id,
+         .text = "One-step: " + what + " are kept to second order in the step.",
+         .quantity = "observed order of the largest relative defect",
+         .source = "Frank (1994), chapter 1"},
+        [defect](const Results& r) {
+          return evidence::observed_order(each(r.steps, [](const Travel& t) { return t.mesh.tau; }),
+                                          each(r.steps, [defect](const Travel& t) { return t.outcome.whole(defect); }));
+        },
+        Order{2, 0.1, "even powers of the step only: the scheme is time-reversible"});
   };
-  claim_order("energy", "energy", energy);
-  claim_order("area", "areas", area);
-
-  Flow flow =
-      flow_of(wave, coarse, {.stepping = Stepping::conservative}, run.real("hourglass"), first_of(run.values()));
-  const Outcome kept = travel(flow, wave, coarse.tau);
-  run.record.measure("conservative_speed_error", kept.speed_error);
-  const auto solves = static_cast<double>(flow.model().solver().solutions());
-  const auto claim_kept = [&](const std::string& id, const std::string& text, double value, double scale,
+  claim_order("energy", "energy", &Outcome::energy);
+  claim_order("area", "areas", &Outcome::area);
+  const auto claim_kept = [&](const std::string& id, const std::string& text, double Outcome::*defect, double scale,
                               const std::string& reason) {
-    run.record.check(
-        {.id = "conservative-" + id, .text = text, .quantity = "largest relative defect", .source = source},
-        {.value = value, .resolution = coarse.text()},
-        Roundoff{.operations = solves, .scale = scale, .reason = reason + ", once per solve"});
+    claims.at(coarse.text())
+        .check(
+            {.id = "conservative-" + id, .text = text, .quantity = "largest relative defect", .source = source},
+            [defect](const Results& r) -> Measurement {
+              return {.value = r.conservative.whole(defect),
+                      .told = {.operations = static_cast<double>(r.conservative.solves)}};
+            },
+            // A step takes less than a hundred solves.
+            Roundoff{.operations = evidence::Amount::told_by_run(100 * duration / coarse.tau),
+                     .scale = scale,
+                     .reason = reason + ", once per solve"});
   };
-  claim_kept("energy", "Conservative: energy is kept.", kept.energy, 1, "the rounded energy");
-  claim_kept("area", "Conservative: the area of every cell is kept.", kept.area, length / coarse.column_width,
+  claim_kept("energy", "Conservative: energy is kept.", &Outcome::energy, 1, "the rounded energy");
+  claim_kept("area", "Conservative: the area of every cell is kept.", &Outcome::area, length / coarse.column_width,
              "a rounded coordinate, up to the tank's length, over the width of a cell");
 }
 
-/// The run that the parameters describe.
-void follow_one(Running& run, const SolitaryWave& wave) {
-  const MeshResolution mesh{run.real("h1"), run.integer("rows"), run.real("tau")};
-  Flow flow = flow_of(wave, mesh, {.stepping = mechanics::stepping_named(run.text("scheme"))}, run.real("hourglass"),
-                      first_of(run.values()));
-  const Outcome outcome = travel(flow, wave, mesh.tau);
-  if (outcome.track.folded) throw *outcome.track.folded;
-  run.record.measure("h1_used", length / static_cast<double>(mesh.columns(length)));
-  run.record.measure("speed", outcome.track.speed(settled));
-  run.record.measure("speed_from_the_start",
-                     (outcome.track.place.back() - outcome.track.place.front()) / outcome.track.time.back());
-  run.record.measure("exact_speed", wave.speed());
-  run.record.measure("speed_error", outcome.speed_error);
-  run.record.measure("end_amplitude", outcome.crest);
-  run.record.measure("phase_error", outcome.phase);
-  run.record.measure("max_profile_error", outcome.profile);
-  run.record.measure("energy_defect", outcome.energy);
-  run.record.measure("area_defect", outcome.area);
-  run.record.measure("worst_corner", outcome.track.worst_corner);
+double profile_of_side(const Results& r, std::size_t side) {
+  return r.sides.at(side).outcome.whole(&Outcome::profile);
+}
 
-  const double place = start + wave.speed() * duration;
+void claims(const Values& values, Claims<Results> claims) {
+  claim_conservation(claims);
+  claims.at("from h1 = 0.5, 4 rows")
+      .check(
+          {.id = "rows-govern",
+           .text = "The height of the cells governs the error: halving it takes off more than halving the width.",
+           .quantity = "profile error with half the height over that with half the width",
+           .source = source},
+          [](const Results& r) { return profile_of_side(r, 2) / profile_of_side(r, 1); },
+          Bound{.limit = 1, .reason = "more than means a ratio below 1"});
+  for (const Refined& error : refined) {
+    claims.check(
+        {.id = fmt::format("order-{}", error.id),
+         .text = fmt::format("Error of the {}: second order.", error.what),
+         .quantity = "observed order",
+         .source = source},
+        [of = error.of](const Results& r) {
+          return evidence::observed_order(heights_of_cells(r.refinement), each(r.refinement, of));
+        },
+        Order{2, 0.3,
+              "the next term is of third order, not fourth: surface nodes feel the pressure half a cell "
+              "below; with four rows it takes a fifth off the error, so 0.2 off the order"});
+  }
+  claim_tabulated(claims, values);
+  claim_fold(claims);
+}
+
+Results compute(const Run& run) {
+  const SolitaryWave wave(run.real("amplitude"));
+  const double hourglass = run.real("hourglass");
+  const First first = first_of(run);
+  const MeshResolution own{run.real("h1"), run.integer("rows"), run.real("tau")};
+  const auto on = [&](const MeshResolution& mesh) {
+    return Travel{wave.amplitude(), mesh, travel(wave, mesh, {}, hourglass, first)};
+  };
+  Results r{.wave = wave,
+            .flow = flow_of(wave, own, {.stepping = mechanics::stepping_named(run.text("scheme"))}, hourglass, first)};
+  r.own = travel(r.flow, wave, own.tau);
+  if (r.own.track.folded) throw *r.own.track.folded;
+  run.progress(0.05);
+  for (int k = 0; k < 4; ++k) {
+    r.steps.push_back(on({coarse.column_width, coarse.rows, coarse.tau / static_cast<double>(1L << k)}));
+  }
+  r.conservative = travel(wave, coarse, {.stepping = Stepping::conservative}, hourglass, first);
+  for (const auto& [width, rows] : {std::pair{0.5, 4L}, {0.25, 4L}, {0.5, 8L}, {0.25, 8L}}) {
+    r.sides.push_back(on({width, rows, 0.05}));
+  }
+  run.progress(0.2);
+  std::vector<long> ladder = {4, 6, 8, 12, 16};
+  if (run.tier() != Tier::quick) ladder.push_back(24);
+  for (const long rows : ladder) r.refinement.push_back(on(with_rows(rows)));
+  run.progress(0.7);
+  r.tabulated = tabulated_meshes(run, run.table(table_of_digits));
+  for (Travel& one : r.tabulated) one.outcome = travel(SolitaryWave(one.amplitude), one.mesh);
+  const SolitaryWave high(0.5);
+  r.sampled = travel(high, coarsest);
+  r.impulse = travel(high, coarsest, {}, 0, First::impulse);
+  r.held = travel(high, coarsest, {}, 0.02);
+  return r;
+}
+
+void draw_refinement(evidence::Exhibit& exhibit, const Results& r) {
+  auto& errors = exhibit
+                     .figure("errors", "Errors against the height of the cells",
+                             "At the end of the run; cells twice as wide as high, five steps to a column.")
+                     .panel({.x = "h2 [depth]", .y = "error", .log_x = true, .log_y = true});
+  auto& history = exhibit.figure("history", "The crest on its way",
+                                 "The wave of the mesh is not quite the exact one: the crest falls back while the "
+                                 "difference is left behind.");
+  auto& lag = history.panel({.x = "t [sqrt(depth/g)]", .y = "crest less exact crest [depth]"});
+  auto& height = history.panel({.x = "t [sqrt(depth/g)]", .y = "crest/A"});
+  Travels unfolded;
+  for (const Travel& travel : r.refinement) {
+    const CrestTrack& track = travel.outcome.track;
+    std::vector<double> lags;
+    std::vector<double> heights;
+    for (std::size_t k = 0; k < track.time.size(); ++k) {
+      lags.push_back(track.place[k] - start - r.wave.speed() * track.time[k]);
+      heights.push_back(track.elevation[k] / travel.amplitude);
+    }
+    lag.line(fmt::format("{} rows", travel.mesh.rows), track.time, lags, Role::computed);
+    height.line(fmt::format("{} rows", travel.mesh.rows), track.time, heights, Role::computed);
+    if (!track.folded) unfolded.push_back(travel);
+  }
+  if (unfolded.empty()) return;
+  const std::vector<double> h2 = heights_of_cells(unfolded);
+  for (const Refined& error : refined) errors.points(error.what, h2, each(unfolded, error.of), Role::computed);
+  slope_guide(errors, 2, h2, 2 * each(unfolded, refined.back().of).back());
+}
+
+void draw_wave(evidence::Exhibit& exhibit, const Results& r, const MeshResolution& mesh) {
+  const double place = start + r.wave.speed() * duration;
   const MeshWindow window{place - 6, place + 6};
   auto& figure =
-      run.record.figure("wave", "The wave at the end", "Mesh; surface nodes and exact surface: " + mesh.text() + ".");
+      exhibit.figure("wave", "The wave at the end", "Mesh; surface nodes and exact surface: " + mesh.text() + ".");
   std::vector<double> x = evenly(window.begin, window.end, 241);
   std::vector<double> surface;
-  for (const double at : x) surface.push_back(wave.elevation(at - place));
+  for (const double at : x) surface.push_back(r.wave.elevation(at - place));
   auto& picture = figure.panel(mesh_axes("Mesh", window));
-  draw_mesh(picture, "", flow, window);
+  draw_mesh(picture, "", r.flow, window);
   auto& profile =
       figure.panel({.x = "x [depth]", .y = "elevation [depth]", .x_min = window.begin, .x_max = window.end});
   profile.line("exact", x, surface, Role::exact);
   auto& error =
       figure.panel({.x = "x [depth]", .y = "computed less exact [depth]", .x_min = window.begin, .x_max = window.end});
   std::vector<double> nodes, heights, differences;
-  for (std::size_t i = 0; i < flow.surface_x().size(); ++i) {
-    if (std::abs(flow.surface_x()[i] - place) > 6) continue;
-    nodes.push_back(flow.surface_x()[i]);
-    heights.push_back(flow.surface_y()[i]);
-    differences.push_back(heights.back() - wave.elevation(nodes.back() - place));
+  for (std::size_t i = 0; i < r.flow.surface_x().size(); ++i) {
+    if (std::abs(r.flow.surface_x()[i] - place) > 6) continue;
+    nodes.push_back(r.flow.surface_x()[i]);
+    heights.push_back(r.flow.surface_y()[i]);
+    differences.push_back(heights.back() - r.wave.elevation(nodes.back() - place));
   }
   profile.points("nodes", nodes, heights, Role::computed);
   error.points("nodes", nodes, differences, Role::computed);
 }
 
-void run(Running& run) {
-  const SolitaryWave wave(run.real("amplitude"));
-  follow_one(run, wave);
-  run.progress(0.05);
-  claim_conservation(run, wave);
-  refine_one_side(run, wave);
-  run.progress(0.2);
-  refine(run, wave);
-  run.progress(0.7);
-  claim_published(run);
-  claim_fold(run);
+void measure(evidence::Exhibit& exhibit, const Results& r, const MeshResolution& mesh) {
+  const CrestTrack& track = r.own.track;
+  exhibit.measure("h1_used", length / static_cast<double>(mesh.columns(length)));
+  exhibit.measure("speed", track.speed(settled));
+  exhibit.measure("speed_from_the_start", (track.place.back() - track.place.front()) / track.time.back());
+  exhibit.measure("exact_speed", r.wave.speed());
+  exhibit.measure("speed_error", r.own.speed_error);
+  exhibit.measure("end_amplitude", r.own.crest);
+  exhibit.measure("phase_error", r.own.phase);
+  exhibit.measure("max_profile_error", r.own.profile);
+  exhibit.measure("energy_defect", r.own.energy);
+  exhibit.measure("area_defect", r.own.area);
+  exhibit.measure("worst_corner", track.worst_corner);
+  if (r.sampled.track.folded) {
+    exhibit.measure("fold_time", r.sampled.track.folded->time());
+    exhibit.measure("fold_place", r.sampled.track.folded->place());
+  }
+  for (const auto& [id, outcome] :
+       {std::pair{"sampled", &r.sampled}, std::pair{"impulse", &r.impulse}, std::pair{"hourglass", &r.held}}) {
+    exhibit.measure(fmt::format("worst_corner_{}", id), outcome->track.worst_corner);
+    exhibit.measure(fmt::format("crest_{}", id), outcome->crest);
+    exhibit.measure(fmt::format("speed_error_{}", id), outcome->speed_error);
+  }
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const MeshResolution mesh{values.real("h1"), values.integer("rows"), values.real("tau")};
+  measure(exhibit, r, mesh);
+  draw_wave(exhibit, r, mesh);
+  exhibit.measure("conservative_speed_error", r.conservative.speed_error);
+  exhibit.measure("gain_of_columns", 1 - profile_of_side(r, 1) / profile_of_side(r, 0));
+  exhibit.measure("gain_of_rows", 1 - profile_of_side(r, 2) / profile_of_side(r, 0));
+  exhibit.table(table_of(r.sides, "sides", "Columns alone, rows alone", "The steps are the same, 0.05."));
+  exhibit.table(table_of(r.refinement, "refinement", "Columns, rows and steps refined together",
+                         "One-step scheme, as the parameters else."));
+  draw_refinement(exhibit, r);
+  exhibit.table(table_of(r.tabulated, "published", "Three heights on the same meshes as an earlier program",
+                         "One-step scheme, no hourglass force."));
 }
 
 }  // namespace
@@ -441,11 +487,11 @@ Case solitary_mesh() {
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"},
              "of the run whose measures are kept"),
       choice("start", std::string("sampled"), {"sampled", "impulse"},
-             "first velocities, but for the comparison with the independent program"),
+             "first velocities, but for the comparison with the earlier program"),
       real("hourglass", 0.0, "1", {0, 10},
            "kappa_0 of the force against node motions (-1)^(i+j), with the same exception"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

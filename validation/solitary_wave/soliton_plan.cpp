@@ -19,7 +19,6 @@ slower, which it keeps as well; three layers bring it near the exact one. Where 
 nodes keep sliding slowly over those below, for the exact velocities are not quite those of a potential flow of the
 mesh: it would fold there in the end, long after the wave has gone, and its runs end at $t = 100$.
 */
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -33,99 +32,161 @@ namespace seiche::validation::cases {
 namespace {
 
 using evidence::Bound;
-using evidence::Panel;
 using evidence::Role;
 
 const std::string frank = "Frank (1994), section 4.3";
 
-struct Judged {
+/// A wave on one of the lattices.
+struct Travel {
   std::string id, name;
-  double speed = 1;        ///< that a wave of this height should have
-  double speed_limit = 0;  ///< relative
-  std::string speed_reason;
-  std::string still_settling = {};  ///< why the height is known not to stay; empty: it should
+  PlanSolitonRun run;
+  std::size_t layers = 0;  ///< of the hexahedral mesh; 0: the plan model
+  SolitonTravel found = {};
+  double speed = 0;  ///< that a wave as high as the crest should have
+
+  [[nodiscard]] double band() const { return (found.highest() - found.lowest()) / found.mean_height(); }
+  [[nodiscard]] double speed_error() const { return found.speed() / speed - 1; }
 };
 
-class Travels {
- public:
-  explicit Travels(Running& run)
-      : run_(run),
-        table_{.id = "travels",
-               .title = "Solitary waves on coarse grids",
-               .caption =
-                   "Mean height, its band and speed once the wave has settled; speed against that of the "
-                   "equations for this height; largest relative defect of the energy.",
-               .columns = {{"model", ""},
-                           {"h", "depth"},
-                           {"height", "depth"},
-                           {"lowest", "depth"},
-                           {"highest", "depth"},
-                           {"speed", "sqrt(gH)"},
-                           {"speed error", ""},
-                           {"energy defect", ""}}} {}
+/// Where the nodes of a row are about the crest.
+struct Row {
+  double time;
+  std::vector<double> x, z;
+};
 
-  void add(const Judged& judged, const PlanSolitonRun& soliton, const SolitonTravel& found, Panel& crests) {
-    crests.line(judged.name, found.time, found.height);
-    const double height = found.mean_height();
-    const double speed_error = found.speed() / judged.speed - 1;
-    const std::string resolution = fmt::format("h = {:g}, tau = {:g}", soliton.spacing, soliton.tau);
-    table_.rows.push_back({judged.name, soliton.spacing, fmt::format("{:.5f}", height),
-                           fmt::format("{:.5f}", found.lowest()), fmt::format("{:.5f}", found.highest()),
-                           fmt::format("{:.6f}", found.speed()), speed_error, found.energy_defect});
-    run_.record.measure("height_" + judged.id, height);
-    run_.record.measure("speed_" + judged.id, found.speed());
-    const auto check = [&](const std::string& what, const std::string& text, const std::string& quantity, double value,
-                           const Bound& bound) {
-      run_.record.check(
-          {.id = judged.id + "-" + what, .text = judged.name + ": " + text, .quantity = quantity, .source = frank},
-          {.value = value, .resolution = resolution}, bound);
-    };
-    const evidence::Claim band{.id = judged.id + "-height",
-                               .text = judged.name + ": the height stays.",
-                               .quantity = "band of the height over its mean",
-                               .source = frank};
-    const Bound unseen{0.01, "one per cent is not seen in a plot of the wave"};
-    const evidence::Measurement measured{.value = (found.highest() - found.lowest()) / height,
-                                         .resolution = resolution};
-    if (judged.still_settling.empty()) {
-      run_.record.check(band, measured, unseen);
-    } else {
-      run_.record.known_failure(band, measured, unseen, judged.still_settling);
-    }
-    check("energy", "the energy stays.", "largest relative defect of the energy", found.energy_defect,
-          {2e-3, "the scheme's energy errs by a bounded amount, (omega tau)^2/8 of the wave's shortest parts"});
-    check("speed", "the speed is right.", "relative error of the speed", speed_error,
-          {judged.speed_limit, judged.speed_reason});
+struct Results {
+  std::vector<Travel> travels;
+  std::vector<Row> rows;  ///< on the coarsest cells, at the beginning and at the end
+};
+
+/// All travels, not yet travelled.
+std::vector<Travel> travels_of(const Values& values) {
+  PlanSolitonRun run{.amplitude = values.real("amplitude"),
+                     .time = values.real("time"),
+                     .settled = 0.2 * values.real("time"),
+                     .rows = static_cast<std::size_t>(values.integer("rows")),
+                     .scheme = {.stepping = mechanics::stepping_named(values.text("scheme"))}};
+  std::vector<double> spacings{1, 0.7, 0.5};
+  if (values.real("finest") < 0.495) spacings.push_back(values.real("finest"));
+  std::vector<Travel> all;
+  const PlanSolitonRun mesh = run;
+  for (const double h : spacings) {
+    run.spacing = h;
+    run.tau = 0.4 * h;
+    all.push_back({.id = fmt::format("plan-h{:.0f}", 100 * h), .name = fmt::format("plan, h = {:g}", h), .run = run});
   }
+  for (std::size_t layers = 1; layers <= 3; ++layers) {
+    run = mesh;
+    run.time = mesh.time < 100 ? mesh.time : 100;
+    run.settled = 0.5 * run.time;  // its own wave is farther from the one it starts with
+    all.push_back({.id = fmt::format("mesh-{}-layers", layers),
+                   .name = fmt::format("hexahedra, {} layers", layers),
+                   .run = run,
+                   .layers = layers});
+  }
+  return all;
+}
 
-  void write() { run_.record.table(std::move(table_)); }
+/// Of the energy. omega = sqrt(3a) = 2 kappa c is the rate of the wave's tails; a wave that kept its shape would keep
+/// the difference of the energy from what the scheme conserves.
+Bound energy_bound(const Travel& travel) {
+  const double a = travel.run.amplitude;
+  const double h = travel.run.spacing;
+  const double missed = 3 * a * travel.run.tau * travel.run.tau / 8;
+  const double columns = 3 * a / (1 + a) * h * h / 12;
+  const std::string reason =
+      "(omega tau)^2/8, by which the energy differs from what the scheme keeps, times the part by which the wave "
+      "changes as it becomes that of the lattice: (2 kappa h)^2/12, the error of differences";
+  if (travel.layers == 0) return {missed * columns, reason};
+  const auto layers = static_cast<double>(travel.layers);
+  return {missed * (columns + 0.5 / (layers * layers)),
+          reason + ", and half over the square of the layers, by which masses in nodes raise the vertical inertia"};
+}
 
- private:
-  Running& run_;
-  evidence::Table table_;
-};
-
-void draw_waves(Running& run, const PlanSolitonRun& soliton) {
-  auto& figure = run.record.figure("waves", "The wave at the beginning and at the end",
-                                   fmt::format("Plan model, h = {:g}: nodes of one row about the crest, and the exact "
-                                               "wave of the equations moved to the crest.",
-                                               soliton.spacing),
-                                   {"frank-soliton-plan"});
-  auto& panel = figure.panel({.x = "x - crest", .y = "elevation"});
-  auto flow = plan_soliton_flow(soliton);
-  const auto draw = [&](const std::string& label, double crest, Role role) {
-    std::vector<double> x, z;
-    for (std::size_t i = 0; i <= flow.shape().columns; ++i) {
-      if (std::abs(flow.x()[i] - crest) > 12) continue;
-      x.push_back(flow.x()[i] - crest);
-      z.push_back(flow.z()[i]);
-    }
-    panel.points(label, x, z, role);
+void claim_travel(Claims<Travel> claims, const Travel& travel) {
+  const auto claim = [&](const std::string& what, const std::string& text, const std::string& quantity) {
+    return evidence::Claim{
+        .id = travel.id + "-" + what, .text = travel.name + ": " + text, .quantity = quantity, .source = frank};
   };
-  draw("t = 0", 0, Role::peer);
-  const SolitonTravel found = travel(flow, soliton);
-  draw(fmt::format("t = {:g}", flow.time()), found.place.back(), Role::computed);
-  const exact::SerreSolitary wave(soliton.amplitude);
+  const PlanSolitonRun& run = travel.run;
+  const Bound unseen =
+      travel.layers == 0
+          ? Bound{0.01 * run.spacing * run.spacing,
+                  "one per cent, which is not seen in a plot of the wave, on cells as long as the water is deep; "
+                  "second order in h"}
+          : Bound{0.01, "one per cent is not seen in a plot of the wave"};
+  const evidence::Claim height = claim("height", "the height stays.", "band of the height over its mean");
+  const bool sheds = travel.layers == 1 && run.amplitude == 0.3 && run.time == 100 &&
+                     run.scheme.stepping == mechanics::Stepping::one_step;
+  if (sheds) {
+    claims.known_failure(height, &Travel::band, unseen,
+                         {.value = 0.0118,
+                          .width = 0.0005,
+                          .reason = "the wave of one layer is lower than the one it starts from and still sheds what "
+                                    "it has too much"});
+  } else {
+    claims.check(height, &Travel::band, unseen);
+  }
+  claims.check(
+      claim("energy", "the energy stays.", "largest relative defect of the energy"),
+      [](const Travel& t) { return t.found.energy_defect; }, energy_bound(travel));
+  claims.check(claim("speed", "the speed is right.", "relative error of the speed"), &Travel::speed_error,
+               travel.layers == 0
+                   ? Bound{1e-3 * run.spacing * run.spacing,
+                           "second order in h and tau, with a factor that longer waves make smaller"}
+                   : Bound{0.01, "Frank gives no number: one per cent of the speed of the exact wave of this height"});
+}
+
+void claims(const Values& values, Claims<Results> claims) {
+  const std::vector<Travel> travels = travels_of(values);
+  for (std::size_t k = 0; k < travels.size(); ++k) {
+    claim_travel(claims.at(fmt::format("h = {:g}, tau = {:g}", travels[k].run.spacing, travels[k].run.tau))
+                     .of([k](const Results& r) -> const Travel& { return r.travels.at(k); }),
+                 travels[k]);
+  }
+}
+
+Row row_of(const dispersive_shallow_water_2d::Flow& flow, double crest) {
+  Row row{.time = flow.time()};
+  for (std::size_t i = 0; i <= flow.shape().columns; ++i) {
+    if (std::abs(flow.x()[i] - crest) > 12) continue;
+    row.x.push_back(flow.x()[i] - crest);
+    row.z.push_back(flow.z()[i]);
+  }
+  return row;
+}
+
+Results compute(const Run& run) {
+  Results r{.travels = travels_of(run)};
+  for (Travel& travel : r.travels) {
+    if (travel.layers == 0) {
+      auto flow = plan_soliton_flow(travel.run);
+      const Row beginning = row_of(flow, 0);
+      travel.found = validation::travel(flow, travel.run);
+      travel.speed = std::sqrt(1 + travel.found.mean_height());
+      if (r.rows.empty()) r.rows = {beginning, row_of(flow, travel.found.place.back())};
+    } else {
+      auto flow = layered_soliton_flow(travel.run, travel.layers);
+      travel.found = validation::travel(flow, travel.run);
+      travel.speed = exact::SolitaryWave(travel.found.mean_height()).speed();
+    }
+    run.progress(static_cast<double>(&travel - r.travels.data() + 1) / static_cast<double>(r.travels.size()));
+  }
+  return r;
+}
+
+void draw_waves(evidence::Exhibit& exhibit, const Results& r) {
+  const PlanSolitonRun& coarsest = r.travels.front().run;
+  auto& figure = exhibit.figure("waves", "The wave at the beginning and at the end",
+                                fmt::format("Plan model, h = {:g}: nodes of one row about the crest, and the exact "
+                                            "wave of the equations moved to the crest.",
+                                            coarsest.spacing),
+                                {"frank-soliton-plan"});
+  auto& panel = figure.panel({.x = "x - crest", .y = "elevation"});
+  for (const Row& row : r.rows) {
+    panel.points(fmt::format("t = {:g}", row.time), row.x, row.z, row.time == 0 ? Role::peer : Role::computed);
+  }
+  const exact::SerreSolitary wave(coarsest.amplitude);
   std::vector<double> x, z;
   for (int i = -120; i <= 120; ++i) {
     x.push_back(0.1 * i);
@@ -134,58 +195,36 @@ void draw_waves(Running& run, const PlanSolitonRun& soliton) {
   panel.line("Green-Naghdi", x, z, Role::exact);
 }
 
-void run(Running& run) {
-  const PlanSolitonRun base{.amplitude = run.real("amplitude"),
-                            .time = run.real("time"),
-                            .settled = 0.2 * run.real("time"),
-                            .rows = static_cast<std::size_t>(run.integer("rows")),
-                            .scheme = {.stepping = mechanics::stepping_named(run.text("scheme"))}};
-  Travels travels(run);
-  auto& figure = run.record.figure("crests", "Crest of a solitary wave on coarse grids",
-                                   "Height of the crest in time: plan model, and hexahedral mesh of h = 0.5.",
-                                   {"frank-soliton-plan"});
-  auto& plan_panel = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "Plan model"});
-  const double finest = run.real("finest");
-  std::vector<double> spacings{1, 0.7, 0.5};
-  if (finest < 0.5) spacings.push_back(finest);
-  for (const double h : spacings) {
-    PlanSolitonRun soliton = base;
-    soliton.spacing = h;
-    soliton.tau = 0.4 * h;
-    auto flow = plan_soliton_flow(soliton);
-    const SolitonTravel found = travel(flow, soliton);
-    travels.add({.id = fmt::format("plan-h{:.0f}", 100 * h),
-                 .name = fmt::format("plan, h = {:g}", h),
-                 .speed = std::sqrt(1 + found.mean_height()),
-                 .speed_limit = 1e-3 * h * h,
-                 .speed_reason = "second order in h and tau, with a factor that longer waves make smaller"},
-                soliton, found, plan_panel);
-    run.progress(0.1 * (1 / h));
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  auto& figure = exhibit.figure("crests", "Crest of a solitary wave on coarse grids",
+                                "Height of the crest in time: plan model, and hexahedral mesh of h = 0.5.",
+                                {"frank-soliton-plan"});
+  auto& plan = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "Plan model"});
+  auto& mesh = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "Hexahedral mesh"});
+  evidence::Table table{.id = "travels",
+                        .title = "Solitary waves on coarse grids",
+                        .caption =
+                            "Mean height, its band and speed once the wave has settled; speed against that of the "
+                            "equations for this height; largest relative defect of the energy.",
+                        .columns = {{"model", ""},
+                                    {"h", "depth"},
+                                    {"height", "depth"},
+                                    {"lowest", "depth"},
+                                    {"highest", "depth"},
+                                    {"speed", "sqrt(gH)"},
+                                    {"speed error", ""},
+                                    {"energy defect", ""}}};
+  for (const Travel& travel : r.travels) {
+    const SolitonTravel& found = travel.found;
+    (travel.layers == 0 ? plan : mesh).line(travel.name, found.time, found.height);
+    table.rows.push_back({travel.name, travel.run.spacing, fmt::format("{:.5f}", found.mean_height()),
+                          fmt::format("{:.5f}", found.lowest()), fmt::format("{:.5f}", found.highest()),
+                          fmt::format("{:.6f}", found.speed()), travel.speed_error(), found.energy_defect});
+    exhibit.measure("height_" + travel.id, found.mean_height());
+    exhibit.measure("speed_" + travel.id, found.speed());
   }
-  auto& mesh_panel = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "Hexahedral mesh"});
-  for (std::size_t layers = 1; layers <= 3; ++layers) {
-    PlanSolitonRun soliton = base;
-    soliton.time = std::min(soliton.time, 100.0);
-    soliton.settled = 0.5 * soliton.time;  // its own wave is farther from the one it starts with
-    auto flow = layered_soliton_flow(soliton, layers);
-    const SolitonTravel found = travel(flow, soliton);
-    travels.add({.id = fmt::format("mesh-{}-layers", layers),
-                 .name = fmt::format("hexahedra, {} layers", layers),
-                 .speed = exact::SolitaryWave(found.mean_height()).speed(),
-                 .speed_limit = 0.01,
-                 .speed_reason = "Frank gives no number: one per cent of the speed of the exact wave of this height",
-                 .still_settling = layers == 1 && run.as_published()
-                                       ? "the wave of one layer is lower than the one it starts from and still sheds "
-                                         "what it has too much"
-                                       : ""},
-                soliton, found, mesh_panel);
-    run.progress(0.4 + 0.15 * static_cast<double>(layers));
-  }
-  travels.write();
-  PlanSolitonRun coarse = base;
-  coarse.spacing = 1;
-  coarse.tau = 0.4;
-  draw_waves(run, coarse);
+  exhibit.table(std::move(table));
+  draw_waves(exhibit, r);
 }
 
 }  // namespace
@@ -203,7 +242,7 @@ Case soliton_plan() {
       integer("rows", 1, {1, 16}, "cells across the wave's way"),
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

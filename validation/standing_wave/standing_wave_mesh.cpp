@@ -21,7 +21,6 @@ meshes, extrapolated in the square of the cells' size. The critical wavelength i
 depths, 3 per cent at ten. Sixteen rows have a third to a quarter of that error. The extrapolated coefficients lie on
 Tadjbakhsh and Keller's line, where the one-dimensional dispersive model has its root 12 per cent further on.
 */
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -31,8 +30,8 @@ Tadjbakhsh and Keller's line, where the one-dimensional dispersive model has its
 #include "seiche/exact/dispersive_standing_wave.hpp"
 #include "seiche/exact/standing_wave.hpp"
 #include "validation/case/case.hpp"
-#include "validation/instruments/mesh_standing_mode.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/mesh_standing_mode.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -56,14 +55,14 @@ double period_of(double wavelength) {
 }
 
 /// A tank of half a wavelength with cells of nearly this width.
-MeshTank tank_of(const Run& run, double wavelength, double width, std::size_t rows, double tau) {
+MeshTank tank_of(const Values& values, double wavelength, double width, std::size_t rows, double tau) {
   const double k = 2 * pi / wavelength;
   return {.wavenumber = k,
           .columns = MeshTank::columns_of(k, width),
           .rows = rows,
           .tau = tau,
-          .scheme = {.stepping = stepping_named(run.text("scheme"))},
-          .hourglass = run.real("hourglass")};
+          .scheme = {.stepping = stepping_named(values.text("scheme"))},
+          .hourglass = values.real("hourglass")};
 }
 
 /// Of the coefficient on a coarse mesh.
@@ -76,30 +75,27 @@ Bound coarse_bound(double wavelength) {
           .expected = theory};
 }
 
-void claim_own_wave(Running& run) {
-  const double wavelength = run.real("wavelength");
-  const double amplitude = run.real("amplitude");
-  const double time = run.real("time");
-  const MeshTank tank =
-      tank_of(run, wavelength, run.real("h"), static_cast<std::size_t>(run.integer("rows")), run.real("tau"));
-  const auto frequency = [&](double a) { return finite_oscillation(tank, a, time).frequency; };
-  const double linear = (4 * frequency(amplitude / 4) - frequency(amplitude / 2)) / 3;
-  const Oscillation wave = finite_oscillation(tank, amplitude, time);
-  const double shift = (wave.frequency / linear - 1) / (amplitude * amplitude);
-  run.record.measure("h_used", tank.column_width());
-  run.record.measure("frequency", wave.frequency);
-  run.record.measure("linear_frequency", linear);
-  run.record.measure("frequency_shift", shift);
-  run.record.measure("frequency_shift_theory", in_water(wavelength));
-  run.record.measure("misfit", wave.misfit);
-  run.record.check({.id = "frequency-shift",
-                    .text = "The frequency of the wave of the parameters changes with its amplitude as in theory.",
-                    .quantity = "C = (Omega/omega - 1)/(a/H)^2",
-                    .source = water},
-                   {.value = shift,
-                    .resolution = fmt::format("{} x {} cells, tau = {:g}, a/H = {:g}", tank.columns, tank.rows,
-                                              tank.tau, amplitude)},
-                   coarse_bound(wavelength));
+/// The wave of the parameters.
+struct OwnWave {
+  Oscillation wave;
+  double linear = 0;  ///< its frequency were it small
+  double shift = 0;   ///< (Omega/omega - 1)/(a/H)^2
+};
+
+MeshTank own_tank(const Values& values) {
+  return tank_of(values, values.real("wavelength"), values.real("h"), static_cast<std::size_t>(values.integer("rows")),
+                 values.real("tau"));
+}
+
+OwnWave own_wave(const Values& values) {
+  const double amplitude = values.real("amplitude");
+  const MeshTank tank = own_tank(values);
+  const auto oscillation = [&](double a) { return finite_oscillation(tank, a, values.real("time")); };
+  OwnWave own;
+  own.linear = (4 * oscillation(amplitude / 4).frequency - oscillation(amplitude / 2).frequency) / 3;
+  own.wave = oscillation(amplitude);
+  own.shift = (own.wave.frequency / own.linear - 1) / (amplitude * amplitude);
+  return own;
 }
 
 /// Slope over value at zero of the parabola through three points.
@@ -116,7 +112,7 @@ struct OfSmallWaves {
   double whole, half;
 };
 
-OfSmallWaves of_small_waves(const Run& run, double wavelength, std::size_t rows) {
+OfSmallWaves of_small_waves(const Values& run, double wavelength, std::size_t rows) {
   const double size = 1 / static_cast<double>(rows);
   const MeshTank tank = tank_of(run, wavelength, size, rows, 0.5 * size);
   constexpr std::array amplitudes{0.01, 0.02, 0.04};
@@ -132,14 +128,23 @@ OfSmallWaves of_small_waves(const Run& run, double wavelength, std::size_t rows)
   return {relative_slope(square, whole), relative_slope(square, half)};
 }
 
+constexpr std::array wavelengths{4.0, 5.0, 5.94, 7.0, 10.0};
+constexpr std::size_t nearly_critical = 2;
+
+/// One entry per wavelength.
 struct Coefficients {
-  std::vector<double> wavelength, coarse, fine, limit;
+  std::vector<double> coarse, fine, limit;
   std::vector<double> uncertainty;  ///< of the limit
 };
 
-Coefficients measure(Running& run, std::size_t finest) {
-  Coefficients c{.wavelength = {4, 5, 5.94, 7, 10}, .coarse = {}, .fine = {}, .limit = {}, .uncertainty = {}};
-  for (const double wavelength : c.wavelength) {
+std::size_t finest_rows(const Values& values) {
+  return static_cast<std::size_t>(values.integer("finest_rows"));
+}
+
+Coefficients measure(const Run& run) {
+  const std::size_t finest = finest_rows(run);
+  Coefficients c;
+  for (const double wavelength : wavelengths) {
     const OfSmallWaves coarse = of_small_waves(run, wavelength, finest / 2);
     const OfSmallWaves fine = of_small_waves(run, wavelength, finest);
     const double step = (fine.whole - coarse.whole) / 3;
@@ -155,19 +160,126 @@ Coefficients measure(Running& run, std::size_t finest) {
 
 /// Wavelength at which a coefficient vanishes: the quadratic through the three middle wavelengths, read as a function
 /// of the coefficient.
-double root_of(const std::vector<double>& wavelength, const std::vector<double>& coefficient) {
+double root_of(const std::vector<double>& coefficient) {
   double root = 0;
   for (std::size_t i = 1; i <= 3; ++i) {
     double weight = 1;
     for (std::size_t j = 1; j <= 3; ++j) {
       if (j != i) weight *= coefficient[j] / (coefficient[j] - coefficient[i]);
     }
-    root += weight * wavelength[i];
+    root += weight * wavelengths[i];
   }
   return root;
 }
 
-void claim_coefficients(Running& run, const Coefficients& c, std::size_t finest) {
+/// Change of frequency over amplitude on the coarser mesh.
+struct Frequencies {
+  double wavelength;
+  std::vector<double> changes;
+};
+const std::vector<double> amplitudes = {0.02, 0.04, 0.06, 0.08, 0.1};
+
+std::vector<Frequencies> frequencies(const Run& run) {
+  const std::size_t finest = finest_rows(run);
+  const double size = 2 / static_cast<double>(finest);
+  std::vector<Frequencies> all;
+  for (const double wavelength : {4.0, 5.94, 10.0}) {
+    const MeshTank tank = tank_of(run, wavelength, size, finest / 2, 0.5 * size);
+    const double time = run.real("periods") * period_of(wavelength);
+    const auto of = [&](double a) { return finite_oscillation(tank, a, time).frequency; };
+    const double linear = (4 * of(0.01) - of(0.02)) / 3;
+    Frequencies& found = all.emplace_back(Frequencies{wavelength, {}});
+    for (const double a : amplitudes) found.changes.push_back(of(a) / linear - 1);
+  }
+  return all;
+}
+
+struct Results {
+  OwnWave own;
+  Coefficients coefficients;
+  std::vector<Frequencies> frequencies;
+};
+
+Results compute(const Run& run) {
+  Results r{.own = own_wave(run), .coefficients = {}, .frequencies = {}};
+  run.progress(0.1);
+  r.coefficients = measure(run);
+  run.progress(0.7);
+  r.frequencies = frequencies(run);
+  return r;
+}
+
+void claim_coefficients(Claims<Coefficients> claims, std::size_t finest) {
+  for (std::size_t i = 0; i < wavelengths.size(); ++i) {
+    const double wavelength = wavelengths[i];
+    const std::string id = fmt::format("{:.0f}", 100 * wavelength);
+    claims.at(fmt::format("{} rows, a -> 0", finest / 2))
+        .only_if(finest >= 16, "the bound is that of eight rows or more")
+        .check(
+            {.id = "mesh-" + id,
+             .text =
+                 fmt::format("At {:g} depths the coefficient of the coarser mesh is near that of water.", wavelength),
+             .quantity = "C = (Omega/omega - 1)/(a/H)^2",
+             .source = water},
+            [i](const Coefficients& c) { return c.coarse.at(i); }, coarse_bound(wavelength));
+    claims.at(fmt::format("{} and {} rows", finest / 2, finest))
+        .check(
+            {.id = "limit-" + id,
+             .text = fmt::format("At {:g} depths the coefficient tends to that of water.", wavelength),
+             .quantity = "C, extrapolated to small amplitude and fine meshes",
+             .source = water},
+            [i](const Coefficients& c) -> Measurement {
+              return {.value = c.limit.at(i), .uncertainty = c.uncertainty.at(i)};
+            },
+            evidence::Uncertainty{
+                .expected = in_water(wavelength),
+                .useful = 0.5 * coarse_bound(wavelength).limit.value(),
+                .reason = "the uncertainty is what the extrapolation in the square of the cells' size adds to the "
+                          "finer mesh's value, since the terms it leaves are smaller; and what the second half of "
+                          "the series changes. Beyond half of what eight rows may be off it tells nothing"});
+  }
+}
+
+void claim_root(Claims<Coefficients> claims, std::size_t finest) {
+  std::vector<double> theory;
+  for (const double wavelength : wavelengths) theory.push_back(in_water(wavelength));
+  const double exact = exact::StandingWave::critical_wavelength();
+  const double interpolation = std::abs(root_of(theory) - exact);
+  const double slope = (in_water(exact + 0.1) - in_water(exact - 0.1)) / 0.2;
+  claims.at(fmt::format("{} and {} rows, extrapolated", finest / 2, finest))
+      .check(
+          {.id = "critical-wavelength",
+           .text = "The coefficient changes sign at the critical wavelength of water.",
+           .quantity = "critical wavelength/H",
+           .source = water},
+          [slope, interpolation](const Coefficients& c) -> Measurement {
+            return {.value = root_of(c.limit),
+                    .uncertainty = c.uncertainty.at(nearly_critical) / slope + interpolation};
+          },
+          evidence::Uncertainty{
+              .expected = exact,
+              .useful = 0.3,
+              .reason = "uncertainty of C at 5.94 depths over the slope of C there, and the error that the "
+                        "interpolation makes with the theory's own values. Useful while it tells water from the "
+                        "one-dimensional dispersive model, whose root is 0.7 further on"});
+}
+
+void claims(const Values& values, Claims<Results> claims) {
+  const MeshTank tank = own_tank(values);
+  claims
+      .at(fmt::format("{} x {} cells, tau = {:g}, a/H = {:g}", tank.columns, tank.rows, tank.tau,
+                      values.real("amplitude")))
+      .check(
+          {.id = "frequency-shift",
+           .text = "The frequency of the wave of the parameters changes with its amplitude as in theory.",
+           .quantity = "C = (Omega/omega - 1)/(a/H)^2",
+           .source = water},
+          [](const Results& r) { return r.own.shift; }, coarse_bound(values.real("wavelength")));
+  claim_coefficients(claims.of(&Results::coefficients), finest_rows(values));
+  claim_root(claims.of(&Results::coefficients), finest_rows(values));
+}
+
+evidence::Table table_of(const Coefficients& c, std::size_t finest) {
   evidence::Table table{.id = "coefficients",
                         .title = "Change of frequency with amplitude",
                         .caption = "C in the limit of small amplitude on two meshes, extrapolated, and in water.",
@@ -176,61 +288,17 @@ void claim_coefficients(Running& run, const Coefficients& c, std::size_t finest)
                                     {fmt::format("{} rows", finest), ""},
                                     {"extrapolated", ""},
                                     {"Tadjbakhsh and Keller", ""}}};
-  for (std::size_t i = 0; i < c.wavelength.size(); ++i) {
-    const double wavelength = c.wavelength[i];
-    table.rows.push_back({wavelength, c.coarse[i], c.fine[i], c.limit[i], in_water(wavelength)});
-    const std::string id = fmt::format("{:.0f}", 100 * wavelength);
-    if (finest >= 16) {
-      run.record.check(
-          {.id = "mesh-" + id,
-           .text = fmt::format("At {:g} depths the coefficient of the coarser mesh is near that of water.", wavelength),
-           .quantity = "C = (Omega/omega - 1)/(a/H)^2",
-           .source = water},
-          {.value = c.coarse[i], .resolution = fmt::format("{} rows, a -> 0", finest / 2)}, coarse_bound(wavelength));
-    }
-    run.record.check(
-        {.id = "limit-" + id,
-         .text = fmt::format("At {:g} depths the coefficient tends to that of water.", wavelength),
-         .quantity = "C, extrapolated to small amplitude and fine meshes",
-         .source = water},
-        {.value = c.limit[i], .resolution = fmt::format("{} and {} rows", finest / 2, finest)},
-        Bound{.limit = c.uncertainty[i],
-              .reason =
-                  "what the extrapolation in the square of the cells' size adds to the finer mesh's value, since the "
-                  "terms it leaves are smaller; and what the second half of the series changes",
-              .expected = in_water(wavelength)});
+  for (std::size_t i = 0; i < wavelengths.size(); ++i) {
+    table.rows.push_back({wavelengths[i], c.coarse[i], c.fine[i], c.limit[i], in_water(wavelengths[i])});
   }
-  run.record.table(std::move(table));
+  return table;
 }
 
-double claim_root(Running& run, const Coefficients& c, std::size_t finest) {
-  std::vector<double> theory;
-  for (const double wavelength : c.wavelength) theory.push_back(in_water(wavelength));
-  const double exact = exact::StandingWave::critical_wavelength();
-  const double interpolation = std::abs(root_of(c.wavelength, theory) - exact);
-  const double slope = (in_water(exact + 0.1) - in_water(exact - 0.1)) / 0.2;
-  const double root = root_of(c.wavelength, c.limit);
-  run.record.measure("critical_wavelength", root);
-  run.record.measure("critical_wavelength_coarse", root_of(c.wavelength, c.coarse));
-  run.record.measure("critical_wavelength_fine", root_of(c.wavelength, c.fine));
-  run.record.measure("critical_wavelength_theory", exact);
-  run.record.check({.id = "critical-wavelength",
-                    .text = "The coefficient changes sign at the critical wavelength of water.",
-                    .quantity = "critical wavelength/H",
-                    .source = water},
-                   {.value = root, .resolution = fmt::format("{} and {} rows, extrapolated", finest / 2, finest)},
-                   Bound{.limit = c.uncertainty[2] / slope + interpolation,
-                         .reason = "uncertainty of C at 5.94 depths over the slope of C there, and the error that the "
-                                   "interpolation makes with the theory's own values",
-                         .expected = exact});
-  return root;
-}
-
-void draw_coefficients(Running& run, const Coefficients& c, std::size_t finest, double root) {
-  auto& figure = run.record.figure("coefficient", "How the frequency of standing waves depends on amplitude",
-                                   "Coefficient of $(a/H)^2$ in the relative change of frequency, in the limit of "
-                                   "small amplitude. The vertical line "
-                                   "is the measured critical wavelength.");
+void draw_coefficients(evidence::Exhibit& exhibit, const Coefficients& c, std::size_t finest) {
+  auto& figure = exhibit.figure("coefficient", "How the frequency of standing waves depends on amplitude",
+                                "Coefficient of $(a/H)^2$ in the relative change of frequency, in the limit of "
+                                "small amplitude. The vertical line "
+                                "is the measured critical wavelength.");
   auto& coefficient =
       figure.panel({.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.45, .y_max = 0.5});
   const std::vector<double> lengths = evenly(3.4, 13, 193);
@@ -242,45 +310,41 @@ void draw_coefficients(Running& run, const Coefficients& c, std::size_t finest, 
   }
   coefficient.line("Tadjbakhsh and Keller", lengths, theory, Role::exact);
   coefficient.line("one-dimensional dispersive model", lengths, markers, Role::guide);
-  coefficient.points(fmt::format("{} rows", finest / 2), c.wavelength, c.coarse);
-  coefficient.points(fmt::format("{} rows", finest), c.wavelength, c.fine);
-  coefficient.points("extrapolated", c.wavelength, c.limit, Role::data);
-  coefficient.vertical("", std::vector{root}, Role::guide);
+  coefficient.points(fmt::format("{} rows", finest / 2), wavelengths, c.coarse);
+  coefficient.points(fmt::format("{} rows", finest), wavelengths, c.fine);
+  coefficient.points("extrapolated", wavelengths, c.limit, Role::data);
+  coefficient.vertical("", std::vector{root_of(c.limit)}, Role::guide);
 }
 
-/// Change of frequency over amplitude on the coarser mesh.
-void draw_frequencies(Running& run, std::size_t finest) {
+void draw_frequencies(evidence::Exhibit& exhibit, const std::vector<Frequencies>& all) {
   auto& figure =
-      run.record.figure("frequency", "Frequency of standing waves over amplitude",
-                        "On the coarser mesh. Circles are measured, the parabolas are Tadjbakhsh and Keller's.");
+      exhibit.figure("frequency", "Frequency of standing waves over amplitude",
+                     "On the coarser mesh. Circles are measured, the parabolas are Tadjbakhsh and Keller's.");
   auto& frequency = figure.panel({.x = "a/H", .y = "Omega/omega - 1"});
-  const std::vector<double> amplitudes = {0.02, 0.04, 0.06, 0.08, 0.1};
   const std::vector<double> fine = evenly(0, 0.1, 41);
-  const double size = 2 / static_cast<double>(finest);
-  for (const double wavelength : {4.0, 5.94, 10.0}) {
-    const MeshTank tank = tank_of(run, wavelength, size, finest / 2, 0.5 * size);
-    const double time = run.real("periods") * period_of(wavelength);
-    const auto of = [&](double a) { return finite_oscillation(tank, a, time).frequency; };
-    const double linear = (4 * of(0.01) - of(0.02)) / 3;
-    std::vector<double> changes;
+  for (const Frequencies& one : all) {
     std::vector<double> parabola;
-    for (const double a : amplitudes) changes.push_back(of(a) / linear - 1);
-    for (const double a : fine) parabola.push_back(in_water(wavelength) * a * a);
-    frequency.line(fmt::format("{:g} depths", wavelength), fine, parabola, Role::exact);
-    frequency.points("measured", amplitudes, changes, Role::data);
+    for (const double a : fine) parabola.push_back(in_water(one.wavelength) * a * a);
+    frequency.line(fmt::format("{:g} depths", one.wavelength), fine, parabola, Role::exact);
+    frequency.points("measured", amplitudes, one.changes, Role::data);
   }
 }
 
-void run(Running& run) {
-  const auto finest = static_cast<std::size_t>(run.integer("finest_rows"));
-  claim_own_wave(run);
-  run.progress(0.1);
-  const Coefficients coefficients = measure(run, finest);
-  claim_coefficients(run, coefficients, finest);
-  const double root = claim_root(run, coefficients, finest);
-  run.progress(0.7);
-  draw_coefficients(run, coefficients, finest, root);
-  draw_frequencies(run, finest);
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const Coefficients& c = r.coefficients;
+  exhibit.measure("h_used", own_tank(values).column_width());
+  exhibit.measure("frequency", r.own.wave.frequency);
+  exhibit.measure("linear_frequency", r.own.linear);
+  exhibit.measure("frequency_shift", r.own.shift);
+  exhibit.measure("frequency_shift_theory", in_water(values.real("wavelength")));
+  exhibit.measure("misfit", r.own.wave.misfit);
+  exhibit.measure("critical_wavelength", root_of(c.limit));
+  exhibit.measure("critical_wavelength_coarse", root_of(c.coarse));
+  exhibit.measure("critical_wavelength_fine", root_of(c.fine));
+  exhibit.measure("critical_wavelength_theory", exact::StandingWave::critical_wavelength());
+  exhibit.table(table_of(c, finest_rows(values)));
+  draw_coefficients(exhibit, c, finest_rows(values));
+  draw_frequencies(exhibit, r.frequencies);
 }
 
 }  // namespace
@@ -305,7 +369,7 @@ Case standing_wave_mesh() {
       integer("finest_rows", {16, 32, 32}, {4, 200}, "of the finer of the two meshes of the extrapolation; even"),
       real("periods", 6.0, "1", {2, 100}, "length of the series of the extrapolation"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 
