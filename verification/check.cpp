@@ -61,12 +61,6 @@ void Check::that(const evidence::Claim& claim, const evidence::ObservedOrder& ob
 }
 
 void Check::known_failure(const evidence::Claim& claim, const evidence::Measurement& measurement,
-                          const evidence::Criterion& criterion, const std::string& reason) {
-  record_.known_failure(claim, measurement, criterion, reason);
-  expect(claim.id);
-}
-
-void Check::known_failure(const evidence::Claim& claim, const evidence::Measurement& measurement,
                           const evidence::Criterion& criterion, const evidence::KnownFailure& failure) {
   record_.known_failure(claim, measurement, criterion, failure);
   expect(claim.id);

@@ -38,8 +38,6 @@ class Check {
   /// Judges, records, and fails the Catch2 test unless the claim fails as declared.
   void known_failure(const evidence::Claim& claim, const evidence::Measurement& measurement,
                      const evidence::Criterion& criterion, const evidence::KnownFailure& failure);
-  void known_failure(const evidence::Claim& claim, const evidence::Measurement& measurement,
-                     const evidence::Criterion& criterion, const std::string& reason);
 
   void measure(const std::string& quantity, double value) { record_.measure(quantity, value); }
   evidence::Figure& figure(const std::string& id, const std::string& title, const std::string& caption,

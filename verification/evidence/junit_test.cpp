@@ -27,8 +27,9 @@ Record sample(const std::string& solver) {
   record.check(claim("pass"), {.value = 0.5, .uncertainty = 0.1, .resolution = "N = 10"}, bound);
   record.check(claim("fail"), {.value = 2}, bound);
   record.check(claim("inconclusive"), {.value = 0.9, .uncertainty = 0.5}, bound);
-  record.known_failure(claim("declared-fail"), {.value = 3}, bound, "it folds");
-  record.known_failure(claim("undeclared-pass"), {.value = 0.25}, bound, "it folds");
+  const KnownFailure folds{.value = 3, .width = 0.5, .reason = "it folds"};
+  record.known_failure(claim("declared-fail"), {.value = 3}, bound, folds);
+  record.known_failure(claim("undeclared-pass"), {.value = 0.25}, bound, folds);
   return record;
 }
 

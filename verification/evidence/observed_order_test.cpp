@@ -1,4 +1,6 @@
 #include <cmath>
+#include <limits>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -55,12 +57,57 @@ TEST_CASE("fewer than four usable points are inconclusive", "[order]") {
   CHECK(judge(observed_order(sizes, errors), Order{2, 0.1, "test"}).verdict == Verdict::inconclusive);
 }
 
-TEST_CASE("an error that is not a number is never a pass, sizes must be positive", "[order]") {
-  std::vector<double> errors = errors_of_order(2);
-  errors[2] = std::nan("");
-  CHECK(judge(observed_order(sizes, errors), Order{2, 0.1, "test"}).verdict == Verdict::inconclusive);
+TEST_CASE("an error that is not a finite number is an error, sizes must be positive", "[order]") {
+  for (const double broken : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+      std::vector<double> errors = errors_of_order(2);
+      errors[k] = broken;
+      const ObservedOrder observed = observed_order(sizes, errors, 1e-14);
+      CHECK(std::isnan(observed.order));
+      CHECK(judge(observed, Order{2, 0.1, "test"}).verdict == Verdict::error);
+    }
+  }
   CHECK_THROWS_AS(observed_order({0.1, -0.1}, {1, 1}), std::invalid_argument);
   CHECK_THROWS_AS(observed_order({0.1}, {1, 1}), std::invalid_argument);
+}
+
+TEST_CASE("the half-width of an observed order is Student's of a straight line", "[order]") {
+  // Residuals with neither mean nor slope over equidistant logarithms of the size, multiples of 0.01; the closed form
+  // t(0.975, n - 2) sqrt(sum r^2/(n - 2)/sum (x - mean)^2) with quantiles of Student's distribution from a table.
+  struct Sample {
+    std::vector<double> residuals;
+    double quantile, sum_of_squares, spread;
+  };
+  for (const auto& [residuals, quantile, sum_of_squares, spread] :
+       {Sample{{1, -1, -1, 1}, 4.302653, 4, 5}, Sample{{2, -1, -2, -1, 2}, 3.182446, 14, 10},
+        Sample{{5, -1, -4, -4, -1, 5}, 2.776445, 84, 17.5}}) {
+    const auto n = static_cast<double>(residuals.size());
+    std::vector<double> h;
+    std::vector<double> errors;
+    for (std::size_t k = 0; k < residuals.size(); ++k) {
+      h.push_back(std::exp(-static_cast<double>(k)));
+      errors.push_back(std::exp(-1.7 * static_cast<double>(k) + 0.3 + 0.01 * residuals[k]));
+    }
+    const ObservedOrder observed = observed_order(h, errors);
+    CHECK(std::abs(observed.order - 1.7) < 1e-12);
+    const double expected = quantile * 0.01 * std::sqrt(sum_of_squares / (n - 2) / spread);
+    CHECK(std::abs(observed.half_width / expected - 1) < 2e-7);  // seven digits of the table
+  }
+}
+
+TEST_CASE("the interval of an observed order holds the true one 95 times in 100", "[order]") {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0, 0.1);
+  constexpr int trials = 10000;
+  int covered = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    std::vector<double> errors = errors_of_order(2);
+    for (double& error : errors) error *= std::exp(noise(random));
+    const ObservedOrder observed = observed_order(sizes, errors);
+    if (std::abs(observed.order - 2) <= observed.half_width) ++covered;
+  }
+  // Four standard deviations of a share of 10000.
+  CHECK(std::abs(static_cast<double>(covered) / trials - 0.95) < 4 * std::sqrt(0.95 * 0.05 / trials));
 }
 
 TEST_CASE("grid convergence recovers the limit and covers the error", "[grid-convergence]") {

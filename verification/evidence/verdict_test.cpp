@@ -2,8 +2,10 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "reports/evidence/record.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 using namespace seiche::evidence;
@@ -11,6 +13,7 @@ using namespace seiche::evidence;
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 const Claim claim{.id = "depth", .text = "The depth is right.", .quantity = "depth", .unit = "m", .source = "none"};
 
 }  // namespace
@@ -22,10 +25,36 @@ TEST_CASE("a bound passes inside, fails outside, and is inconclusive when the un
   CHECK(judge({.value = 2.05, .uncertainty = 0.04}, bound).verdict == Verdict::pass);
   CHECK(judge({.value = 2.05, .uncertainty = 0.07}, bound).verdict == Verdict::inconclusive);
   CHECK(judge({.value = 2.2, .uncertainty = 0.05}, bound).verdict == Verdict::fail);
-  CHECK(judge({.value = not_a_number}, bound).verdict == Verdict::fail);
-  CHECK(judge({.value = 2.0, .uncertainty = not_a_number}, bound).verdict != Verdict::pass);
-  CHECK(judge({.value = 2.0, .uncertainty = std::numeric_limits<double>::infinity()}, bound).verdict ==
-        Verdict::inconclusive);
+  CHECK(judge({.value = 2.0, .uncertainty = infinite}, bound).verdict == Verdict::inconclusive);
+}
+
+TEST_CASE("what is not a finite number is an error, whatever the criterion", "[verdict]") {
+  const Bound bound{.limit = 0.1, .reason = "test", .expected = 2.0};
+  const Roundoff roundoff{.operations = 1, .scale = 1, .reason = "test"};
+  const Uncertainty uncertainty{.expected = 2, .data = 0.1, .useful = 1, .reason = "test"};
+  const Qualitative qualitative{.detector = "test", .reason = "test"};
+  for (const double broken : {not_a_number, infinite, -infinite}) {
+    for (const Criterion& criterion : std::vector<Criterion>{bound, roundoff, uncertainty, qualitative}) {
+      CHECK(judge({.value = broken, .uncertainty = 0}, criterion).verdict == Verdict::error);
+    }
+    CHECK(judge({.value = 2}, Bound{.limit = broken, .reason = "test", .expected = 2.0}).verdict == Verdict::error);
+    CHECK(judge({.value = 2}, Bound{.limit = 0.1, .reason = "test", .expected = broken}).verdict == Verdict::error);
+    CHECK(judge({.value = 0}, Roundoff{.operations = broken, .reason = "test"}).verdict == Verdict::error);
+    CHECK(judge({.value = 0}, Roundoff{.scale = broken, .reason = "test"}).verdict != Verdict::pass);
+    CHECK(judge({.value = 2, .uncertainty = 0}, Uncertainty{.expected = 2, .data = broken, .useful = 1, .reason = "t"})
+              .verdict == Verdict::error);
+  }
+  CHECK(judge({.value = 2.0, .uncertainty = not_a_number}, bound).verdict == Verdict::error);
+  CHECK(judge({.value = 2.0, .uncertainty = -0.1}, bound).verdict == Verdict::error);
+  CHECK(judge({.value = 2.0, .uncertainty = not_a_number}, uncertainty).verdict == Verdict::error);
+}
+
+TEST_CASE("an extreme with a NaN among its samples, or without samples, is an error", "[verdict]") {
+  const Bound bound{.limit = 0.1, .reason = "test"};
+  seiche::Worst worst;
+  CHECK(judge({.value = worst.value()}, bound).verdict == Verdict::error);
+  for (const double error : {0.01, not_a_number, 0.02}) worst.add(error);
+  CHECK(judge({.value = worst.value()}, bound).verdict == Verdict::error);
 }
 
 TEST_CASE("a relative bound is relative to the expected value", "[verdict]") {
@@ -44,11 +73,55 @@ TEST_CASE("a round-off limit grows with the square root of the operations", "[ve
 
 TEST_CASE("agreement within an uncertainty too large to decide is inconclusive", "[verdict]") {
   const Uncertainty decisive{.expected = 1, .data = 0.03, .input = 0.04, .useful = 0.2, .reason = "test"};
-  CHECK(judge({.value = 1.09}, decisive).verdict == Verdict::pass);  // 2 sqrt(0.03^2 + 0.04^2) = 0.1
-  CHECK(judge({.value = 1.11}, decisive).verdict == Verdict::fail);
+  CHECK(judge({.value = 1.09, .uncertainty = 0}, decisive).verdict == Verdict::pass);  // 2 sqrt(0.03^2 + 0.04^2) = 0.1
+  CHECK(judge({.value = 1.11, .uncertainty = 0}, decisive).verdict == Verdict::fail);
   CHECK(judge({.value = 1.15, .uncertainty = 0.3}, decisive).verdict == Verdict::inconclusive);
   const Uncertainty vague{.expected = 1, .data = 0.5, .useful = 0.2, .reason = "test"};
-  CHECK(judge({.value = 1.0}, vague).verdict == Verdict::inconclusive);
+  CHECK(judge({.value = 1.0, .uncertainty = 0}, vague).verdict == Verdict::inconclusive);
+}
+
+TEST_CASE("agreement within uncertainties decides nothing where that of the computation was not estimated",
+          "[verdict]") {
+  const Uncertainty decisive{.expected = 1, .data = 0.03, .input = 0.04, .useful = 0.2, .reason = "test"};
+  CHECK(judge({.value = 1}, decisive).verdict == Verdict::inconclusive);
+  CHECK(judge({.value = 5}, decisive).verdict == Verdict::inconclusive);
+  CHECK_FALSE(judge({.value = 1}, decisive).uncertainty.has_value());
+}
+
+TEST_CASE("what the run tells of a criterion decides up to its cap and no further", "[verdict]") {
+  const Criterion rounding = Roundoff{.operations = Amount::told_by_run(100), .scale = 10, .reason = "test"};
+  const double eps = std::numeric_limits<double>::epsilon();
+  const auto verdict = [&](double value, double operations) {
+    const Measurement measured{.value = value, .told = {.operations = operations}};
+    return judge(measured, settled(rounding, measured.told)).verdict;
+  };
+  CHECK(verdict(390 * eps, 100) == Verdict::pass);
+  CHECK(verdict(410 * eps, 100) == Verdict::fail);
+  CHECK(verdict(0, 101) == Verdict::inconclusive);
+  CHECK(verdict(1e9, 101) == Verdict::inconclusive);
+  CHECK(verdict(0, not_a_number) == Verdict::error);
+  CHECK(verdict(0, infinite) == Verdict::error);
+  CHECK(verdict(not_a_number, 101) == Verdict::error);
+
+  const Criterion extrapolated = Bound{.limit = Amount::told_by_run(0.01), .reason = "test", .expected = 1};
+  CHECK(judge({.value = 1.005}, settled(extrapolated, {.limit = 0.008})).verdict == Verdict::pass);
+  CHECK(judge({.value = 1.005}, settled(extrapolated, {.limit = 0.02})).verdict == Verdict::inconclusive);
+  CHECK(judge({.value = 1.005}, settled(extrapolated, {.limit = -0.02})).verdict != Verdict::pass);
+}
+
+TEST_CASE("what the run had to tell and did not is refused, and so is what it told although it was stated",
+          "[verdict]") {
+  const Criterion open = Roundoff{.operations = Amount::told_by_run(100), .scale = 10, .reason = "test"};
+  CHECK_THROWS_AS(settled(open, {}), std::invalid_argument);
+  CHECK_THROWS_AS(settled(open, {.scale = 1}), std::invalid_argument);
+  const Criterion stated = Bound{.limit = 0.1, .reason = "test", .expected = 1};
+  CHECK_THROWS_AS(settled(stated, {.limit = 0.2}), std::invalid_argument);
+  CHECK_THROWS_AS(settled(stated, {.expected = 1}), std::invalid_argument);
+  CHECK(std::get<Bound>(settled(stated, {})).limit.value() == 0.1);
+  Record record;
+  CHECK_THROWS_AS(record.check(claim, {.value = 0}, open), std::invalid_argument);
+  CHECK_THROWS_AS(record.check(claim, {.value = 1, .told = {.limit = 9}}, stated), std::invalid_argument);
+  CHECK(record.claims().empty());
 }
 
 TEST_CASE("a criterion without a reason is refused", "[verdict]") {
@@ -71,17 +144,57 @@ TEST_CASE("a later success does not overwrite an earlier failure", "[record]") {
   CHECK_FALSE(record.as_declared());
 }
 
-TEST_CASE("a declared failure that passes is not as declared", "[record]") {
-  Record record;
-  record.name = "test";
+TEST_CASE("a declared failure fails by as much as was declared, or is not as declared", "[record]") {
   const Bound bound{.limit = 0.1, .reason = "test"};
-  record.known_failure(claim, {.value = 5.0}, bound, "the method cannot do it");
-  CHECK(record.as_declared());
-  Record surprised;
-  surprised.name = "test";
-  surprised.known_failure(claim, {.value = 0.0}, bound, "the method cannot do it");
+  const KnownFailure declared{.value = 5, .width = 0.5, .reason = "the method cannot do it"};
+  const auto measured = [&](double value) {
+    Record record;
+    record.name = "test";
+    record.known_failure(claim, {.value = value}, bound, declared);
+    return record;
+  };
+  for (const double value : {4.5, 5.0, 5.5}) CHECK(measured(value).as_declared());
+  for (const double value : {4.4, 5.6, 1e9, -5.0}) {
+    const Record record = measured(value);
+    CHECK_FALSE(record.as_declared());
+    CHECK(record.claims()[0].judgement.verdict == Verdict::fail);
+    CHECK(record.claims()[0].judgement.note.find("outside the band") == 0);
+  }
+  const Record surprised = measured(0);
   CHECK_FALSE(surprised.as_declared());
-  CHECK_THROWS_AS(record.known_failure({.id = "x"}, {.value = 5.0}, bound, ""), std::invalid_argument);
+  CHECK(surprised.claims()[0].judgement.verdict == Verdict::pass);
+  for (const double broken : {not_a_number, infinite}) {
+    const Record record = measured(broken);
+    CHECK_FALSE(record.as_declared());
+    CHECK(record.claims()[0].judgement.verdict == Verdict::error);
+  }
+}
+
+TEST_CASE("a declared failure without a reason or a finite band is refused", "[record]") {
+  Record record;
+  const Bound bound{.limit = 0.1, .reason = "test"};
+  const auto declare = [&](const KnownFailure& failure) { record.known_failure(claim, {.value = 5}, bound, failure); };
+  CHECK_THROWS_AS(declare({.value = 5, .width = 0.5}), std::invalid_argument);
+  CHECK_THROWS_AS(declare({.value = 5, .width = -0.5, .reason = "test"}), std::invalid_argument);
+  CHECK_THROWS_AS(declare({.value = 5, .width = infinite, .reason = "test"}), std::invalid_argument);
+  CHECK_THROWS_AS(declare({.value = 5, .width = not_a_number, .reason = "test"}), std::invalid_argument);
+  CHECK_THROWS_AS(declare({.value = not_a_number, .width = 1, .reason = "test"}), std::invalid_argument);
+  CHECK(record.claims().empty());
+}
+
+TEST_CASE("an order that is declared to be missed is missed by as much as was declared", "[record]") {
+  const Order second{2, 0.1, "test"};
+  const KnownFailure first{.value = 1, .width = 0.05, .reason = "the bed has a corner"};
+  const auto as_declared = [&](double order, double half_width) {
+    Record record;
+    record.name = "test";
+    record.known_failure(claim, ObservedOrder{.order = order, .half_width = half_width}, second, first);
+    return record.as_declared();
+  };
+  CHECK(as_declared(1.02, 0.1));
+  CHECK_FALSE(as_declared(1.2, 0.1));
+  CHECK_FALSE(as_declared(2, 0.01));
+  CHECK_FALSE(as_declared(not_a_number, infinite));
 }
 
 TEST_CASE("a run that broke down is never as declared", "[record]") {

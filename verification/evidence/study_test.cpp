@@ -1,0 +1,165 @@
+// A case declares its claims, computes, shows: whatever goes wrong leaves no claim without a verdict.
+#include "validation/case/study.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "verification/check.hpp"
+
+using namespace seiche;
+using namespace seiche::evidence;
+using namespace seiche::validation;
+
+namespace {
+
+struct Results {
+  std::string what;
+  double depth = 1.05;
+  double overshoot = 3;
+};
+
+Claim claim(const std::string& id) {
+  return {.id = id, .text = "It holds.", .quantity = "depth", .unit = "m", .source = "test"};
+}
+
+const Bound bound{.limit = 0.1, .reason = "test", .expected = 1};
+
+void claims(const Values& values, Claims<Results> claims) {
+  const std::string& what = values.text("what");
+  if (what == "nothing") return;
+  const auto all = claims.only_if(what != "all left out", "no water");
+  all.check(claim("depth"), &Results::depth, bound);
+  if (what == "twice") all.check(claim("depth"), &Results::depth, bound);
+  all.only_if(what != "left out", "for longer waves only")
+      .check(
+          claim("crest"),
+          [](const Results& r) -> Measurement {
+            if (r.what == "not measured") throw std::runtime_error("no crest found");
+            return {.value = r.what == "not a number" ? std::numeric_limits<double>::quiet_NaN() : 1};
+          },
+          bound);
+  all.check(
+      claim("told"),
+      [](const Results& r) -> Measurement {
+        if (r.what == "not told") return {.value = 1};
+        return {.value = 1, .told = {.limit = r.what == "beyond the cap" ? 0.3 : 0.1}};
+      },
+      Bound{.limit = Amount::told_by_run(0.2), .reason = "test", .expected = 1});
+  all.known_failure(claim("overshoot"), &Results::overshoot, bound, {.value = 3, .width = 0.1, .reason = "test"});
+}
+
+Results compute(const Run& run) {
+  const std::string& what = run.text("what");
+  if (what == "crash") throw std::runtime_error("the depth became negative");
+  if (what == "refused") throw std::invalid_argument("depth: must be positive");
+  Results results{what};
+  if (what == "another failure") results.overshoot = 2;
+  return results;
+}
+
+void show(const Results& results, const Values& /*values*/, Exhibit& exhibit) {
+  if (results.what == "not shown") throw std::runtime_error("no room");
+  exhibit.measure("depth", results.depth);
+}
+
+const std::vector<std::string> all_of_them{
+    "fine",     "nothing",        "all left out", "twice",   "left out",        "not measured", "not a number",
+    "not told", "beyond the cap", "crash",        "refused", "another failure", "not shown"};
+
+Run run_of(const std::string& what) {
+  Values values({validation::choice("what", std::string("fine"), all_of_them, "what happens")}, Tier::quick);
+  values.set("what", what);
+  return {values, [](double) {}};
+}
+
+Record record_of(const std::string& what) {
+  Record record;
+  record.name = "test";
+  Study(claims, compute, show).run(run_of(what), record);
+  return record;
+}
+
+Verdict verdict(const Record& record, const std::string& id) {
+  const auto& judged = record.claims();
+  REQUIRE(std::count_if(judged.begin(), judged.end(), [&](const auto& c) { return c.claim.id == id; }) == 1);
+  return std::find_if(judged.begin(), judged.end(), [&](const auto& c) { return c.claim.id == id; })->judgement.verdict;
+}
+
+}  // namespace
+
+TEST_CASE("every declared claim is judged exactly once, in the order of its declaration", "[study]") {
+  const Record record = record_of("fine");
+  std::vector<std::string> ids;
+  for (const JudgedClaim& judged : record.claims()) ids.push_back(judged.claim.id);
+  CHECK(ids == std::vector<std::string>{"depth", "crest", "told", "overshoot"});
+  for (const char* id : {"depth", "crest", "told"}) CHECK(verdict(record, id) == Verdict::pass);
+  CHECK(verdict(record, "overshoot") == Verdict::fail);
+  CHECK(record.as_declared());
+  CHECK(record.left_out().empty());
+  CHECK(record.measurements().at("depth") == 1.05);
+}
+
+TEST_CASE("a claim that could not be measured is an error under its own name, the others are judged", "[study]") {
+  for (const char* what : {"not measured", "not a number"}) {
+    const Record record = record_of(what);
+    CHECK(verdict(record, "crest") == Verdict::error);
+    CHECK(verdict(record, "depth") == Verdict::pass);
+    CHECK(verdict(record, "told") == Verdict::pass);
+    CHECK(record.error.empty());
+    CHECK_FALSE(record.as_declared());
+  }
+  CHECK(record_of("not measured").claims()[1].judgement.note == "no crest found");
+}
+
+TEST_CASE("a limit that the run had to tell and did not is an error, one beyond its cap decides nothing", "[study]") {
+  CHECK(verdict(record_of("not told"), "told") == Verdict::error);
+  CHECK(verdict(record_of("beyond the cap"), "told") == Verdict::inconclusive);
+  CHECK_FALSE(record_of("beyond the cap").as_declared());
+}
+
+TEST_CASE("a run that crashes leaves every claim in error, declared failures too", "[study]") {
+  const Record record = record_of("crash");
+  CHECK(record.error == "the depth became negative");
+  CHECK(record.claims().size() == 4);
+  for (const JudgedClaim& judged : record.claims()) {
+    CHECK(judged.judgement.verdict == Verdict::error);
+    CHECK_FALSE(judged.as_declared());
+  }
+  CHECK_FALSE(record.as_declared());
+}
+
+TEST_CASE("a declared failure of another size than declared is unexpected", "[study]") {
+  const Record record = record_of("another failure");
+  CHECK(verdict(record, "overshoot") == Verdict::fail);
+  CHECK_FALSE(record.as_declared());
+}
+
+TEST_CASE("a claim that does not apply is kept with its reason and not judged", "[study]") {
+  const Record record = record_of("left out");
+  REQUIRE(record.left_out().size() == 1);
+  CHECK(record.left_out()[0].claim.id == "crest");
+  CHECK(record.left_out()[0].reason == "for longer waves only");
+  CHECK(record.claims().size() == 3);
+  CHECK(record.as_declared());
+}
+
+TEST_CASE("a case that declares a claim twice or claims nothing is refused before it computes", "[study]") {
+  for (const char* what : {"twice", "nothing", "all left out"}) {
+    CHECK_THROWS_AS(Study(claims, compute, show).claims(run_of(what)), std::logic_error);
+    CHECK_THROWS_AS(record_of(what), std::logic_error);
+  }
+}
+
+TEST_CASE("parameters that do not go together are the user's error, not the case's", "[study]") {
+  CHECK_THROWS_AS(record_of("refused"), std::invalid_argument);
+}
+
+TEST_CASE("what cannot be shown keeps its verdicts and does not pass for finished", "[study]") {
+  const Record record = record_of("not shown");
+  CHECK(verdict(record, "depth") == Verdict::pass);
+  CHECK_FALSE(record.error.empty());
+  CHECK_FALSE(record.as_declared());
+}
