@@ -5,10 +5,12 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "seiche/samples.hpp"
 #include "validation/case/score_figures.hpp"
 #include "validation/instruments/agreement.hpp"
 
@@ -46,9 +48,13 @@ const MeasureText& text_of(Measure measure) {
 /// A measure and its standard uncertainty.
 struct Measured {
   double value = std::numeric_limits<double>::quiet_NaN();
-  double uncertainty = 0;
+  std::optional<double> uncertainty = {};  ///< none where the submitter stated none
 };
 using Measures = std::map<Measure, Measured>;
+
+std::optional<double> times(double factor, std::optional<double> uncertainty) {
+  return uncertainty ? std::optional(factor * *uncertainty) : std::nullopt;
+}
 
 /// Judges one quantity in one group.
 class QuantityScore {
@@ -113,9 +119,9 @@ class QuantityScore {
   }
 
   /// Standard uncertainty stated of a column, with what a relative one refers to.
-  [[nodiscard]] double stated(const std::string& column, double scale) const {
+  [[nodiscard]] std::optional<double> stated(const std::string& column, double scale) const {
     const auto found = uncertainty_.find(column);
-    if (found == uncertainty_.end()) return 0;
+    if (found == uncertainty_.end()) return std::nullopt;
     return found->second.relative ? found->second.value * scale : found->second.value;
   }
 
@@ -129,10 +135,11 @@ class QuantityScore {
   void measure_scalar() {
     const double submitted = group_.values.at(quantity_.column.name).front();
     const double reference = quantity_.reference({group_.value, 0});
-    const double u = stated(quantity_.column.name, std::abs(reference));
+    const std::optional<double> u = stated(quantity_.column.name, std::abs(reference));
     measures_[Measure::value] = {submitted, u};
     if (reference != 0) {
-      measures_[Measure::relative_error] = {(submitted - reference) / std::abs(reference), u / std::abs(reference)};
+      measures_[Measure::relative_error] = {(submitted - reference) / std::abs(reference),
+                                            times(1 / std::abs(reference), u)};
     } else {
       measures_[Measure::relative_error] = {};
     }
@@ -151,22 +158,23 @@ class QuantityScore {
     const Agreement& a = agreement_;
     double l1 = 0;
     double l2 = 0;
-    double linf = 0;
+    Worst largest;
     for (const double r : a.reference) {
       l1 += std::abs(r);
       l2 += r * r;
-      linf = std::max(linf, std::abs(r));
+      largest.add(r);
     }
+    const double linf = largest.value();
     const auto n = static_cast<double>(a.reference.size());
     const auto [lowest, highest] = std::minmax_element(a.reference.begin(), a.reference.end());
-    const double u = stated(quantity_.column.name, linf);
-    const double u_x = stated(table_.abscissa->name, x.back() - x.front());
-    const auto over = [&](double size) { return u > 0 ? u / size : 0; };
+    const std::optional<double> u = stated(quantity_.column.name, linf);
+    const std::optional<double> u_x = stated(table_.abscissa->name, x.back() - x.front());
+    const auto over = [&](double size) { return u == 0.0 ? u : times(1 / size, u); };
     measures_ = {{Measure::largest_error, {a.largest_error, u}},
                  {Measure::relative_l1, {a.relative_l1, over(l1 / n)}},
                  {Measure::relative_l2, {a.relative_l2, over(std::sqrt(l2 / n))}},
                  {Measure::relative_linf, {a.relative_linf, over(linf)}},
-                 {Measure::amplitude_ratio, {a.amplitude_ratio, std::sqrt(2.0) * over(*highest - *lowest)}},
+                 {Measure::amplitude_ratio, {a.amplitude_ratio, times(std::sqrt(2.0), over(*highest - *lowest))}},
                  {Measure::shift, {a.shift, u_x}},
                  {Measure::peak_error, {a.peak - a.reference_peak, u}},
                  {Measure::peak_shift, {a.peak_at - a.reference_peak_at, u_x}},
@@ -192,14 +200,14 @@ class QuantityScore {
                              : *text.unit == 'x' ? table_.abscissa->unit
                                                  : text.unit;
     const std::string stated_text =
-        measured.uncertainty > 0 ? fmt::format("u_num = {:.3g} {}", measured.uncertainty, unit) : "u_num not stated: 0";
+        measured.uncertainty ? fmt::format("u_num = {:.3g} {}", *measured.uncertainty, unit) : "u_num not stated";
     record.check({.id = quantity_.column.name + "-" + text.id,
                   .text = requirement.text,
                   .quantity = fmt::format("{} of {}", text.name, quantity_.column.name),
                   .unit = unit,
                   .source = requirement.source},
                  {.value = measured.value,
-                  .uncertainty = coverage * measured.uncertainty,
+                  .uncertainty = times(coverage, measured.uncertainty),
                   .resolution = resolution() + ", " + stated_text},
                  requirement.criterion);
   }

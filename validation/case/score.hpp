@@ -26,7 +26,9 @@ StatedUncertainty uncertainty_from(const std::string& quantity, const std::strin
 /// A stated uncertainty u of a quantity makes that of its measures: of value, largest error and peak u; of a relative
 /// norm u over the same norm of a curve of ones times the reference's (triangle inequality, errors fully correlated: an
 /// upper bound); of the amplitude ratio sqrt(2) u over the reference's range; of shifts and arrivals the u stated of
-/// the abscissa; of the skill 0. Without a statement u is 0: the strictest reading, and the claim says so.
+/// the abscissa; of the skill 0.
+/// Without a statement nothing is known of u: a plain limit judges
+/// the value as it stands, a criterion of kind uncertainty is inconclusive.
 void score(const std::vector<WantedTable>& wanted, const Submitted& submitted,
            const std::map<std::string, StatedUncertainty>& uncertainty, evidence::Record& record);
 

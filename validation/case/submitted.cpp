@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "seiche/samples.hpp"
+
 namespace seiche::validation {
 namespace {
 
@@ -47,8 +49,7 @@ class Reader {
       return result;
     }
     const std::vector<double>& given = values(*wanted_.group);
-    double scale = 0;
-    for (const double g : wanted_.groups) scale = std::max(scale, std::abs(g));
+    const double scale = worst(wanted_.groups);
     for (const double g : wanted_.groups) {
       const auto belongs = [&](std::size_t row) { return std::abs(given[row] - g) <= 1e-6 * scale; };
       result.push_back(group(g, belongs));

@@ -99,7 +99,8 @@ void add_score(CLI::App& app, Action& action) {
   command
       ->add_option("--uncertainty", options->uncertainty,
                    "quantity=value,...: your result's standard numerical uncertainty, in the wanted unit, or relative "
-                   "to the reference's largest value as in h=1%; none stated counts as 0")
+                   "to the reference's largest value as in h=1%; where none is stated, comparisons with measured data "
+                   "are inconclusive")
       ->allow_extra_args(false);
   command->add_option("--set", options->settings, "parameters of the case, as name=value,...; may be repeated")
       ->allow_extra_args(false);

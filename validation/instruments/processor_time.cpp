@@ -1,8 +1,8 @@
 #include "validation/instruments/processor_time.hpp"
 
-#include <algorithm>
 #include <ctime>
-#include <limits>
+
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 
@@ -14,7 +14,7 @@ double shortest_time(const std::function<void()>& work) {
   constexpr double batch_seconds = 0.02;
   constexpr double all_seconds = 0.3;
   const double first = processor_seconds();
-  double shortest = std::numeric_limits<double>::infinity();
+  Smallest shortest;
   for (int batch = 0; batch < 3 && processor_seconds() - first < all_seconds; ++batch) {
     int calls = 0;
     const double begin = processor_seconds();
@@ -24,9 +24,9 @@ double shortest_time(const std::function<void()>& work) {
       ++calls;
       spent = processor_seconds() - begin;
     } while (spent < batch_seconds);
-    shortest = std::min(shortest, spent / calls);
+    shortest.add(spent / calls);
   }
-  return shortest;
+  return shortest.value();
 }
 
 }  // namespace seiche::validation

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "seiche/io/csv_table.hpp"
-#include "validation/case/submitted.hpp"
 #include "validation/case/score.hpp"
+#include "validation/case/submitted.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -118,8 +118,9 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   // |E| = 0.25 beside u_data = 0.1: fails alone, passes with u_num = 0.1 (2 sqrt(0.02) = 0.283), and says nothing where
   // u_num = 0.5 makes the expanded uncertainty 1.02 > 0.5.
   const std::string run_up = "runup [m]\n2.25\n";
-  is("unstated", "Without a stated uncertainty it counts as 0.", verdict(scored({table(run_up, "r")}), "runup-value"),
-     "fail");
+  is("unstated", "Without a stated uncertainty nothing can be said.",
+     verdict(scored({table(run_up, "r")}), "runup-value"), "inconclusive");
+  is("exact", "One of 0 is the strictest.", verdict(scored({table(run_up, "r")}, "0"), "runup-value"), "fail");
   is("absolute", "A stated one counts.", verdict(scored({table(run_up, "r")}, "0.1"), "runup-value"), "pass");
   is("relative", "So does a relative one.", verdict(scored({table(run_up, "r")}, "5%"), "runup-value"), "pass");
   is("excessive", "One that is too large to tell buys no pass.",
