@@ -15,11 +15,13 @@
 namespace {
 
 using namespace seiche::mechanics;
+using Model = seiche::dispersive_shallow_water_1d::Model;
+using seiche::Largest;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Order;
 using seiche::evidence::Roundoff;
 using seiche::verification::Check;
-using Model = seiche::dispersive_shallow_water_1d::Model;
 
 const std::string source = "Yoshida (1990), Suzuki (1990); Hairer, Lubich & Wanner (2006), II.4";
 const std::string digits = "computed once by an independent implementation";

@@ -19,6 +19,7 @@ namespace {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
+using seiche::Largest;
 using seiche::LevelBottom;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;

@@ -15,6 +15,8 @@ namespace {
 
 using namespace seiche::mechanics;
 using namespace seiche::verification;
+using seiche::Largest;
+using seiche::worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 using seiche::lagrangian_mesh_2d::Model;

@@ -12,6 +12,7 @@ namespace {
 
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 using seiche::verification::Check;

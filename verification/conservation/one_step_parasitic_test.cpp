@@ -13,6 +13,8 @@ namespace {
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
 using namespace seiche::verification;
+using seiche::Worst;
+using seiche::worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Order;
 

@@ -15,6 +15,7 @@ namespace {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
+using seiche::Worst;
 using seiche::evidence::Bound;
 
 constexpr double gravity = 9.81;

@@ -15,6 +15,7 @@
 namespace {
 
 using namespace seiche::wcsph;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 using seiche::verification::Arrangement;
