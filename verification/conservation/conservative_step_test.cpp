@@ -21,7 +21,7 @@ using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 3";
-const std::string digits = "computed once by an independent implementation";
+const std::string digits = "regression: computed once by an earlier program for the same equations";
 
 struct Conservation {
   double energy = 0;  ///< relative to the wave's

@@ -19,7 +19,7 @@ using seiche::evidence::Bound;
 using seiche::evidence::Order;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 1";
-const std::string digits = "computed once by an independent implementation";
+const std::string digits = "regression: computed once by an earlier program for the same equations";
 const std::string expansion = "expansion of the scheme's own equation for J u, see start.hpp";
 
 enum class Begin { projected, smooth };

@@ -75,10 +75,10 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
       const double error = mean_depth_error(wave, expectation.scheme, cells);
       const std::string n = std::to_string(cells);
       check.that({.id = id + "-" + n,
-                  .text = "The error of " + id + " on " + n + " cells is that of an independent code.",
+                  .text = "The error of " + id + " on " + n + " cells is that of an earlier program (regression).",
                   .quantity = "mean error of the depth",
                   .unit = "m",
-                  .source = "independent implementation of the same schemes"},
+                  .source = "regression: an earlier program for the same schemes"},
                  {.value = error, .resolution = "N = " + n + ", Courant number 0.4"},
                  evidence::Bound{.limit = 0.01,
                                  .reason = "three printed digits of the other code (0.5 %), and its means of "
