@@ -20,7 +20,7 @@ using seiche::evidence::Order;
 using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 3";
-const std::string digits = "computed once by an independent implementation";
+const std::string digits = "regression: computed once by an earlier program for the same equations";
 
 struct Beach {
   double cotangent, amplitude, spacing, end;
@@ -77,7 +77,7 @@ TEST_CASE("run-up and full run-down on a mild slope: what each scheme conserves"
               "Solitary wave of 0.0185 depths on a slope 1:19.85, run-up and run-down until $t = 75$; cells of 0.25, "
               "steps of at most 1/16 and 0.3 of the longest stable one. The one-step scheme's errors are made at the "
               "largest draw-down, $67 < t < 70$, where a thin layer runs back under a steep front; until then its "
-              "energy errs by $1.4\\times10^{-6}$. The independent implementation had the same start and steps.");
+              "energy errs by $1.4\\times10^{-6}$. The earlier program had the same start and steps.");
   constexpr Scheme one_step{};
   constexpr Scheme feedback{.stepping = Stepping::one_step_feedback};
   const auto known = [&](const std::string& id, const std::string& text, double value, double printed,

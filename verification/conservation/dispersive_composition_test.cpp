@@ -15,14 +15,16 @@
 namespace {
 
 using namespace seiche::mechanics;
+using Model = seiche::dispersive_shallow_water_1d::Model;
+using seiche::Largest;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Order;
 using seiche::evidence::Roundoff;
 using seiche::verification::Check;
-using Model = seiche::dispersive_shallow_water_1d::Model;
 
 const std::string source = "Yoshida (1990), Suzuki (1990); Hairer, Lubich & Wanner (2006), II.4";
-const std::string digits = "computed once by an independent implementation";
+const std::string digits = "regression: computed once by an earlier program for the same equations";
 constexpr double amplitude = 0.3;
 constexpr double length = 60;
 constexpr double end_time = 20;
@@ -146,7 +148,7 @@ TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[
     }
     if (!method.expected.empty()) {
       check.that({.id = "digits-" + method.id,
-                  .text = method.name + ": errors of an independent implementation.",
+                  .text = method.name + ": errors of an earlier program.",
                   .quantity = "largest deviation in half units of the last digit given",
                   .source = digits},
                  {.value = deviation.value(), .resolution = "four steps"},

@@ -17,6 +17,7 @@ namespace {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
+using seiche::Largest;
 using seiche::evidence::Roundoff;
 
 const std::string source = "McLachlan, Quispel & Robidoux, Phil. Trans. R. Soc. A 357 (1999) 1021";

@@ -14,8 +14,10 @@ namespace {
 using namespace seiche::dispersive_shallow_water_2d;
 using namespace seiche::mechanics;
 using namespace seiche::verification;
+using seiche::Largest;
 using seiche::PlanBottom;
 using seiche::Point;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::linear::NinePointMethod;
 

@@ -51,9 +51,9 @@ Course run(Stepping stepping, double breaking, int steps) {
     flow.observe();
     course.time.push_back(flow.time());
     course.energy.push_back(flow.energy());
-    double scale = 0;
-    for (std::size_t i = 0; i < flow.p().size(); ++i) scale += flow.model().masses()[i] * std::abs(flow.p()[i]);
-    course.momentum_scale.add(scale);
+    double squares = 0;
+    for (std::size_t i = 0; i < flow.p().size(); ++i) squares += std::pow(flow.model().masses()[i] * flow.p()[i], 2);
+    course.momentum_scale.add(std::sqrt(squares));
     if (k > 0) course.steepest_rise.add(course.energy.back() - course.energy[course.energy.size() - 2]);
   }
   course.momentum = flow.ledger().largest_defect("momentum");
@@ -89,7 +89,7 @@ TEST_CASE("breaking keeps momentum and volumes to round-off and never gives ener
                  {.value = course.momentum, .resolution = resolution},
                  Roundoff{.operations = steps,
                           .scale = course.momentum_scale.value(),
-                          .reason = "once per step, rounding of the sum of m|u|"});
+                          .reason = "once per step, rounding of each marker's m|u|; squares add up"});
       if (breaking > 0) {
         check.that(
             {.id = id + "-energy", .text = "Energy falls.", .quantity = "steepest rise in a step", .source = source},

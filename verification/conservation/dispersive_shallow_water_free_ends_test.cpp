@@ -34,10 +34,11 @@ Flow patch(Stepping stepping) {
   return Flow(channel, markers, {.stepping = stepping});
 }
 
-double sum_of_momenta(const Flow& flow) {
-  double sum = 0;
-  for (std::size_t i = 0; i < flow.p().size(); ++i) sum += flow.model().masses()[i] * std::abs(flow.p()[i]);
-  return sum;
+/// Root of the sum of the squares of the markers' momenta.
+double size_of_momenta(const Flow& flow) {
+  double squares = 0;
+  for (std::size_t i = 0; i < flow.p().size(); ++i) squares += std::pow(flow.model().masses()[i] * flow.p()[i], 2);
+  return std::sqrt(squares);
 }
 
 }  // namespace
@@ -68,7 +69,7 @@ TEST_CASE("a patch of water with free ends keeps momentum, and energy with the c
     for (int k = 0; k <= steps; ++k) {
       if (k > 0) flow.advance(tau);
       flow.observe();
-      scale.add(sum_of_momenta(flow));
+      scale.add(size_of_momenta(flow));
       off_course.add(centre() - start - speed * flow.time());
       if (conservative && k % (steps / 5) == 0) panel.line(fmt::format("t = {:.0f}", flow.time()), flow.x(), flow.y());
     }
@@ -83,7 +84,7 @@ TEST_CASE("a patch of water with free ends keeps momentum, and energy with the c
                  Roundoff{.operations = steps, .scale = magnitude, .reason = reason + ", once per step"});
     };
     claim("momentum", "Momentum is kept.", flow.ledger().largest_defect("momentum"), scale.value(),
-          "rounding of sum m|u|");
+          "rounding of each marker's m|u|, whose squares add up");
     claim("centre", "The centre of mass moves uniformly.", off_course.value(), 2 * half_length, "rounding of a place");
     if (!conservative) continue;
     claim("energy", "Energy is kept.", flow.ledger().largest_defect("energy"), energy + flow.model().mass(),

@@ -23,6 +23,7 @@ using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
 using seiche::LevelBottom;
 using seiche::PiecewiseLinearBottom;
+using seiche::Worst;
 using seiche::evidence::Roundoff;
 
 const std::string source = "invariance of the equations of motion";

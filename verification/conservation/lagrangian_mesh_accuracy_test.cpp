@@ -18,7 +18,7 @@ using seiche::evidence::Order;
 using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 2";
-const std::string digits = "computed once by an independent implementation";
+const std::string digits = "regression: computed once by an earlier program for the same equations";
 
 struct Motion {
   MeshProblem (*make)();
@@ -106,7 +106,7 @@ class Judge {
     const double last_digit = std::pow(10, std::floor(std::log10(expected.value)) - expected.printed + 1);
     check_.that(
         {.id = std::string(name(integrator)) + what + std::to_string(steps),
-         .text = std::string(title(integrator)) + ": the number of an independent implementation.",
+         .text = std::string(title(integrator)) + ": the number of an earlier program.",
          .quantity = quantity,
          .source = digits},
         {.value = value, .resolution = std::to_string(steps) + " steps"},

@@ -20,6 +20,8 @@ using namespace seiche::lagrangian_mesh_2d;
 using namespace seiche::mechanics;
 using namespace seiche::verification;
 using seiche::Point;
+using seiche::Worst;
+using seiche::worst;
 using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 1, formulas (4), (5)";

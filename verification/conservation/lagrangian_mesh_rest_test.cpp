@@ -16,7 +16,10 @@ namespace {
 using namespace seiche::lagrangian_mesh_2d;
 using namespace seiche::mechanics;
 using namespace seiche::verification;
+using seiche::Largest;
 using seiche::Point;
+using seiche::Worst;
+using seiche::worst;
 using seiche::evidence::Bound;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 2.1";

@@ -18,6 +18,7 @@ namespace {
 
 using namespace seiche::lagrangian_mesh_2d;
 using namespace seiche::verification;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 

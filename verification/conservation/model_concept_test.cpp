@@ -15,6 +15,7 @@ namespace {
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
 using namespace seiche::verification;
+using seiche::Worst;
 using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1, 3, 5, 6";
@@ -228,9 +229,8 @@ TEST_CASE("one step for turned axes, for a basis, and for constraints that chang
       "are never the same.");
   auto chain = heavy_chain();
   const State start = spiral_start(chain);
-  const Roundoff same{.operations = 100 * 12.0 * 12,
-                      .scale = 4,
-                      .reason = "100 steps of 12 coordinates up to 4, about 12 roundings each"};
+  const Roundoff same{
+      .operations = 100 * 12.0, .scale = 4, .reason = "100 steps, in each about 12 roundings of a coordinate up to 4"};
   TurnedChain turned(heavy_chain());
   State in_axes = start;
   turned.to_axes(in_axes.q, in_axes.u);

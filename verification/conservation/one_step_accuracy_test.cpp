@@ -13,6 +13,7 @@ namespace {
 
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
+using seiche::Worst;
 using seiche::evidence::Order;
 using seiche::evidence::Roundoff;
 using seiche::verification::Check;

@@ -12,6 +12,8 @@ namespace {
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
 using namespace seiche::verification;
+using seiche::Largest;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 

@@ -15,6 +15,7 @@ namespace {
 
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::verification::Check;
 

@@ -13,11 +13,13 @@ namespace {
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
 using namespace seiche::verification;
+using seiche::Worst;
+using seiche::worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Order;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 1";
-const std::string digits = "computed once by an independent implementation";
+const std::string digits = "regression: computed once by an earlier program for the same equations";
 const std::string expansion = "expansion of the scheme's own equation for J u, see start.hpp";
 
 enum class Begin { projected, smooth };

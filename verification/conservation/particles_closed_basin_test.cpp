@@ -10,6 +10,7 @@
 namespace {
 
 using namespace seiche::shallow_water_particles;
+using seiche::Worst;
 using seiche::evidence::Roundoff;
 using seiche::verification::Check;
 

@@ -17,6 +17,8 @@
 namespace {
 
 using namespace seiche::shallow_water_particles;
+using seiche::Largest;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 using seiche::shallow_water::ProfileError;

@@ -17,7 +17,9 @@ namespace {
 
 using namespace seiche::dispersive_shallow_water_2d;
 using namespace seiche::verification;
+using seiche::Largest;
 using seiche::PolynomialBottom;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 using seiche::plan_lattice::ShoreSide;

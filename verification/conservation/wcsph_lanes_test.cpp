@@ -20,6 +20,8 @@ namespace {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
+using seiche::Largest;
+using seiche::Worst;
 using seiche::evidence::Bound;
 
 constexpr double spacing = 0.1;

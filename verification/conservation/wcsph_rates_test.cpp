@@ -15,6 +15,7 @@ namespace {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
+using seiche::worst;
 using seiche::evidence::Bound;
 
 const std::string source = "formulas (2)-(6) summed over all pairs";

@@ -22,6 +22,9 @@ namespace {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
+using seiche::largest;
+using seiche::Worst;
+using seiche::worst;
 using seiche::evidence::Bound;
 
 constexpr double spacing = 0.1;

@@ -16,9 +16,9 @@ using evidence::Bound;
 using verification::Role;
 
 const std::string frank = "Frank, Discrete models of incompressible fluid (1994), section 4.3";
-const std::string digits = "computed once by an independent implementation";
+const std::string digits = "regression: computed once by an earlier program for the same equations";
 
-/// Mean height, its band and mean speed of an independent implementation.
+/// Mean height, its band and mean speed of an earlier program.
 struct Expected {
   double spacing, amplitude, lowest, highest, speed;
 };
@@ -71,7 +71,7 @@ TEST_CASE("a solitary wave on coarse cells in plan keeps amplitude, energy and s
                      "a hundred"});
     if (expected.amplitude == 0) continue;
     check.that({.id = id + "-height",
-                .text = "The mean height is that of an independent implementation.",
+                .text = "The mean height is that of an earlier program.",
                 .quantity = "height over depth",
                 .source = digits},
                {.value = found.mean_height(), .resolution = resolution},

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), 4.1; closed form of its layers";
-const std::string printed_once = "formula evaluated once by an independent implementation";
+const std::string printed_once = "regression: formula evaluated once by an earlier program";
 
 /// Errors against Airy's law along an axis, in per cent.
 double layers_error(double wavelength, double spacing, std::size_t layers, double direction = 0,

@@ -14,6 +14,7 @@
 namespace {
 
 using namespace seiche::lagrangian_mesh_2d;
+using seiche::Largest;
 using seiche::evidence::Bound;
 using seiche::evidence::Qualitative;
 using seiche::mechanics::State;

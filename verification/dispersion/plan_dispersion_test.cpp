@@ -25,7 +25,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double diagonal = pi / 4;
 const std::string source =
     "Frank, Discrete models of incompressible fluid (1994), ch. 3 and 4.2; closed form of its cells";
-const std::string printed_once = "formula evaluated once by an independent implementation";
+const std::string printed_once = "regression: formula evaluated once by an earlier program";
 
 PlanDispersion square(double spacing) {
   return {1, 1, spacing, spacing};

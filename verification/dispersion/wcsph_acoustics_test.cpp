@@ -110,7 +110,7 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
       "sound grows at any step.");
   struct Row {
     Wave wave;
-    double printed;  ///< S/k of an independent implementation
+    double printed;  ///< S/k of an earlier program
     int decimals;
   };
   const std::vector<Row> rows{{{32, 1}, 0.9998750, 7},  {{64, 1}, 1.0078660, 7},
@@ -133,7 +133,7 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
     const std::string name = fmt::format("{}-{}-{}", name_of(wave.kernel), wave.cells, wave.mode);
     check_digits(check, "symbol-" + name,
                  fmt::format("S/k ({}, N = {}, mode {})", name_of(wave.kernel), wave.cells, wave.mode), "1",
-                 wave.dispersion(), row.printed, row.decimals, "digits of an independent implementation");
+                 wave.dispersion(), row.printed, row.decimals, "regression: digits of an earlier program");
     const double step = wave.acoustic_step();
     const long steps = std::lround(0.5 / step);
     const Outcome found = run(wave, step, steps);

@@ -16,6 +16,7 @@
 namespace {
 
 using namespace seiche::validation;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Claim;
 using seiche::evidence::Roundoff;

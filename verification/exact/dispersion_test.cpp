@@ -177,8 +177,8 @@ TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tune
                {exact::discrete_frequency(second, 0.1, TimeScheme::conservative), "1.2905714326633"}},
               frank_source,
               {.relative = 1e-13,
-               .reason = "1e-13, to which the frequencies were measured in standing waves of an independent "
-                         "implementation, extrapolated to zero amplitude"});
+               .reason = "1e-13, to which the frequencies were measured in standing waves of an earlier "
+                         "program (regression), extrapolated to zero amplitude"});
   const auto half = FrankDispersion::tuned(1, 1, 0.5, 0.25);
   const auto quarter = FrankDispersion::tuned(1, 1, 0.25, 0.125);
   const auto tenth = FrankDispersion::tuned(1, 1, 0.1, 0.05);

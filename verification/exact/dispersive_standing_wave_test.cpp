@@ -148,7 +148,7 @@ TEST_CASE("the frequency of a standing wave of the dispersive model follows from
                              {correction(1.3, weighted(2)), "0.034"},
                              {correction(1.058, weighted(0)), "-0.035"},
                              {correction(1.058, weighted(1)), "0.016"}},
-                            source + "; computed once by an independent derivation in label coordinates");
+                            source + "; regression: computed once by another derivation of ours, in label coordinates");
   struct Case {
     std::string id;
     double kh;

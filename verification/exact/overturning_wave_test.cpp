@@ -24,7 +24,7 @@ namespace {
 const std::string source =
     "Baker, Meiron & Orszag, J. Fluid Mech. 123 (1982) 477; Longuet-Higgins & Cokelet, Proc. R. Soc. Lond. A 350 "
     "(1976) "
-    "1; numbers computed once by an independent implementation, 512 and 1024 markers";
+    "1; regression: numbers computed once by an earlier program, 512 and 1024 markers";
 
 constexpr double period = 2 * std::numbers::pi;
 const OverturningWave::Parameters deep_water{.amplitude = 0.5};
@@ -121,7 +121,7 @@ void claim_conservation(verification::Check& check, const OverturningWave& wave,
   }
   const std::string reason =
       "errors of some 400 steps of tolerance 2e-11, which do not all add up: reached by the "
-      "independent implementation";
+      "earlier program";
   check.that(
       {.id = "volume", .text = "Volume is conserved " + when + ".", .quantity = "change of volume", .source = source},
       {.value = volume.value()}, evidence::Bound{.limit = 1e-11, .reason = reason});
@@ -147,7 +147,7 @@ void draw(verification::Check& check, const OverturningWave& wave, const std::ma
           double until, const std::string& id, const std::string& title, double unit, const std::string& unit_name) {
   auto& figure =
       check.figure(id, title,
-                   "Lines: 512 markers; dots: every tenth point of the independent computation with 1024 markers. "
+                   "Lines: 512 markers; dots: every tenth point of the earlier computation with 1024 markers. "
                    "Units of 1/k; time grows upwards, each profile is drawn 0.5 above the one before.");
   auto& panel = figure.panel({.x = "k x", .y = "k y + 0.5 n", .equal_aspect = true});
   double shift = 0;
@@ -169,14 +169,15 @@ void draw(verification::Check& check, const OverturningWave& wave, const std::ma
 }  // namespace
 
 TEST_CASE("a steep wave over a bottom overturns and touches down as the reference does", "[exact]") {
-  verification::Check check("exact_overturning_finite_depth", "Overturning wave over a flat bottom, up to touch-down",
-                            "Depth and height 0.13 wavelengths; at $t = 0$ a cosine with the surface potential of the "
-                            "linear wave. The surface "
-                            "is compared with an independent computation at seven times, up to 0.49 linear periods; "
-                            "touch-down follows at 0.495. "
-                            "Volume, energy and impulse are conserved by the motion. A second number of markers and a "
-                            "second tolerance tell the "
-                            "numerical error.");
+  verification::Check check(
+      "exact_overturning_finite_depth", "Overturning wave over a flat bottom, up to touch-down",
+      "Depth and height 0.13 wavelengths; at $t = 0$ a cosine with the surface potential of the "
+      "linear wave. The surface "
+      "is compared with an earlier computation of ours at seven times, up to 0.49 linear periods; "
+      "touch-down follows at 0.495. "
+      "Volume, energy and impulse are conserved by the motion. A second number of markers and a "
+      "second tolerance tell the "
+      "numerical error.");
   const OverturningWave wave(over_bottom);
   const auto reference = profiles("overturning_wave_finite_depth", check.record());
   claim_table(check, wave,
@@ -229,8 +230,8 @@ TEST_CASE("a steep wave in deep water overturns as the reference does", "[exact]
   verification::Check check(
       "exact_overturning_deep", "Overturning wave in deep water",
       "At $t = 0$ $\\eta = 0.5 \\cos x$ with surface potential $0.5 e^{\\eta} \\sin x$, whose kinetic energy is "
-      "$\\frac{\\pi}{2} A^2 I_0(2A)$. Profiles, extremes, vertical tangent and nose of the jet against an independent "
-      "computation.");
+      "$\\frac{\\pi}{2} A^2 I_0(2A)$. Profiles, extremes, vertical tangent and nose of the jet against an earlier "
+      "computation of ours.");
   auto parameters = deep_water;
   parameters.last_time = 4.4;
   const OverturningWave wave(parameters);

@@ -146,7 +146,7 @@ TEST_CASE("the standing wave of Tadjbakhsh and Keller has the digits and frequen
                evidence::observed_order(steepness, dynamic, 1e-12), third);
   }
   const std::string exact_source =
-      source + "; frequencies computed once by an independent implementation of the full equations";
+      source + "; regression: frequencies computed once by an earlier program for the full equations";
   for (const auto* cases : {&shallow, &deep}) {
     const Exact& fine = cases->front();
     const Exact& coarse = cases->back();

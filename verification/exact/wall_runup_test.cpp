@@ -1,10 +1,10 @@
 #include "seiche/exact/wall_runup.hpp"
-#include "seiche/samples.hpp"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "seiche/samples.hpp"
 #include "validation/case/reference_table.hpp"
 #include "verification/self_test_claims.hpp"
 
@@ -14,12 +14,13 @@ using verification::Role;
 
 TEST_CASE("solitary waves run up a vertical wall as high as the reference says", "[exact]") {
   const std::string source =
-      "Su & Mirie, J. Fluid Mech. 98 (1980) 509; Cooker, Weidman & Bale, J. Fluid Mech. 342 (1997) 141; numbers "
-      "computed once by an independent implementation with 256 and 384 markers";
+      "Su & Mirie, J. Fluid Mech. 98 (1980) 509; Cooker, Weidman & Bale, J. Fluid Mech. 342 (1997) 141; "
+      "regression: numbers computed once by an earlier program with 256 and 384 markers";
   verification::Check check(
       "exact_wall_runup", "Run-up of solitary waves on a vertical wall",
-      "Two mirrored solitary waves of the Euler equations collide head-on. The run-up is compared with an independent "
-      "computation; the series of Su & Mirie and of Byatt-Smith leave it by one per cent at 0.5 and 0.2 depths. A "
+      "Two mirrored solitary waves of the Euler equations collide head-on. The run-up is compared with an earlier "
+      "computation of ours; the series of Su & Mirie and of Byatt-Smith leave it by one per cent at 0.5 and 0.2 "
+      "depths. A "
       "second number of markers and a second tolerance tell the numerical error.");
   const auto table = validation::reference_table("wall_runup_exact", check.record().reference_data);
   std::vector<double> amplitudes;

@@ -17,6 +17,8 @@ namespace {
 
 using namespace seiche::lagrangian_mesh_3d;
 using namespace seiche::verification;
+using seiche::Largest;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 

@@ -17,6 +17,7 @@ namespace {
 using namespace seiche::verification;
 using seiche::OutsidePlanBottom;
 using seiche::SplineBottom;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::observed_order;
 using seiche::evidence::Order;

@@ -111,7 +111,7 @@ TEST_CASE("layers follow their surface and patches their circle", "[geometry]") 
   check.that({.id = "semi-axis",
               .text = "Its semi-axis from second moments, 2 sqrt(mean z^2), is 0.038 % too large.",
               .quantity = "relative error of the semi-axis",
-              .source = "computed once by an independent implementation"},
+              .source = "regression: computed once by an earlier program for the same equations"},
              {.value = 2 * std::sqrt(second / static_cast<double>(p.size())) - 1},
              evidence::Bound{.limit = 0.5e-5, .reason = "half of the last digit printed", .expected = 0.00038});
   check.that({.id = "fields",

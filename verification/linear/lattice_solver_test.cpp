@@ -21,6 +21,9 @@
 namespace {
 
 using namespace seiche::linear;
+using seiche::Largest;
+using seiche::largest;
+using seiche::worst;
 using seiche::verification::Check;
 using seiche::verification::DeformedMesh;
 using seiche::verification::mesh_matrix;

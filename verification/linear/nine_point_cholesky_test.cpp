@@ -19,6 +19,8 @@
 namespace {
 
 using namespace seiche::linear;
+using seiche::Worst;
+using seiche::worst;
 using seiche::verification::mesh_matrix;
 
 struct Shape {

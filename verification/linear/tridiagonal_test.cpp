@@ -13,6 +13,8 @@
 namespace {
 
 using namespace seiche::linear;
+using seiche::Largest;
+using seiche::worst;
 
 struct Problem {
   std::vector<double> diagonal, off_diagonal, right_hand_side;

@@ -19,6 +19,10 @@
 namespace {
 
 using namespace seiche::shallow_water_particles;
+using seiche::Largest;
+using seiche::largest;
+using seiche::Smallest;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::observed_order;
 using seiche::evidence::Order;

@@ -15,6 +15,7 @@ namespace {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
+using seiche::Largest;
 using seiche::evidence::Bound;
 
 constexpr double spacing = 0.1;

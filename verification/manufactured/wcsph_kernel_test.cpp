@@ -15,6 +15,7 @@
 namespace {
 
 using namespace seiche::wcsph;
+using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 using seiche::verification::Arrangement;
@@ -109,7 +110,7 @@ TEST_CASE("kernels have their moments, and their sums over lattices", "[manufact
       {"wendland-2.0", "Wendland, h/dx = 2.0", lattice_sums<WendlandC2>(2.0, square), 1.001206, 0.999199, 44},
       {"cubic-body-centred", "cubic spline, h/dx = 1.3, body-centred",
        lattice_sums<CubicSpline>(1.3, Arrangement::body_centred), 1.000509, 0.994034, 44}};
-  const std::string source = "definition; digits computed once by an independent implementation";
+  const std::string source = "definition; regression: digits computed once by an earlier program";
   seiche::evidence::Table table{
       .id = "lattices",
       .title = "Sums over lattices",

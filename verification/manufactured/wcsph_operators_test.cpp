@@ -21,8 +21,8 @@ using seiche::wcsph::CubicSpline;
 
 constexpr double two_pi = 2 * std::numbers::pi;
 const std::string source =
-    "Quinlan, Basa and Lastiwka, Int. J. Numer. Meth. Eng. 66 (2006) 2064; digits computed once by an independent "
-    "implementation";
+    "Quinlan, Basa and Lastiwka, Int. J. Numer. Meth. Eng. 66 (2006) 2064; regression: digits computed once by an "
+    "earlier program";
 
 /// Errors of f = sin(2 pi x) cos(2 pi z) in L2 over the norm of what is approximated, and by what factor the operator
 /// multiplies it.
@@ -101,7 +101,7 @@ void draw(Check& check, const std::string& id, const std::string& title, const s
   panel.line("slope 2", dx, slope, Role::guide);
 }
 
-/// Error at N = 32, 64, 128 of the independent implementation.
+/// Error at N = 32, 64, 128 of the earlier program.
 struct Printed {
   std::string id, operator_name;
   double Errors::*error;
@@ -114,17 +114,17 @@ void check_printed(Check& check, const std::vector<Errors>& table, const std::ve
     for (std::size_t k = 0; k < row.values.size(); ++k) {
       const double n = static_cast<double>(sizes[2 * k]);
       const double scatter = disordered ? 3 * std::sqrt(20.0) / n * row.values[k] : 0;
-      check.that({.id = fmt::format("{}-{}", row.id, n),
-                  .text = fmt::format("The error of the {} at N = {} is that of an independent implementation.",
-                                      row.operator_name, n),
-                  .quantity = "relative L2 error",
-                  .source = source},
-                 {.value = table[2 * k].*row.error, .resolution = fmt::format("N = {}", n)},
-                 Bound{.limit = row.half_digits[k] + scatter,
-                       .reason = disordered ? "half a unit of the last printed digit, and three standard deviations of "
-                                              "two norms over N^2/20 independent samples each"
-                                            : "half a unit of the last printed digit",
-                       .expected = row.values[k]});
+      check.that(
+          {.id = fmt::format("{}-{}", row.id, n),
+           .text = fmt::format("The error of the {} at N = {} is that of an earlier program.", row.operator_name, n),
+           .quantity = "relative L2 error",
+           .source = source},
+          {.value = table[2 * k].*row.error, .resolution = fmt::format("N = {}", n)},
+          Bound{.limit = row.half_digits[k] + scatter,
+                .reason = disordered ? "half a unit of the last printed digit, and three standard deviations of "
+                                       "two norms over N^2/20 independent samples each"
+                                     : "half a unit of the last printed digit",
+                .expected = row.values[k]});
     }
   }
 }

@@ -60,7 +60,7 @@ struct Run {
   std::string id, name;
   KernelName kernel;
   double smoothing, spacing;
-  Printed axis_half, axis_one, velocity_half, velocity_one, energy;  ///< errors of an independent implementation
+  Printed axis_half, axis_one, velocity_half, velocity_one, energy;  ///< errors of an earlier program
 };
 
 std::vector<Errors> judge(Check& check, const std::vector<Run>& runs) {
@@ -110,7 +110,7 @@ std::vector<Errors> judge(Check& check, const std::vector<Run>& runs) {
     };
     const auto same = [](const Printed& printed) {
       return Bound{.limit = printed.half_digit,
-                   .reason = "half a unit of the last digit printed by an independent implementation of the scheme",
+                   .reason = "half a unit of the last digit printed by an earlier program for the scheme: regression",
                    .expected = printed.value};
     };
     claim("axis-half", "relative error of the semi-axis at t = 0.5", half.axis, same(run.axis_half));

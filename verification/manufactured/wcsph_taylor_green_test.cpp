@@ -136,7 +136,7 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
     const Decay decay = run(vortices, row.run);
     const std::string resolution = fmt::format("{}, {} steps", row.name, decay.steps);
     check.that({.id = row.id + "-rate",
-                .text = fmt::format("The rate of decay is that of an independent implementation ({}).", row.name),
+                .text = fmt::format("The rate of decay is that of an earlier program ({}).", row.name),
                 .quantity = "rate of decay over 2 nu k^2",
                 .source = source},
                {.value = decay.rate_over(vortices.rate()), .resolution = resolution},
@@ -149,7 +149,7 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
                 .quantity = "L2 of the velocity error over the initial speed, after one decay time",
                 .source = source},
                {.value = decay.velocity_error, .resolution = resolution},
-               Bound{.limit = 0.02, .reason = "1e-2 in an independent implementation; factor 2 for the start"});
+               Bound{.limit = 0.02, .reason = "regression: 1e-2 in an earlier program; factor 2 for the start"});
     runs.emplace_back(row.name, decay);
   }
   draw(check, "Reynolds number 10: kinetic energy of particles.", vortices, runs);

@@ -21,6 +21,9 @@ namespace {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
+using seiche::Largest;
+using seiche::Worst;
+using seiche::worst;
 using seiche::evidence::Roundoff;
 using seiche::mechanics::ConservativeStep;
 using seiche::mechanics::OneStep;

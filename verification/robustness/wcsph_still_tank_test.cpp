@@ -13,6 +13,7 @@ namespace {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
+using seiche::Worst;
 using seiche::evidence::Bound;
 
 constexpr double gravity = 9.81;
@@ -139,7 +140,7 @@ TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness]") {
   const std::vector<Printed> printed{{"plain", "plain", 4.1e-2, 3.4e-2, 1.0e-3},
                                      {"clamped", "clamped walls", 3.9e-2, 3.3e-2, 1.0e-3},
                                      {"filter", "density filter", 3.9e-2, 1.05e-2, 1.4e-3}};
-  const std::string reason = "1.5 times that of an independent implementation: noise after two seconds of settling";
+  const std::string reason = "regression: 1.5 times that of an earlier program; noise after two seconds of settling";
   for (std::size_t k = 0; k < printed.size(); ++k) {
     const auto claim = [&](const std::string& what, double value, double limit) {
       check.that({.id = printed[k].id + "-" + what,
@@ -158,13 +159,13 @@ TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness]") {
               .quantity = "sinking of the centre of mass over the depth",
               .source = "equilibrium"},
              {.value = rest[0].sinking},
-             Bound{.limit = 1e-3, .reason = "4e-4 in an independent implementation: the gap at the walls settles"});
+             Bound{.limit = 1e-3, .reason = "regression: 4e-4 in an earlier program; the gap at the walls settles"});
   check.that({.id = "filter-smooths",
               .text = "The density filter takes most of the noise out of the interior.",
               .quantity = "core error with the filter over that without",
               .source = "Colagrossi and Landrini, J. Comput. Phys. 191 (2003) 448"},
              {.value = rest[2].core / rest[0].core},
-             Bound{.limit = 0.5, .reason = "0.31 in an independent implementation"});
+             Bound{.limit = 0.5, .reason = "regression: 0.31 in an earlier program"});
 }
 
 TEST_CASE("density diffusion improves the pressure of a tank at rest and leaves the water where it is",
@@ -185,7 +186,7 @@ TEST_CASE("density diffusion improves the pressure of a tank at rest and leaves 
                Bound{.limit = limit, .reason = reason});
   };
   claim("core", "The interior has the pressure that the uncorrected form gives it.", "core error over rho_0 g H",
-        rest[1].core, 1.5 * 1.2e-2, "1.5 times that of an independent implementation of the uncorrected form");
+        rest[1].core, 1.5 * 1.2e-2, "regression: 1.5 times that of an earlier program for the uncorrected form");
   claim("smoother", "Density diffusion takes most of the error away.", "L2 error over that without diffusion",
         rest[1].all / rest[0].all, 0.5, "more than half: the noise is what it acts on, the pressure itself is linear");
   claim("level", "Corrected density diffusion leaves the water where it is.",
