@@ -35,12 +35,15 @@ Fit fit_with_order(const std::vector<double>& sizes, const std::vector<double>& 
 }  // namespace
 
 GridConvergence grid_convergence(const std::vector<double>& sizes, const std::vector<double>& values, double theory) {
-  const bool finite = std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }) &&
-                      std::all_of(sizes.begin(), sizes.end(), [](double h) { return std::isfinite(h) && h > 0; });
-  if (sizes.size() != values.size() || std::set<double>(sizes.begin(), sizes.end()).size() < 3 || !finite) {
+  const bool positive = std::all_of(sizes.begin(), sizes.end(), [](double h) { return std::isfinite(h) && h > 0; });
+  if (sizes.size() != values.size() || std::set<double>(sizes.begin(), sizes.end()).size() < 3 || !positive) {
     throw std::invalid_argument(
-        fmt::format("grid convergence: needs three or more different positive sizes with finite values, got {} and {}",
+        fmt::format("grid convergence: needs three or more different positive sizes with as many values, got {} and {}",
                     sizes.size(), values.size()));
+  }
+  if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); })) {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    return {nothing, nothing, nothing, "a value is not a finite number"};
   }
   const auto finest = static_cast<std::size_t>(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
   const auto [low, high] = std::minmax_element(values.begin(), values.end());

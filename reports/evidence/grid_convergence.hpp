@@ -28,7 +28,9 @@ struct GridConvergence {
 /// @param sizes   mesh widths, at least three different ones, positive
 /// @param values  computed values, same length
 /// @param theory  theoretical order of the method
-/// @throws std::invalid_argument for fewer than three resolutions or non-finite numbers
+/// A value that is not a finite number makes all results NaN.
+///
+/// @throws std::invalid_argument for fewer than three resolutions
 GridConvergence grid_convergence(const std::vector<double>& sizes, const std::vector<double>& values, double theory);
 
 }  // namespace seiche::evidence

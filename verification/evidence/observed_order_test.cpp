@@ -133,6 +133,7 @@ TEST_CASE("an order that cannot be trusted widens the uncertainty", "[grid-conve
   CHECK(odd.uncertainty > 2 * good.uncertainty);
   CHECK_FALSE(odd.note.empty());
   CHECK(grid_convergence({1, 2, 4}, {5, 5, 5}, 2).uncertainty == 0);
+  CHECK(std::isnan(grid_convergence({1, 2, 4}, {5, std::numeric_limits<double>::quiet_NaN(), 5}, 2).uncertainty));
   CHECK_THROWS_AS(grid_convergence({1, 2}, {1, 1}, 2), std::invalid_argument);
   CHECK_THROWS_AS(grid_convergence({1, 1, 1}, {1, 1, 1}, 2), std::invalid_argument);
 }
