@@ -23,13 +23,12 @@ struct GridConvergence {
 ///
 /// With exactly three resolutions the fit is exact (Richardson extrapolation) and the result is the grid convergence
 /// index. An observed order outside [0.5, theory + 0.5] is not trusted: the theoretical order replaces one that is
-/// too high, and the factor is 3. Values that do not change at all have uncertainty zero.
+/// too high, and the factor is 3. Values that do not change at all have uncertainty zero; one that is not a finite
+/// number makes all results NaN.
 ///
 /// @param sizes   mesh widths, at least three different ones, positive
 /// @param values  computed values, same length
 /// @param theory  theoretical order of the method
-/// A value that is not a finite number makes all results NaN.
-///
 /// @throws std::invalid_argument for fewer than three resolutions
 GridConvergence grid_convergence(const std::vector<double>& sizes, const std::vector<double>& values, double theory);
 
