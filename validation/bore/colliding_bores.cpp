@@ -56,6 +56,7 @@ struct Results {
 
 void claims(const Values& values, Claims<Results> claims) {
   const SetUp s = set_up(values);
+  const auto particles = static_cast<double>(s.finest().particles);
   claim_conservation(claims.of(&Results::flow), s.problem, s.finest(), s.time);
   claims.at(s.finest().text())
       .check(
@@ -64,14 +65,15 @@ void claims(const Values& values, Claims<Results> claims) {
            .quantity = "reconstructed L1(h)",
            .unit = "m",
            .source = "Riemann problem of the states behind the bores"},
-          [](const Results& r) -> Measurement {
+          [particles](const Results& r) -> Measurement {
             return {.value = r.finest().errors.reconstructed.depth.l1,
-                    .told = {.operations = 8 * static_cast<double>(r.finest().steps)}};
+                    .told = {.operations = 8 * particles * static_cast<double>(r.finest().steps)}};
           },
-          evidence::Roundoff{.operations = evidence::Amount::told_by_run(8 * most_steps(s.problem, s.finest(), s.time)),
-                             .scale = s.bores.star().depth,
-                             .reason = "both jumps are followed through the particle they share: about eight rounded "
-                                       "operations per edge and step, on depths of this size"});
+          evidence::Roundoff{
+              .operations = evidence::Amount::told_by_run(8 * particles * most_steps(s.problem, s.finest(), s.time)),
+              .scale = s.bores.star().depth,
+              .reason = "both jumps are followed through the particle they share: eight rounded operations per step, "
+                        "and per particle a jump has passed"});
 }
 
 Results compute(const Run& run) {

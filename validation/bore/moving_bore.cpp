@@ -193,21 +193,10 @@ void claims(const Values& values, Claims<Results> claims) {
   const SetUp s = set_up(values);
   const auto steps = static_cast<double>(s.steps);
   claim_conservation(claims.of(&Results::flow), s.problem, s.discretisation, s.time);
-  claim_exact_profile(claims.of(&Results::flow), s.bore.behind().depth, s.steps);
+  claim_exact_profile(claims.of(&Results::flow), s.bore.behind().depth, s.discretisation, s.time);
   claim_single_particle(claims.of(&Results::flow), s.front);
-  claims.at(s.discretisation.text())
-      .check(
-          {.id = "range",
-           .text = "No depth leaves the range of the exact solution.",
-           .quantity = "largest depth outside the range",
-           .unit = "m",
-           .source = "the bore is monotone"},
-          [s](const Results& r) { return excursion(r.flow.profile(), s.front.ahead, s.front.behind); },
-          // Depth is mass over width: the rounding of two edges of the size of the channel counts N times.
-          evidence::Roundoff{.operations = steps,
-                             .scale = s.front.behind * static_cast<double>(s.discretisation.particles),
-                             .reason = "edges as large as the channel are rounded once per step, and a width is "
-                                       "their difference, N times smaller"});
+  claim_range(claims.of(&Results::flow), s.front.ahead, s.front.behind, s.discretisation, s.time,
+              "the bore is monotone");
   claims.at(fmt::format("N = {}, tau = {:g} s", s.discretisation.particles, s.discretisation.time_step))
       .check(
           {.id = "energy",

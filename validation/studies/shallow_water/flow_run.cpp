@@ -119,7 +119,7 @@ void claim_single_particle(Claims<FlowRun> claims, const Front& front) {
       evidence::Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
 }
 
-void claim_exact_profile(Claims<FlowRun> claims, double deepest, long steps) {
+void claim_exact_profile(Claims<FlowRun> claims, double deepest, const Discretisation& discretisation, double time) {
   claims.check(
       {.id = "reconstructed_l1_h",
        .text = "The method's profile is the exact one.",
@@ -129,9 +129,29 @@ void claim_exact_profile(Claims<FlowRun> claims, double deepest, long steps) {
       [](const FlowRun& flow) -> Measurement {
         return {.value = flow.errors.reconstructed.depth.l1, .resolution = flow.discretisation.text()};
       },
-      Roundoff{.operations = 8.0 * static_cast<double>(steps),
-               .scale = deepest,
-               .reason = "about eight rounded operations per edge and step, on depths of this size"});
+      Roundoff{
+          .operations = 8 * std::round(time / discretisation.time_step) * static_cast<double>(discretisation.particles),
+          .scale = deepest,
+          .reason = "eight rounded operations per step, and per particle the jump has passed"});
+}
+
+void claim_range(Claims<FlowRun> claims, double lowest, double highest, const Discretisation& discretisation,
+                 double time, const std::string& source) {
+  claims.check(
+      {.id = "range",
+       .text = "No depth leaves the range of the exact solution.",
+       .quantity = "largest depth outside the range",
+       .unit = "m",
+       .source = source},
+      [lowest, highest](const FlowRun& flow) -> Measurement {
+        const Worst outside = excursion(flow.profile(), lowest, highest);
+        return {.value = outside.value(), .resolution = flow.discretisation.text()};
+      },
+      // Depth is mass over width: the rounding of two edges of the size of the channel counts N times.
+      Roundoff{.operations = std::round(time / discretisation.time_step),
+               .scale = highest * static_cast<double>(discretisation.particles),
+               .reason = "edges as large as the channel are rounded once per step, and a width is their difference, N "
+                         "times smaller"});
 }
 
 void claim_reproduced(Claims<double> claims, evidence::Claim claim, double stated) {

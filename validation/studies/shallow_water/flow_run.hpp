@@ -52,10 +52,14 @@ void claim_conservation(Claims<FlowRun> claims, const FlowProblem& problem, cons
 /// The jump lies inside a single particle; id "width".
 void claim_single_particle(Claims<FlowRun> claims, const Front& front);
 
-/// The method's own profile is the exact one to round-off; for flows of uniform states and jumps.
+/// The method's own profile is the exact one to round-off; for flows of uniform states and jumps, at a fixed step.
 /// @param deepest  depth that is rounded [m]
-/// @param steps    number of steps
-void claim_exact_profile(Claims<FlowRun> claims, double deepest, long steps);
+void claim_exact_profile(Claims<FlowRun> claims, double deepest, const Discretisation& discretisation, double time);
+
+/// No mean depth leaves [lowest, highest] but by round-off; id "range". At a fixed step.
+/// @param source  why the exact solution stays inside
+void claim_range(Claims<FlowRun> claims, double lowest, double highest, const Discretisation& discretisation,
+                 double time, const std::string& source);
 
 /// An error is what an earlier program for the same schemes gave, within 10 %: a larger one means that something got
 /// worse, a smaller one that the number stated is out of date. Regression, not validation.
