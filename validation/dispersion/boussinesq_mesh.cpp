@@ -9,6 +9,7 @@
 
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/lagrangian_mesh_dispersion.hpp"
+#include "seiche/samples.hpp"
 #include "validation/case/reference_case.hpp"
 
 namespace seiche::validation {
@@ -16,11 +17,11 @@ namespace seiche::validation {
 double distance_from_boussinesq(double column_width, std::size_t rows) {
   const exact::LagrangianMeshDispersion law(1, 1, column_width, rows);
   const auto boussinesq = exact::RationalDispersion::green_naghdi(1, 1);
-  double largest = 0;
+  Worst difference;
   for (const double k : evenly(0.01, 2 * std::numbers::pi / shortest_like_boussinesq, 300)) {
-    largest = std::max(largest, std::abs(law.frequency(k) / boussinesq.frequency(k) - 1));
+    difference.add(law.frequency(k) / boussinesq.frequency(k) - 1, k);
   }
-  return largest;
+  return difference.value();
 }
 
 double boussinesq_width(std::size_t rows) {

@@ -29,6 +29,7 @@ are roundings: the program solves what the formula describes.
 
 #include <fmt/format.h>
 
+#include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/dispersive_standing_mode.hpp"
@@ -38,122 +39,116 @@ namespace {
 
 using dispersive_shallow_water_1d::Stepping;
 using dispersive_shallow_water_1d::stepping_named;
-using evidence::Bound;
 using evidence::Role;
 using exact::FrankDispersion;
 
 const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, formula (13)";
-constexpr double limit = 1e-11;
-const std::string limit_reason = "positions of size 1 are rounded to 1e-16, that is 1e-11 of the amplitude 1e-5";
+constexpr double pi = std::numbers::pi;
 
-struct Deviation {
-  double measured;
-  double theory;
-  [[nodiscard]] double relative() const { return std::abs(measured / theory - 1); }
-};
-
-Deviation deviation_of(const StandingBox& box, double periods) {
-  return {smallest_wave_frequency(box, periods), box.linear_frequency()};
+/// Of a relative deviation of the frequency. Elevations are counted from still water: every rounding is relative to the
+/// wave, not to the depth. Roundings in steps move the phase at random, and the fit divides by the whole of it.
+evidence::Roundoff limit_of(const std::vector<StandingBox>& boxes, double periods) {
+  constexpr double of_a_step = 50;
+  constexpr double of_fit_and_law = 100;
+  const double phase = 2 * pi * periods;
+  Largest steps;
+  for (const StandingBox& box : boxes) steps.add(phase / (box.linear_frequency() * box.tau));
+  return {.operations = of_a_step * steps.value() / (phase * phase) + of_fit_and_law,
+          .scale = 1,
+          .reason =
+              "fifty roundings of a step shift the phase of a wave at random, over a phase of 2 pi periods; a "
+              "hundred of fit, extrapolation and law"};
 }
 
-void claim_own_wave(Running& run) {
-  const double k = run.real("wavenumber");
-  const StandingBox box{.wavenumber = k,
-                        .cells = StandingBox::cells_of(k, run.real("h")),
-                        .tau = run.real("tau"),
-                        .scheme = {.stepping = stepping_named(run.text("scheme"))},
-                        .alpha = run.real("alpha"),
-                        .slope_energy = run.real("beta"),
-                        .gamma = run.real("gamma")};
-  const Deviation deviation = deviation_of(box, run.real("periods"));
-  run.record.measure("spacing_used", box.spacing());
-  run.record.measure("omega_measured", deviation.measured);
-  run.record.measure("omega_theory", deviation.theory);
-  run.record.check(
-      {.id = "frequency",
-       .text = "The wave of the parameters has the frequency of the discrete model's law.",
-       .quantity = "relative deviation of the frequency",
-       .source = source},
-      {.value = deviation.relative(), .resolution = fmt::format("{} cells, tau = {:g}", box.cells, box.tau)},
-      Bound{limit, limit_reason});
+/// A frequency measured and of the law.
+struct Found {
+  double measured = 0;
+  double theory = 0;
+  [[nodiscard]] double deviation() const { return measured / theory - 1; }
+};
+
+std::vector<Found> frequencies(const std::vector<StandingBox>& boxes, double periods) {
+  std::vector<Found> found;
+  for (const StandingBox& box : boxes) {
+    found.push_back({smallest_wave_frequency(box, periods), box.linear_frequency()});
+  }
+  return found;
+}
+
+Worst worst_of(const std::vector<Found>& found) {
+  Worst deviation;
+  for (const Found& f : found) deviation.add(f.deviation());
+  return deviation;
+}
+
+StandingBox own_box(const Values& values) {
+  const double k = values.real("wavenumber");
+  return {.wavenumber = k,
+          .cells = StandingBox::cells_of(k, values.real("h")),
+          .tau = values.real("tau"),
+          .scheme = {.stepping = stepping_named(values.text("scheme"))},
+          .alpha = values.real("alpha"),
+          .slope_energy = values.real("beta"),
+          .gamma = values.real("gamma")};
 }
 
 /// Twelve waves from long and resolved to short and hardly so.
-void claim_twelve_waves(Running& run) {
-  constexpr double pi = std::numbers::pi;
+std::vector<StandingBox> twelve_boxes(Stepping stepping) {
   struct Wave {
     double k, spacing, tau;
   };
-  const std::vector<Wave> waves = {{0.5, pi / 62, 0.05}, {0.5, pi / 12, 0.2}, {0.5, pi / 6, 0.3}, {1, pi / 31, 0.2},
-                                   {1, pi / 31, 0.05},   {1, pi / 12, 0.1},   {1, pi / 3, 0.3},   {2, pi / 31, 0.05},
-                                   {2, pi / 12, 0.1},    {2, pi / 6, 0.2},    {3, pi / 30, 0.05}, {3, pi / 12, 0.3}};
-  evidence::Table table{.id = "waves",
-                        .title = "Frequencies measured and of the law",
-                        .caption = "Depth and gravity are 1; deviations are relative to the law.",
-                        .columns = {{"wavenumber", ""},
-                                    {"cells", ""},
-                                    {"tau", ""},
-                                    {"one-step: measured", ""},
-                                    {"deviation", ""},
-                                    {"conservative: measured", ""},
-                                    {"deviation", ""}}};
-  double worst_one_step = 0;
-  double worst_conservative = 0;
-  for (const Wave& wave : waves) {
-    StandingBox box{.wavenumber = wave.k, .cells = StandingBox::cells_of(wave.k, wave.spacing), .tau = wave.tau};
-    const Deviation one_step = deviation_of(box, run.real("periods"));
-    box.scheme.stepping = Stepping::conservative;
-    const Deviation conservative = deviation_of(box, run.real("periods"));
-    worst_one_step = std::max(worst_one_step, one_step.relative());
-    worst_conservative = std::max(worst_conservative, conservative.relative());
-    table.rows.push_back({wave.k, static_cast<double>(box.cells), wave.tau, fmt::format("{:.13f}", one_step.measured),
-                          one_step.relative(), fmt::format("{:.13f}", conservative.measured), conservative.relative()});
+  std::vector<StandingBox> boxes;
+  for (const Wave& wave : std::vector<Wave>{{0.5, pi / 62, 0.05},
+                                            {0.5, pi / 12, 0.2},
+                                            {0.5, pi / 6, 0.3},
+                                            {1, pi / 31, 0.2},
+                                            {1, pi / 31, 0.05},
+                                            {1, pi / 12, 0.1},
+                                            {1, pi / 3, 0.3},
+                                            {2, pi / 31, 0.05},
+                                            {2, pi / 12, 0.1},
+                                            {2, pi / 6, 0.2},
+                                            {3, pi / 30, 0.05},
+                                            {3, pi / 12, 0.3}}) {
+    boxes.push_back({.wavenumber = wave.k,
+                     .cells = StandingBox::cells_of(wave.k, wave.spacing),
+                     .tau = wave.tau,
+                     .scheme = {.stepping = stepping}});
   }
-  const auto claim = [&](const std::string& id, const std::string& scheme, double worst) {
-    run.record.check({.id = id,
-                      .text = fmt::format("Twelve waves have the law's frequency with the {} scheme.", scheme),
-                      .quantity = "largest relative deviation of the frequency",
-                      .source = source},
-                     {.value = worst, .resolution = "3 to 124 cells, tau = 0.05 to 0.3"}, Bound{limit, limit_reason});
-  };
-  claim("one-step", "one-step", worst_one_step);
-  claim("conservative", "conservative", worst_conservative);
-  run.record.table(std::move(table));
+  return boxes;
 }
 
-void claim_other_energies(Running& run) {
-  const FrankDispersion::Parameters tuned = FrankDispersion::tuned(1, 1, 0.25, 0.125).parameters();
-  struct Variant {
-    std::string id, text;
-    double alpha, slope_energy, gamma;
-  };
-  const std::vector<Variant> variants = {
-      {"gamma", "with the added energy of slopes, gamma = 1/15, alpha = 2/5", 0.4, 1.0 / 3, 1.0 / 15},
-      {"tuned", "with alpha and gamma tuned to spacing and step", tuned.alpha, 1.0 / 3, tuned.gamma},
-      {"beta", "with another energy of a cell's slope, beta = 3/5", 1.0 / 3, 0.6, 0},
-      {"together", "with alpha, beta and gamma all changed", 0.35, 0.2, 0.05}};
-  for (const Variant& variant : variants) {
-    double worst = 0;
+/// Other energies.
+struct Variant {
+  std::string id, text;
+  double alpha, slope_energy, gamma;
+
+  [[nodiscard]] std::vector<StandingBox> boxes() const {
+    std::vector<StandingBox> boxes;
     for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
       for (const double k : {0.7, 1.5, 3.0}) {
-        const StandingBox box{.wavenumber = k,
-                              .cells = StandingBox::cells_of(k, 0.25),
-                              .tau = 0.125,
-                              .scheme = {.stepping = stepping},
-                              .alpha = variant.alpha,
-                              .slope_energy = variant.slope_energy,
-                              .gamma = variant.gamma};
-        worst = std::max(worst, deviation_of(box, run.real("periods")).relative());
+        boxes.push_back({.wavenumber = k,
+                         .cells = StandingBox::cells_of(k, 0.25),
+                         .tau = 0.125,
+                         .scheme = {.stepping = stepping},
+                         .alpha = alpha,
+                         .slope_energy = slope_energy,
+                         .gamma = gamma});
       }
     }
-    run.record.check({.id = variant.id,
-                      .text = "The law holds " + variant.text + ".",
-                      .quantity = "largest relative deviation of the frequency",
-                      .source = "the law of formula (13) with general alpha, beta, gamma"},
-                     {.value = worst, .resolution = "kH = 0.7, 1.5, 3; s = 0.25, tau = 0.125, both schemes"},
-                     Bound{limit, limit_reason});
+    return boxes;
   }
+};
+
+std::vector<Variant> variants() {
+  const FrankDispersion::Parameters tuned = FrankDispersion::tuned(1, 1, 0.25, 0.125).parameters();
+  return {{"gamma", "with the added energy of slopes, gamma = 1/15, alpha = 2/5", 0.4, 1.0 / 3, 1.0 / 15},
+          {"tuned", "with alpha and gamma tuned to spacing and step", tuned.alpha, 1.0 / 3, tuned.gamma},
+          {"beta", "with another energy of a cell's slope, beta = 3/5", 1.0 / 3, 0.6, 0},
+          {"together", "with alpha, beta and gamma all changed", 0.35, 0.2, 0.05}};
 }
+
+constexpr double deepest = 5;
 
 /// A law for one spacing, with the frequencies of the one-step scheme for tau = s/2.
 struct Family {
@@ -164,38 +159,113 @@ struct Family {
   [[nodiscard]] double speed(double k) const {
     return exact::discrete_frequency(law.frequency(k), tau(), exact::TimeScheme::one_step) / k;
   }
-};
-
-struct Measured {
-  std::vector<double> k, speed, deviation;
-};
-
-constexpr double deepest = 5;
-
-/// Waves of one to 37 half-waves in a box of forty cells: not a multiple of three, since at ks = 2 pi/3 the markers see
-/// the second harmonic as the wave itself.
-Measured measure(const Family& family, double periods) {
-  constexpr std::size_t cells = 40;
-  Measured measured;
-  for (const std::size_t half_waves : {1, 2, 3, 5, 8, 13, 20, 25, 31, 37}) {
-    const double k = std::numbers::pi * static_cast<double>(half_waves) / (cells * family.law.spacing());
-    if (k > deepest) break;
-    const Deviation deviation = deviation_of({.wavenumber = k,
-                                              .cells = cells,
-                                              .half_waves = half_waves,
-                                              .tau = family.tau(),
-                                              .alpha = family.law.parameters().alpha,
-                                              .gamma = family.law.parameters().gamma},
-                                             periods);
-    measured.k.push_back(k);
-    measured.speed.push_back(deviation.measured / k);
-    measured.deviation.push_back(deviation.relative());
+  /// Waves of one to 37 half-waves in a box of forty cells: not a multiple of three, since at ks = 2 pi/3 the markers
+  /// see the second harmonic as the wave itself.
+  [[nodiscard]] std::vector<StandingBox> boxes() const {
+    constexpr std::size_t cells = 40;
+    std::vector<StandingBox> boxes;
+    for (const std::size_t half_waves : {1, 2, 3, 5, 8, 13, 20, 25, 31, 37}) {
+      const double k = pi * static_cast<double>(half_waves) / (cells * law.spacing());
+      if (k > deepest) break;
+      boxes.push_back({.wavenumber = k,
+                       .cells = cells,
+                       .half_waves = half_waves,
+                       .tau = tau(),
+                       .alpha = law.parameters().alpha,
+                       .gamma = law.parameters().gamma});
+    }
+    return boxes;
   }
-  return measured;
+};
+
+std::vector<Family> families() {
+  return {{"s = 0.25", FrankDispersion(1, 1, 0.25)},
+          {"s = 0.5", FrankDispersion(1, 1, 0.5)},
+          {"s = 1", FrankDispersion(1, 1, 1)},
+          {"tuned", FrankDispersion::tuned(1, 1, 0.25, 0.125)}};
 }
 
-void draw(Running& run) {
-  auto& figure = run.record.figure(
+std::vector<StandingBox> boxes_of_figure() {
+  std::vector<StandingBox> all;
+  for (const Family& family : families()) {
+    const std::vector<StandingBox> boxes = family.boxes();
+    all.insert(all.end(), boxes.begin(), boxes.end());
+  }
+  return all;
+}
+
+struct Results {
+  std::vector<Found> own;
+  std::vector<Found> one_step;
+  std::vector<Found> conservative;
+  std::vector<std::vector<Found>> variants;
+  std::vector<Found> figure;
+};
+
+void claims(const Values& values, Claims<Results> claims) {
+  const double periods = values.real("periods");
+  const StandingBox own = own_box(values);
+  const auto law = [&](const auto& part, const std::string& id, const std::string& text, const std::string& quantity,
+                       const std::string& from, const std::vector<StandingBox>& boxes, const std::string& resolution) {
+    claims.of(part)
+        .at(resolution)
+        .check({.id = id, .text = text, .quantity = quantity, .source = from}, worst_of, limit_of(boxes, periods));
+  };
+  const std::string largest = "largest relative deviation of the frequency";
+  law(&Results::own, "frequency", "The wave of the parameters has the frequency of the discrete model's law.",
+      "relative deviation of the frequency", source, {own}, fmt::format("{} cells, tau = {:g}", own.cells, own.tau));
+  law(&Results::one_step, "one-step", "Twelve waves have the law's frequency with the one-step scheme.", largest,
+      source, twelve_boxes(Stepping::one_step), "3 to 124 cells, tau = 0.05 to 0.3");
+  law(&Results::conservative, "conservative", "Twelve waves have the law's frequency with the conservative scheme.",
+      largest, source, twelve_boxes(Stepping::conservative), "3 to 124 cells, tau = 0.05 to 0.3");
+  const std::vector<Variant> others = variants();
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    law([k](const Results& r) -> const std::vector<Found>& { return r.variants.at(k); }, others[k].id,
+        "The law holds " + others[k].text + ".", largest, "the law of formula (13) with general alpha, beta, gamma",
+        others[k].boxes(), "kH = 0.7, 1.5, 3; s = 0.25, tau = 0.125, both schemes");
+  }
+  law(&Results::figure, "figure", "So do all waves of the figure, up to the shortest that the markers resolve.",
+      largest, source, boxes_of_figure(), "40 cells, 1 to 37 half-waves, tau = s/2");
+}
+
+Results compute(const Run& run) {
+  const double periods = run.real("periods");
+  Results r;
+  r.own = frequencies({own_box(run)}, periods);
+  run.progress(0.1);
+  r.one_step = frequencies(twelve_boxes(Stepping::one_step), periods);
+  r.conservative = frequencies(twelve_boxes(Stepping::conservative), periods);
+  run.progress(0.5);
+  for (const Variant& variant : variants()) r.variants.push_back(frequencies(variant.boxes(), periods));
+  run.progress(0.7);
+  r.figure = frequencies(boxes_of_figure(), periods);
+  return r;
+}
+
+evidence::Table table_of(const Results& r) {
+  evidence::Table table{.id = "waves",
+                        .title = "Frequencies measured and of the law",
+                        .caption = "Depth and gravity are 1; deviations are relative to the law.",
+                        .columns = {{"wavenumber", ""},
+                                    {"cells", ""},
+                                    {"tau", ""},
+                                    {"one-step: measured", ""},
+                                    {"deviation", ""},
+                                    {"conservative: measured", ""},
+                                    {"deviation", ""}}};
+  const std::vector<StandingBox> boxes = twelve_boxes(Stepping::one_step);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Found& one_step = r.one_step[i];
+    const Found& conservative = r.conservative[i];
+    table.rows.push_back({boxes[i].wavenumber, static_cast<double>(boxes[i].cells), boxes[i].tau,
+                          fmt::format("{:.13f}", one_step.measured), std::abs(one_step.deviation()),
+                          fmt::format("{:.13f}", conservative.measured), std::abs(conservative.deviation())});
+  }
+  return table;
+}
+
+void draw(evidence::Exhibit& exhibit, const std::vector<Found>& found) {
+  auto& figure = exhibit.figure(
       "dispersion", "Phase speed of the discrete model",
       "Lines: the laws, the discrete ones for the one-step scheme with tau = s/2, up to the shortest wave that the "
       "markers resolve; the tuned pair is for s = 0.25. Circles: measured. The error of long waves is that of the time "
@@ -230,40 +300,32 @@ void draw(Running& run) {
   const exact::RationalDispersion serre = exact::RationalDispersion::green_naghdi(1, 1);
   add(
       "Green-Naghdi", [&](double k) { return serre.phase_speed(k); }, deepest, Role::guide);
-  const std::vector<Family> families = {{"s = 0.25", FrankDispersion(1, 1, 0.25)},
-                                        {"s = 0.5", FrankDispersion(1, 1, 0.5)},
-                                        {"s = 1", FrankDispersion(1, 1, 1)},
-                                        {"tuned", FrankDispersion::tuned(1, 1, 0.25, 0.125)}};
-  for (const Family& family : families) {
+  for (const Family& family : families()) {
     add(
-        family.label, [&](double k) { return family.speed(k); },
-        std::min(deepest, 0.999 * std::numbers::pi / family.law.spacing()), Role::computed);
+        family.label, [&](double k) { return family.speed(k); }, std::min(deepest, 0.999 * pi / family.law.spacing()),
+        Role::computed);
   }
-  double worst = 0;
-  for (const Family& family : families) {
-    const Measured measured = measure(family, run.real("periods"));
+  std::size_t next = 0;
+  for (const Family& family : families()) {
+    std::vector<double> k;
+    std::vector<double> speeds;
     std::vector<double> errors;
-    for (std::size_t i = 0; i < measured.k.size(); ++i) errors.push_back(error_of(measured.k[i], measured.speed[i]));
-    speed.points("measured", measured.k, measured.speed, Role::data);
-    error.points("measured", measured.k, errors, Role::data);
-    worst = std::max(worst, *std::max_element(measured.deviation.begin(), measured.deviation.end()));
+    for (const StandingBox& box : family.boxes()) {
+      k.push_back(box.wavenumber);
+      speeds.push_back(found[next++].measured / box.wavenumber);
+      errors.push_back(error_of(k.back(), speeds.back()));
+    }
+    speed.points("measured", k, speeds, Role::data);
+    error.points("measured", k, errors, Role::data);
   }
-  run.record.check({.id = "figure",
-                    .text = "So do all waves of the figure, up to the shortest that the markers resolve.",
-                    .quantity = "largest relative deviation of the frequency",
-                    .source = source},
-                   {.value = worst, .resolution = "40 cells, 1 to 37 half-waves, tau = s/2"},
-                   Bound{limit, limit_reason});
 }
 
-void run(Running& run) {
-  claim_own_wave(run);
-  run.progress(0.1);
-  claim_twelve_waves(run);
-  run.progress(0.5);
-  claim_other_energies(run);
-  run.progress(0.7);
-  draw(run);
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  exhibit.measure("spacing_used", own_box(values).spacing());
+  exhibit.measure("omega_measured", r.own.front().measured);
+  exhibit.measure("omega_theory", r.own.front().theory);
+  exhibit.table(table_of(r));
+  draw(exhibit, r.figure);
 }
 
 }  // namespace
@@ -274,8 +336,7 @@ Case dispersion_1d() {
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3, formula (13)";
   c.parameters = {
       real("wavenumber", 1.0, "1/H", {1e-2, 100}, "of the wave; the walls are half a wavelength apart"),
-      real("h", std::numbers::pi / 31, "H", {1e-3, 10},
-           "of the markers; changed to fit a whole number of times between the walls"),
+      real("h", pi / 31, "H", {1e-3, 10}, "of the markers; changed to fit a whole number of times between the walls"),
       real("tau", 0.2, "sqrt(H/g)", {1e-4, 2}, "time step"),
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
       real("alpha", 1.0 / 3, "1", {1e-3, 10}, "factor of the vertical kinetic energy"),
@@ -283,7 +344,7 @@ Case dispersion_1d() {
       real("gamma", 0.0, "1", {0, 10}, "factor of the added energy of slopes"),
       real("periods", 20.0, "1", {2, 1000}, "length of the series"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "seiche/linear/dense.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -35,6 +36,10 @@ Eigen::MatrixXd possible_rates(const Model& model) {
 
 std::span<const double> span_of(const Eigen::VectorXd& v) {
   return {v.data(), static_cast<std::size_t>(v.size())};
+}
+
+std::span<const double> entries_of(const Eigen::MatrixXd& matrix) {
+  return {matrix.data(), static_cast<std::size_t>(matrix.size())};
 }
 
 /// W F with the nodes displaced.
@@ -75,10 +80,12 @@ LinearModes linear_modes(Model& model, double displacement) {
   const Eigen::MatrixXd s = kernel.transpose() * stiffness * kernel;
   const auto [squares, vectors] = linear::symmetric_eigen(0.5 * (s + s.transpose()));
   LinearModes modes;
-  modes.asymmetry = (s - s.transpose()).cwiseAbs().maxCoeff() / s.cwiseAbs().maxCoeff();
-  const double least = 1e-10 * squares.maxCoeff();
+  const Eigen::MatrixXd skew = s - s.transpose();
+  modes.asymmetry = worst(entries_of(skew)) / worst(entries_of(s));
+  const double least = 1e-10 * worst(span_of(squares));
+  // A square that is clearly negative belongs to no motionless mode: its frequency is not a number.
   while (static_cast<Index>(modes.motionless) < squares.size() &&
-         squares[static_cast<Index>(modes.motionless)] < least) {
+         std::abs(squares[static_cast<Index>(modes.motionless)]) < least) {
     ++modes.motionless;
   }
   const Index waves = squares.size() - static_cast<Index>(modes.motionless);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "seiche/models/dispersive_shallow_water_2d/integrators.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 
@@ -75,11 +76,10 @@ PlanMode::Eigenvalue PlanMode::eigenvalue() const {
   std::vector<double> multipliers(model.constraints(), 0.0);
   mechanics::Projection<Model>(model).project(acceleration, {}, multipliers);
   const std::span<const double> vertical(acceleration.data() + 2 * n, n);
-  Eigenvalue result{.square = -amplitude(first, vertical)};
-  for (std::size_t k = 0; k < n; ++k) {
-    result.rest = std::max(result.rest, std::abs(vertical[k] / result.square + at(first.x[k], first.y[k])));
-  }
-  return result;
+  const double square = -amplitude(first, vertical);
+  Worst rest_of_shape;
+  for (std::size_t k = 0; k < n; ++k) rest_of_shape.add(vertical[k] / square + at(first.x[k], first.y[k]));
+  return {.square = square, .rest = rest_of_shape.value()};
 }
 
 double PlanMode::measured_frequency(double tau, int steps, double first_amplitude) const {
