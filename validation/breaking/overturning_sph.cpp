@@ -27,15 +27,15 @@ energy is within a few per cent of that of potential flow.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/dispersion.hpp"
-#include "validation/case/case.hpp"
 #include "reports/evidence/slope_guide.hpp"
+#include "seiche/exact/dispersion.hpp"
 #include "validation/breaking/sph_overturning.hpp"
-#include "validation/studies/wcsph/particle_frames.hpp"
-#include "validation/studies/wcsph/sph_settings.hpp"
-#include "validation/studies/wcsph/speed_field.hpp"
-#include "validation/studies/wcsph/spacing_ladder.hpp"
+#include "validation/case/case.hpp"
 #include "validation/instruments/sph_steep_wave.hpp"
+#include "validation/studies/wcsph/particle_frames.hpp"
+#include "validation/studies/wcsph/spacing_ladder.hpp"
+#include "validation/studies/wcsph/speed_field.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -48,13 +48,15 @@ constexpr double gravity = 9.81;
 constexpr double wavelength = 1;
 constexpr double overhang = 0.01 * wavelength;
 
-SteepWave wave_of(const Run& run) {
-  return {
-      .amplitude = 0.5 * run.real("height"), .wavelength = wavelength, .depth = run.real("depth"), .gravity = gravity};
+SteepWave wave_of(const Values& values) {
+  return {.amplitude = 0.5 * values.real("height"),
+          .wavelength = wavelength,
+          .depth = values.real("depth"),
+          .gravity = gravity};
 }
 
-wcsph::Settings settings_of(const Run& run, const SteepWave& wave) {
-  return sph_settings(run.values(), gravity, 1000, std::sqrt(gravity * wave.depth));
+wcsph::Settings settings_of(const Values& values) {
+  return sph_settings(values, gravity, 1000, std::sqrt(gravity * wave_of(values).depth));
 }
 
 double period_of(const SteepWave& wave) {
@@ -62,17 +64,20 @@ double period_of(const SteepWave& wave) {
          exact::AiryDispersion(wave.gravity, wave.depth).frequency(2 * std::numbers::pi / wave.wavelength);
 }
 
-/// Instants of comparison with their names: halfway, steep, vertical, and with a developed jet.
-struct Instants {
-  std::vector<double> times;
-  std::vector<std::string> names;
+struct Instant {
+  std::string id;
+  std::string when;     ///< begins a sentence
+  bool past_the_front;  ///< the front is vertical, or was
 };
+const std::array instants{
+    Instant{"half", "Halfway to a vertical front", false}, Instant{"steep", "With a steep front", false},
+    Instant{"vertical", "With a vertical front", true},
+    Instant{"turning", "Halfway from there to a developed jet", true}, Instant{"jet", "With a developed jet", true}};
 
-Instants instants_of(const exact::OverturningWave& wave) {
+std::vector<double> times_of(const exact::OverturningWave& wave) {
   const double vertical = wave.vertical_tangent_time().value_or(wave.end_time());
   const double jet = std::min(wave.well_resolved_until(), wave.end_time());
-  return {{0.5 * vertical, 0.8 * vertical, vertical, 0.5 * (vertical + jet), jet},
-          {"half", "steep", "vertical", "turning", "jet"}};
+  return {0.5 * vertical, 0.8 * vertical, vertical, 0.5 * (vertical + jet), jet};
 }
 
 /// Another scheme of the same kind, on the lattice of half as many columns.
@@ -95,30 +100,54 @@ const std::array variants{
 constexpr std::size_t lattices = 4;
 constexpr std::size_t halved = 1;  ///< the lattice of half as many columns: each is finer by sqrt(2)
 
-struct Study {
+struct Results {
   exact::OverturningWave exact;
-  Instants instants;
-  std::vector<SphOverturned> runs;
-  std::vector<SphOverturned> others;
+  double exact_overhang;      ///< when its front hangs over by as much [s]
+  std::vector<double> times;  ///< of the instants
+  std::vector<SphOverturned> runs, others;
   std::vector<std::vector<PolylineDistance>> distances;  ///< [instant][run]
+  std::vector<std::vector<double>> others_rms;           ///< [variant][instant]
+
+  [[nodiscard]] const SphOverturned& finest() const { return runs.back(); }
+  [[nodiscard]] std::vector<double> sizes() const {
+    std::vector<double> all;
+    for (const SphOverturned& one : runs) all.push_back(one.spacing);
+    return all;
+  }
 };
 
-Study compute(Running& run) {
+void measure_distances(Results& r) {
+  r.others_rms.resize(r.others.size());
+  for (std::size_t i = 0; i < r.times.size(); ++i) {
+    const Polylines truth = exact_surface(r.exact, r.times[i]);
+    auto& row = r.distances.emplace_back();
+    for (const SphOverturned& one : r.runs) row.push_back(polyline_distance(one.surfaces[i], truth, wavelength));
+    for (std::size_t k = 0; k < r.others.size(); ++k) {
+      r.others_rms[k].push_back(polyline_distance(r.others[k].surfaces[i], truth, wavelength).rms);
+    }
+  }
+}
+
+/// Of its period, as far as potential flow is computed.
+constexpr double last_phase = 0.6;
+
+Results compute(const Run& run) {
   const SteepWave wave = wave_of(run);
-  Study study{.exact = exact::OverturningWave({.amplitude = wave.amplitude,
-                                               .wavelength = wave.wavelength,
-                                               .depth = wave.depth,
-                                               .gravity = wave.gravity,
-                                               .markers = 256,
-                                               .last_time = 0.6 * period_of(wave)})};
-  study.instants = instants_of(study.exact);
-  study.runs.resize(lattices);
-  study.others.resize(variants.size());
+  const exact::OverturningWave exact({.amplitude = wave.amplitude,
+                                      .wavelength = wave.wavelength,
+                                      .depth = wave.depth,
+                                      .gravity = wave.gravity,
+                                      .markers = 256,
+                                      .last_time = last_phase * period_of(wave)});
+  const std::vector<double> times = times_of(exact);
+  Results r{.exact = exact,
+            .exact_overhang = exact_overhang_time(exact, overhang, times.back()),
+            .times = times,
+            .runs = std::vector<SphOverturned>(lattices),
+            .others = std::vector<SphOverturned>(variants.size())};
   // Beyond the last comparison until the jet has landed.
-  std::vector<double> until_landed = study.instants.times;
-  until_landed.push_back(
-      std::max(until_landed.back(), 1.06 * study.exact.touch_down_time().value_or(study.exact.end_time())));
-  const wcsph::Settings settings = settings_of(run, wave);
+  std::vector<double> until_landed = times;
+  until_landed.push_back(std::max(times.back(), 1.06 * exact.touch_down_time().value_or(exact.end_time())));
   const auto columns = [&](std::size_t lattice) {
     return std::lround(static_cast<double>(run.integer("columns")) *
                        std::pow(0.5, 0.5 * static_cast<double>(lattices - 1 - lattice)));
@@ -126,45 +155,16 @@ Study compute(Running& run) {
   climb(run, lattices + variants.size(), [&](std::size_t k) {
     if (k >= variants.size()) {
       const std::size_t lattice = k - variants.size();
-      study.runs[lattice] =
-          overturn({.wave = wave, .columns = columns(lattice), .settings = settings}, until_landed, overhang, 150);
+      r.runs[lattice] = overturn({.wave = wave, .columns = columns(lattice), .settings = settings_of(run)},
+                                 until_landed, overhang, 150);
     } else {
-      wcsph::Settings changed = settings;
+      wcsph::Settings changed = settings_of(run);
       variants[k].change(changed);
-      study.others[k] = overturn({.wave = wave, .columns = columns(halved), .settings = changed}, study.instants.times,
-                                 overhang, 100);
+      r.others[k] = overturn({.wave = wave, .columns = columns(halved), .settings = changed}, times, overhang, 100);
     }
   });
-  for (std::size_t i = 0; i < study.instants.times.size(); ++i) {
-    const Polylines truth = exact_surface(study.exact, study.instants.times[i]);
-    auto& row = study.distances.emplace_back();
-    for (const SphOverturned& one : study.runs) {
-      row.push_back(polyline_distance(one.surfaces[i], truth, wave.wavelength));
-    }
-  }
-  return study;
-}
-
-void tabulate_variants(evidence::Record& record, const Study& study) {
-  evidence::Table table{.id = "variants",
-                        .title = "Schemes of the same kind",
-                        .caption = fmt::format("With dx = L/{:.0f}: rms distance of the surfaces in spacings, and the "
-                                               "kinetic energy with a developed jet over that of potential flow.",
-                                               wavelength / study.runs[halved].spacing),
-                        .columns = {{"", ""}}};
-  for (const std::string& name : study.instants.names) table.columns.emplace_back(name, "dx");
-  table.columns.emplace_back("kinetic energy", "");
-  for (std::size_t k = 0; k < variants.size(); ++k) {
-    const SphOverturned& one = study.others[k];
-    auto& row = table.rows.emplace_back();
-    row.emplace_back(variants[k].name);
-    for (std::size_t i = 0; i < study.instants.times.size(); ++i) {
-      const Polylines truth = exact_surface(study.exact, study.instants.times[i]);
-      row.emplace_back(polyline_distance(one.surfaces[i], truth, wavelength).rms / one.spacing);
-    }
-    row.emplace_back(one.kinetic.back() / study.exact.integrals(one.times.back()).kinetic_energy);
-  }
-  record.table(std::move(table));
+  measure_distances(r);
+  return r;
 }
 
 std::vector<double> of_all(const std::vector<PolylineDistance>& row, double PolylineDistance::*member) {
@@ -173,98 +173,138 @@ std::vector<double> of_all(const std::vector<PolylineDistance>& row, double Poly
   return values;
 }
 
-/// @param judge_orders  or only measure them, where the coarsest lattices do not resolve the jet at all
-void claim_distances(evidence::Record& record, const Study& study, const std::vector<double>& sizes,
-                     bool judge_orders) {
-  const SphOverturned& finest = study.runs.back();
-  const std::string resolution = sph_resolution(finest.spacing, finest.particles);
-  // Before, what water of a finite sound speed differs by, about d g/c_0^2 of its depth, is no smaller than what the
-  // lattice adds.
-  const double vertical = study.exact.vertical_tangent_time().value_or(0);
-  for (std::size_t i = 0; i < study.instants.times.size(); ++i) {
-    const std::string& name = study.instants.names[i];
-    const std::vector<double> rms = of_all(study.distances[i], &PolylineDistance::rms);
-    record.measure("rms_distance_" + name, rms.back());
-    record.measure("largest_distance_" + name, study.distances[i].back().largest);
-    const evidence::ObservedOrder order = evidence::observed_order(sizes, rms);
-    record.measure("order_" + name, order.order);
-    record.check({.id = "distance-" + name,
-                  .text = fmt::format("At t = {:.3f} s the surface is that of potential flow to one spacing.",
-                                      study.instants.times[i]),
-                  .quantity = "rms distance of the surfaces",
-                  .unit = "m",
-                  .source = source},
-                 {.value = rms.back(), .resolution = resolution},
-                 Bound{.limit = finest.spacing,
-                       .reason = "one spacing of the particles: no surface of theirs is known better than to a part "
-                                 "of it"});
-    if (!judge_orders || study.instants.times[i] < vertical) continue;
-    record.check({.id = "order-" + name,
-                  .text = fmt::format("At t = {:.3f} s the distance falls with the spacing.", study.instants.times[i]),
-                  .quantity = "observed order of the rms distance",
-                  .source = source},
-                 order,
-                 evidence::Order{.theory = 1,
-                                 .tolerance = 0.75,
-                                 .reason = "first order, for the surface is known to a part of the spacing and the "
-                                           "viscosity is in proportion to it; not far from half an order, nor from one "
-                                           "and a half"});
+evidence::ObservedOrder order_at(const Results& r, std::size_t instant) {
+  return evidence::observed_order(r.sizes(), of_all(r.distances[instant], &PolylineDistance::rms));
+}
+
+/// A number of the finest lattice.
+template <class Measure>
+auto on_finest(Measure measure) {
+  return [measure](const Results& r) -> Measurement {
+    return {.value = measure(r), .resolution = sph_resolution(r.finest().spacing, r.finest().particles)};
+  };
+}
+
+void claim_distances(Claims<Results> claims, const Values& values) {
+  const double spacing = wavelength / static_cast<double>(values.integer("columns"));
+  const auto orders = claims.only_if(values.tier() != Tier::quick, "its coarsest lattices do not resolve the jet");
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    claims.check(
+        {.id = "distance-" + instants[i].id,
+         .text = fmt::format("{} the surface is that of potential flow to one spacing.", instants[i].when),
+         .quantity = "rms distance of the surfaces",
+         .unit = "m",
+         .source = source},
+        [i](const Results& r) -> Measurement {
+          return {.value = r.distances.at(i).back().rms,
+                  .resolution = sph_resolution(r.finest().spacing, r.finest().particles),
+                  .where = fmt::format("t = {:.3f} s", r.times.at(i))};
+        },
+        Bound{.limit = spacing,
+              .reason = "one spacing of the particles: no surface of theirs is known better than to a part "
+                        "of it"});
+    // Before, what water of a finite sound speed differs by, about d g/c_0^2 of its depth, is no smaller than what the
+    // lattice adds.
+    if (!instants[i].past_the_front) continue;
+    orders.check(
+        {.id = "order-" + instants[i].id,
+         .text = fmt::format("{} the distance falls with the spacing.", instants[i].when),
+         .quantity = "observed order of the rms distance",
+         .source = source},
+        [i](const Results& r) { return order_at(r, i); },
+        evidence::Order{.theory = 1,
+                        .tolerance = 0.75,
+                        .reason = "first order, for the surface is known to a part of the spacing and the "
+                                  "viscosity is in proportion to it; not far from half an order, nor from one "
+                                  "and a half"});
   }
 }
 
-void claim_events(evidence::Record& record, const Study& study, double period) {
-  const SphOverturned& finest = study.runs.back();
-  const std::size_t last = study.instants.times.size() - 1;
-  const std::string resolution = sph_resolution(finest.spacing, finest.particles);
-  const double known = exact_overhang_time(study.exact, overhang, study.instants.times.back());
-  record.measure("exact_overhang_time", known);
-  record.measure("overhang_time", finest.hangs_over);
-  record.measure("exact_vertical_time", study.exact.vertical_tangent_time().value_or(0));
-  record.measure("exact_touch_down_time", study.exact.touch_down_time().value_or(0));
-  record.measure("touch_down_time", finest.touches);
-  record.check({.id = "overturns", .text = "The wave turns over.", .quantity = "it does", .source = source},
-               {.value = std::isnan(finest.hangs_over) ? 0.0 : 1.0, .resolution = resolution},
+void claims(const Values& values, Claims<Results> claims) {
+  const double period = period_of(wave_of(values));
+  claim_distances(claims, values);
+  claims.check({.id = "overturns", .text = "The wave turns over.", .quantity = "it does", .source = source},
+               on_finest([](const Results& r) { return std::isnan(r.finest().hangs_over) ? 0.0 : 1.0; }),
                evidence::Qualitative{.detector = "the surface hangs over by a hundredth of the wavelength",
                                      .reason = "potential flow from the same start does"});
-  record.check({.id = "overhang-time",
-                .text = "The front hangs over when that of potential flow does.",
-                .quantity = "when it hangs over by a hundredth of the wavelength",
-                .unit = "s",
-                .source = source},
-               {.value = finest.hangs_over, .resolution = resolution},
-               Bound{.limit = 0.05 * period,
-                     .reason = "5 % of the period: the tip of the jet, about two spacings thick when it begins, is "
-                               "what particles form last",
-                     .expected = known});
-  const double kinetic = finest.kinetic[last] / study.exact.integrals(study.instants.times[last]).kinetic_energy;
-  record.check({.id = "kinetic-energy",
+  claims.check(
+      {.id = "overhang-time",
+       .text = "The front hangs over when that of potential flow does.",
+       .quantity = "when it hangs over by a hundredth of the wavelength",
+       .unit = "s",
+       .source = source},
+      [](const Results& r) -> Measurement {
+        return {.value = r.finest().hangs_over,
+                .resolution = sph_resolution(r.finest().spacing, r.finest().particles),
+                .told = {.expected = r.exact_overhang}};
+      },
+      Bound{.limit = 0.05 * period,
+            .reason = "5 % of the period: the tip of the jet, about two spacings thick when it begins, is "
+                      "what particles form last",
+            .expected = evidence::Amount::told_by_run(last_phase * period)});
+  claims.check({.id = "kinetic-energy",
                 .text = "With a developed jet the water has the kinetic energy of potential flow.",
                 .quantity = "over that of potential flow",
                 .source = source},
-               {.value = kinetic, .resolution = resolution},
+               on_finest([](const Results& r) {
+                 return r.finest().kinetic.at(instants.size() - 1) / r.exact.integrals(r.times.back()).kinetic_energy;
+               }),
                Bound{.limit = 0.05,
                      .reason = "5 %: the surface is off by half a spacing or so, the depth of the trough has ten",
                      .expected = 1});
-  record.measure("largest_mach_number", finest.extremes.mach);
-  record.measure("steps", static_cast<double>(finest.steps));
-  for (std::size_t i = 0; i < study.instants.names.size(); ++i) {
-    record.measure("energy_" + study.instants.names[i], finest.energy[i]);
-    record.measure("level_" + study.instants.names[i], finest.level[i]);
-    record.measure("speed_" + study.instants.names[i], finest.speed[i]);
-  }
 }
 
-void draw(evidence::Record& record, const Study& study, const std::vector<double>& sizes) {
-  auto& profiles = record.figure("profiles", "From a cosine to a plunging jet",
-                                 "Surfaces of the particles on two lattices and of potential flow, equal scales.");
-  const SphOverturned& finest = study.runs.back();
-  const SphOverturned& coarser = study.runs[halved];
-  for (std::size_t i = 1; i < study.instants.times.size(); ++i) {
-    const Polylines truth = exact_surface(study.exact, study.instants.times[i]);
+void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const SphOverturned& finest = r.finest();
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    const std::string& id = instants[i].id;
+    exhibit.measure("rms_distance_" + id, r.distances[i].back().rms);
+    exhibit.measure("largest_distance_" + id, r.distances[i].back().largest);
+    exhibit.measure("order_" + id, order_at(r, i).order);
+    exhibit.measure("energy_" + id, finest.energy[i]);
+    exhibit.measure("level_" + id, finest.level[i]);
+    exhibit.measure("speed_" + id, finest.speed[i]);
+  }
+  exhibit.measure("exact_overhang_time", r.exact_overhang);
+  exhibit.measure("overhang_time", finest.hangs_over);
+  exhibit.measure("exact_vertical_time", r.exact.vertical_tangent_time().value_or(none));
+  exhibit.measure("exact_touch_down_time", r.exact.touch_down_time().value_or(none));
+  exhibit.measure("touch_down_time", finest.touches);
+  exhibit.measure("largest_mach_number", finest.extremes.mach);
+  exhibit.measure("steps", static_cast<double>(finest.steps));
+}
+
+void tabulate_variants(const Results& r, evidence::Exhibit& exhibit) {
+  evidence::Table table{.id = "variants",
+                        .title = "Schemes of the same kind",
+                        .caption = fmt::format("With dx = L/{:.0f}: rms distance of the surfaces in spacings, and the "
+                                               "kinetic energy with a developed jet over that of potential flow.",
+                                               wavelength / r.runs[halved].spacing),
+                        .columns = {{"", ""}}};
+  for (const Instant& instant : instants) table.columns.emplace_back(instant.id, "dx");
+  table.columns.emplace_back("kinetic energy", "");
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    const SphOverturned& one = r.others[k];
+    auto& row = table.rows.emplace_back();
+    row.emplace_back(variants[k].name);
+    for (const double rms : r.others_rms[k]) row.emplace_back(rms / one.spacing);
+    row.emplace_back(one.kinetic.back() / r.exact.integrals(one.times.back()).kinetic_energy);
+  }
+  exhibit.table(std::move(table));
+}
+
+void draw(const Results& r, evidence::Exhibit& exhibit) {
+  auto& profiles = exhibit.figure("profiles", "From a cosine to a plunging jet",
+                                  "Surfaces of the particles on two lattices and of potential flow, equal scales.");
+  const SphOverturned& finest = r.finest();
+  const SphOverturned& coarser = r.runs[halved];
+  for (std::size_t i = 1; i < r.times.size(); ++i) {
+    const Polylines truth = exact_surface(r.exact, r.times[i]);
     const Polyline& surface = finest.surfaces[i].front();
     auto& panel = profiles.panel({.x = "x [m]",
                                   .y = "z [m]",
-                                  .title = fmt::format("t = {:.3f} s", study.instants.times[i]),
+                                  .title = fmt::format("t = {:.3f} s", r.times[i]),
                                   .equal_aspect = true,
                                   .x_min = surface.x.front(),
                                   .x_max = surface.x.back()});
@@ -280,40 +320,36 @@ void draw(evidence::Record& record, const Study& study, const std::vector<double
                coarser.surfaces[i].front().y, Role::peer);
     panel.line(fmt::format("SPH, L/{:.0f}", wavelength / finest.spacing), surface.x, surface.y, Role::computed);
   }
-  auto& speeds = record.figure("speed", "Speed of the water",
-                               fmt::format("With a developed jet, and after it has landed; {}.",
-                                           sph_resolution(finest.spacing, finest.particles)));
-  for (std::size_t i = study.instants.times.size() - 1; i < finest.times.size(); ++i) {
+  auto& speeds = exhibit.figure("speed", "Speed of the water",
+                                fmt::format("With a developed jet, and after it has landed; {}.",
+                                            sph_resolution(finest.spacing, finest.particles)));
+  for (std::size_t i = r.times.size() - 1; i < finest.times.size(); ++i) {
     draw_speed(speeds, finest.snapshots[i], finest.spacing,
                {.title = fmt::format("t = {:.3f} s", finest.times[i]), .frame = {0, wavelength, 0, 0.3 * wavelength}});
   }
-  auto& study_figure = record.figure("convergence", "Distance of the surfaces",
+  auto& convergence = exhibit.figure("convergence", "Distance of the surfaces",
                                      "Root mean square (left) and largest (right), over the wavelength.");
   for (const auto& [member, name] : {std::pair{&PolylineDistance::rms, "rms distance/L"},
                                      std::pair{&PolylineDistance::largest, "largest distance/L"}}) {
-    auto& panel = study_figure.panel({.x = "dx/L", .y = name, .log_x = true, .log_y = true});
-    for (std::size_t i = 0; i < study.instants.times.size(); ++i) {
-      panel.points(study.instants.names[i], sizes, of_all(study.distances[i], member),
-                   i + 1 == study.instants.times.size() ? Role::computed : Role::peer);
+    auto& panel = convergence.panel({.x = "dx/L", .y = name, .log_x = true, .log_y = true});
+    for (std::size_t i = 0; i < r.times.size(); ++i) {
+      panel.points(instants[i].id, r.sizes(), of_all(r.distances[i], member),
+                   i + 1 == r.times.size() ? Role::computed : Role::peer);
     }
-    slope_guide(panel, 1, sizes, 0.6 * of_all(study.distances[0], member).back());
+    slope_guide(panel, 1, r.sizes(), 0.6 * of_all(r.distances[0], member).back());
   }
 }
 
-void run(Running& run) {
-  const SteepWave wave = wave_of(run);
-  const Study study = compute(run);
-  std::vector<double> sizes;
-  for (const SphOverturned& one : study.runs) sizes.push_back(one.spacing);
-  run.record.measure("pressure_defect_of_start",
-                     SteepWaveStart(wave.amplitude, wave.wavelength, wave.depth, gravity).surface_defect());
-  claim_distances(run.record, study, sizes, run.tier() != Tier::quick);
-  claim_events(run.record, study, period_of(wave));
-  tabulate_variants(run.record, study);
-  draw(run.record, study, sizes);
-  const SphOverturned& finest = study.runs.back();
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const SteepWave wave = wave_of(values);
+  exhibit.measure("pressure_defect_of_start",
+                  SteepWaveStart(wave.amplitude, wave.wavelength, wave.depth, gravity).surface_defect());
+  show_numbers(r, exhibit);
+  tabulate_variants(r, exhibit);
+  draw(r, exhibit);
+  const SphOverturned& finest = r.finest();
   for (std::size_t i = 0; i < finest.times.size(); ++i) {
-    add_particles(run.record, finest.times[i], finest.snapshots[i], settings_of(run, wave));
+    add_particles(exhibit, finest.times[i], finest.snapshots[i], settings_of(values));
   }
 }
 
@@ -331,7 +367,7 @@ Case overturning_sph() {
             real("depth", 0.13, "L", {0.05, 1}, "depth of the water at rest"),
             integer("columns", {140, 400, 800}, {40, 4000}, "particle spacings in a wavelength, finest")},
            sph_parameters({.kernel = std::string("wendland_c2"), .smoothing = 2.0, .alpha = 0.01}, "sqrt(g d)"));
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

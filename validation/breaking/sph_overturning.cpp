@@ -9,6 +9,7 @@
 
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "seiche/samples.hpp"
 #include "validation/instruments/sph_steep_wave.hpp"
 
 namespace seiche::validation {
@@ -42,12 +43,11 @@ double mean_level(const wcsph::Flow& flow, const SphOverturning& setup) {
 }
 
 double fastest(const wcsph::Particles& particles) {
-  double largest = 0;
+  Largest speed;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.kind[i] == wcsph::Kind::fluid)
-      largest = std::max(largest, std::hypot(particles.u[i], particles.w[i]));
+    if (particles.kind[i] == wcsph::Kind::fluid) speed.add(std::hypot(particles.u[i], particles.w[i]));
   }
-  return largest;
+  return speed.value();
 }
 
 /// Energy above that of still water.
@@ -110,7 +110,7 @@ SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& t
       flow.advance_to(times[next]);
       const std::vector<Contour> curves = look();
       const Contour* main = wcsph::main_surface(curves);
-      if (main == nullptr) throw std::runtime_error(fmt::format("no water surface at t = {:g} s", flow.time()));
+      if (main == nullptr || main->x.size() < 2) throw std::runtime_error(fmt::format("no water surface at t = {:g} s", flow.time()));
       Polylines surface{{main->x, main->z}};
       for (double& y : surface.front().y) y -= setup.wave.depth;
       result.times.push_back(times[next]);

@@ -48,7 +48,7 @@ void watch(SphPlunged& result, const wcsph::Flow& flow, const SphPlunging& setup
   if (std::isnan(result.hangs_over)) return;
   if (wcsph::touches_down(curves, hole)) {
     if (std::isnan(result.touches)) result.touches = phase;
-    result.cavity = std::max(result.cavity, wcsph::cavity_area(curves, hole));
+    result.cavity.add(wcsph::cavity_area(curves, hole), phase);
   } else if (hangs && std::isnan(result.touches)) {
     result.jet_time.push_back(flow.time());
     result.jet_x.push_back(jet.tip.x);
@@ -75,11 +75,11 @@ SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames) {
     result.crest.push_back(wcsph::column_height(p, flow.smoothing_length(), first_seen * setup.wavelength,
                                                 (frames[next - 1] - behind_first) * setup.wavelength) -
                            scene.bottom);
-    double fastest = 0;
+    Largest fastest;
     for (std::size_t i = 0; i < p.size(); ++i) {
-      if (p.kind[i] == wcsph::Kind::fluid) fastest = std::max(fastest, std::hypot(p.u[i], p.w[i]));
+      if (p.kind[i] == wcsph::Kind::fluid) fastest.add(std::hypot(p.u[i], p.w[i]));
     }
-    result.speed.push_back(fastest);
+    result.speed.push_back(fastest.value());
   }
   result.steps = flow.steps();
   result.lost =

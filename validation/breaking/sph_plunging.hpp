@@ -6,6 +6,7 @@
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 
@@ -27,7 +28,7 @@ struct SphPlunged {
   std::vector<double> speed;  ///< largest of the water at the frames [m/s]
   double hangs_over = std::numeric_limits<double>::quiet_NaN();  ///< t/T, by two spacings
   double touches = std::numeric_limits<double>::quiet_NaN();     ///< t/T, with a cavity of at least 4 dx^2
-  double cavity = 0;                                             ///< largest area of the air that is enclosed [m^2]
+  Largest cavity;                                                ///< area of the air that is enclosed [m^2]
   std::vector<double> jet_time, jet_x, jet_z;                    ///< tip of the jet before it touches
   wcsph::Extremes extremes;
 };

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "validation/case/reference_source.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/case/reference_source.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -58,13 +58,13 @@ const std::vector<std::string>& column_fronts() {
   return names;
 }
 
-ColumnFront column_front(const std::string& name, evidence::Record& record) {
+ColumnFront column_front(const std::string& name, const Values& values) {
   const auto found = std::ranges::find(origins(), name, &Origin::name);
   if (found == origins().end()) {
     throw std::invalid_argument(
         fmt::format("no front is called \"{}\"; there are {}", name, fmt::join(column_fronts(), ", ")));
   }
-  const io::Table table = reference_table(found->table, record.reference_data);
+  const io::Table table = values.table(found->table);
   ColumnFront result{.name = name,
                      .label = found->label,
                      .citation = found->citation,
@@ -80,22 +80,22 @@ ColumnFront column_front(const std::string& name, evidence::Record& record) {
   return result;
 }
 
-void measure_shift(evidence::Record& record, const ShiftedFront& fit) {
-  record.measure("points", static_cast<double>(fit.points));
-  record.measure("rms_as_it_stands", fit.raw_rms);
-  record.measure("time_shift", fit.shift);
-  record.measure("rms_shifted", fit.rms);
+void measure_shift(evidence::Exhibit& exhibit, const ShiftedFront& fit) {
+  exhibit.measure("points", static_cast<double>(fit.points));
+  exhibit.measure("rms_as_it_stands", fit.raw_rms);
+  exhibit.measure("time_shift", fit.shift);
+  exhibit.measure("rms_shifted", fit.rms);
 }
 
 WantedTable wanted_front(const ColumnFront& data, double farthest) {
   std::vector<double> T{0}, X{1};
   T.insert(T.end(), data.T.begin(), data.T.end());
   X.insert(X.end(), data.X.begin(), data.X.end());
-  double last = 0;
+  double shown = T.front();
   for (std::size_t i = 0; i < X.size(); ++i) {
-    if (X[i] <= farthest) last = T[i];
+    if (X[i] <= farthest) shown = T[i];
   }
-  last = std::min(last - ShiftRange{}.lowest, T.back());
+  const double last = std::min(shown - ShiftRange{}.lowest, T.back());
   const std::vector<double> points = evenly(0, last, static_cast<int>(std::ceil(last / 0.05)) + 1);
   return {.name = "front",
           .kind = WantedTable::Kind::series,

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "validation/case/reference_table.hpp"
+#include "validation/case/parameter.hpp"
 #include "validation/case/submission.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/instruments/shifted_front.hpp"
@@ -28,11 +28,11 @@ struct ColumnFront {
 
 /// Names that column_front knows.
 const std::vector<std::string>& column_fronts();
-/// Reads the table and notes it in the record. Throws std::invalid_argument for another name.
-ColumnFront column_front(const std::string& name, evidence::Record& record);
+/// Reads the table, as values.table() does. Throws std::invalid_argument for another name.
+ColumnFront column_front(const std::string& name, const Values& values);
 
 /// Keeps what one shift of the time origin makes of a front.
-void measure_shift(evidence::Record& record, const ShiftedFront& fit);
+void measure_shift(evidence::Exhibit& exhibit, const ShiftedFront& fit);
 
 /// How somebody else's front is asked for: X/a from T = 0 on, at points as dense as a shift of the time origin needs.
 /// What is published is joined by straight lines, from the column at rest.

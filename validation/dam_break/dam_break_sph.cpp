@@ -17,16 +17,15 @@ published columns.
 **What to look at.** The shift: 0.1 to 0.3 for Martin and Moyce, who melted a diaphragm. And the Mach number, which the
 usual rule for the sound speed, ten times $\sqrt{gH}$, does not keep at a tenth.
 */
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "validation/dam_break/column_front.hpp"
 #include "validation/case/reference_case.hpp"
-#include "validation/instruments/shifted_front.hpp"
+#include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/sph_dam.hpp"
+#include "validation/instruments/shifted_front.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
 
@@ -35,66 +34,97 @@ namespace {
 
 using evidence::Role;
 
-SphDam dam_of(const Run& run) {
-  const double height = run.real("column_height");
-  const double gravity = run.real("gravity");
-  return {.geometry = {.width = run.real("column_width"),
+SphDam dam_of(const Values& values) {
+  const double height = values.real("column_height");
+  const double gravity = values.real("gravity");
+  return {.geometry = {.width = values.real("column_width"),
                        .height = height,
-                       .tank_length = run.real("tank_length"),
-                       .wall_height = run.real("wall_height"),
-                       .spacing = run.real("dx"),
-                       .lattice = wcsph::lattice_named(run.text("lattice")),
-                       .wall_rows = static_cast<int>(run.integer("wall_rows"))},
-          .settings = sph_settings(run.values(), gravity, run.real("density"), std::sqrt(gravity * height))};
+                       .tank_length = values.real("tank_length"),
+                       .wall_height = values.real("wall_height"),
+                       .spacing = values.real("dx"),
+                       .lattice = wcsph::lattice_named(values.text("lattice")),
+                       .wall_rows = static_cast<int>(values.integer("wall_rows"))},
+          .settings = sph_settings(values, gravity, values.real("density"), std::sqrt(gravity * height))};
 }
 
-void compare(Running& run, const SphCollapse& computed, const ColumnFront& data, const SphDam& dam,
+/// The published front that is compared, and the scale of time; none: that of a tall column.
+struct Compared {
+  bool any;
+  ColumnFront data;
+  double unit;
+};
+
+Compared compared_with(const Values& values) {
+  const bool any = values.text("data") != "none";
+  const ColumnFront data = any ? column_front(values.text("data"), values) : ColumnFront{};
+  return {any, data, data.unit(values.real("gravity"), values.real("column_width"))};
+}
+
+std::vector<double> frames_of(const Values& values) {
+  return evenly(0, values.real("last"), static_cast<int>(values.integer("frames")));
+}
+
+struct Results {
+  SphCollapse collapse;
+  std::vector<wcsph::Particles> particles;  ///< at the frames
+};
+
+Results compute(const Run& run) {
+  Results r;
+  r.collapse = collapse(
+      dam_of(run), compared_with(run).unit, run.real("last"), 200, frames_of(run),
+      [&](std::size_t, const wcsph::Flow& flow) { r.particles.push_back(flow.particles()); },
+      [&](double done) { run.progress(done); });
+  return r;
+}
+
+void claims(const Values& /*values*/, Claims<Results> claims) {
+  claims.of(&Results::collapse)
+      .check(
+          {.id = "contained",
+           .text = "No particle leaves through a wall.",
+           .quantity = "particles outside the tank at the end",
+           .source = "Dalrymple and Rogers (2006)"},
+          [](const SphCollapse& run) -> Measurement {
+            return {.value = static_cast<double>(run.lost), .resolution = run.resolution()};
+          },
+          evidence::Bound{.limit = 0, .reason = "walls are tight"});
+}
+
+void compare(evidence::Exhibit& exhibit, const SphCollapse& computed, const ColumnFront& data, const SphDam& dam,
              evidence::Panel& panel) {
   const double farthest = (dam.geometry.tank_length - 4 * dam.geometry.spacing) / dam.geometry.width;
   const ShiftedFront fit = shifted_front(computed.free_front(), data.curve(), farthest);
-  measure_shift(run.record, fit);
+  measure_shift(exhibit, fit);
   std::vector<double> later = computed.T;
   for (double& T : later) T += fit.shift;
   panel.line(fmt::format("SPH, {:.2f} later", fit.shift), later, computed.front, Role::peer);
   panel.points(data.label, data.T, data.X, Role::data);
 }
 
-void run(Running& run) {
-  const SphDam dam = dam_of(run);
-  const bool compared = run.text("data") != "none";
-  ColumnFront data;
-  if (compared) data = column_front(run.text("data"), run.record);
-  const double unit = data.unit(dam.settings.gravity, dam.geometry.width);
-  const std::vector<double> frames = evenly(0, run.real("last"), static_cast<int>(run.integer("frames")));
-  const SphCollapse computed = collapse(
-      dam, unit, run.real("last"), 200, frames,
-      [&](std::size_t k, const wcsph::Flow& flow) {
-        add_particles(run.record, frames[k] / unit, flow.particles(), dam.settings);
-      },
-      [&](double done) { run.progress(done); });
-  measure_run(run.record, computed);
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const SphDam dam = dam_of(values);
+  const auto [compared, data, unit] = compared_with(values);
+  const SphCollapse& computed = r.collapse;
+  const std::vector<double> frames = frames_of(values);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    add_particles(exhibit, frames[k] / unit, r.particles[k], dam.settings);
+  }
+  measure_run(exhibit, computed);
   if (!computed.roundings.empty()) {
     evidence::Table table{.id = "roundings", .title = "Lengths that were rounded", .columns = {{"what", ""}}};
     for (const std::string& rounding : computed.roundings) table.rows.push_back({rounding});
-    run.record.table(std::move(table));
+    exhibit.table(std::move(table));
   }
-  auto& panel = run.record
+  auto& panel = exhibit
                     .figure("front", "Position of the front",
-                            fmt::format("Over the width of the column; {}.",
-                                        sph_resolution(computed.spacing, computed.particles)))
+                            fmt::format("Over the width of the column; {}.", computed.resolution()))
                     .panel({.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
   panel.line("SPH", computed.T, computed.front, Role::computed);
-  if (compared) compare(run, computed, data, dam, panel);
-  auto& energy = run.record.figure("energy", "Energy", "Over that of the beginning, from the bottom of the tank.");
+  if (compared) compare(exhibit, computed, data, dam, panel);
+  auto& energy = exhibit.figure("energy", "Energy", "Over that of the beginning, from the bottom of the tank.");
   energy.panel({.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "E/E_0"})
       .line("SPH", computed.T, computed.energy);
-  run.record.check(
-      {.id = "contained",
-       .text = "No particle leaves through a wall.",
-       .quantity = "particles outside the tank at the end",
-       .source = "Dalrymple and Rogers (2006)"},
-      {.value = static_cast<double>(computed.lost), .resolution = sph_resolution(computed.spacing, computed.particles)},
-      evidence::Bound{.limit = 0, .reason = "walls are tight"});
 }
 
 /// The published front that a submission is judged by, and X/a beyond which the far wall is felt.
@@ -103,21 +133,21 @@ struct Judged {
   double farthest;
 };
 
-Judged judged_by(const Values& values, evidence::Record& record) {
+Judged judged_by(const Values& values) {
   if (values.text("data") == "none") {
     throw std::invalid_argument("data = none: there is nothing to judge a front by; choose a published one");
   }
-  return {column_front(values.text("data"), record), values.real("tank_length") / values.real("column_width") - 0.1};
+  return {column_front(values.text("data"), values), values.real("tank_length") / values.real("column_width") - 0.1};
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
-  evidence::Record unused;
-  const Judged judged = judged_by(values, unused);
+  const Judged judged = judged_by(values);
   return {wanted_front(judged.data, judged.farthest)};
 }
 
 void judge(const Values& values, const Submitted& submitted, evidence::Record& record) {
-  const Judged judged = judged_by(values, record);
+  const Judged judged = judged_by(values);
+  record.reference_data.merge(std::map(values.tables_read()));
   judge_front(judged.data, judged.farthest, submitted.at("front").front(), record);
 }
 
@@ -150,7 +180,7 @@ Case dam_break_sph() {
             integer("frames", 9, {2, 10000}, "instants whose particles are kept for ParaView"),
             choice("data", std::string("martin_moyce_tall_wide"), data_choices(), "published front that is compared")},
            sph_parameters({.alpha = 0.3, .sound = 10 * std::sqrt(2.0)}, "sqrt(g times the height of the column)"));
-  c.run = run;
+  c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted, .judge = judge};
   return c;
 }

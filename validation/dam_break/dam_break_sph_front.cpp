@@ -21,11 +21,12 @@ and by 10 to 14 with $a/100$. Shifted, it goes through the points.
 
 #include <fmt/format.h>
 
+#include "seiche/samples.hpp"
 #include "validation/dam_break/column_front.hpp"
-#include "validation/instruments/shifted_front.hpp"
 #include "validation/dam_break/sph_dam.hpp"
-#include "validation/studies/wcsph/sph_settings.hpp"
+#include "validation/instruments/shifted_front.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -39,125 +40,188 @@ constexpr double a = 0.057;
 constexpr double last = 3.2;
 constexpr double tank = 4;
 
-SphDam dam_of(const Run& run, long cells) {
+SphDam dam_of(const Values& values, long cells) {
   return {.geometry = {.width = a,
                        .height = 2 * a,
                        .tank_length = tank * a,
                        .wall_height = 3.5 * a,
                        .spacing = a / static_cast<double>(cells),
-                       .lattice = wcsph::lattice_named(run.text("lattice")),
+                       .lattice = wcsph::lattice_named(values.text("lattice")),
                        .corners_twice = true},
-          .settings = sph_settings(run.values(), 9.81, 1000, std::sqrt(9.81 * 2 * a))};
+          .settings = sph_settings(values, 9.81, 1000, std::sqrt(9.81 * 2 * a))};
 }
 
-/// What is read off one computation.
-struct Reading {
-  ShiftedFront fit;
-  double speed;
-};
-
-Reading read(const SphCollapse& run, const ColumnFront& data) {
-  return {shifted_front(run.free_front(), data.curve(), tank - 0.1), slope_between(run.free_front(), 1.6, 3)};
+std::vector<long> ladder_of(const Values& values) {
+  return sph_ladder(values.tier(), values.integer("cells"), 5);
 }
 
-void claim(Running& run, const std::vector<SphCollapse>& runs, const ColumnFront& data) {
-  std::vector<double> sizes, shifts, rms, raw, speeds;
-  for (const SphCollapse& one : runs) {
-    const Reading reading = read(one, data);
-    sizes.push_back(one.spacing);
-    shifts.push_back(reading.fit.shift);
-    rms.push_back(reading.fit.rms);
-    raw.push_back(reading.fit.raw_rms);
-    speeds.push_back(reading.speed);
-  }
-  const std::string resolution = sph_resolution(runs.back().spacing, runs.back().particles);
-  const double measured_speed = slope_between(data.curve(), 1.6, 3);
-  measure_convergence(run.record, "shift", sizes, shifts);
-  measure_convergence(run.record, "rms", sizes, rms);
-  measure_convergence(run.record, "speed", sizes, speeds);
-  run.record.check({.id = "shift",
-                    .text = "The experiment is late by what its diaphragm explains.",
-                    .quantity = "shift of the time origin, in sqrt(a/2g)",
-                    .source = experiment},
-                   {.value = shifts.back(), .resolution = resolution},
-                   Bound{.limit = 0.125,
-                         .reason = "0.05 to 0.30: delays of a released column that other computations of these "
-                                   "columns find",
-                         .expected = 0.175});
-  run.record.check(
-      {.id = "rms",
-       .text = "With this one shift the front goes through the measured points.",
-       .quantity = "rms difference of X/a",
-       .source = experiment},
-      {.value = rms.back(), .resolution = resolution},
-      Bound{.limit = 0.03, .reason = "a point is known to 0.05; one number was fitted to the four points"});
-  run.record.check({.id = "speed",
-                    .text = "The front is as fast as the measured one, whatever the shift.",
-                    .quantity = "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
-                    .source = experiment},
-                   {.value = speeds.back(), .resolution = resolution},
-                   Bound{.limit = 0.04,
-                         .reason = "4 %; the points alone, 0.05 each, would allow 13 %",
-                         .expected = measured_speed,
-                         .relative = true});
-  const double speed_data = std::sqrt(2.0) * data.uncertainty / (data.T[3] - data.T[2]);
-  run.record.check(
-      {.id = "speed-uncertain",
-       .text = "The speeds agree within the uncertainties of points and lattice.",
+ColumnFront data_of(const Values& values) {
+  return column_front("martin_moyce_tall_wide", values);
+}
+
+using Results = std::vector<SphCollapse>;  ///< by the lattices of the ladder
+
+Results compute(const Run& run) {
+  const std::vector<long> ladder = ladder_of(run);
+  Results runs(ladder.size());
+  const double unit = std::sqrt(2 * 9.81 / a);
+  climb(run, ladder.size(),
+        [&](std::size_t size) { runs[size] = collapse(dam_of(run, ladder[size]), unit, last, 320); });
+  return runs;
+}
+
+ShiftedFront fit_of(const SphCollapse& run, const ColumnFront& data) {
+  return shifted_front(run.free_front(), data.curve(), tank - 0.1);
+}
+
+double speed_of(const Curve& front) {
+  return slope_between(front, 1.6, 3);
+}
+
+/// A number of each computation.
+template <class Read>
+std::vector<double> of_all(const Results& runs, Read read) {
+  std::vector<double> values;
+  for (const SphCollapse& one : runs) values.push_back(read(one));
+  return values;
+}
+double spacing_of(const SphCollapse& run) {
+  return run.spacing;
+}
+double front_speed(const SphCollapse& run) {
+  return speed_of(run.free_front());
+}
+
+void claim_front(Claims<SphCollapse> claims, const ColumnFront& data) {
+  const auto fitted = [data](double ShiftedFront::*member) {
+    return [data, member](const SphCollapse& run) -> Measurement {
+      return {.value = fit_of(run, data).*member, .resolution = run.resolution()};
+    };
+  };
+  claims.check({.id = "shift",
+                .text = "The experiment is late by what its diaphragm explains.",
+                .quantity = "shift of the time origin, in sqrt(a/2g)",
+                .source = experiment},
+               fitted(&ShiftedFront::shift),
+               Bound{.limit = 0.125,
+                     .reason = "0.05 to 0.30: delays of a released column that other computations of these "
+                               "columns find",
+                     .expected = 0.175});
+  claims.check({.id = "rms",
+                .text = "With this one shift the front goes through the measured points.",
+                .quantity = "rms difference of X/a",
+                .source = experiment},
+               fitted(&ShiftedFront::rms),
+               Bound{.limit = 0.03, .reason = "a point is known to 0.05; one number was fitted to the four points"});
+  claims.check(
+      {.id = "speed",
+       .text = "The front is as fast as the measured one, whatever the shift.",
        .quantity = "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
        .source = experiment},
-      {.value = speeds.back(), .uncertainty = resolution_uncertainty(sizes, speeds), .resolution = resolution},
-      evidence::Uncertainty{.expected = measured_speed,
-                            .data = speed_data,
-                            .useful = 0.4 * measured_speed,
-                            .reason = "two points, known to 0.05 each, 0.55 apart in T; beyond 40 % nothing is said"});
-  run.record.known_failure({.id = "as-it-stands",
-                            .text = "The front agrees with the measured one without a shift.",
-                            .quantity = "rms difference of X/a",
-                            .source = publication},
-                           {.value = raw.back(), .resolution = resolution},
-                           Bound{.limit = 0.1, .reason = "twice the standard uncertainty of a point"},
-                           "an instantaneous release is ahead of a column that is let go by melting a diaphragm");
-  run.record.known_failure(
-      {.id = "mach",
-       .text = "Speeds stay below a tenth of the sound speed.",
-       .quantity = "largest Mach number",
-       .source = "Monaghan (1994)"},
-      {.value = runs.back().extremes.mach, .resolution = resolution},
-      Bound{.limit = 0.1, .reason = "the rule by which the sound speed is chosen"},
-      "the rule takes sqrt(2 g H) for the largest speed; the tip of the front and spray are faster");
-  for (std::size_t i = 0; i < read(runs.back(), data).fit.raw_off.size(); ++i) {
-    run.record.measure(fmt::format("off_at_T_{:.3f}", data.T[i]), read(runs.back(), data).fit.raw_off[i]);
-  }
+      [](const SphCollapse& run) -> Measurement { return {.value = front_speed(run), .resolution = run.resolution()}; },
+      Bound{.limit = 0.04,
+            .reason = "4 %; the points alone, 0.05 each, would allow 13 %",
+            .expected = speed_of(data.curve()),
+            .relative = true});
 }
 
-/// The same problem on the same lattice by an independent implementation.
-void claim_independent(Running& run, const SphCollapse& same) {
-  constexpr std::array<double, 6> times{0.5, 1, 1.5, 2, 2.5, 3};
-  constexpr std::array<double, 6> fronts{1.108, 1.440, 1.919, 2.501, 3.146, 3.839};
-  constexpr std::array<double, 6> energies{0.998, 0.989, 0.973, 0.946, 0.915, 0.886};
-  double front = 0;
-  double energy = 0;
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    front = std::max(front, std::abs(linear_at(same.front_curve(), times[k]) - fronts[k]));
-    energy = std::max(energy, std::abs(linear_at({same.T, same.energy}, times[k]) - energies[k]));
-  }
-  const std::string known = "computed once by an independent implementation";
-  run.record.check({.id = "independent-front",
-                    .text = "The front is where an independent program has it.",
-                    .quantity = "largest difference of X/a at T = 0.5, 1, ..., 3",
-                    .source = known},
-                   {.value = front, .resolution = sph_resolution(same.spacing, same.particles)},
-                   Bound{.limit = 0.02, .reason = "one spacing of the particles"});
-  run.record.check({.id = "independent-energy",
-                    .text = "It has lost as much energy.",
-                    .quantity = "largest difference of E/E_0 at T = 0.5, 1, ..., 3",
-                    .source = known},
-                   {.value = energy, .resolution = sph_resolution(same.spacing, same.particles)},
-                   Bound{.limit = 0.01, .reason = "a tenth of what is lost"});
+void claim_failures(Claims<SphCollapse> claims, const ColumnFront& data, const Values& values) {
+  const auto fails = [&](const evidence::Claim& claim, const auto& measured, const Bound& bound,
+                         const ByTier<evidence::KnownFailure>& known) {
+    if (at_defaults(values)) {
+      claims.known_failure(claim, measured, bound, known.at(values.tier()));
+    } else {
+      claims.check(claim, measured, bound);
+    }
+  };
+  const std::string instantaneous =
+      "an instantaneous release is ahead of a column that is let go by melting a diaphragm; lattices that differ by a "
+      "tenth differ by as much";
+  fails({.id = "as-it-stands",
+         .text = "The front agrees with the measured one without a shift.",
+         .quantity = "rms difference of X/a",
+         .source = publication},
+        [data](const SphCollapse& run) -> Measurement {
+          return {.value = fit_of(run, data).raw_rms, .resolution = run.resolution()};
+        },
+        Bound{.limit = 1.54 * data.uncertainty,
+              .reason = "four points, each known to the standard uncertainty u: their rms exceeds 1.54 u, from chi "
+                        "squared with four degrees of freedom, once in twenty"},
+        {{0.104, 0.012, instantaneous}, {0.232, 0.02, instantaneous}, {0.164, 0.02, instantaneous}});
+  const std::string faster =
+      "the rule takes sqrt(2 g H) for the largest speed; the tip of the front and spray are faster";
+  fails({.id = "mach",
+         .text = "Speeds stay below a tenth of the sound speed.",
+         .quantity = "largest Mach number",
+         .source = "Monaghan (1994)"},
+        [](const SphCollapse& run) -> Measurement {
+          return {.value = run.extremes.mach, .resolution = run.resolution()};
+        },
+        Bound{.limit = 0.1, .reason = "the rule by which the sound speed is chosen"},
+        {{0.137, 0.01, faster}, {0.2, 0.03, faster}, {0.19, 0.03, faster}});
 }
 
-void draw(Running& run, const SphDam& dam, const std::vector<SphCollapse>& runs, const ColumnFront& data) {
+/// The same problem on the same lattice by an earlier program.
+void claim_regression(Claims<SphCollapse> claims, const Values& values) {
+  const io::Table known = values.table("regression_sph_column_collapse");
+  const auto difference = [known](const std::string& column, std::vector<double> SphCollapse::*series) {
+    return [T = known.column("T"), theirs = known.column(column), series](const SphCollapse& run) -> Measurement {
+      Worst off;
+      for (std::size_t k = 0; k < T.size(); ++k) off.add(linear_at({run.T, run.*series}, T[k]) - theirs[k], T[k]);
+      return {.value = off.value(), .resolution = run.resolution(), .where = fmt::format("T = {:g}", off.where())};
+    };
+  };
+  const std::string earlier =
+      "regression: an earlier program for the same equations, reference_data/regression_sph_column_collapse";
+  claims.check({.id = "independent-front",
+                .text = "The front is where an earlier program has it.",
+                .quantity = "largest difference of X/a at T = 0.5, 1, ..., 3",
+                .source = earlier},
+               difference("X_over_a", &SphCollapse::front),
+               Bound{.limit = 0.02, .reason = "one spacing of the particles"});
+  claims.check({.id = "independent-energy",
+                .text = "It has lost as much energy.",
+                .quantity = "largest difference of E/E_0 at T = 0.5, 1, ..., 3",
+                .source = earlier},
+               difference("E_over_E0", &SphCollapse::energy),
+               Bound{.limit = 0.01, .reason = "a tenth of what is lost"});
+}
+
+void claims(const Values& values, Claims<Results> claims) {
+  const ColumnFront data = data_of(values);
+  const std::vector<long> ladder = ladder_of(values);
+  const auto finest = claims.of([](const Results& runs) -> const SphCollapse& { return runs.back(); });
+  claim_front(finest, data);
+  claims.only_if(ladder.size() >= 3, "its uncertainty needs three lattices, which the full tier affords")
+      .check(
+          {.id = "speed-uncertain",
+           .text = "The speeds agree within the uncertainties of points and lattice.",
+           .quantity = "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
+           .source = experiment},
+          [](const Results& runs) -> Measurement {
+            const std::vector<double> speeds = of_all(runs, front_speed);
+            return {.value = speeds.back(),
+                    .uncertainty = resolution_uncertainty(of_all(runs, spacing_of), speeds),
+                    .resolution = runs.back().resolution()};
+          },
+          evidence::Uncertainty{.expected = speed_of(data.curve()),
+                                .data = std::sqrt(2.0) * data.uncertainty / (data.T[3] - data.T[2]),
+                                .useful = 0.4 * speed_of(data.curve()),
+                                .reason = "two points, known to 0.05 each, 0.55 apart in T; beyond 40 % nothing is "
+                                          "said"});
+  claim_failures(finest, data, values);
+  const auto same = std::ranges::find(ladder, 50) - ladder.begin();
+  Values theirs(values.declared(), values.tier());
+  theirs.set("cells", Value(values.integer("cells")));
+  theirs.set("lattice", Value("square"));
+  const bool known = same < std::ssize(ladder) && values.canonical() == theirs.canonical();
+  claim_regression(
+      claims.only_if(known, "the earlier program had a square lattice of spacing a/50")
+          .of([same](const Results& runs) -> const SphCollapse& { return runs.at(static_cast<std::size_t>(same)); }),
+      values);
+}
+
+void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, const ColumnFront& data) {
   const wcsph::Particles start = wcsph::dam_break(dam.geometry, dam.settings).particles;
   std::vector<double> x[2], z[2];
   for (std::size_t p = 0; p < start.size(); ++p) {
@@ -165,19 +229,19 @@ void draw(Running& run, const SphDam& dam, const std::vector<SphCollapse>& runs,
     x[which].push_back(start.x[p] / a);
     z[which].push_back(start.z[p] / a);
   }
-  auto& domain = run.record.figure(
-      "domain", "Domain of the dam break",
-      fmt::format("Particles at the beginning: {} of water, {} of the walls.", x[0].size(), x[1].size()),
-      {"sph-fig-1"});
+  auto& domain =
+      exhibit.figure("domain", "Domain of the dam break",
+                     fmt::format("Particles at the beginning: {} of water, {} of the walls.", x[0].size(), x[1].size()),
+                     {"sph-fig-1"});
   auto& sketch = domain.panel({.x = "x/a", .y = "z/a", .equal_aspect = true});
   sketch.points("water", x[0], z[0], Role::computed);
   sketch.points("walls", x[1], z[1], Role::data);
 
   const SphCollapse& finest = runs.back();
-  const ShiftedFront fit = read(finest, data).fit;
-  auto& figure = run.record.figure("front", "Position of the front",
-                                   "As it stands, and later by one shift of the time origin; the far wall is at 4.",
-                                   {"sph-fig-2"});
+  const ShiftedFront fit = fit_of(finest, data);
+  auto& figure =
+      exhibit.figure("front", "Position of the front",
+                     "As it stands, and later by one shift of the time origin; the far wall is at 4.", {"sph-fig-2"});
   auto& panel = figure.panel({.x = "t sqrt(2g/a)", .y = "X/a", .x_min = 0, .x_max = last, .y_min = 1, .y_max = tank});
   panel.line("SPH", finest.T, finest.front, Role::computed);
   std::vector<double> later = finest.T;
@@ -185,8 +249,8 @@ void draw(Running& run, const SphDam& dam, const std::vector<SphCollapse>& runs,
   panel.line(fmt::format("SPH, {:.2f} later", fit.shift), later, finest.front, Role::peer);
   const std::vector<double> errors(data.X.size(), data.uncertainty);
   panel.points(data.label, data.T, data.X, Role::data, errors);
-  auto& study = run.record.figure("resolution", "The front with wider spacings, and the energy",
-                                  "Left: X/a; right: energy over that of the beginning.");
+  auto& study = exhibit.figure("resolution", "The front with wider spacings, and the energy",
+                               "Left: X/a; right: energy over that of the beginning.");
   auto& fronts = study.panel({.x = "t sqrt(2g/a)", .y = "X/a"});
   auto& energies = study.panel({.x = "t sqrt(2g/a)", .y = "E/E_0"});
   for (const SphCollapse& one : runs) {
@@ -197,25 +261,21 @@ void draw(Running& run, const SphDam& dam, const std::vector<SphCollapse>& runs,
   }
 }
 
-void run(Running& run) {
-  const long finest = run.integer("cells");
-  const std::vector<long> ladder = sph_ladder(run.tier(), finest, 5);
-  std::vector<SphCollapse> runs(ladder.size());
-  const double unit = std::sqrt(2 * 9.81 / a);
-  climb(run, ladder.size(),
-        [&](std::size_t size) { runs[size] = collapse(dam_of(run, ladder[size]), unit, last, 320); });
-  const ColumnFront data = column_front("martin_moyce_tall_wide", run.record);
-  measure_run(run.record, runs.back());
+void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit) {
+  const ColumnFront data = data_of(values);
+  const SphCollapse& finest = runs.back();
+  measure_run(exhibit, finest);
   for (const double T : {0.5, 1.0, 1.5, 2.0, 2.5, 3.0}) {
-    run.record.measure(fmt::format("front_at_T_{:.1f}", T), linear_at(runs.back().front_curve(), T));
-    run.record.measure(fmt::format("energy_at_T_{:.1f}", T), linear_at({runs.back().T, runs.back().energy}, T));
+    exhibit.measure(fmt::format("front_at_T_{:.1f}", T), linear_at(finest.front_curve(), T));
+    exhibit.measure(fmt::format("energy_at_T_{:.1f}", T), linear_at({finest.T, finest.energy}, T));
   }
-  claim(run, runs, data);
-  const auto known = std::ranges::find(ladder, 50);
-  if (known != ladder.end() && run.text("lattice") == "square") {
-    claim_independent(run, runs[static_cast<std::size_t>(known - ladder.begin())]);
-  }
-  draw(run, dam_of(run, finest), runs, data);
+  const std::vector<double> sizes = of_all(runs, spacing_of);
+  measure_convergence(exhibit, "shift", sizes, of_all(runs, [&](const auto& one) { return fit_of(one, data).shift; }));
+  measure_convergence(exhibit, "rms", sizes, of_all(runs, [&](const auto& one) { return fit_of(one, data).rms; }));
+  measure_convergence(exhibit, "speed", sizes, of_all(runs, front_speed));
+  const std::vector<double> off = fit_of(finest, data).raw_off;
+  for (std::size_t i = 0; i < off.size(); ++i) exhibit.measure(fmt::format("off_at_T_{:.3f}", data.T[i]), off[i]);
+  draw(exhibit, dam_of(values, values.integer("cells")), runs, data);
 }
 
 }  // namespace
@@ -231,7 +291,7 @@ Case dam_break_sph_front() {
       {integer("cells", {30, 100, 50}, {10, 1000}, "particle spacings in the width of the column"),
        choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"}, "lattice of the particles")},
       sph_parameters({.alpha = 0.3, .sound = 10 * std::sqrt(2.0)}, "sqrt(g times the column's height)"));
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

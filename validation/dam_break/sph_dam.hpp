@@ -8,6 +8,7 @@
 #include "seiche/models/wcsph/scene.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/agreement.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation {
 
@@ -32,6 +33,7 @@ struct SphCollapse {
   long steps = 0;
   wcsph::Extremes extremes;
   std::vector<std::string> roundings;  ///< of lengths that are not whole numbers of spacings
+  [[nodiscard]] std::string resolution() const { return sph_resolution(spacing, particles); }
   [[nodiscard]] Curve front_curve() const { return {T, front}; }
   /// Before the far wall is felt.
   [[nodiscard]] Curve free_front() const;

@@ -16,18 +16,21 @@ and 1; momentum, angular momentum and energy with those of the beginning.
 several times better than the cubic spline with $h = 1.3\,dx$. Momenta are kept to rounding all the same.
 */
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include <fmt/format.h>
 
+#include "reports/evidence/slope_guide.hpp"
 #include "seiche/exact/stretching_drop.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "seiche/samples.hpp"
+#include "validation/case/reference_source.hpp"
 #include "validation/instruments/agreement.hpp"
-#include "validation/case/on_threads.hpp"
-#include "reports/evidence/slope_guide.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
+#include "validation/studies/wcsph/spacing_ladder.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases {
@@ -41,6 +44,10 @@ const std::string source = "Monaghan, J. Comput. Phys. 110 (1994) 399; Dirichlet
 constexpr double density = 1000;
 constexpr double end = 1;
 constexpr long samples = 20;
+
+exact::StretchingDrop exact_drop() {
+  return {1, 1, -1, 1000};
+}
 
 double long_axis(const wcsph::Particles& particles) {
   double mass = 0;
@@ -70,18 +77,18 @@ struct Stretched {
   std::size_t particles = 0;
   long steps = 0;
   std::vector<double> time, axis, axis_error, velocity_error;
-  double momentum = 0;          ///< largest defect over sum m|u|
-  double angular_momentum = 0;  ///< over sum m|u| times the radius
-  double energy = 0;            ///< defect at the end over the kinetic energy of the beginning
+  Worst momentum;                                            ///< defect over sum m|u|
+  Worst angular_momentum;                                    ///< over sum m|u| times the radius
+  double energy = std::numeric_limits<double>::quiet_NaN();  ///< defect at the end over the first kinetic energy
   wcsph::Particles last;
+  [[nodiscard]] std::string resolution() const { return sph_resolution(spacing, particles); }
 };
 
-wcsph::Settings settings_of(const Run& run) {
-  return sph_settings(run.values(), 0, density, 1);
+wcsph::Settings settings_of(const Values& values) {
+  return sph_settings(values, 0, density, 1);
 }
 
-Stretched stretch(const Run& run, double spacing, const exact::StretchingDrop& drop) {
-  const wcsph::Settings settings = settings_of(run);
+Stretched stretch(const wcsph::Settings& settings, double spacing) {
   const wcsph::Scene scene =
       wcsph::patch({.radius = 1,
                     .velocity =
@@ -92,6 +99,7 @@ Stretched stretch(const Run& run, double spacing, const exact::StretchingDrop& d
                     .spacing = spacing},
                    settings);
   Flow flow(scene.particles, scene.spacing, settings);
+  const exact::StretchingDrop drop = exact_drop();
   Stretched result{.spacing = scene.spacing, .particles = scene.particles.size()};
   const wcsph::Totals first = flow.totals();
   for (long n = 1; n <= samples; ++n) {
@@ -102,11 +110,8 @@ Stretched stretch(const Run& run, double spacing, const exact::StretchingDrop& d
     result.axis.push_back(long_axis(flow.particles()));
     result.axis_error.push_back(result.axis.back() / drop.other_axis(t) - 1);
     result.velocity_error.push_back(velocity_error(flow.particles(), drop.strain_rate(t)));
-    for (const double p : now.momentum) {
-      result.momentum = std::max(result.momentum, std::abs(p) / now.absolute_momentum);
-    }
-    result.angular_momentum = std::max(result.angular_momentum,
-                                       std::abs(now.angular_momentum - first.angular_momentum) / now.absolute_momentum);
+    for (const double p : now.momentum) result.momentum.add(p / now.absolute_momentum, t);
+    result.angular_momentum.add((now.angular_momentum - first.angular_momentum) / now.absolute_momentum, t);
     result.energy = std::abs(now.energy() - first.energy()) / first.kinetic;
   }
   result.steps = flow.steps();
@@ -118,87 +123,115 @@ double at(const Stretched& run, const std::vector<double>& values, double t) {
   return linear_at({run.time, values}, t);
 }
 
-void claim(Running& run, const std::vector<Stretched>& runs) {
-  const Stretched& finest = runs.back();
-  std::vector<double> sizes;
-  for (const Stretched& one : runs) sizes.push_back(one.spacing);
-  const std::string resolution = sph_resolution(finest.spacing, finest.particles);
-  const auto judge = [&](const std::string& id, const std::string& text, const std::string& quantity, double t,
-                         const std::vector<double> Stretched::*values, double limit, const std::string& reason) {
-    std::vector<double> all;
-    for (const Stretched& one : runs) all.push_back(at(one, one.*values, t));
-    run.record.measure(fmt::format("{}_at_{:g}", id, t), all.back());
-    run.record.check({.id = fmt::format("{}-{:g}", id, 10 * t), .text = text, .quantity = quantity, .source = source},
-                     {.value = all.back(), .resolution = resolution}, Bound{.limit = limit, .reason = reason});
-  };
-  const std::string one_spacing = "the edge of the patch is known to a spacing";
-  for (const double t : {0.5, 1.0}) {
-    judge("axis", fmt::format("The patch is as long as the exact one at t = {:g}.", t), "relative error of b", t,
-          &Stretched::axis_error, 0.5 * finest.spacing, "half a spacing over the radius: " + one_spacing);
-  }
-  run.record.check({.id = "momentum",
-                    .text = "Momentum is kept to rounding.",
-                    .quantity = "largest defect over sum m|u|",
-                    .source = source},
-                   {.value = finest.momentum, .resolution = resolution},
-                   evidence::Roundoff{.operations = static_cast<double>(finest.steps),
-                                      .scale = 1,
-                                      .reason = "once per step; forces of pairs are opposite bit by bit, sums of "
-                                                "different order round differently"});
-  run.record.check({.id = "angular-momentum",
-                    .text = "Angular momentum is kept to rounding: the patch is symmetric.",
-                    .quantity = "largest defect over sum m|u| times the radius",
-                    .source = source},
-                   {.value = finest.angular_momentum, .resolution = resolution},
-                   evidence::Roundoff{.operations = static_cast<double>(finest.steps),
-                                      .scale = 1,
-                                      .reason = "once per step; the midpoint rule keeps it to second order only, "
-                                                "but errors of mirrored particles cancel"});
-  run.record.check({.id = "energy",
-                    .text = "Energy is kept to the order of the steps.",
-                    .quantity = "defect at the end over the kinetic energy of the beginning",
-                    .source = source},
-                   {.value = finest.energy, .resolution = resolution},
-                   Bound{.limit = 5e-4,
-                         .reason = "ten times the 5e-5 that the midpoint rule, which lets sound grow, makes with steps "
-                                   "of 0.3 h/c at dx = 0.02"});
+using Results = std::vector<Stretched>;  ///< by falling spacing
+
+Results compute(const Run& run) {
+  const double finest = run.real("dx");
+  const std::vector<double> ladder{2 * finest, std::sqrt(2.0) * finest, finest};
+  Results runs(ladder.size());
+  climb(run, ladder.size(), [&](std::size_t size) { runs[size] = stretch(settings_of(run), ladder[size]); });
+  return runs;
 }
 
-/// Errors of an independent implementation with the same spacing.
-struct Known {
-  std::string kernel;
-  double smoothing;
-  std::array<double, 2> axis, velocity;  ///< at t = 0.5 and 1
-};
-
-void claim_independent(Running& run, const Stretched& finest) {
-  const std::array<Known, 2> known{Known{"cubic_spline", 1.3, {1.6e-3, 6.3e-3}, {3.3e-2, 6.7e-2}},
-                                   Known{"wendland_c2", 2.0, {1.1e-3, 1.8e-3}, {1.3e-2, 2.2e-2}}};
-  const auto found = std::ranges::find_if(known, [&](const Known& one) {
-    return one.kernel == run.text("kernel") && one.smoothing == run.real("smoothing");
-  });
-  if (found == known.end() || finest.spacing != 0.02) return;
-  constexpr std::array<double, 2> times{0.5, 1};
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    const auto judge = [&](const std::string& what, const std::vector<double>& values, double theirs) {
-      run.record.check({.id = fmt::format("independent-{}-{:g}", what, 10 * times[k]),
-                        .text = fmt::format("At t = {:g} the error of the {} is not above that of an independent "
-                                            "program with the same spacing.",
-                                            times[k], what),
-                        .quantity = "error over theirs",
-                        .source = "computed once by an independent implementation"},
-                       {.value = std::abs(at(finest, values, times[k])) / theirs,
-                        .resolution = sph_resolution(finest.spacing, finest.particles)},
-                       Bound{.limit = 1.25, .reason = "the order of sums and steps differ: a quarter"});
+void claim_momenta(Claims<Stretched> claims, const Values& values) {
+  const double dx = values.real("dx");
+  const double particles = std::numbers::pi / (dx * dx);
+  const double steps = end * values.real("sound") / (values.real("courant") * values.real("smoothing") * dx);
+  const std::string counted =
+      "the N particles within the radius, each with 1/N of sum m|u|, are rounded once in each step of courant h/c; ";
+  const auto kept = [](Worst Stretched::*member) {
+    return [member](const Stretched& run) -> Measurement {
+      const Worst& worst = run.*member;
+      return {
+          .value = worst.value(), .resolution = run.resolution(), .where = fmt::format("t = {:g} s", worst.where())};
     };
-    judge("axis", finest.axis_error, found->axis[k]);
-    judge("velocity", finest.velocity_error, found->velocity[k]);
+  };
+  claims.check({.id = "momentum",
+                .text = "Momentum is kept to rounding.",
+                .quantity = "largest defect over sum m|u|",
+                .source = source},
+               kept(&Stretched::momentum),
+               evidence::Roundoff{.operations = particles * steps,
+                                  .scale = 1 / particles,
+                                  .reason = counted + "forces of pairs are opposite bit by bit, sums of different "
+                                                      "order round differently"});
+  claims.check({.id = "angular-momentum",
+                .text = "Angular momentum is kept to rounding: the patch is symmetric.",
+                .quantity = "largest defect over sum m|u| times the radius",
+                .source = source},
+               kept(&Stretched::angular_momentum),
+               evidence::Roundoff{.operations = particles * steps,
+                                  .scale = 1 / particles,
+                                  .reason = counted + "the midpoint rule keeps it to second order only, but errors of "
+                                                      "mirrored particles cancel"});
+}
+
+void claim_regression(Claims<Stretched> claims, const Values& values) {
+  const std::string name = "regression_sph_stretched_patch";
+  const io::Table table = values.table(name);
+  const auto described = reference_source(name);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string kernel = described.codes.at("kernel").at(fmt::format("{:g}", table.column("kernel")[row]));
+    if (kernel != values.text("kernel")) continue;
+    Values theirs(values.declared(), Tier::quick);
+    theirs.set("kernel", Value(kernel));
+    theirs.set("smoothing", Value(table.column("h_over_dx")[row]));
+    const auto same = claims.only_if(
+        values.canonical() == theirs.canonical(),
+        fmt::format("the earlier program had dx = {:g} and h = {:g} dx", theirs.real("dx"), theirs.real("smoothing")));
+    const double t = table.column("t")[row];
+    const auto agrees = [&](const std::string& what, std::vector<double> Stretched::*errors) {
+      const std::string column = what + "_error";
+      same.check(
+          {.id = fmt::format("independent-{}-{:g}", what, 10 * t),
+           .text = fmt::format("At t = {:g} the error of the {} is that of an earlier program with the same "
+                               "spacing, to the digits that it printed.",
+                               t, what),
+           .quantity = "relative error",
+           .source = "regression: an earlier program for the same equations, reference_data/" + name},
+          [t, errors](const Stretched& run) -> Measurement {
+            return {.value = std::abs(at(run, run.*errors, t)), .resolution = run.resolution()};
+          },
+          Bound{.limit = described.standard_uncertainty.at(column).value,
+                .reason = "half a unit of the last of its two digits",
+                .expected = table.column(column)[row]});
+    };
+    agrees("axis", &Stretched::axis_error);
+    agrees("velocity", &Stretched::velocity_error);
   }
 }
 
-void draw(Running& run, const std::vector<Stretched>& runs, const exact::StretchingDrop& drop) {
-  auto& figure = run.record.figure("patch", "Semi-axis and particles",
-                                   "Left: the longer semi-axis; right: particles at the end and the exact ellipse.");
+void claims(const Values& values, Claims<Results> claims) {
+  const auto finest = claims.of([](const Results& runs) -> const Stretched& { return runs.back(); });
+  for (const double t : {0.5, 1.0}) {
+    finest.check(
+        {.id = fmt::format("axis-{:g}", 10 * t),
+         .text = fmt::format("The patch is as long as the exact one at t = {:g}.", t),
+         .quantity = "relative error of b",
+         .source = source},
+        [t](const Stretched& run) -> Measurement {
+          return {.value = at(run, run.axis_error, t), .resolution = run.resolution()};
+        },
+        Bound{.limit = 0.5 * values.real("dx"),
+              .reason = "half a spacing over the radius: the edge of the patch is known to a spacing"});
+  }
+  claim_momenta(finest, values);
+  finest.check(
+      {.id = "energy",
+       .text = "Energy is kept to the order of the steps.",
+       .quantity = "defect at the end over the kinetic energy of the beginning",
+       .source = source},
+      [](const Stretched& run) -> Measurement { return {.value = run.energy, .resolution = run.resolution()}; },
+      Bound{.limit = 1 / (6 * std::pow(values.real("sound"), 2)),
+            .reason = "the energy of the compression, the integral of p^2/(2 rho c^2) over that of rho r^2/2: "
+                      "1/(6 c^2); what steps change must be less than what they are to resolve"});
+  claim_regression(finest, values);
+}
+
+void draw(evidence::Exhibit& exhibit, const Results& runs) {
+  const exact::StretchingDrop drop = exact_drop();
+  auto& figure = exhibit.figure("patch", "Semi-axis and particles",
+                                "Left: the longer semi-axis; right: particles at the end and the exact ellipse.");
   auto& axis = figure.panel({.x = "t [s]", .y = "b [m]"});
   std::vector<double> exact_axis;
   for (const double t : runs.back().time) exact_axis.push_back(drop.other_axis(t));
@@ -213,7 +246,7 @@ void draw(Running& run, const std::vector<Stretched>& runs, const exact::Stretch
     z.push_back(drop.other_axis(end) * std::sin(angle));
   }
   places.line("exact", x, z, Role::exact);
-  auto& study = run.record.figure("convergence", "Errors", "Of the semi-axis and of the velocities, relative.");
+  auto& study = exhibit.figure("convergence", "Errors", "Of the semi-axis and of the velocities, relative.");
   std::vector<double> sizes;
   for (const Stretched& one : runs) sizes.push_back(one.spacing);
   for (const double t : {0.5, 1.0}) {
@@ -230,25 +263,13 @@ void draw(Running& run, const std::vector<Stretched>& runs, const exact::Stretch
   }
 }
 
-void run(Running& run) {
-  const exact::StretchingDrop drop(1, 1, -1, 1000);
-  const double finest = run.real("dx");
-  const std::vector<double> ladder{2 * finest, std::sqrt(2.0) * finest, finest};
-  std::vector<Stretched> runs(ladder.size());
-  on_threads(
-      ladder.size(), workers_of(run.tier()),
-      [&](std::size_t k) {
-        const std::size_t costly_first = ladder.size() - 1 - k;
-        runs[costly_first] = stretch(run, ladder[costly_first], drop);
-      },
-      [&](std::size_t done) { run.progress(static_cast<double>(done) / static_cast<double>(ladder.size())); });
-  claim(run, runs);
-  claim_independent(run, runs.back());
+void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit) {
   for (const double t : {0.5, 1.0}) {
-    run.record.measure(fmt::format("velocity_at_{:g}", t), at(runs.back(), runs.back().velocity_error, t));
+    exhibit.measure(fmt::format("axis_at_{:g}", t), at(runs.back(), runs.back().axis_error, t));
+    exhibit.measure(fmt::format("velocity_at_{:g}", t), at(runs.back(), runs.back().velocity_error, t));
   }
-  draw(run, runs, drop);
-  add_particles(run.record, end, runs.back().last, settings_of(run));
+  draw(exhibit, runs);
+  add_particles(exhibit, end, runs.back().last, settings_of(values));
 }
 
 }  // namespace
@@ -263,7 +284,7 @@ Case patch_sph() {
   c.parameters = with(
       {real("dx", {0.02, 0.01, 0.005}, "m", {0.001, 0.2}, "spacing of the particles; the radius is 1")},
       sph_parameters({.viscosity = "none", .sound = 14, .courant = {0.3, 0.2, 0.2}}, "the speed A_0 times the radius"));
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "seiche/samples.hpp"
 #include "validation/instruments/oscillation.hpp"
 
 namespace seiche::validation {
@@ -20,8 +21,7 @@ double mean(std::span<const double> values) {
 }
 
 double range(std::span<const double> values) {
-  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
-  return *highest - *lowest;
+  return largest(values) - smallest(values);
 }
 
 double ratio(double numerator, double denominator) {
@@ -84,12 +84,13 @@ double shift_between(std::span<const double> x, std::span<const double> submitte
     agreement_at.push_back(std::isnan(here) ? -1 : here);
   }
   const std::vector<Peak> peaks = peaks_of(agreement_at);
-  double best = 0;
-  for (const Peak& peak : peaks) best = std::max(best, peak.height);
+  Largest best;
+  for (const Peak& peak : peaks) best.add(peak.height);
   double lag = unknown;
   for (const Peak& peak : peaks) {
     const double candidate = peak.place - static_cast<double>(farthest);
-    if (peak.height > 0 && peak.height >= 0.99 * best && !(std::abs(candidate) >= std::abs(lag))) lag = candidate;
+    if (peak.height > 0 && peak.height >= 0.99 * best.value() && !(std::abs(candidate) >= std::abs(lag)))
+      lag = candidate;
   }
   return lag * spacing;
 }
@@ -134,34 +135,36 @@ Agreement agreement(Curve submitted, Curve reference) {
 
   double l1 = 0;
   double l2 = 0;
-  double linf = 0;
+  Largest linf;
   double size_l1 = 0;
   double size_l2 = 0;
-  double size_linf = 0;
+  Largest size_linf;
   for (std::size_t i = 0; i < a.x.size(); ++i) {
     const double error = std::abs(a.submitted[i] - a.reference[i]);
     const double size = std::abs(a.reference[i]);
     l1 += error;
     l2 += error * error;
-    linf = std::max(linf, error);
+    linf.add(error);
     size_l1 += size;
     size_l2 += size * size;
-    size_linf = std::max(size_linf, size);
+    size_linf.add(size);
   }
-  a.largest_error = linf;
+  a.largest_error = linf.value();
   a.relative_l1 = ratio(l1, size_l1);
   a.relative_l2 = std::sqrt(ratio(l2, size_l2));
-  a.relative_linf = ratio(linf, size_linf);
+  a.relative_linf = ratio(linf.value(), size_linf.value());
   a.amplitude_ratio = ratio(range(a.submitted), range(a.reference));
   a.skill = willmott_skill(a.submitted, a.reference);
   a.shift = shift_between(a.x, a.submitted, a.reference);
-  const auto largest = [&](const std::vector<double>& y) {
-    return static_cast<std::size_t>(std::max_element(y.begin(), y.end()) - y.begin());
+  const auto highest = [&](const std::vector<double>& y) {
+    Largest found;
+    for (std::size_t i = 0; i < y.size(); ++i) found.add(y[i], a.x[i]);
+    return found;
   };
-  a.peak = a.submitted[largest(a.submitted)];
-  a.peak_at = a.x[largest(a.submitted)];
-  a.reference_peak = a.reference[largest(a.reference)];
-  a.reference_peak_at = a.x[largest(a.reference)];
+  a.peak = highest(a.submitted).value();
+  a.peak_at = highest(a.submitted).where();
+  a.reference_peak = highest(a.reference).value();
+  a.reference_peak_at = highest(a.reference).where();
   return a;
 }
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -34,7 +35,7 @@ double square_distance(double x, double y, const Segment& s) {
 
 struct OneWay {
   double mean_square = 0;
-  double largest_square = 0;
+  Largest square;
 };
 
 /// From the middles of the segments of `from`, weighted with their lengths.
@@ -44,15 +45,15 @@ OneWay one_way(const std::vector<Segment>& from, const std::vector<Segment>& to,
   OneWay result;
   double length = 0;
   for (const Segment& s : from) {
-    double nearest = std::numeric_limits<double>::infinity();
+    Smallest nearest;
     for (const double image : images) {
       for (const Segment& other : to) {
-        nearest = std::min(nearest, square_distance(s.x + 0.5 * s.dx + image, s.y + 0.5 * s.dy, other));
+        nearest.add(square_distance(s.x + 0.5 * s.dx + image, s.y + 0.5 * s.dy, other));
       }
     }
     const double weight = std::hypot(s.dx, s.dy);
-    result.mean_square += weight * nearest;
-    result.largest_square = std::max(result.largest_square, nearest);
+    result.mean_square += weight * nearest.value();
+    result.square.add(nearest.value());
     length += weight;
   }
   if (!(length > 0)) throw std::invalid_argument("polyline_distance: a curve has no length");
@@ -67,8 +68,9 @@ PolylineDistance polyline_distance(const Polylines& a, const Polylines& b, doubl
   const std::vector<Segment> second = segments_of(b);
   const OneWay there = one_way(first, second, period);
   const OneWay back = one_way(second, first, period);
-  return {.rms = std::sqrt(0.5 * (there.mean_square + back.mean_square)),
-          .largest = std::sqrt(std::max(there.largest_square, back.largest_square))};
+  Largest square = there.square;
+  square.add(back.square);
+  return {.rms = std::sqrt(0.5 * (there.mean_square + back.mean_square)), .largest = std::sqrt(square.value())};
 }
 
 }  // namespace seiche::validation

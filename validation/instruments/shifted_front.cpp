@@ -14,7 +14,8 @@ namespace {
 
 /// Where a front stood before it was let go.
 double front_at(Curve computed, double time) {
-  return linear_at(computed, std::max(time, computed.x.front()));
+  const double first = computed.x.front();
+  return linear_at(computed, time < first ? first : time);
 }
 
 }  // namespace
@@ -54,8 +55,9 @@ ShiftedFront shifted_front(Curve computed, Curve measured, double farthest, Shif
     }
     step /= 2;
   }
-  result.shift = best;
   result.rms = rms(best);
+  // Where the front is not known no shift is the best one.
+  result.shift = std::isnan(result.rms) ? result.rms : best;
   return result;
 }
 

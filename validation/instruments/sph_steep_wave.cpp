@@ -8,6 +8,7 @@
 
 #include "seiche/linear/dense.hpp"
 #include "seiche/require.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -78,12 +79,12 @@ double SteepWaveStart::pressure_over_density(double x, double y) const {
 }
 
 double SteepWaveStart::surface_defect() const {
-  double largest = 0;
+  Worst pressure;
   for (long i = 0; i <= points; ++i) {
     const double x = std::numbers::pi * static_cast<double>(i) / static_cast<double>(points);
-    largest = std::max(largest, std::abs(scaled_pressure(x, a_ * std::cos(x))));
+    pressure.add(scaled_pressure(x, a_ * std::cos(x)), x);
   }
-  return largest / a_;
+  return pressure.value() / a_;
 }
 
 }  // namespace seiche::validation

@@ -18,7 +18,6 @@ with more neighbours (Wendland kernel, $h = 2\,dx$) they do not, but a particle 
 period and wavelength of the design do not fit each other: with $T = 4.7$ s linear waves are 25.9 m long and, for this
 stroke, 1.08 m high.
 */
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -29,9 +28,10 @@ stroke, 1.08 m high.
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/models/wcsph/volume_fraction.hpp"
+#include "seiche/samples.hpp"
 #include "validation/instruments/agreement.hpp"
-#include "validation/studies/wcsph/sph_settings.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -49,8 +49,8 @@ struct Design {
   double depth, period, stroke, gauge;
 };
 
-Design design_of(const Run& run) {
-  return {run.real("depth"), run.real("period"), run.real("stroke"), run.real("gauge")};
+Design design_of(const Values& values) {
+  return {values.real("depth"), values.real("period"), values.real("stroke"), values.real("gauge")};
 }
 
 /// As the parameters say, or with the Wendland kernel and h = 2 dx, 44 neighbours.
@@ -64,6 +64,10 @@ struct Waves {
   long behind = 0;  ///< particles outside the flume at the end
   wcsph::Extremes extremes;
   long steps = 0;
+
+  [[nodiscard]] std::string resolution() const {
+    return fmt::format("{} layers, {}", layers, sph_resolution(spacing, particles));
+  }
 };
 
 Waves make_waves(const Run& run, const Design& design, long layers, const Scheme& scheme) {
@@ -103,34 +107,75 @@ Waves make_waves(const Run& run, const Design& design, long layers, const Scheme
 std::array<double, 3> heights_of(const std::vector<double>& time, const std::vector<double>& elevation, double period) {
   std::array<double, 3> heights{};
   for (std::size_t k = 0; k < heights.size(); ++k) {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
+    Smallest low;
+    Largest high;
     for (std::size_t n = 0; n < time.size(); ++n) {
       const double phase = time[n] / period - static_cast<double>(k);
       if (phase < -1e-9 || phase > 1 + 1e-9) continue;
-      low = std::min(low, elevation[n]);
-      high = std::max(high, elevation[n]);
+      low.add(elevation[n]);
+      high.add(elevation[n]);
     }
-    heights[k] = high - low;
+    heights[k] = high.value() - low.value();
   }
   return heights;
 }
 
-void claim(Running& run, const std::vector<Waves>& runs, const Waves& wide, const Design& design,
-           const std::array<double, 3>& transient, double settled) {
-  std::vector<double> sizes, second;
-  for (const Waves& one : runs) {
-    sizes.push_back(one.spacing);
-    second.push_back(heights_of(one.time, one.elevation, design.period)[1]);
+/// Linear theory at the gauge, at the instants at which it is read.
+struct Theory {
+  std::vector<double> time, transient, settled;
+  std::array<double, 3> heights{};  ///< of the transient
+  double settled_height = 0;
+  double wavenumber = 0;
+};
+
+Theory theory_of(const Design& design) {
+  const exact::WavemakerTransient start =
+      exact::WavemakerTransient::with_period(exact::Paddle::flap, gravity, design.depth, design.period, design.stroke);
+  Theory linear;
+  for (long n = 0; n <= std::lround(periods * samples_per_period); ++n) {
+    const double t = design.period * static_cast<double>(n) / samples_per_period;
+    linear.time.push_back(t);
+    linear.transient.push_back(start.elevation(design.gauge, t));
+    linear.settled.push_back(start.steady().elevation(design.gauge, t));
   }
-  measure_convergence(run.record, "second_wave", sizes, second);
-  const Waves& finest = runs.back();
-  const evidence::Measurement height{
-      .value = second.back(),
-      .resolution = fmt::format("{} layers, {}", finest.layers, sph_resolution(finest.spacing, finest.particles))};
-  run.record.measure("second_wave_over_transient", second.back() / transient[1]);
-  const double wider = heights_of(wide.time, wide.elevation, design.period)[1];
-  run.record.measure("second_wave_over_transient_more_neighbours", wider / transient[1]);
+  linear.heights = heights_of(linear.time, linear.transient, design.period);
+  linear.settled_height = start.steady().wave_height();
+  linear.wavenumber = 2 * std::numbers::pi / start.steady().wavelength();
+  return linear;
+}
+
+struct Results {
+  Design design;
+  Theory linear;
+  std::vector<Waves> runs;  ///< by the lattices of the ladder
+  Waves wide;               ///< the finest with more neighbours
+
+  [[nodiscard]] std::array<double, 3> heights(const Waves& waves) const {
+    return heights_of(waves.time, waves.elevation, design.period);
+  }
+};
+
+Results compute(const Run& run) {
+  const Design design = design_of(run);
+  const long finest = run.integer("layers");
+  const std::vector<long> ladder = sph_ladder(run.tier(), finest);
+  Results r{.design = design, .linear = theory_of(design), .runs = std::vector<Waves>(ladder.size()), .wide = {}};
+  climb(run, ladder.size() + 1, [&](std::size_t k) {
+    if (k == ladder.size()) {
+      r.wide = make_waves(run, design, finest, Scheme::more_neighbours);
+    } else {
+      r.runs[k] = make_waves(run, design, ladder[k], Scheme::as_set);
+    }
+  });
+  return r;
+}
+
+/// The height of the second wave with the scheme as it is set.
+Measurement second_wave(const Results& r) {
+  return {.value = r.heights(r.runs.back())[1], .resolution = r.runs.back().resolution()};
+}
+
+void claim_second_wave(Claims<Results> claims, const Theory& linear, const Values& values) {
   const auto near = [](const std::string& id, const std::string& scheme) {
     return evidence::Claim{.id = "second-transient" + id,
                            .text = fmt::format("The second wave is that of the exact transient ({}).", scheme),
@@ -138,76 +183,92 @@ void claim(Running& run, const std::vector<Waves>& runs, const Waves& wide, cons
                            .unit = "m",
                            .source = theory};
   };
-  const Bound twelve{.limit = 0.12,
-                     .reason = "12 %: nonlinearity, about k H/2 = 0.12 for waves as steep as these",
-                     .expected = transient[1],
-                     .relative = true};
-  run.record.check(near("-more", "Wendland kernel, h = 2 dx"), {.value = wider, .resolution = height.resolution},
-                   twelve);
-  if (run.real("smoothing") < 1.5) {
-    run.record.known_failure(near("", "as set"), height, twelve,
-                             "with about 20 neighbours waves lose height on their way, 13 to 18 per cent of it here, "
-                             "which finer spacings do not give back");
+  const double steepness = 0.5 * linear.wavenumber * linear.heights[1];
+  const Bound nonlinear{.limit = steepness,
+                        .reason = "nonlinearity: k H/2 of this wave, a tenth for the published one",
+                        .expected = linear.heights[1],
+                        .relative = true};
+  claims.check(
+      near("-more", "Wendland kernel, h = 2 dx"),
+      [](const Results& r) -> Measurement {
+        return {.value = r.heights(r.wide)[1], .resolution = r.wide.resolution()};
+      },
+      nonlinear);
+  const evidence::Claim settled{.id = "second-settled",
+                                .text = "The second wave is within 8 per cent of the settled one.",
+                                .quantity = "height from crest to trough during the second period",
+                                .unit = "m",
+                                .source = publication};
+  const Bound eight{
+      .limit = 0.08, .reason = "the publication's statement", .expected = linear.settled_height, .relative = true};
+  if (at_defaults(values)) {
+    // Lattices of 13 to 15 layers scatter by 0.012.
+    const bool quick = values.tier() == Tier::quick;
+    const evidence::KnownFailure low{.value = quick ? 0.715 : 0.69, .width = quick ? 0.02 : 0.025};
+    claims.known_failure(near("", "as set"), second_wave, nonlinear,
+                         {.value = low.value,
+                          .width = low.width,
+                          .reason = "with about 20 neighbours waves lose height on their way, 12 to 17 per cent of it "
+                                    "here, which finer spacings do not give back"});
+    claims.known_failure(settled, second_wave, eight,
+                         {.value = low.value,
+                          .width = low.width,
+                          .reason = "the settled wave has not arrived: in exact linear theory the second wave is more "
+                                    "than a fifth lower at this place"});
   } else {
-    run.record.check(near("", "as set"), height, twelve);
+    claims.check(near("", "as set"), second_wave, nonlinear);
+    claims.check(settled, second_wave, eight);
   }
-  run.record.known_failure(
-      {.id = "second-settled",
-       .text = "The second wave is within 8 per cent of the settled one.",
-       .quantity = "height from crest to trough during the second period",
-       .unit = "m",
-       .source = publication},
-      height, Bound{.limit = 0.08, .reason = "the publication's statement", .expected = settled, .relative = true},
-      "the settled wave has not arrived: in exact linear theory the second wave is more than a "
-      "fifth lower at this place");
-  run.record.measure("transient_over_settled", transient[1] / settled);
-  run.record.check({.id = "transient-below",
-                    .text = "In exact linear theory too the second wave at this place is lower than the settled one by "
-                            "more than 8 per cent.",
-                    .quantity = "it is lower",
-                    .source = theory},
-                   {.value = transient[1] < 0.92 * settled ? 1.0 : 0.0},
-                   evidence::Qualitative{.detector = "height of the second wave below 0.92 of the settled one",
-                                         .reason = "the front of the wave train disperses"});
-  run.record.check({.id = "contained",
-                    .text = "No particle gets behind the flap or through a wall.",
-                    .quantity = "particles outside at the end",
-                    .source = publication},
-                   {.value = static_cast<double>(finest.behind)}, Bound{.limit = 0, .reason = "walls are tight"});
 }
 
-void run(Running& run) {
-  const Design design = design_of(run);
-  const exact::WavemakerTransient start =
-      exact::WavemakerTransient::with_period(exact::Paddle::flap, gravity, design.depth, design.period, design.stroke);
-  const long finest = run.integer("layers");
-  const std::vector<long> ladder = sph_ladder(run.tier(), finest);
-  std::vector<Waves> runs(ladder.size());
-  Waves wide;
-  climb(run, ladder.size() + 1, [&](std::size_t k) {
-    if (k == ladder.size()) {
-      wide = make_waves(run, design, finest, Scheme::more_neighbours);
-    } else {
-      runs[k] = make_waves(run, design, ladder[k], Scheme::as_set);
-    }
-  });
+void claims(const Values& values, Claims<Results> claims) {
+  claim_second_wave(claims, theory_of(design_of(values)), values);
+  claims.check(
+      {.id = "transient-below",
+       .text = "In exact linear theory too the second wave at this place is lower than the settled one by "
+               "more than 8 per cent.",
+       .quantity = "it is lower",
+       .source = theory},
+      [](const Results& r) { return r.linear.heights[1] < 0.92 * r.linear.settled_height ? 1.0 : 0.0; },
+      evidence::Qualitative{.detector = "height of the second wave below 0.92 of the settled one",
+                            .reason = "the front of the wave train disperses"});
+  claims.check(
+      {.id = "contained",
+       .text = "No particle gets behind the flap or through a wall.",
+       .quantity = "particles outside at the end",
+       .source = publication},
+      [](const Results& r) -> Measurement {
+        return {.value = static_cast<double>(r.runs.back().behind), .resolution = r.runs.back().resolution()};
+      },
+      Bound{.limit = 0, .reason = "walls are tight"});
+}
 
-  const std::vector<double>& time = runs.back().time;
-  std::vector<double> transient, settled;
+void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
+  const Waves& finest = r.runs.back();
+  const Theory& linear = r.linear;
   double difference = 0;
   double norm = 0;
-  for (std::size_t n = 0; n < time.size(); ++n) {
-    transient.push_back(start.elevation(design.gauge, time[n]));
-    settled.push_back(start.steady().elevation(design.gauge, time[n]));
-    difference += std::pow(runs.back().elevation[n] - transient.back(), 2);
-    norm += transient.back() * transient.back();
+  for (std::size_t n = 0; n < linear.time.size(); ++n) {
+    difference += std::pow(finest.elevation[n] - linear.transient[n], 2);
+    norm += linear.transient[n] * linear.transient[n];
   }
-  const auto theory_heights = heights_of(time, transient, design.period);
-  run.record.measure("settled_height", start.steady().wave_height());
-  run.record.measure("relative_l2_from_transient", std::sqrt(difference / norm));
-  run.record.measure("largest_mach_number", runs.back().extremes.mach);
-  run.record.measure("particles_lost_more_neighbours", static_cast<double>(wide.behind));
-  run.record.measure("steps", static_cast<double>(runs.back().steps));
+  exhibit.measure("settled_height", linear.settled_height);
+  exhibit.measure("transient_over_settled", linear.heights[1] / linear.settled_height);
+  exhibit.measure("relative_l2_from_transient", std::sqrt(difference / norm));
+  exhibit.measure("second_wave_over_transient", r.heights(finest)[1] / linear.heights[1]);
+  exhibit.measure("second_wave_over_transient_more_neighbours", r.heights(r.wide)[1] / linear.heights[1]);
+  exhibit.measure("largest_mach_number", finest.extremes.mach);
+  exhibit.measure("particles_lost_more_neighbours", static_cast<double>(r.wide.behind));
+  exhibit.measure("steps", static_cast<double>(finest.steps));
+  std::vector<double> sizes, second;
+  for (const Waves& one : r.runs) {
+    sizes.push_back(one.spacing);
+    second.push_back(r.heights(one)[1]);
+  }
+  measure_convergence(exhibit, "second_wave", sizes, second);
+}
+
+void tabulate(const Results& r, evidence::Exhibit& exhibit) {
   evidence::Table table{.id = "heights",
                         .title = "Heights from crest to trough at the gauge",
                         .caption = "In the first and second period, and in the part of the third that was run [m].",
@@ -215,30 +276,31 @@ void run(Running& run) {
   const auto row = [&](const std::string& label, const std::array<double, 3>& heights) {
     table.rows.push_back({label, heights[0], heights[1], heights[2]});
   };
-  const double settled_height = start.steady().wave_height();
-  row("settled, linear", {settled_height, settled_height, settled_height});
-  row("transient, linear", theory_heights);
-  for (const Waves& one : runs) {
-    row(fmt::format("SPH, {} layers", one.layers), heights_of(one.time, one.elevation, design.period));
-  }
-  row(fmt::format("SPH, {} layers, h = 2 dx", wide.layers), heights_of(wide.time, wide.elevation, design.period));
-  run.record.table(std::move(table));
-  claim(run, runs, wide, design, theory_heights, settled_height);
+  const double settled = r.linear.settled_height;
+  row("settled, linear", {settled, settled, settled});
+  row("transient, linear", r.linear.heights);
+  for (const Waves& one : r.runs) row(fmt::format("SPH, {} layers", one.layers), r.heights(one));
+  row(fmt::format("SPH, {} layers, h = 2 dx", r.wide.layers), r.heights(r.wide));
+  exhibit.table(std::move(table));
+}
 
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  show_numbers(r, exhibit);
+  tabulate(r, exhibit);
   auto& panel =
-      run.record
+      exhibit
           .figure("gauge", "Elevation at x = L from the flap wavemaker",
                   "SPH, the exact transient from rest, and the settled wave, which is not there yet.", {"sph-fig-5"})
           .panel({.x = "t/T", .y = "elevation [m]"});
   std::vector<double> phase;
-  for (const double t : time) phase.push_back(t / design.period);
-  panel.line("transient, linear theory", phase, transient, Role::exact);
-  panel.line("settled, linear theory", phase, settled, Role::guide);
-  for (const Waves& one : runs) {
+  for (const double t : r.linear.time) phase.push_back(t / r.design.period);
+  panel.line("transient, linear theory", phase, r.linear.transient, Role::exact);
+  panel.line("settled, linear theory", phase, r.linear.settled, Role::guide);
+  for (const Waves& one : r.runs) {
     panel.line(fmt::format("SPH, {} layers", one.layers), phase, one.elevation,
-               &one == &runs.back() ? Role::computed : Role::peer);
+               &one == &r.runs.back() ? Role::computed : Role::peer);
   }
-  panel.line(fmt::format("SPH, {} layers, h = 2 dx", wide.layers), phase, wide.elevation, Role::peer);
+  panel.line(fmt::format("SPH, {} layers, h = 2 dx", r.wide.layers), phase, r.wide.elevation, Role::peer);
 }
 
 }  // namespace
@@ -257,7 +319,7 @@ Case flap_wave_sph() {
                        real("flume", 2.25, "gauge", {1.1, 20}, "length of the flume"),
                        integer("layers", {14, 40, 80}, {4, 400}, "particle spacings in the depth")},
                       sph_parameters({.alpha = 0.01, .filter = 30}, "sqrt(g d)"));
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -42,25 +42,38 @@ std::vector<double> times_of(const Values& values) {
   return evenly(0, end, 40 * static_cast<int>(values.real("periods")) + 1);
 }
 
-void run(Running& run) {
-  const exact::WavemakerTransient start = start_of(run.values());
-  claim_identities(run.record, start.self_test(), start.uncertainty(), source);
-  const double gauge = gauge_of(run.values());
-  run.record.measure("wave_height", start.steady().wave_height());
-  run.record.measure("wavelength", start.steady().wavelength());
-  const std::vector<double> times = times_of(run.values());
-  std::vector<double> elevation;
-  std::vector<double> settled;
-  for (const double t : times) {
-    elevation.push_back(start.elevation(gauge, t));
-    settled.push_back(start.steady().elevation(gauge, t));
+struct Results {
+  exact::SelfTest identities;
+  std::vector<double> elevation, settled;  ///< at the gauge, at the times that are asked for
+};
+
+void claims(const Values& values, Claims<Results> claims) {
+  claim_identities(claims.of(&Results::identities), start_of(values).self_test(), source);
+}
+
+Results compute(const Run& run) {
+  const exact::WavemakerTransient start = start_of(run);
+  const double gauge = gauge_of(run);
+  Results r{.identities = start.self_test()};
+  for (const double t : times_of(run)) {
+    r.elevation.push_back(start.elevation(gauge, t));
+    r.settled.push_back(start.steady().elevation(gauge, t));
   }
-  auto& panel = run.record
-                    .figure("gauge", "Elevation at the gauge",
-                            fmt::format("{:.4g} m from the paddle: the start from rest, and the settled wave.", gauge))
-                    .panel({.x = "t [s]", .y = "elevation [m]"});
-  panel.line("start from rest", times, elevation, Role::exact);
-  panel.line("settled", times, settled, Role::guide);
+  return r;
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const exact::WavemakerTransient start = start_of(values);
+  exhibit.measure("reference_uncertainty", start.uncertainty());
+  exhibit.measure("wave_height", start.steady().wave_height());
+  exhibit.measure("wavelength", start.steady().wavelength());
+  auto& panel =
+      exhibit
+          .figure("gauge", "Elevation at the gauge",
+                  fmt::format("{:.4g} m from the paddle: the start from rest, and the settled wave.", gauge_of(values)))
+          .panel({.x = "t [s]", .y = "elevation [m]"});
+  panel.line("start from rest", times_of(values), r.elevation, Role::exact);
+  panel.line("settled", times_of(values), r.settled, Role::guide);
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
@@ -95,7 +108,7 @@ Case wavemaker_start() {
       real("periods", 6.0, "1", {1, 1e3}, "periods that are asked for"),
       tolerance_parameter(),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted};
   return c;
 }

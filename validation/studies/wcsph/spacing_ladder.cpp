@@ -1,11 +1,22 @@
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "reports/evidence/grid_convergence.hpp"
 #include "validation/case/on_threads.hpp"
 
 namespace seiche::validation {
+namespace {
+
+std::optional<evidence::GridConvergence> convergence_of(const std::vector<double>& spacings,
+                                                        const std::vector<double>& values) {
+  const bool finite = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+  if (spacings.size() < 3 || !finite) return std::nullopt;
+  return evidence::grid_convergence(spacings, values, 1);
+}
+
+}  // namespace
 
 std::vector<long> sph_ladder(Tier tier, long finest, int rungs) {
   if (tier == Tier::quick) return {finest};
@@ -15,22 +26,23 @@ std::vector<long> sph_ladder(Tier tier, long finest, int rungs) {
   return ladder;
 }
 
-void climb(Running& run, std::size_t sizes, const std::function<void(std::size_t)>& compute) {
+void climb(const Run& run, std::size_t sizes, const std::function<void(std::size_t)>& compute) {
   on_threads(
       sizes, workers_of(run.tier()), [&](std::size_t k) { compute(sizes - 1 - k); },
       [&](std::size_t done) { run.progress(static_cast<double>(done) / static_cast<double>(sizes)); });
 }
 
-void measure_convergence(evidence::Exhibit& exhibit, const std::string& id, const std::vector<double>& spacings,
-                         const std::vector<double>& values) {
-  if (spacings.size() < 3) return;
-  const evidence::GridConvergence study = evidence::grid_convergence(spacings, values, 1);
-  exhibit.measure("uncertainty_" + id, study.uncertainty);
-  exhibit.measure("limit_" + id, study.extrapolated);
+std::optional<double> resolution_uncertainty(const std::vector<double>& spacings, const std::vector<double>& values) {
+  const auto study = convergence_of(spacings, values);
+  return study ? std::optional(study->uncertainty) : std::nullopt;
 }
 
-double resolution_uncertainty(const std::vector<double>& spacings, const std::vector<double>& values) {
-  return spacings.size() < 3 ? 0 : evidence::grid_convergence(spacings, values, 1).uncertainty;
+void measure_convergence(evidence::Exhibit& exhibit, const std::string& id, const std::vector<double>& spacings,
+                         const std::vector<double>& values) {
+  const auto study = convergence_of(spacings, values);
+  if (!study) return;
+  exhibit.measure("uncertainty_" + id, study->uncertainty);
+  exhibit.measure("limit_" + id, study->extrapolated);
 }
 
 }  // namespace seiche::validation

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,14 +15,15 @@ namespace seiche::validation {
 std::vector<long> sph_ladder(Tier tier, long finest, int rungs = 3);
 
 /// compute(size) for each index of the ladder, the costliest first, side by side as the tier allows.
-void climb(Running& run, std::size_t sizes, const std::function<void(std::size_t size)>& compute);
+void climb(const Run& run, std::size_t sizes, const std::function<void(std::size_t size)>& compute);
 
-/// Keeps `uncertainty_<id>` of the value on the finest lattice, by grid convergence of first order, and the value that
-/// it is heading for, `limit_<id>`; nothing with fewer than three lattices.
+/// Half-width (95 %) of the numerical uncertainty of the value on the finest lattice, by grid convergence of first
+/// order; none, for it cannot be estimated, with fewer than three lattices or a value that is not a finite number.
+std::optional<double> resolution_uncertainty(const std::vector<double>& spacings, const std::vector<double>& values);
+
+/// Keeps it as `uncertainty_<id>`, and the value that the lattices are heading for as `limit_<id>`, where it can be
+/// estimated.
 void measure_convergence(evidence::Exhibit& exhibit, const std::string& id, const std::vector<double>& spacings,
                          const std::vector<double>& values);
-
-/// The same uncertainty; 0, not estimated, with fewer than three lattices.
-double resolution_uncertainty(const std::vector<double>& spacings, const std::vector<double>& values);
 
 }  // namespace seiche::validation
