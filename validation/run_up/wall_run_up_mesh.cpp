@@ -155,13 +155,14 @@ void claim_holds(const MeshWallClimb& climb, const Claims<Results>& claims) {
   };
   const evidence::Qualitative holds{.detector = "no corner of a cell folds",
                                     .reason = "the Euler equations have a solution to the end"};
-  constexpr double limit = 0.45;
-  if (climb.wave.amplitude() > limit && climb.settings.hourglass == 0) {
-    claims.known_failure(
-        claim, held, holds,
-        {.value = 0,
-         .width = 0,
-         .reason = fmt::format("above A = {:g} the thin column at the wall collapses when the water falls", limit)});
+  // A little lower it depends on the mesh.
+  constexpr double folding = 0.48;
+  if (climb.wave.amplitude() >= folding && climb.settings.hourglass == 0) {
+    claims.known_failure(claim, held, holds,
+                         {.value = 0,
+                          .width = 0,
+                          .reason = fmt::format(
+                              "from A = {:g} on the thin column at the wall collapses when the water falls", folding)});
   } else {
     claims.check(claim, held, holds);
   }
@@ -191,8 +192,9 @@ void claims(const Values& values, Claims<Results> claims) {
           evidence::Uncertainty{
               .expected = tabled ? evidence::Amount(*tabled) : evidence::Amount::told_by_run(3 * amplitude),
               .data = 1.1e-5,
-              .useful = 0.05 * exact::WallRunup::su_mirie(amplitude),
-              .reason = "from the change from mesh to mesh; the exact value to 1.1e-5, and where no table has it, "
+              .useful = 0.05 * 2 * amplitude,
+              .reason = "from the change from mesh to mesh, of use up to 5 % of 2 A; the exact value to 1.1e-5, and "
+                        "where no table has it, "
                         "computed: up to A = 0.6 it is less than 3 A"});
   constexpr double coarsest_judged = 0.25;
   known.check(
