@@ -42,11 +42,13 @@ MeshSlopeRun climb_slope(const MeshSlopeClimb& climb, const std::function<void(c
   Peak level;
   constexpr double fallen = 0.98;
   const double latest = 3 * MeshSlopeClimb::toe;
-  double defect = 0;
-  while (flow.time() < latest &&
-         (level.value() < 0.5 * climb.wave.amplitude() || flow.surface_y().back() > fallen * level.value())) {
+  Worst defect;
+  const auto climbs = [&] {
+    return level.value() < 0.5 * climb.wave.amplitude() || flow.surface_y().back() > fallen * level.value();
+  };
+  while (flow.time() < latest && climbs()) {
     flow.advance(climb.tau);
-    defect = std::max(defect, std::abs(flow.energy() / energy - 1));
+    defect.add(flow.energy() / energy - 1, flow.time());
     if (flow.surface_y().back() > level.value()) run.energy_defect = defect;
     level.add(flow.time(), flow.surface_y().back());
     if (!run.fold) {
@@ -57,7 +59,7 @@ MeshSlopeRun climb_slope(const MeshSlopeClimb& climb, const std::function<void(c
     }
     if (after_step) after_step(flow);
   }
-  run.runup = level.value();
+  if (!climbs()) run.runup = level.value();
   run.time = level.time();
   return run;
 }

@@ -11,6 +11,7 @@
 
 #include "seiche/exact/solitary_wave.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 
@@ -36,9 +37,10 @@ struct MeshSlopeClimb {
 
 struct MeshSlopeRun {
   lagrangian_mesh_2d::Flow flow;  ///< at the end
-  double runup = 0;               ///< largest elevation of the contact point, between steps from a parabola
-  double time = 0;                ///< since the start
-  double energy_defect = 0;       ///< largest change over the wave's energy, until then
+  /// Largest elevation of the contact point, between steps from a parabola; NaN unless it fell after that.
+  double runup = std::numeric_limits<double>::quiet_NaN();
+  double time = 0;      ///< since the start
+  Worst energy_defect;  ///< largest change over the wave's energy, until then
   struct Fold {
     double time = 0;
     double place = 0;

@@ -91,7 +91,6 @@ MeshWallRun climb_wall(const MeshWallClimb& climb, const std::function<void(cons
   MeshWallRun run{.flow = climb.start(), .fold = {}};
   Flow& flow = run.flow;
   const double energy = flow.energy();
-  const double end = 1.5 * MeshWallClimb::distance / climb.wave.speed();
   Peak level;
   Peak still;
   Peak bottom;
@@ -99,9 +98,9 @@ MeshWallRun climb_wall(const MeshWallClimb& climb, const std::function<void(cons
   bool fallen = false;  // loads count while the wave is at the wall
   const auto observe = [&] {
     const double contact = flow.surface_y().back();
-    run.energy_defect = std::max(run.energy_defect, std::abs(flow.energy() / energy - 1));
+    run.energy_defect.add(flow.energy() / energy - 1, flow.time());
     if (contact > level.value()) {
-      run.worst_shape = std::min(run.worst_shape, flow.worst_corner().shape);
+      run.worst_shape.add(flow.worst_corner().shape, flow.time());
       run.climb_energy_defect = run.energy_defect;
     }
     level.add(flow.time(), contact);
@@ -115,11 +114,11 @@ MeshWallRun climb_wall(const MeshWallClimb& climb, const std::function<void(cons
     if (after_step) after_step(flow);
   };
   try {
-    flow.advance_to(end, climb.tau, observe);
+    flow.advance_to(climb.end(), climb.tau, observe);
   } catch (const Divergence& failure) {
     run.fold = {.time = failure.time(), .place = failure.place(), .what = failure.what()};
   }
-  run.runup = level.value();
+  run.highest = level.value();
   run.time_of_runup = level.time();
   run.fell = flow.surface_y().back() < level.value() && flow.time() > level.time();
   run.pressure_still = still.value();

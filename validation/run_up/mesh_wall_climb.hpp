@@ -5,11 +5,13 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 
 #include "seiche/exact/solitary_wave.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+#include "seiche/samples.hpp"
 #include "validation/case/parameter.hpp"
 
 namespace seiche::validation {
@@ -33,6 +35,8 @@ struct MeshWallClimb {
   /// The same with `times` as many rows, columns and steps.
   [[nodiscard]] MeshWallClimb refined(double times) const;
   [[nodiscard]] lagrangian_mesh_2d::Flow start() const;
+  /// When the crest would be as far behind the wall as half its distance at the start.
+  [[nodiscard]] double end() const { return 1.5 * distance / wave.speed(); }
   /// "h1 = 0.25, 8 rows, tau = 0.025".
   [[nodiscard]] std::string resolution() const;
 };
@@ -40,21 +44,24 @@ struct MeshWallClimb {
 /// The largest values while the wave is at the wall, between steps from the parabola through three.
 struct MeshWallRun {
   lagrangian_mesh_2d::Flow flow;  ///< at the end, or before the step in which the mesh folded
-  double runup = 0;
+  double highest = 0;             ///< the contact point
   double time_of_runup = 0;
-  bool fell = false;               ///< the water fell after that: it was the maximum
-  double pressure_still = 0;       ///< at y = 0
-  double pressure_bottom = 0;      ///< at y = -1
-  double force = 0;                ///< per unit width, hydrostatic pressure included
-  double worst_shape = 1;          ///< of the mesh's corners (Flow::worst_corner) up to the largest run-up
-  double energy_defect = 0;        ///< largest change over the wave's energy
-  double climb_energy_defect = 0;  ///< up to the largest run-up
+  bool fell = false;           ///< the water fell after that: it was the maximum
+  double pressure_still = 0;   ///< at y = 0
+  double pressure_bottom = 0;  ///< at y = -1
+  double force = 0;            ///< per unit width, hydrostatic pressure included
+  Smallest worst_shape;        ///< of the mesh's corners (Flow::worst_corner) up to the largest run-up
+  Worst energy_defect;         ///< largest change over the wave's energy, with its time
+  Worst climb_energy_defect;   ///< up to the largest run-up
   struct Fold {
     double time = 0;
     double place = 0;
     std::string what;
   };
   std::optional<Fold> fold;
+
+  /// NaN unless the water fell after its highest.
+  [[nodiscard]] double runup() const { return fell ? highest : std::numeric_limits<double>::quiet_NaN(); }
 };
 
 /// Runs until the crest would be as far behind the wall as half its distance at the start, or until the mesh folds.
