@@ -13,7 +13,7 @@
 
 namespace seiche::validation {
 
-inline constexpr double birth_tank = 170;  // of the tank
+inline constexpr double birth_tank = 170;  // length
 inline constexpr double birth_duration = 130;
 inline constexpr double birth_separated = 65;  // from then on the crest is measured
 inline constexpr double birth_reach = 6;       // of the profile, from the crest
