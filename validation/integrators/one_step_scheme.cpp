@@ -318,8 +318,8 @@ void claim_bounded(Claims<Results> claims, const Values& values) {
           {.id = "rattle",
            .text = "RATTLE's energy error is bounded.",
            .quantity = "largest energy defect of the pendulum",
-           .source = "Hairer, Lubich & Wanner, Geometric Numerical Integration, 2nd ed. (2006), IX; value " +
-                     regression + name_of_table},
+           .source = "Hairer, Lubich & Wanner, Geometric Numerical Integration, 2nd ed. (2006), IX; " + regression +
+                     name_of_table},
           [](const KeptInvariants& kept) { return kept.broken_down.empty() ? kept.energy.back() : nan; },
           Bound{table.column("energy_defect")[0] + 0.5e-5,
                 "1.5e-4 over 1e6 steps, plus half a unit of its last digit"});

@@ -28,8 +28,8 @@ The lowest wave of the source's table is the farthest from ours, slower by 0.004
 The highest wave leaves the first column of the coarsest mesh sheared, which folds at last, when the wave has long left.
 */
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <tuple>
 
 #include <fmt/format.h>
 #include <boost/math/interpolators/barycentric_rational.hpp>
@@ -37,12 +37,10 @@ The highest wave leaves the first column of the coarsest mesh sheared, which fol
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/models/lagrangian_mesh_2d/impulsive_start.hpp"
 #include "validation/case/case.hpp"
-#include "validation/case/reference_source.hpp"
-#include "validation/case/reference_table.hpp"
-#include "validation/instruments/crest_track.hpp"
-#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 #include "validation/case/reference_case.hpp"
-#include "validation/instruments/mesh_solitary_wave.hpp"
+#include "validation/case/reference_source.hpp"
+#include "validation/solitary_wave/born_waves.hpp"
+#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -52,89 +50,18 @@ using evidence::Role;
 using exact::LaitoneSolitary;
 using exact::SolitaryWave;
 using lagrangian_mesh_2d::Flow;
-using lagrangian_mesh_2d::Settings;
 
 const std::string source = "Frank (1994), chapter 2, figure 1 and table";
-const std::string digits = "computed once by an independent implementation";
-constexpr double length = 170;  // of the tank
-constexpr double duration = 130;
-constexpr double separated = 65;  // from then on the crest is measured
-constexpr double reach = 6;       // of the profile, from the crest
-
-struct Hump {
-  double height, width;
-};
-constexpr std::array<Hump, 4> starts{{{0.39, 3}, {0.56, 3}, {0.77, 3}, {0.98, 2.7}}};
-
-struct Born {
-  CrestTrack track;
-  double amplitude = 0;
-  double speed = 0;
-  double from_exact = 0;    ///< largest distance of the profile from the exact wave as high as its crest
-  double from_laitone = 0;  ///< the same, second approximation
-
-  [[nodiscard]] double end_amplitude() const { return track.elevation.back(); }
-};
-
-Flow raised(const Hump& hump, const MeshResolution& mesh, double hourglass) {
-  lagrangian_mesh_2d::Layer layer = tank(length, 1, mesh);
-  layer.elevation = [&](double x) {
-    const double s = 1 / std::cosh(x / hump.width);
-    return hump.height * s * s;
-  };
-  return Flow(layer_mesh(layer), {}, {}, Settings{.hourglass = hourglass});
-}
-
-Born follow(Flow& flow, double tau, const std::function<void()>& after_step = {}) {
-  Born born{.track = follow_crest(flow, duration, tau, after_step)};
-  born.amplitude = born.track.mean_elevation(separated);
-  born.speed = born.track.speed(separated);
-  const SolitaryWave exact(born.end_amplitude());
-  const LaitoneSolitary laitone(born.end_amplitude());
-  const double crest = born.track.place.back();
-  born.from_exact = largest_profile_error(flow, crest, reach, [&](double s) { return exact.elevation(s); });
-  born.from_laitone = largest_profile_error(flow, crest, reach, [&](double s) { return laitone.elevation(s); });
-  return born;
-}
-
-/// All starts on one mesh.
-struct Family {
-  std::string label;
-  MeshResolution mesh;
-  std::vector<Born> waves;
-
-  [[nodiscard]] std::vector<double> amplitudes() const {
-    std::vector<double> values;
-    for (const Born& wave : waves) values.push_back(wave.amplitude);
-    return values;
-  }
-  /// A quantity at a height, linear between the waves.
-  template <class Quantity>
-  [[nodiscard]] double at(double amplitude, const Quantity& quantity) const {
-    std::size_t k = 1;
-    while (k + 1 < waves.size() && waves[k].amplitude < amplitude) ++k;
-    const Born& low = waves[k - 1];
-    const Born& high = waves[k];
-    const double w = (amplitude - low.amplitude) / (high.amplitude - low.amplitude);
-    return (1 - w) * quantity(low) + w * quantity(high);
-  }
-  [[nodiscard]] double speed_at(double amplitude) const {
-    return at(amplitude, [](const Born& wave) { return wave.speed; });
-  }
-};
-
-std::vector<Family> families(Running& run) {
+const std::string table_of_digits = "regression_solitary_birth";
+const std::string digits =
+    "regression: an earlier program for the same scheme, table reference_data/" + table_of_digits;
+/// The meshes of a tier, without their waves.
+std::vector<Family> families(Tier tier) {
   std::vector<MeshResolution> meshes = {{1, 2, 0.1}, {0.5, 4, 0.1}};
-  if (run.tier() != Tier::quick) meshes.push_back({0.25, 8, 0.05});
+  if (tier != Tier::quick) meshes.push_back({0.25, 8, 0.05});
   std::vector<Family> all;
   for (const MeshResolution& mesh : meshes) {
-    Family& family = all.emplace_back(
-        Family{fmt::format("h1 = {:g}, h2 = {:g}", mesh.column_width, 0.5 * mesh.column_width), mesh, {}});
-    for (const Hump& hump : starts) {
-      Flow flow = raised(hump, mesh, 0);
-      family.waves.push_back(follow(flow, mesh.tau));
-    }
-    run.progress(static_cast<double>(all.size()) / static_cast<double>(meshes.size() + 1));
+    all.push_back({fmt::format("h1 = {:g}, h2 = {:g}", mesh.column_width, 0.5 * mesh.column_width), mesh, {}});
   }
   return all;
 }
@@ -156,6 +83,210 @@ class EulerSpeed {
 
   boost::math::barycentric_rational<double> between_;
 };
+
+/// The surface on the way.
+struct Surface {
+  double time;
+  std::vector<double> x, y;
+};
+
+struct Results {
+  Flow flow;  ///< of the wave of the parameters, at the end
+  Born own;
+  std::vector<Surface> birth;
+  EulerSpeed euler;
+  std::vector<Family> families;
+  Born from_exact;  ///< the exact wave, let run on the coarsest mesh
+
+  [[nodiscard]] const Family& coarsest() const { return families.front(); }
+};
+
+MeshResolution own_mesh(const Values& values) {
+  return {values.real("h1"), values.integer("rows"), values.real("tau")};
+}
+
+Born follow_exact_wave(const MeshResolution& resolution) {
+  const SolitaryWave wave(0.3);
+  const PlacedWave placed{wave, 12};
+  const lagrangian_mesh_2d::Mesh mesh = placed.mesh(birth_tank, resolution);
+  Flow flow(mesh, impulsive_start(mesh, [&](double x) { return placed.surface_potential(x); }));
+  return follow(flow, resolution.tau);
+}
+
+Results compute(const Run& run) {
+  Results r{.flow = raised({run.real("elevation"), run.real("width")}, own_mesh(run), run.real("hourglass")),
+            .own = {},
+            .birth = {},
+            .euler = {},
+            .families = families(run.tier()),
+            .from_exact = {}};
+  double next = 0;
+  const auto keep = [&] {
+    if (r.flow.time() < next - 1e-9) return;
+    const auto x = r.flow.surface_x();
+    const auto y = r.flow.surface_y();
+    r.birth.push_back({next, {x.begin(), x.end()}, {y.begin(), y.end()}});
+    next = next < 30 ? next + 10 : next + 50;
+  };
+  keep();
+  r.own = follow(r.flow, run.real("tau"), keep);
+  if (r.own.track.folded) throw *r.own.track.folded;
+  for (Family& family : r.families) {
+    for (const Hump& hump : starts) {
+      Flow flow = raised(hump, family.mesh, 0);
+      family.waves.push_back(follow(flow, family.mesh.tau));
+    }
+    run.progress(static_cast<double>(&family - r.families.data() + 1) / static_cast<double>(r.families.size() + 1));
+  }
+  r.from_exact = follow_exact_wave(r.coarsest().mesh);
+  return r;
+}
+
+void claim_digits(Claims<Family> claims, const Family& declared, const io::Table& table) {
+  claims.check(
+      {.id = fmt::format("digits-{}", declared.mesh.rows),
+       .text = fmt::format("Heights and speeds with {} are those of an earlier program.", declared.label),
+       .quantity = "largest difference",
+       .source = digits},
+      [table](const Family& family) {
+        Worst difference;
+        for (std::size_t k = 0; k < table.rows(); ++k) {
+          if (table.column("rows")[k] != static_cast<double>(family.mesh.rows)) continue;
+          const auto start = std::ranges::find(starts, table.column("a0")[k], &Hump::height);
+          const Born& wave = family.waves.at(static_cast<std::size_t>(start - starts.begin()));
+          difference.add(wave.amplitude - table.column("A")[k]);
+          difference.add(wave.speed - table.column("C")[k]);
+        }
+        return difference.value();
+      },
+      Bound{.limit = 1e-4, .reason = "a unit of the last digit given"});
+}
+
+void claim_source_table(Claims<Family> claims, const io::Table& published) {
+  claims.check(
+      {.id = "source-table",
+       .text = "Speeds are those of the source's table at the same height.",
+       .quantity = "largest difference",
+       .unit = "sqrt(g depth)",
+       .source = source},
+      [published](const Family& coarse) {
+        Worst difference;
+        for (std::size_t k = 0; k < published.rows(); ++k) {
+          difference.add(coarse.speed_at(published.column("A")[k]) - published.column("C")[k]);
+        }
+        return difference.value();
+      },
+      Bound{.limit = 0.005,
+            .reason = "half a unit of the last digit of A moves C by 0.002, that of C is 0.0005; the source "
+                      "does not say on which mesh: one twice as fine changes C by up to 0.003 at the same "
+                      "height"});
+}
+
+/// Of the distances of speeds from the Euler equations' on a mesh and on the one before, the largest ratio.
+double speeds_approach(const Results& r, std::size_t mesh) {
+  Largest ratio;
+  for (const double amplitude : {0.2, 0.3, 0.4, 0.5}) {
+    const auto excess = [&](const Family& family) {
+      return std::abs(family.at(amplitude, [&](const Born& wave) { return wave.speed - r.euler(wave.amplitude); }));
+    };
+    ratio.add(excess(r.families.at(mesh)) / excess(r.families.at(mesh - 1)));
+  }
+  return ratio.value();
+}
+
+/// The same of profiles.
+double profiles_approach(const Results& r, std::size_t mesh) {
+  Largest ratio;
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    ratio.add(r.families.at(mesh).waves.at(k).from_exact / r.families.at(mesh - 1).waves.at(k).from_exact);
+  }
+  return ratio.value();
+}
+
+/// Meshes one after the other come nearer to the Euler equations.
+void claim_approach(Claims<Results> claims, const std::vector<Family>& all) {
+  for (std::size_t m = 1; m < all.size(); ++m) {
+    const auto claim = [&](const char* id, const char* what, double (*approach)(const Results&, std::size_t)) {
+      claims.at(all[m].label)
+          .check(
+              {.id = fmt::format("euler-{}-{}", id, all[m].mesh.rows),
+               .text = fmt::format("With {} rows, {} nearer to the Euler equations than with half as many.",
+                                   all[m].mesh.rows, what),
+               .quantity = "largest ratio of the distances",
+               .source = source},
+              [approach, m](const Results& r) { return approach(r, m); },
+              Bound{.limit = 1, .reason = "nearer means less than 1"});
+    };
+    claim("speed", "speeds at the same height are", speeds_approach);
+    claim("profile", "profiles are", profiles_approach);
+  }
+}
+
+void claim_second_approximation(Claims<Family> claims) {
+  claims.check(
+      {.id = "second-approximation",
+       .text = "On cells one depth wide profiles are nearer to the second approximation than to the exact "
+               "wave, as the source shows them.",
+       .quantity = "largest ratio of the distances",
+       .source = source},
+      [](const Family& coarse) {
+        Largest ratio;
+        for (const Born& wave : coarse.waves) ratio.add(wave.from_laitone / wave.from_exact);
+        return ratio.value();
+      },
+      Bound{.limit = 1, .reason = "nearer means less than 1"});
+}
+
+/// The same wave however it was made: the exact Euler wave, let run on the coarsest mesh, ends on the curve of waves
+/// born from humps.
+void claim_one_curve(Claims<Results> claims) {
+  claims.check(
+      {.id = "one-curve",
+       .text = "The exact wave of the Euler equations, started with A = 0.3, ends on the same curve of height "
+               "and speed.",
+       .quantity = "difference of C",
+       .unit = "sqrt(g depth)",
+       .source = "a mesh has one solitary wave of each height"},
+      [](const Results& r) -> Measurement {
+        const Born& late = r.from_exact;
+        return {.value = std::abs(late.speed - r.coarsest().speed_at(late.amplitude)),
+                .resolution = r.coarsest().label + fmt::format(", A = {:.4f} at last", late.amplitude)};
+      },
+      Bound{.limit = 7e-4,
+            .reason = "the curve is linear between heights 0.1 apart: 3e-4 at most; heights still change by "
+                      "1e-3 while they are averaged: 4e-4"});
+}
+
+void claim_fold(Claims<Family> claims) {
+  claims.known_failure(
+      {.id = "fold",
+       .text = "The highest hump leaves no corner folded on cells one depth wide.",
+       .quantity = "end of the run",
+       .unit = "sqrt(depth/g)",
+       .source = source},
+      [](const Family& coarse) { return coarse.waves.back().track.time.back(); },
+      Bound{.limit = 1e-9,
+            .reason = "the time that was asked for, to the rounding of its steps",
+            .expected = birth_duration},
+      {.value = 117.1,
+       .width = 0.5,
+       .reason = "the first column, which the wave has left, is sheared on and on: no force stops it; the shear grows "
+                 "slowly, so that a few steps more or less are the same fold"});
+}
+
+void claims(const Values& values, Claims<Results> claims) {
+  const std::vector<Family> all = families(values.tier());
+  const Claims<Family> coarsest = claims.at(all.front().label).of(&Results::coarsest);
+  for (std::size_t m = 0; m < 2; ++m) {
+    claim_digits(claims.at(all[m].label).of([m](const Results& r) -> const Family& { return r.families.at(m); }),
+                 all[m], values.table(table_of_digits));
+  }
+  claim_source_table(coarsest, values.table("frank_1994_celerity"));
+  claim_approach(claims, all);
+  claim_second_approximation(coarsest);
+  claim_one_curve(claims);
+  claim_fold(coarsest);
+}
 
 evidence::Table table_of_waves(const std::vector<Family>& all, const EulerSpeed& euler) {
   evidence::Table table{.id = "waves",
@@ -183,29 +314,8 @@ evidence::Table table_of_waves(const std::vector<Family>& all, const EulerSpeed&
   return table;
 }
 
-void claim_digits(evidence::Record& record, const std::vector<Family>& all) {
-  using Rows = std::array<std::pair<double, double>, starts.size()>;
-  constexpr std::array<Rows, 2> expected{{{{{0.1880, 1.0896}, {0.2917, 1.1360}, {0.4244, 1.1920}, {0.5321, 1.2354}}},
-                                          {{{0.1967, 1.0934}, {0.3067, 1.1414}, {0.4493, 1.1997}, {0.5695, 1.2457}}}}};
-  for (std::size_t m = 0; m < expected.size(); ++m) {
-    double worst = 0;
-    for (std::size_t k = 0; k < starts.size(); ++k) {
-      worst = std::max({worst, std::abs(all[m].waves[k].amplitude - expected[m][k].first),
-                        std::abs(all[m].waves[k].speed - expected[m][k].second)});
-    }
-    record.check({.id = fmt::format("digits-{}", all[m].mesh.rows),
-                  .text = fmt::format("Heights and speeds with {} are those of an independent program.", all[m].label),
-                  .quantity = "largest difference",
-                  .source = digits},
-                 {.value = worst, .resolution = all[m].label},
-                 Bound{.limit = 1e-4, .reason = "a unit of the last digit given"});
-  }
-}
-
-void claim_source_table(evidence::Record& record, const Family& coarse, const io::Table& published,
-                        const EulerSpeed& euler) {
+evidence::Table table_of_celerity(const Family& coarse, const io::Table& published, const EulerSpeed& euler) {
   const std::vector<double>& amplitude = published.column("A");
-  const std::vector<double>& speed = published.column("C");
   evidence::Table table{.id = "celerity",
                         .title = "Height and speed of solitary waves",
                         .caption =
@@ -217,112 +327,19 @@ void claim_source_table(evidence::Record& record, const Family& coarse, const io
                                     {"sqrt(1 + A)", "sqrt(g depth)"},
                                     {"C, Euler", "sqrt(g depth)"}},
                         .atlas = {"frank-table-celerity"}};
-  double worst = 0;
   for (std::size_t k = 0; k < amplitude.size(); ++k) {
-    const double own = coarse.speed_at(amplitude[k]);
-    worst = std::max(worst, std::abs(own - speed[k]));
-    table.rows.push_back({amplitude[k], speed[k], own, std::sqrt(1 + amplitude[k]), euler(amplitude[k])});
+    table.rows.push_back({amplitude[k], published.column("C")[k], coarse.speed_at(amplitude[k]),
+                          std::sqrt(1 + amplitude[k]), euler(amplitude[k])});
   }
-  record.table(std::move(table));
-  record.check(
-      {.id = "source-table",
-       .text = "Speeds are those of the source's table at the same height.",
-       .quantity = "largest difference",
-       .unit = "sqrt(g depth)",
-       .source = source},
-      {.value = worst, .resolution = coarse.label},
-      Bound{.limit = 0.005,
-            .reason = "half a unit of the last digit of A moves C by 0.002, that of C is 0.0005; the source does not "
-                      "say on which mesh: one twice as fine changes C by up to 0.003 at the same height"});
+  return table;
 }
 
-/// Meshes one after the other come nearer to the Euler equations.
-void claim_approach(evidence::Record& record, const std::vector<Family>& all, const EulerSpeed& euler) {
-  for (std::size_t m = 1; m < all.size(); ++m) {
-    double speeds = 0;
-    for (const double amplitude : {0.2, 0.3, 0.4, 0.5}) {
-      const auto excess = [&](const Family& family) {
-        return std::abs(family.at(amplitude, [&](const Born& wave) { return wave.speed - euler(wave.amplitude); }));
-      };
-      speeds = std::max(speeds, excess(all[m]) / excess(all[m - 1]));
-    }
-    double profiles = 0;
-    for (std::size_t k = 0; k < starts.size(); ++k) {
-      profiles = std::max(profiles, all[m].waves[k].from_exact / all[m - 1].waves[k].from_exact);
-    }
-    for (const auto& [id, what, ratio] : {std::tuple{"speed", "speeds at the same height are", speeds},
-                                          std::tuple{"profile", "profiles are", profiles}}) {
-      record.check({.id = fmt::format("euler-{}-{}", id, all[m].mesh.rows),
-                    .text = fmt::format("With {} rows, {} nearer to the Euler equations than with half as many.",
-                                        all[m].mesh.rows, what),
-                    .quantity = "largest ratio of the distances",
-                    .source = source},
-                   {.value = ratio, .resolution = all[m].label},
-                   Bound{.limit = 1, .reason = "nearer means less than 1"});
-    }
-  }
-}
-
-void claim_second_approximation(evidence::Record& record, const Family& coarse) {
-  double worst = 0;
-  for (const Born& wave : coarse.waves) worst = std::max(worst, wave.from_laitone / wave.from_exact);
-  record.check({.id = "second-approximation",
-                .text = "On cells one depth wide profiles are nearer to the second approximation than to the exact "
-                        "wave, as the source shows them.",
-                .quantity = "largest ratio of the distances",
-                .source = source},
-               {.value = worst, .resolution = coarse.label}, Bound{.limit = 1, .reason = "nearer means less than 1"});
-}
-
-/// The same wave however it was made: the exact Euler wave, let run on the coarsest mesh, ends on the curve of waves
-/// born from humps.
-void claim_one_curve(evidence::Record& record, const Family& coarse) {
-  const SolitaryWave wave(0.3);
-  const PlacedWave placed{wave, 12};
-  const lagrangian_mesh_2d::Mesh mesh = placed.mesh(length, coarse.mesh);
-  Flow flow(mesh, impulsive_start(mesh, [&](double x) { return placed.surface_potential(x); }));
-  const Born late = follow(flow, coarse.mesh.tau);
-  record.measure("from_exact_amplitude", late.amplitude);
-  record.measure("from_exact_speed", late.speed);
-  record.check({.id = "one-curve",
-                .text = "The exact wave of the Euler equations, started with A = 0.3, ends on the same curve of height "
-                        "and speed.",
-                .quantity = "difference of C",
-                .unit = "sqrt(g depth)",
-                .source = "a mesh has one solitary wave of each height"},
-               {.value = std::abs(late.speed - coarse.speed_at(late.amplitude)),
-                .resolution = coarse.label + fmt::format(", A = {:.4f} at last", late.amplitude)},
-               Bound{.limit = 7e-4,
-                     .reason = "the curve is linear between heights 0.1 apart: 3e-4 at most; heights still change by "
-                               "1e-3 while they are averaged: 4e-4"});
-}
-
-void claim_fold(evidence::Record& record, const Family& coarse) {
-  const CrestTrack& highest = coarse.waves.back().track;
-  if (highest.folded) {
-    record.measure("fold_time", highest.folded->time());
-    record.measure("fold_place", highest.folded->place());
-  }
-  record.known_failure(
-      {.id = "fold",
-       .text = "The highest hump leaves no corner folded on cells one depth wide.",
-       .quantity = "end of the run",
-       .unit = "sqrt(depth/g)",
-       .source = source},
-      {.value = highest.time.back(), .resolution = coarse.label},
-      Bound{.limit = 1e-9, .reason = "the time that was asked for, to the rounding of its steps", .expected = duration},
-      highest.folded
-          ? fmt::format("the first column, which the wave has left, is sheared on and on: no force stops it; {}",
-                        highest.folded->what())
-          : "no force stops the shearing of a column");
-}
-
-void draw_celerity(evidence::Record& record, const std::vector<Family>& all, const io::Table& published,
+void draw_celerity(evidence::Exhibit& exhibit, const std::vector<Family>& all, const io::Table& published,
                    const EulerSpeed& euler) {
-  auto& figure = record.figure("celerity", "Speed against height of solitary waves",
-                               "Frank's table, this program's waves, the Euler equations; then the excess over the "
-                               "latter.",
-                               {"frank-table-celerity"});
+  auto& figure = exhibit.figure("celerity", "Speed against height of solitary waves",
+                                "Frank's table, this program's waves, the Euler equations; then the excess over the "
+                                "latter.",
+                                {"frank-table-celerity"});
   auto& speeds = figure.panel({.x = "A [depth]", .y = "C [sqrt(g depth)]"});
   auto& excess = figure.panel({.x = "A [depth]", .y = "C - C_Euler [sqrt(g depth)]"});
   const std::vector<double> fine = evenly(0.1, 0.6, 51);
@@ -355,73 +372,61 @@ void draw_celerity(evidence::Record& record, const std::vector<Family>& all, con
 }
 
 /// The wave of the parameters: its birth, and its profile at the end.
-void follow_one(Running& run) {
-  const MeshResolution mesh{run.real("h1"), run.integer("rows"), run.real("tau")};
-  Flow flow = raised({run.real("elevation"), run.real("width")}, mesh, run.real("hourglass"));
-  const std::string resolution = mesh.text();
-  auto& birth = run.record.figure("birth", "A hump becomes a solitary wave", "Surface nodes, " + resolution + ".");
-  auto& surface = birth.panel({.x = "x [depth]", .y = "elevation [depth]"});
-  double next = 0;
-  const auto draw = [&] {
-    if (flow.time() < next - 1e-9) return;
-    surface.line(fmt::format("t = {:.0f}", next), flow.surface_x(), flow.surface_y(), Role::computed);
-    next = next < 30 ? next + 10 : next + 50;
-  };
-  draw();
-  const Born born = follow(flow, mesh.tau, draw);
-  if (born.track.folded) throw *born.track.folded;
-  run.record.measure("amplitude", born.amplitude);
-  run.record.measure("end_amplitude", born.end_amplitude());
-  run.record.measure("speed", born.speed);
-  run.record.measure("root_speed", std::sqrt(1 + born.amplitude));
-  run.record.measure("euler_speed", SolitaryWave(born.amplitude).speed());
-  run.record.measure("profile_from_exact", born.from_exact);
-  run.record.measure("profile_from_second_approximation", born.from_laitone);
-  run.record.measure("worst_corner", born.track.worst_corner);
+void draw_own(evidence::Exhibit& exhibit, const Results& r, const std::string& resolution) {
+  auto& surface = exhibit.figure("birth", "A hump becomes a solitary wave", "Surface nodes, " + resolution + ".")
+                      .panel({.x = "x [depth]", .y = "elevation [depth]"});
+  for (const Surface& s : r.birth) surface.line(fmt::format("t = {:.0f}", s.time), s.x, s.y, Role::computed);
 
-  const double crest = born.track.place.back();
-  const SolitaryWave exact(born.end_amplitude());
-  const LaitoneSolitary laitone(born.end_amplitude());
-  const MeshWindow window{crest - reach - 2, crest + reach + 2};
+  const double crest = r.own.track.place.back();
+  const SolitaryWave exact(r.own.end_amplitude());
+  const LaitoneSolitary laitone(r.own.end_amplitude());
+  const MeshWindow window{crest - birth_reach - 2, crest + birth_reach + 2};
   const std::vector<double> x = evenly(window.begin, window.end, 241);
   std::vector<double> euler, second;
   for (const double at : x) {
     euler.push_back(exact.elevation(at - crest));
     second.push_back(laitone.elevation(at - crest));
   }
-  auto& figure = run.record.figure(
+  auto& figure = exhibit.figure(
       "profile", "The wave that was born",
-      fmt::format("Mesh and surface at t = {:g}, {}; exact wave and second approximation of the same height.", duration,
-                  resolution),
+      fmt::format("Mesh and surface at t = {:g}, {}; exact wave and second approximation of the same height.",
+                  birth_duration, resolution),
       {"frank-fig-1"});
-  auto& picture = figure.panel(mesh_axes("Mesh", window));
-  draw_mesh(picture, "", flow, window);
+  draw_mesh(figure.panel(mesh_axes("Mesh", window)), "", r.flow, window);
   auto& profile =
       figure.panel({.x = "x [depth]", .y = "elevation [depth]", .x_min = window.begin, .x_max = window.end});
   profile.line("Euler equations", x, euler, Role::exact);
   profile.line("second approximation", x, second, Role::guide);
   std::vector<double> nodes, heights;
-  for (std::size_t i = 0; i < flow.surface_x().size(); ++i) {
-    if (flow.surface_x()[i] < window.begin || flow.surface_x()[i] > window.end) continue;
-    nodes.push_back(flow.surface_x()[i]);
-    heights.push_back(flow.surface_y()[i]);
+  for (std::size_t i = 0; i < r.flow.surface_x().size(); ++i) {
+    if (r.flow.surface_x()[i] < window.begin || r.flow.surface_x()[i] > window.end) continue;
+    nodes.push_back(r.flow.surface_x()[i]);
+    heights.push_back(r.flow.surface_y()[i]);
   }
   profile.points("nodes", nodes, heights, Role::computed);
 }
 
-void run(Running& run) {
-  follow_one(run);
-  const io::Table published = reference_table("frank_1994_celerity", run.record.reference_data);
-  const std::vector<Family> all = families(run);
-  const EulerSpeed euler;
-  run.record.table(table_of_waves(all, euler));
-  claim_digits(run.record, all);
-  claim_source_table(run.record, all.front(), published, euler);
-  claim_approach(run.record, all, euler);
-  claim_second_approximation(run.record, all.front());
-  claim_one_curve(run.record, all.front());
-  claim_fold(run.record, all.front());
-  draw_celerity(run.record, all, published, euler);
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const Born& own = r.own;
+  exhibit.measure("amplitude", own.amplitude);
+  exhibit.measure("end_amplitude", own.end_amplitude());
+  exhibit.measure("speed", own.speed);
+  exhibit.measure("root_speed", std::sqrt(1 + own.amplitude));
+  exhibit.measure("euler_speed", SolitaryWave(own.amplitude).speed());
+  exhibit.measure("profile_from_exact", own.from_exact);
+  exhibit.measure("profile_from_second_approximation", own.from_laitone);
+  exhibit.measure("worst_corner", own.track.worst_corner);
+  exhibit.measure("from_exact_amplitude", r.from_exact.amplitude);
+  exhibit.measure("from_exact_speed", r.from_exact.speed);
+  if (const auto& fold = r.coarsest().waves.back().track.folded) {
+    exhibit.measure("fold_time", fold->time());
+    exhibit.measure("fold_place", fold->place());
+  }
+  const io::Table published = values.table("frank_1994_celerity");
+  draw_own(exhibit, r, own_mesh(values).text());
+  exhibit.table(table_of_waves(r.families, r.euler));
+  exhibit.table(table_of_celerity(r.coarsest(), published, r.euler));
+  draw_celerity(exhibit, r.families, published, r.euler);
 }
 
 }  // namespace
@@ -441,7 +446,7 @@ Case solitary_birth() {
       real("tau", 0.1, "sqrt(depth/g)", {1e-3, 0.5}, "step"),
       real("hourglass", 0.0, "1", {0, 10}, "kappa_0 of the force against node motions (-1)^(i+j)"),
   };
-  c.run = run;
+  c.study = Study(claims, compute, show);
   return c;
 }
 

@@ -242,8 +242,9 @@ void claim_fold(Claims<Results> all) {
       end(&Results::sampled), to_the_end,
       {.value = 19.2,
        .width = 0.2,
-       .reason = "surface nodes with the exact velocity slide over the row beneath: no force stops them; two steps "
-                 "earlier or later the same corner folds"});
+       .reason =
+           "surface nodes with the exact velocity slide over the row beneath: no force stops them; the time of the "
+           "fold is that of a step, to two steps"});
   claims.check(claim("fold-impulse", "Nor behind one that an impulse on the surface starts."), end(&Results::impulse),
                to_the_end);
   claims.check(claim("fold-hourglass", "Nor where the hourglass force, kappa_0 = 0.02, holds the mesh."),
