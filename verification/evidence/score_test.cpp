@@ -113,7 +113,10 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
               .quantity = "relative L2 at t = 2 s",
               .source = "interface of score()"},
              {.value = bad.measurements().at("eta_relative_l2_t_2")},
-             Roundoff{.operations = 4 * 51, .scale = 1, .reason = "sums over 51 points", .expected = 0.1});
+             Roundoff{.operations = 2 * 51,
+                      .scale = 0.1,
+                      .reason = "a rounded term and a rounded sum for each of 51 points",
+                      .expected = 0.1});
 
   // |E| = 0.25 beside u_data = 0.1: fails alone, passes with u_num = 0.1 (2 sqrt(0.02) = 0.283), and says nothing where
   // u_num = 0.5 makes the expanded uncertainty 1.02 > 0.5.

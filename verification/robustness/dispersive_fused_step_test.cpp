@@ -97,9 +97,11 @@ constexpr double tau = 0.05;
 
 /// Rounding at the places, up to `length`, is carried along by waves that neither grow nor decay.
 Roundoff limit(int steps, double length) {
-  return {.operations = 2.0 * steps,
-          .scale = length,
-          .reason = "both ways round every place, up to the channel's length, once per step"};
+  return {.operations = 2.0 * steps * 64 + length * length,
+          .scale = 1,
+          .reason =
+              "both ways add the same to a place, but for roundings of rates and multipliers of order 1, some 64 "
+              "in a step; by these a place, up to the channel's length, may round the other way for once"};
 }
 
 /// The scheme reflects what feedback puts into the rates and never damps it.
