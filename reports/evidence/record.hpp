@@ -127,15 +127,6 @@ class Record : public Exhibit {
                         const KnownFailure& failure);
   Verdict known_failure(const Claim& claim, const ObservedOrder& observed, const Order& criterion,
                         const KnownFailure& failure);
-  // Transition: a failure without a band.
-  Verdict known_failure(const Claim& claim, const Measurement& measurement, const Criterion& criterion,
-                        const std::string& reason) {
-    return known_failure(claim, measurement, criterion, KnownFailure{measurement.value, 0, reason});
-  }
-  Verdict known_failure(const Claim& claim, const ObservedOrder& observed, const Order& criterion,
-                        const std::string& reason) {
-    return known_failure(claim, observed, criterion, KnownFailure{observed.order, 0, reason});
-  }
   /// Keeps a claim that was judged elsewhere, or could not be.
   Verdict keep(JudgedClaim judged);
   void leave_out(ClaimLeftOut claim) { left_out_.push_back(std::move(claim)); }

@@ -18,13 +18,6 @@
 
 namespace seiche::validation {
 
-/// A case that is one function, which judges while it computes.
-class Running : public Run {
- public:
-  using Run::Run;
-  evidence::Record record;
-};
-
 struct Case {
   std::string title;
   std::string source;                       ///< citation with figure, table or section
@@ -32,8 +25,7 @@ struct Case {
   std::vector<Tier> tiers = {Tier::quick};  ///< tiers in which it does something of its own
   std::vector<Parameter> parameters;
   ByTier<std::chrono::seconds> time_limit = {std::chrono::minutes(5), std::chrono::hours(1), std::chrono::hours(24)};
-  Study study;  ///< what it claims, computes and shows
-  std::function<void(Running&)> run;
+  Study study;                            ///< what it claims, computes and shows
   std::vector<std::string> former_names;  ///< which `seiche run` still understands
   Submission submission;                  ///< how somebody else's result is judged; empty if it cannot be
 

@@ -11,15 +11,6 @@
 #include "seiche/divergence.hpp"
 
 namespace seiche::validation {
-namespace {
-
-/// A record that claims nothing, or says nothing about what it measured, is a mistake in the case.
-void require_claims(const evidence::Record& record) {
-  if (record.claims().empty()) throw std::logic_error("the case made no claim");
-}
-
-}  // namespace
-
 int exit_status(Outcome outcome) {
   switch (outcome) {
     case Outcome::as_declared:
@@ -60,32 +51,27 @@ evidence::Record Job::blank_record() const {
 }
 
 Ending run_job(const Job& job, const std::filesystem::path& directory, const Run::Progress& progress) {
-  Running run(job.values, progress);
-  run.record = job.blank_record();
+  const Run run(job.values, progress);
+  evidence::Record record = job.blank_record();
   const auto begin = std::chrono::steady_clock::now();
   try {
-    if (job.definition->study) {
-      job.definition->study.run(run, run.record);
-    } else {
-      job.definition->run(run);
-    }
-    require_claims(run.record);
+    job.definition->study.run(run, record);
   } catch (const std::invalid_argument& refused) {
     return {Outcome::wrong_input, fmt::format("{}: {}", job.definition->name, refused.what())};
   } catch (const std::exception& failure) {
-    run.record.error = failure.what();
+    record.error = failure.what();
   }
-  run.record.reference_data.merge(std::map(run.tables_read()));
-  run.record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  record.reference_data.merge(std::map(run.tables_read()));
+  record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   try {
-    evidence::write(run.record, directory);
+    evidence::write(record, directory);
   } catch (const std::exception& failure) {
     return {Outcome::unfinished, failure.what()};
   }
-  if (!run.record.error.empty()) return {Outcome::unfinished, run.record.error};
-  if (run.record.as_declared()) return {Outcome::as_declared, {}};
+  if (!record.error.empty()) return {Outcome::unfinished, record.error};
+  if (record.as_declared()) return {Outcome::as_declared, {}};
   std::string undeclared;
-  for (const evidence::JudgedClaim& claim : run.record.claims()) {
+  for (const evidence::JudgedClaim& claim : record.claims()) {
     if (claim.as_declared()) continue;
     undeclared += fmt::format("{}{}: {}, measured {:.6g}, expected {:.6g} within {:.3g}",
                               undeclared.empty() ? "" : "; ", claim.claim.id, evidence::name(claim.judgement.verdict),
@@ -99,7 +85,7 @@ void write_error_record(const Job& job, const std::filesystem::path& directory, 
   evidence::Record record = job.blank_record();
   record.error = reason;
   record.wall_time = wall_time;
-  if (job.definition->study) fail_all(job.definition->study.claims(job.values), reason, record);
+  fail_all(job.definition->study.claims(job.values), reason, record);
   evidence::write(record, directory);
 }
 

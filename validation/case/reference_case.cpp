@@ -25,19 +25,6 @@ void claim_identities(Claims<exact::SelfTest> claims, const exact::SelfTest& dec
   }
 }
 
-void claim_identities(evidence::Record& record, const exact::SelfTest& identities, double uncertainty,
-                      const std::string& source) {
-  record.measure("reference_uncertainty", uncertainty);
-  int k = 0;
-  for (const exact::Identity& identity : identities) {
-    record.check({.id = fmt::format("identity-{}", ++k),
-                  .text = fmt::format("The reference satisfies its own identity: {}.", identity.name),
-                  .quantity = "relative defect",
-                  .source = source},
-                 {.value = identity.defect}, evidence::Bound{.limit = identity.accuracy, .reason = identity.reason});
-  }
-}
-
 Parameter tolerance_parameter() {
   return real("tolerance", 0.05, "1", {1e-12, 1}, "relative error that still passes a submitted result");
 }

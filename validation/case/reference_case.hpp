@@ -16,10 +16,6 @@ namespace seiche::validation {
 /// One claim per identity of the solution that a case stands on. @param declared  the same, for names and limits
 void claim_identities(Claims<exact::SelfTest> claims, const exact::SelfTest& declared, const std::string& source);
 
-/// Transition: one claim per identity of the solution, and its uncertainty among the measurements.
-void claim_identities(evidence::Record& record, const exact::SelfTest& identities, double uncertainty,
-                      const std::string& source);
-
 /// "tolerance": the relative error that still passes a submitted result.
 Parameter tolerance_parameter();
 

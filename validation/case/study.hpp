@@ -19,8 +19,6 @@ class Run : public Values {
 
   Run(Values values, Progress progress) : Values(std::move(values)), progress_(std::move(progress)) {}
 
-  [[nodiscard]] const Values& values() const { return *this; }
-
   /// Tells the user how much is done, 0 to 1.
   void progress(double fraction) const { progress_(fraction); }
 

@@ -82,7 +82,7 @@ void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const
 void claims(const Values& values, Claims<Results> claims) {
   const SetUp s = set_up(values);
   claim_conservation(claims.of(&Results::flow), s.problem, s.discretisation, s.time);
-  claim_exact_profile(claims.of(&Results::flow), s.jump.downstream().depth, s.steps);
+  claim_exact_profile(claims.of(&Results::flow), s.jump.downstream().depth, s.discretisation, s.time);
   claim_single_particle(claims.of(&Results::flow), s.front);
 }
 

@@ -22,7 +22,7 @@ which the water enters is only first-order accurate, and with the ends included 
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
 #include "validation/steady_flow/open_ends.hpp"
-#include "validation/studies/shallow_water/flow_evidence.hpp"
+#include "validation/studies/shallow_water/profile_curves.hpp"
 
 namespace seiche::validation::cases {
 namespace {

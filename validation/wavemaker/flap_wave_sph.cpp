@@ -73,7 +73,7 @@ struct Waves {
 Waves make_waves(const Run& run, const Design& design, long layers, const Scheme& scheme) {
   const double spacing = design.depth / static_cast<double>(layers);
   const double length = spacing * std::round(run.real("flume") * design.gauge / spacing);
-  wcsph::Settings settings = sph_settings(run.values(), gravity, 1000, std::sqrt(gravity * design.depth));
+  wcsph::Settings settings = sph_settings(run, gravity, 1000, std::sqrt(gravity * design.depth));
   if (scheme == Scheme::more_neighbours) {
     settings.kernel = wcsph::KernelName::wendland_c2;
     settings.smoothing = 2;
