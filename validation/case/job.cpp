@@ -11,6 +11,7 @@
 #include "seiche/divergence.hpp"
 
 namespace seiche::validation {
+
 int exit_status(Outcome outcome) {
   switch (outcome) {
     case Outcome::as_declared:
