@@ -80,7 +80,7 @@ void claim_self_test(Claims<exact::SelfTest> claims) {
          .quantity = "relative defect",
          .source = source},
         [k](const exact::SelfTest& test) -> Measurement {
-          return {.value = test.at(k).defect, .told = {.accuracy = test.at(k).limit}};
+          return {.value = test.at(k).defect, .told = {.limit = test.at(k).accuracy}};
         },
         evidence::Bound{.limit = evidence::Amount::told_by_run(identities[k].largest), .reason = identities[k].reason});
   }
