@@ -43,13 +43,14 @@ MeshSlopeRun climb_slope(const MeshSlopeClimb& climb, const std::function<void(c
   constexpr double fallen = 0.98;
   const double latest = 3 * MeshSlopeClimb::toe;
   Worst defect;
+  // The level is NaN before the first step.
   const auto climbs = [&] {
-    return level.value() < 0.5 * climb.wave.amplitude() || flow.surface_y().back() > fallen * level.value();
+    return !(level.value() >= 0.5 * climb.wave.amplitude()) || flow.surface_y().back() > fallen * level.value();
   };
   while (flow.time() < latest && climbs()) {
     flow.advance(climb.tau);
     defect.add(flow.energy() / energy - 1, flow.time());
-    if (flow.surface_y().back() > level.value()) run.energy_defect = defect;
+    if (!(flow.surface_y().back() <= level.value())) run.energy_defect = defect;
     level.add(flow.time(), flow.surface_y().back());
     if (!run.fold) {
       const lagrangian_mesh_2d::Corner worst = flow.worst_corner();
