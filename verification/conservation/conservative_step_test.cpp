@@ -17,6 +17,7 @@ using namespace seiche::rigid_chain;
 using namespace seiche::verification;
 using Channel = FlatChannel<seiche::linear::PeriodicTridiagonal>;
 using seiche::largest;
+using seiche::worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 

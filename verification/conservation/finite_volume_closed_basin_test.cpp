@@ -43,11 +43,11 @@ TEST_CASE("finite-volume schemes conserve mass and momentum to round-off", "[con
   // (steps) instead of walking (sqrt(steps)).
   const std::string repeated = ", repeated by every step of the steady flow";
   const evidence::Roundoff open_mass_limit{
-      .operations = mass_limit.operations * steps,
+      .operations = mass_limit.operations.value() * steps,
       .scale = mass_limit.scale,
       .reason = "three roundings per cell of a content up to h dx = 1 m^2" + repeated};
   const evidence::Roundoff open_momentum_limit{
-      .operations = momentum_limit.operations * steps,
+      .operations = momentum_limit.operations.value() * steps,
       .scale = momentum_limit.scale,
       .reason = "three roundings per cell of numbers up to g h^2/2 dx/2 = 10 m^3/s^2" + repeated};
   for (const Scheme scheme : {Scheme::lax_friedrichs, Scheme::mac_cormack, Scheme::roe, Scheme::muscl_hll}) {

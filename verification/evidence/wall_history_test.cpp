@@ -159,7 +159,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
     panel.line(fmt::format("kappa = {:g}", kappa), time, history.amplitude, Role::computed);
     const WallLimit found = wall_limit(history.time, history.amplitude);
     limits.push_back(found.amplitude.value);
-    uncertainties.push_back(found.amplitude.uncertainty);
+    uncertainties.push_back(found.amplitude.half_width());
     miles.push_back((1 + kappa) * (1 + kappa));
   }
   panel.points("limit found", std::vector<double>(3, 4.2), limits, Role::computed, uncertainties);

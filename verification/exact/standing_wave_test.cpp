@@ -129,8 +129,8 @@ TEST_CASE("the standing wave of Tadjbakhsh and Keller has the digits and frequen
     for (double e = 0.04; e > 0.004; e /= 2) {
       const Residuals residuals = free_surface(wave(e, depth));
       steepness.push_back(e);
-      kinematic.push_back(residuals.kinematic);
-      dynamic.push_back(residuals.dynamic);
+      kinematic.push_back(residuals.kinematic.value());
+      dynamic.push_back(residuals.dynamic.value());
     }
     const std::string name = depth == infinite ? "infinite" : depth < 1 ? "0-8" : "2";
     const evidence::Order third{3, 0.1, "first neglected order; the next is e <= 0.04 of it times numbers of order 1"};

@@ -54,7 +54,7 @@ struct DiscErrors {
 DiscErrors disc_errors(double spacing) {
   constexpr int places = 8;
   constexpr double count = places * places;
-  DiscErrors errors{0, 0, 0, 0};
+  DiscErrors errors{};
   for (int i = 0; i < places; ++i) {
     for (int j = 0; j < places; ++j) {
       const double x0 = spacing * (i + 0.31) / places;
