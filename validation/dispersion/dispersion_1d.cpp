@@ -32,6 +32,7 @@ are roundings: the program solves what the formula describes.
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/dispersion/frequency_roundoff.hpp"
 #include "validation/instruments/dispersive_standing_mode.hpp"
 
 namespace seiche::validation::cases {
@@ -44,21 +45,6 @@ using exact::FrankDispersion;
 
 const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, formula (13)";
 constexpr double pi = std::numbers::pi;
-
-/// Of a relative deviation of the frequency. Elevations are counted from still water: every rounding is relative to the
-/// wave, not to the depth. Roundings in steps move the phase at random, and the fit divides by the whole of it.
-evidence::Roundoff limit_of(const std::vector<StandingBox>& boxes, double periods) {
-  constexpr double of_a_step = 50;
-  constexpr double of_fit_and_law = 100;
-  const double phase = 2 * pi * periods;
-  Largest steps;
-  for (const StandingBox& box : boxes) steps.add(phase / (box.linear_frequency() * box.tau));
-  return {.operations = of_a_step * steps.value() / (phase * phase) + of_fit_and_law,
-          .scale = 1,
-          .reason =
-              "fifty roundings of a step shift the phase of a wave at random, over a phase of 2 pi periods; a "
-              "hundred of fit, extrapolation and law"};
-}
 
 /// A frequency measured and of the law.
 struct Found {
@@ -209,7 +195,8 @@ void claims(const Values& values, Claims<Results> claims) {
                        const std::string& from, const std::vector<StandingBox>& boxes, const std::string& resolution) {
     claims.of(part)
         .at(resolution)
-        .check({.id = id, .text = text, .quantity = quantity, .source = from}, worst_of, limit_of(boxes, periods));
+        .check({.id = id, .text = text, .quantity = quantity, .source = from}, worst_of,
+               frequency_roundoff(boxes, periods, &StandingBox::cells));
   };
   const std::string largest = "largest relative deviation of the frequency";
   law(&Results::own, "frequency", "The wave of the parameters has the frequency of the discrete model's law.",
