@@ -7,6 +7,7 @@
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
