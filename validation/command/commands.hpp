@@ -15,7 +15,7 @@ namespace seiche::command {
 struct ListOptions {
   bool json = false;
   std::string claims;  ///< name of the case
-  std::string tier = "quick";
+  std::string tier;
   std::vector<std::string> settings;
   std::string ctest;
   std::string evidence;

@@ -68,7 +68,8 @@ bool compare_record(const std::string& key, const Summary& before, const Summary
     const double from = error_of(was);
     const double to = error_of(claim);
     const bool vanished = std::isnan(from) != std::isnan(to);
-    if (vanished || to > factor * from || from > factor * to) line(claim.id, fmt::format("error {:.3g} -> {:.3g}", from, to));
+    if (vanished || to > factor * from || from > factor * to)
+      line(claim.id, fmt::format("error {:.3g} -> {:.3g}", from, to));
     old.erase(found);
   }
   for (const auto& [id, claim] : old) {

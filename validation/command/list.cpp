@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -133,7 +134,8 @@ std::string reason_of(const evidence::Criterion& criterion) {
 /// What a case will claim with these settings.
 void print_claims(const ListOptions& options) {
   const Case& one = validation::find_case(options.claims);
-  const validation::Values values = values_for(one, tier_from(options.tier), {}, options.settings);
+  const validation::Values values =
+      values_for(one, tier_from(options.tier.empty() ? "quick" : options.tier), {}, options.settings);
   for (const validation::DeclaredClaim& declared : one.study.claims(values)) {
     const evidence::Claim& claim = declared.claim;
     fmt::print("{}\n  {}\n  {} [{}]: {}\n  because {}\n", claim.id, claim.text, claim.quantity, claim.unit,
@@ -149,6 +151,9 @@ void print_claims(const ListOptions& options) {
 }  // namespace
 
 int list(const ListOptions& options) {
+  if (options.claims.empty() && !(options.settings.empty() && options.tier.empty())) {
+    throw std::invalid_argument("list: --tier and --set belong to --claims CASE");
+  }
   if (!options.ctest.empty()) {
     write_ctest(options.ctest, options.evidence);
   } else if (!options.claims.empty()) {

@@ -21,11 +21,10 @@ void add_list(CLI::App& app, Action& action) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* command = app.add_subcommand("list", "Show the cases and the exact solutions");
   command->add_flag("--json", options->json, "as JSON, with every parameter");
-  auto* claims = command->add_option("--claims", options->claims, "all that this case claims, with limits and reasons");
-  command->add_option("--tier", options->tier, "with --claims: quick (default), full or paper")->needs(claims);
+  command->add_option("--claims", options->claims, "all that this case claims, with limits and reasons");
+  command->add_option("--tier", options->tier, "with --claims: quick (default), full or paper");
   command->add_option("--set", options->settings, "with --claims: parameter of the case, as name=value")
-      ->allow_extra_args(false)
-      ->needs(claims);
+      ->allow_extra_args(false);
   command->add_option("--ctest", options->ctest, "write add_test entries for ctest to this file")->group("");
   command->add_option("--evidence", options->evidence, "folder that those tests write to")->group("");
   command->callback([options, &action] { action = [options] { return list(*options); }; });
