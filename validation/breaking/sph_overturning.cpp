@@ -110,7 +110,8 @@ SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& t
       flow.advance_to(times[next]);
       const std::vector<Contour> curves = look();
       const Contour* main = wcsph::main_surface(curves);
-      if (main == nullptr || main->x.size() < 2) throw std::runtime_error(fmt::format("no water surface at t = {:g} s", flow.time()));
+      if (main == nullptr || main->x.size() < 2)
+        throw std::runtime_error(fmt::format("no water surface at t = {:g} s", flow.time()));
       Polylines surface{{main->x, main->z}};
       for (double& y : surface.front().y) y -= setup.wave.depth;
       result.times.push_back(times[next]);

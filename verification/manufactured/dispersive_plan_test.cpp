@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "validation/instruments/plan_manufactured_flow.hpp"
 #include "reports/evidence/slope_guide.hpp"
+#include "validation/instruments/plan_manufactured_flow.hpp"
 #include "verification/check.hpp"
 
 namespace {

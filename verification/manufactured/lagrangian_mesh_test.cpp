@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "validation/instruments/mesh_double_shear.hpp"
 #include "reports/evidence/slope_guide.hpp"
+#include "validation/instruments/mesh_double_shear.hpp"
 #include "verification/check.hpp"
 
 namespace {

@@ -14,15 +14,15 @@ void add_particles(evidence::Exhibit& exhibit, double time, const wcsph::Particl
     kind.push_back(static_cast<double>(particles.kind[i]));
   }
   exhibit.snapshot({.time = time,
-                   .x = {particles.x.begin(), particles.x.end()},
-                   .z = {particles.z.begin(), particles.z.end()},
-                   .fields = {{"u", "m/s", {particles.u.begin(), particles.u.end()}},
-                              {"w", "m/s", {particles.w.begin(), particles.w.end()}},
-                              {"density", "kg/m^3", {particles.density.begin(), particles.density.end()}},
-                              {"pressure", "Pa", pressure},
-                              {"identity", "1", identity},
-                              {"kind", "1", kind}},
-                   .joined = false});
+                    .x = {particles.x.begin(), particles.x.end()},
+                    .z = {particles.z.begin(), particles.z.end()},
+                    .fields = {{"u", "m/s", {particles.u.begin(), particles.u.end()}},
+                               {"w", "m/s", {particles.w.begin(), particles.w.end()}},
+                               {"density", "kg/m^3", {particles.density.begin(), particles.density.end()}},
+                               {"pressure", "Pa", pressure},
+                               {"identity", "1", identity},
+                               {"kind", "1", kind}},
+                    .joined = false});
 }
 
 }  // namespace seiche::validation

@@ -6,9 +6,9 @@
 /// Included by each version of the loops after its target is chosen, so nothing of the standard library is used here.
 #pragma once
 
+#include "seiche/models/wcsph/candidate_packs.hpp"
 #include "seiche/models/wcsph/lane_kernels.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"
-#include "seiche/models/wcsph/candidate_packs.hpp"
 
 namespace seiche::wcsph {
 

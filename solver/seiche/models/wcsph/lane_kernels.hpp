@@ -5,8 +5,8 @@
 /// Included by each version of the loops after its target is chosen, so nothing of the standard library is used here.
 #pragma once
 
-#include "seiche/models/wcsph/kernel.hpp"
 #include "seiche/models/wcsph/candidate_packs.hpp"
+#include "seiche/models/wcsph/kernel.hpp"
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::wcsph {

@@ -6,8 +6,8 @@
 
 #pragma GCC target("arch=x86-64-v3")
 
-#include "seiche/models/wcsph/pair_sums.hpp"
 #include "seiche/models/wcsph/candidate_packs.hpp"
+#include "seiche/models/wcsph/pair_sums.hpp"
 
 namespace seiche::wcsph {
 namespace {

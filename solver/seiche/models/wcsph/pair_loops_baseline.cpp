@@ -1,8 +1,8 @@
 #include <cmath>
 
+#include "seiche/models/wcsph/candidate_packs.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"
 #include "seiche/models/wcsph/pair_sums.hpp"
-#include "seiche/models/wcsph/candidate_packs.hpp"
 
 namespace seiche::wcsph {
 namespace {
