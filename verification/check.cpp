@@ -43,7 +43,8 @@ void Check::expect(const std::string& id) {
   const auto& claims = record_.claims();
   const auto found = std::find_if(claims.begin(), claims.end(), [&](const auto& c) { return c.claim.id == id; });
   const evidence::Judgement& j = found->judgement;
-  CAPTURE(found->claim.text, j.measured, j.uncertainty.value_or(std::numeric_limits<double>::quiet_NaN()), j.expected, j.limit, j.note);
+  CAPTURE(found->claim.text, j.measured, j.uncertainty.value_or(std::numeric_limits<double>::quiet_NaN()), j.expected,
+          j.limit, j.note);
   CHECK(evidence::name(j.verdict) == evidence::name(found->declared()));
   CHECK(found->as_declared());
 }
