@@ -44,7 +44,7 @@ TEST_CASE("a record is read back as it was written", "[record]") {
   CHECK(summary.claims.size() == 2);
   CHECK(summary.claims[0].verdict == "pass");
   CHECK(summary.claims[0].measured == 0.1);
-  CHECK(summary.claims[1].verdict == "fail");
+  CHECK(summary.claims[1].verdict == "error");
   CHECK_FALSE(summary.as_declared());
   for (const auto& entry : std::filesystem::directory_iterator(scratch.path())) {
     CHECK(entry.path().extension() != ".part");
