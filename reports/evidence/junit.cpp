@@ -79,22 +79,24 @@ void add_outcome(pugi::xml_node test, const char* element, const std::string& ty
 }
 
 std::string in_numbers(const Summary::Outcome& claim) {
-  return fmt::format("{} Measured {:.6g} +- {:.3g}, expected {:.6g} within {:.3g}{}{}.{}{}", claim.text, claim.measured,
-                     claim.uncertainty, claim.expected, claim.limit, claim.unit == "1" ? "" : " ",
-                     claim.unit == "1" ? "" : claim.unit, claim.note.empty() ? "" : " ", claim.note);
+  const std::string spread = std::isnan(claim.uncertainty) ? "" : fmt::format(" +- {:.3g}", claim.uncertainty);
+  return fmt::format("{} Measured {:.6g}{}, expected {:.6g} within {:.3g}{}{}.{}{}", claim.text, claim.measured, spread,
+                     claim.expected, claim.limit, claim.unit == "1" ? "" : " ", claim.unit == "1" ? "" : claim.unit,
+                     claim.note.empty() ? "" : " ", claim.note);
 }
 
 void add_claim(pugi::xml_node suite, const Summary::Outcome& claim, Totals& totals) {
   pugi::xml_node test = add_case(suite, claim.id, 0);
-  add_properties(test, {{"measured", fmt::format("{}", claim.measured)},
-                        {"uncertainty", fmt::format("{}", claim.uncertainty)},
-                        {"expected", fmt::format("{}", claim.expected)},
-                        {"limit", fmt::format("{}", claim.limit)},
-                        {"unit", claim.unit},
-                        {"resolution", claim.resolution},
-                        {"verdict", claim.verdict},
-                        {"declared", claim.declared},
-                        {"declared_reason", claim.declared_reason}});
+  add_properties(
+      test, {{"measured", fmt::format("{}", claim.measured)},
+             {"uncertainty", std::isnan(claim.uncertainty) ? "not estimated" : fmt::format("{}", claim.uncertainty)},
+             {"expected", fmt::format("{}", claim.expected)},
+             {"limit", fmt::format("{}", claim.limit)},
+             {"unit", claim.unit},
+             {"resolution", claim.resolution},
+             {"verdict", claim.verdict},
+             {"declared", claim.declared},
+             {"declared_reason", claim.declared_reason}});
   ++totals.tests;
   if (claim.verdict == "error") {
     ++totals.errors;

@@ -31,15 +31,15 @@ class Study {
  public:
   Study() = default;
 
-  /// @param claims   all claims with their criteria, before anything is computed
+  /// @param declare  all claims with their criteria, before anything is computed
   /// @param compute  numbers and curves
   /// @param show     figures, tables and measurements
   template <class Results>
-  Study(void (*claims)(const Values&, Claims<Results>), Results (*compute)(const Run&),
+  Study(void (*declare)(const Values&, Claims<Results>), Results (*compute)(const Run&),
         void (*show)(const Results&, const Values&, evidence::Exhibit&))
-      : claims_([claims](const Values& values) {
+      : claims_([declare](const Values& values) {
           std::vector<DeclaredClaim> list;
-          claims(values, Claims<Results>(list));
+          declare(values, Claims<Results>(list));
           return list;
         }),
         compute_([compute](const Run& run) -> Computed { return std::make_shared<const Results>(compute(run)); }),
