@@ -11,6 +11,16 @@
 #include "seiche/divergence.hpp"
 
 namespace seiche::validation {
+namespace {
+
+std::string in_words(const evidence::JudgedClaim& claim) {
+  const evidence::Judgement& j = claim.judgement;
+  if (j.verdict == evidence::Verdict::error) return fmt::format("{}: error, {}", claim.claim.id, j.note);
+  return fmt::format("{}: {}, measured {:.6g}, expected {:.6g} within {:.3g}{}{}", claim.claim.id,
+                     evidence::name(j.verdict), j.measured, j.expected, j.limit, j.note.empty() ? "" : ", ", j.note);
+}
+
+}  // namespace
 
 int exit_status(Outcome outcome) {
   switch (outcome) {
@@ -73,10 +83,7 @@ Ending run_job(const Job& job, const std::filesystem::path& directory, const Run
   if (record.as_declared()) return {Outcome::as_declared, {}};
   std::string undeclared;
   for (const evidence::JudgedClaim& claim : record.claims()) {
-    if (claim.as_declared()) continue;
-    undeclared += fmt::format("{}{}: {}, measured {:.6g}, expected {:.6g} within {:.3g}",
-                              undeclared.empty() ? "" : "; ", claim.claim.id, evidence::name(claim.judgement.verdict),
-                              claim.judgement.measured, claim.judgement.expected, claim.judgement.limit);
+    if (!claim.as_declared()) undeclared += (undeclared.empty() ? "" : "; ") + in_words(claim);
   }
   return {Outcome::failed, undeclared};
 }
