@@ -247,7 +247,7 @@ class Report(unittest.TestCase):
 
     def test_a_tile_is_reproduced_only_by_runs_that_came_out_as_declared(self):
         atlas = (self.out / "atlas.html").read_text(encoding="utf-8")
-        self.assertIn("1 of", self.index[self.index.index("shows"):][:40])
+        self.assertIn("1 of", self.index[self.index.index("reproduces"):][:40])
         shown = atlas[atlas.index('id="frank-fig-9"'):][:1500]
         self.assertIn("shown, not reproduced", shown)
 
