@@ -41,7 +41,8 @@ std::string describe(const Summary::Outcome* claim) {
 
 void print_case(const std::vector<const Summary*>& solvers) {
   fmt::print("{}\n", solvers.front()->name);
-  print_row("claim: error over limit", solvers, [](const Summary& one) { return one.solver; });
+  print_row("claim: error over limit", solvers,
+            [](const Summary& one) { return one.tier == "quick" ? one.solver : one.solver + "@" + one.tier; });
   std::vector<std::string> ids;
   std::map<std::string, std::size_t> shared;
   for (const Summary* one : solvers) {
