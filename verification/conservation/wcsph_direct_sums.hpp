@@ -85,28 +85,32 @@ class DirectSums {
     std::vector<double> result = p_.density;
     for (std::size_t a = 0; a < p_.size(); ++a) {
       if (!fluid(a)) continue;
-      Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-      Eigen::Vector3d mass_moments = Eigen::Vector3d::Zero();
-      const auto add = [&](std::size_t b, const Vector& r, double weight) {
-        const Eigen::Vector3d basis(1, r.x(), r.y());
-        moments += p_.mass[b] / p_.density[b] * weight * basis * basis.transpose();
-        mass_moments += p_.mass[b] * weight * basis;
-      };
-      add(a, Vector::Zero(), weight(0, smoothing_[a]));
-      int count = 0;
-      neighbours(a, [&](std::size_t b, const Pair& pair) {
-        add(b, pair.r, pair.weight);
-        ++count;
-      });
-      if (count < 3) continue;
-      const double h = settings_.smoothing * spacing_;
-      const bool regular =
-          count >= 5 && std::abs(moments.determinant()) >= 2e-5 * std::pow(h, 4) * std::pow(moments(0, 0), 3);
-      const double value = regular ? moments.ldlt().solve(Eigen::Vector3d::UnitX()).eval().dot(mass_moments)
-                                   : mass_moments(0) / moments(0, 0);
+      const FilterSums sums = filter_sums(a);
+      if (sums.neighbours < 3) continue;
+      const double value =
+          sums.regular ? sums.beta().dot(sums.mass_moments) : sums.mass_moments(0) / sums.moments(0, 0);
       if (std::abs(value / settings_.density - 1) <= 0.1) result[a] = value;
     }
     return result;
+  }
+
+  /// What cancels in moving least squares: the largest sum of V_b W_ab (|beta_0| + |beta_x x_ab| + |beta_z z_ab|), the
+  /// sum without magnitudes being 1.
+  [[nodiscard]] double filter_cancellation() const {
+    Largest largest;
+    for (std::size_t a = 0; a < p_.size(); ++a) {
+      if (!fluid(a)) continue;
+      const FilterSums sums = filter_sums(a);
+      if (!sums.regular) continue;
+      const Eigen::Vector3d beta = sums.beta().cwiseAbs();
+      double magnitudes = beta(0) * p_.mass[a] / p_.density[a] * weight(0, smoothing_[a]);
+      neighbours(a, [&](std::size_t b, const Pair& pair) {
+        const Eigen::Vector3d basis(1, std::abs(pair.r.x()), std::abs(pair.r.y()));
+        magnitudes += p_.mass[b] / p_.density[b] * pair.weight * beta.dot(basis);
+      });
+      largest.add(magnitudes);
+    }
+    return largest.value();
   }
 
   /// The fluid after particle shifting over a time tau: -4 h u_max tau sum V_b [1 + 0.2 (W_ab/W(dx))^4] grad W_ab, at
@@ -168,6 +172,33 @@ class DirectSums {
     double square, h, weight;
     Vector gradient;  ///< of W with respect to the position of the first
   };
+
+  /// Sums of moving least squares about a particle, itself included.
+  struct FilterSums {
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d mass_moments = Eigen::Vector3d::Zero();
+    int neighbours = 0;
+    bool regular = false;
+
+    [[nodiscard]] Eigen::Vector3d beta() const { return moments.ldlt().solve(Eigen::Vector3d::UnitX()); }
+  };
+  [[nodiscard]] FilterSums filter_sums(std::size_t a) const {
+    FilterSums sums;
+    const auto add = [&](std::size_t b, const Vector& r, double weight) {
+      const Eigen::Vector3d basis(1, r.x(), r.y());
+      sums.moments += p_.mass[b] / p_.density[b] * weight * basis * basis.transpose();
+      sums.mass_moments += p_.mass[b] * weight * basis;
+    };
+    add(a, Vector::Zero(), weight(0, smoothing_[a]));
+    neighbours(a, [&](std::size_t b, const Pair& pair) {
+      add(b, pair.r, pair.weight);
+      ++sums.neighbours;
+    });
+    const double h = settings_.smoothing * spacing_;
+    sums.regular = sums.neighbours >= 5 &&
+                   std::abs(sums.moments.determinant()) >= 2e-5 * std::pow(h, 4) * std::pow(sums.moments(0, 0), 3);
+    return sums;
+  }
 
   /// Pressures, sound speeds and smoothing lengths from densities (5).
   void derive() {

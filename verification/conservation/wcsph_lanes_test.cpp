@@ -22,7 +22,7 @@ using namespace seiche::wcsph;
 using namespace seiche::verification;
 using seiche::Largest;
 using seiche::Worst;
-using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
 
 constexpr double spacing = 0.1;
 
@@ -190,8 +190,11 @@ TEST_CASE("every width of registers gives the rates of sums over all pairs", "[c
            .quantity = "largest relative difference of a rate",
            .source = "formulas (2)-(6) summed over all pairs"},
           {.value = largest.value(), .resolution = fmt::format("{} lanes", version.loops->lanes)},
-          Bound{.limit = 1e-12,
-                .reason = "some 20 pairs of 40 roundings each; pressures are differences of numbers 20 times larger"});
+          Roundoff{.operations = 120,
+                   .scale = 1,
+                   .reason =
+                       "some 40 roundings of a pair, of which those of 20 pairs add up as the pairs do, and 20 of "
+                       "sums, in both ways of summing; pressures are the same numbers in both"});
     }
   }
 }
@@ -229,7 +232,10 @@ TEST_CASE("every width of registers shifts particles as sums over all pairs do",
                   .source = "Lind et al. (2012); Sun et al. (2017)"},
                  {.value = largest.value(),
                   .resolution = fmt::format("{} lanes, {} particles moved", version.loops->lanes, moved)},
-                 Bound{.limit = 1e-12, .reason = "sums of some 20 pairs of 40 roundings each"});
+                 Roundoff{.operations = 2,
+                          .scale = 21,
+                          .reason = "the two places are rounded as numbers of up to 21 dx; the shift, 0.1 dx or less, "
+                                    "and velocities and densities have errors below that"});
     }
   }
 }

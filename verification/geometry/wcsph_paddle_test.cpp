@@ -57,7 +57,11 @@ TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]"
                 .quantity = "order of the difference",
                 .source = source},
                evidence::observed_order(steps, errors),
-               evidence::Order{2, 0.1, "central differences of second order; steps from 1/40 of a period"});
+               name == "piston"
+                   ? evidence::Order{2, 0.003,
+                                     "central differences of a sine: next term (omega dt)^2/20 relative, 0.0012 at the "
+                                     "longest step, 1/40 of a period, 0.002 per halving"}
+                   : evidence::Order{2, 0.1, "central differences of second order; steps from 1/40 of a period"});
   }
 
   const Paddle& leaning = paddles[1].second;
