@@ -1,4 +1,6 @@
 // Fixed sections that water passes: books, and the steady flow over a bump that they must keep.
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "seiche/exact/steady_bump.hpp"
@@ -49,18 +51,23 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
                 .unit = "m^2",
                 .source = "conservation of mass"},
                {.value = flow.mass_defect(), .resolution = resolution},
-               Roundoff{.operations = 2.0 * static_cast<double>(flow.steps()),
-                        .scale = 50,
-                        .reason = "two rounded inflows per step; scale is the mass in the reach"});
+               Roundoff{.operations = 6,
+                        .scale = flow.ledger().left_mass.value(),
+                        .reason = "the books of the two sections, their sum, and what is left of three numbers are "
+                                  "rounded once, as large as the mass that has entered; sums are compensated, and one "
+                                  "particle at a section, of 1/80 of that mass at most, is rounded per step"});
     check.that({.id = fmt::format("momentum_{}", count),
                 .text = "Momentum equals the booked impulses.",
                 .quantity = "momentum defect",
                 .unit = "m^3/s",
                 .source = "conservation of momentum"},
                {.value = flow.momentum_defect(), .resolution = resolution},
-               Roundoff{.operations = 3.0 * static_cast<double>(flow.steps()),
-                        .scale = 110,
-                        .reason = "three rounded impulses per step; scale is the momentum in the reach"});
+               Roundoff{.operations = 6 + static_cast<double>(flow.steps()) / static_cast<double>(count) *
+                                              std::pow(flow.momentum() / flow.ledger().left_impulse.value(), 2),
+                        .scale = flow.ledger().left_impulse.value(),
+                        .reason = "the books of the sections and of the bed, their sum, and what is left of three "
+                                  "numbers are rounded once, as large as the impulse at a section, for sums are "
+                                  "compensated; and every step rounds the momentum of each particle"});
   }
   check.that({.id = "order",
               .text = "Depth converges with second order.",

@@ -53,12 +53,26 @@ TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") 
   std::vector<double> measured;
   for (const double t : late) measured.push_back(front(t - 0.17));
   const ShiftedFront fit = shifted_front({T, X}, {late, measured}, 2.5);
-  // Straight lines between points 1e-3 apart leave 0.5/8 1e-6 of the parabola; so much moves the shift where the slope
-  // is 0.3 or more.
+  // Straight lines between points 1e-3 apart leave 0.5/8 1e-6 of the parabola, which least squares weigh by the slopes
+  // T/2; the shift itself is searched with steps halved from 0.0035 to 2^-19 of it.
+  constexpr double of_lines = 0.5 / 8 * 1e-6;
+  const double of_halving = std::ldexp(0.0035, -19);
+  double slopes = 0, squares = 0;
+  for (int k = 0; k < 4; ++k) {
+    const double steepness = 0.5 * (late[k] - 0.17);
+    slopes += steepness;
+    squares += steepness * steepness;
+  }
   check.that(named("shift", "The shift is that of the points.", "shift"), {.value = fit.shift},
-             Bound{.limit = 1e-5, .reason = "halved 20 times from 0.0035; lines between the points", .expected = 0.17});
-  check.that(named("rms", "With it nothing is left.", "rms"), {.value = fit.rms},
-             Bound{.limit = 1e-5, .reason = "the error of the shift times a slope of order one"});
+             Bound{.limit = of_lines * slopes / squares + of_halving,
+                   .reason = "lines between points 1e-3 apart leave 6e-8, which least squares weigh by the slopes; "
+                             "the last of 20 halved steps is 2^-19 of 0.0035",
+                   .expected = 0.17});
+  check.that(
+      named("rms", "With it nothing is left.", "rms"), {.value = fit.rms},
+      Bound{.limit = of_lines + of_halving * std::sqrt(squares / 4),
+            .reason = "least squares leave no more than the true shift, whose lines leave 6e-8, and what is left "
+                      "of halving times the slopes"});
   check.that(named("points", "Points beyond the tank are left out.", "points that count"),
              {.value = static_cast<double>(fit.points)}, Bound{.limit = 0, .reason = "by hand", .expected = 4});
   double sum = 0;
