@@ -247,18 +247,40 @@ SelfTest PlanManufactured::self_test() const {
       for (int m = 0; m < labels; ++m) check_inside(a, p.length * (0.15 + 0.7 * m / (labels - 1)), t);
     }
   }
-  // Eighth-order differences over h = (551 eps)^(1/9) = 0.037 scales: weights of 2.1/h in sum.
+  const double k = std::numbers::pi / p.length;
+  const double across = p.frequency * p.frequency / k;
+  // Of J's departure from 1 and of the velocity's gradient over the frequency.
+  const double strain = 1 - closest;
+  // Gravity's part of the force has a factor J^-3, the inertia's up to J^-5.
+  const double wall_force = (p.gravity * k * p.depth / std::pow(closest, 3) +
+                             p.alpha * across * k * k * p.depth * p.depth / std::pow(closest, 5)) /
+                            acceleration;
+  const double wall_limit =
+      10 * std::abs(std::sin(k * p.length) * p.amplitude * k) * (1 / std::numbers::pi + wall_force);
+  // Eighth-order differences over h = (551 eps)^(1/9) = 0.037 scales: weights of 2.1/h in sum, 1.17/h in the root of
+  // the sum of their squares.
   const double limit = 8 * std::numeric_limits<double>::epsilon() * p.length / label_scale * 2.1 / 0.037;
+  const double noise = 4 * std::numeric_limits<double>::epsilon() * std::sqrt(4) * 1.17 / 0.037;
+  const double tilt = noise * p.length / label_scale * strain / closest;
+  const double lift = noise * 4 * p.alpha * strain / (closest * closest) + 8 * std::numeric_limits<double>::epsilon() *
+                                                                               2 * p.gravity /
+                                                                               (p.frequency * p.frequency * p.depth);
   const std::string reason =
       "values up to L rounded eight times, over the scale of the finest harmonic, divided by the spacing of "
       "eighth-order differences";
-  return {{"walls: x = 0, L and y = 0, L stay, without velocity or force across", walls.value(), 1e-14,
-           "sin(pi) rounded to 1.2e-16, up to ten such terms, with factors J^-5 below 10"},
-          {"H (x_X y_Y - x_Y y_X) = d", mass.value(), limit, reason},
-          {"u, v, DH are the rates of x, y, H", velocities.value(), limit, "the same"},
-          {"DH + H div(u, v) = 0", continuity.value(), limit, "the same"},
-          {"alpha D^2 H = (lambda - g H)/H", vertical.value(), limit, "the same"},
-          {"D(u, v) + grad(lambda H - g H^2/2)/H = b", momentum.value(), limit, "the same"}};
+  return {
+      {"walls: x = 0, L and y = 0, L stay, without velocity or force across", walls.value(), wall_limit,
+       "sine of the rounded pi in up to ten terms of each: displacement, gravity's force and inertia's with their "
+       "factors J^-3 and J^-5"},
+      {"H (x_X y_Y - x_Y y_X) = d", mass.value(), limit, reason},
+      {"u, v, DH are the rates of x, y, H", velocities.value(), limit, "the same"},
+      {"DH + H div(u, v) = 0", continuity.value(), tilt,
+       "four roundings of values up to L in the differences of x and y, over the scale of the finest harmonic, as a "
+       "random walk through the weights; times the gradient of the velocity"},
+      {"alpha D^2 H = (lambda - g H)/H", vertical.value(), lift,
+       "the same of DH, as large as the strain allows, over the time scale; eight roundings of g H in lambda"},
+      {"D(u, v) + grad(lambda H - g H^2/2)/H = b", momentum.value(), noise / closest + tilt,
+       "the same of lambda H - g H^2/2 over its scale, and of x and y times its gradient"}};
 }
 
 }  // namespace seiche::exact

@@ -192,12 +192,25 @@ SelfTest SolitaryRunup::self_test() const {
     before.add(finer.linear_elevation(time_unit_ * early));
   }
   const double crest = highest_.elevation;
-  return {{"a finer and longer rule gives the same elevation", change.value() / crest, uncertainty(),
-           "the rule converges exponentially; sum of about a thousand terms up to a fifth of R"},
-          {"a finer and longer rule gives the same maximum", std::abs(finer.highest_.elevation / crest - 1),
-           uncertainty(), "as above"},
-          {"the shoreline rests before the wave arrives", before.value() / crest, uncertainty(),
-           "causality, by cancellation of terms up to a fifth of R"}};
+  // Of the difference of two sums at tau, relative to the crest: every addition rounds a sum as high as the crest, and
+  // every term its phase k tau.
+  const auto rounding = [&](double tau) {
+    double square = static_cast<double>(real_.size());
+    for (std::size_t j = 0; j < real_.size(); ++j) {
+      const double turns = static_cast<double>(j) * wavenumber_step_ * tau * depth_ / crest;
+      square += (real_[j] * real_[j] + imaginary_[j] * imaginary_[j]) * turns * turns;
+    }
+    return 4 * eps * std::sqrt(2 * square);
+  };
+  return {
+      {"a finer and longer rule gives the same elevation", change.value() / crest, rounding(end_),
+       fmt::format("the rule converges exponentially; {} additions to sums up to R, and the rounded phases of their "
+                   "terms at the last time",
+                   real_.size())},
+      {"a finer and longer rule gives the same maximum", std::abs(finer.highest_.elevation / crest - 1),
+       rounding(highest_.time / time_unit_), "the same, with the phases at the time of the maximum"},
+      {"the shoreline rests before the wave arrives", before.value() / crest, uncertainty(),
+       "causality, by cancellation of terms up to a fifth of R"}};
 }
 
 static_assert(ReferenceSolution<SolitaryRunup>);

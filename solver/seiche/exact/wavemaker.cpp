@@ -168,14 +168,29 @@ SelfTest Wavemaker::self_test() const {
   const auto length = [](double k) { return 1 / k; };
   const double volume = paddle_ == Paddle::piston ? 1 : 0.5;
   const double k1 = scaled_wavenumber(1);
-  return {{"k tanh k = omega^2", std::abs(wavenumber_ * std::tanh(wavenumber_) / nu_ - 1), 8 * eps, "8 roundings"},
-          {"k_1 sin k_1 + omega^2 cos k_1 = 0", std::abs(k1 * std::sin(k1) + nu_ * std::cos(k1)) / std::hypot(k1, nu_),
-           8 * eps * (1 + k1), "roundings of k_1"},
-          {"water displaced by the paddle is under the surface: (H/S)/k + sum C_n/k_n = mean of f",
-           std::abs(height_per_stroke_ / wavenumber_ + sum_of_modes(length, 0, modes) - volume) / volume, uncertainty(),
-           "sum of 400 terms below 1, closed by Euler-Maclaurin to below round-off"},
-          {"the near field does not depend on where its tail begins",
-           std::abs(sum_of_modes(one, 0, modes) - sum_of_modes(one, 0, modes + modes / 2)), uncertainty(), "as above"}};
+  const double first = std::abs(coefficient(1));
+  const double under_near_field = sum_of_modes(length, 0, modes);
+  const double near_field = sum_of_modes(one, 0, modes);
+  // Sums as large as their first term or their value: random walks of the additions to them, and of the twenty
+  // roundings of H/S, k and their quotient.
+  const double volume_walk =
+      std::sqrt(20) + std::sqrt(static_cast<double>(modes)) * (first / k1 + std::abs(under_near_field)) / volume;
+  const double tail_walk = std::sqrt(0.5 * static_cast<double>(modes)) * (first + std::abs(near_field));
+  return {
+      {"k tanh k = omega^2", std::abs(wavenumber_ * std::tanh(wavenumber_) / nu_ - 1), 8 * eps, "8 roundings"},
+      {"k_1 sin k_1 + omega^2 cos k_1 = 0", std::abs(k1 * std::sin(k1) + nu_ * std::cos(k1)) / std::hypot(k1, nu_),
+       (4 + k1) * eps,
+       "k_1 rounded once and one step of Newton's method in it, half a unit of its last place each; pi, arc tangent "
+       "and the products of sine and cosine, an epsilon each"},
+      {"water displaced by the paddle is under the surface: (H/S)/k + sum C_n/k_n = mean of f",
+       std::abs(height_per_stroke_ / wavenumber_ + under_near_field - volume) / volume, 4 * eps * volume_walk,
+       fmt::format("20 roundings of the progressive wave's part and {} additions to the near field's, closed by "
+                   "Euler-Maclaurin to below round-off",
+                   modes)},
+      {"the near field does not depend on where its tail begins",
+       std::abs(near_field - sum_of_modes(one, 0, modes + modes / 2)), 4 * eps * tail_walk,
+       fmt::format("the first {} modes are the same in both sums: additions of the {} further ones", modes,
+                   modes / 2)}};
 }
 
 static_assert(ReferenceSolution<Wavemaker>);
