@@ -120,7 +120,7 @@ Results compute(const Run& run) {
   return {.wide = {rests.begin(), middle}, .fine = {middle, rests.end()}};
 }
 
-void claim_rest(Claims<Rest> claims, const Option& option, const Values& values) {
+void claim_rest(const Claims<Rest>& claims, const Option& option, const Values& values) {
   const double cell = values.real("dx") / depth;
   const double compression = gravity * depth / std::pow(settings_of(values).sound_speed, 2);
   const bool extrapolated = option.name == "extrapolated";
@@ -156,7 +156,7 @@ void claim_rest(Claims<Rest> claims, const Option& option, const Values& values)
   check("level", "The water does not sink", "sinking of the centre of mass over the depth", &Rest::sinking, level);
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < options.size(); ++k) {
     claim_rest(claims.of([k](const Results& r) -> const Rest& { return r.fine.at(k); }), options[k], values);
   }

@@ -173,7 +173,7 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Lake>& lakes) {
   }
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<Lake> all = lakes(values);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const auto exactly_zero = [&](const std::string& id, const std::string& text, const std::string& quantity,

@@ -54,7 +54,7 @@ struct Results {
   double momentum_defect = 0;
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const long n = values.integer("particles");
   const double celerity = std::sqrt(values.real("gravity") * values.real("surface"));
   // Rounding errors do not add up: what disturbs the balance runs away as short waves, which the method damps.

@@ -163,7 +163,7 @@ struct Shoreline {
 const std::array shorelines{Shoreline{"left", &Motion::left, &exact::Thacker::left_shoreline},
                             Shoreline{"right", &Motion::right, &exact::Thacker::right_shoreline}};
 
-void claims(const Values& values, Claims<Motion> claims) {
+void claims(const Values& values, const Claims<Motion>& claims) {
   const exact::Thacker bowl = bowl_of(values);
   const std::string& scheme = values.text("scheme");
   const double displacement = values.real("displacement");

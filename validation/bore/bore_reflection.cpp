@@ -132,7 +132,7 @@ void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const
   }
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
   claim_conservation(claims.of(&Results::flow), s.problem, s.discretisation, s.time);
   const double reflected_depth = s.reflection().reflected_depth();

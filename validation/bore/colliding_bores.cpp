@@ -54,7 +54,7 @@ struct Results {
   [[nodiscard]] const Contestant& finest() const { return levels.back().back(); }
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
   const auto particles = static_cast<double>(s.finest().particles);
   claim_conservation(claims.of(&Results::flow), s.problem, s.finest(), s.time);

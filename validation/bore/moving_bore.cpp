@@ -189,7 +189,7 @@ void draw_history(evidence::Exhibit& exhibit, const History& history, const exac
   paths.line("exact bore", front, history.time, Role::exact);
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
   const auto steps = static_cast<double>(s.steps);
   claim_conservation(claims.of(&Results::flow), s.problem, s.discretisation, s.time);

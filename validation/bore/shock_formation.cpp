@@ -91,7 +91,7 @@ struct Results {
   [[nodiscard]] double at_piston() const { return finest.means.front().depth; }
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
   const auto here = claims.at(s.finest());
   const double known = values.table("regression_shock_formation").column("front_position")[0];

@@ -99,7 +99,7 @@ Results compute(const Run& run) {
   return r;
 }
 
-void claim_model(Claims<Runs> claims, const Model& model, const Values& values) {
+void claim_model(const Claims<Runs>& claims, const Model& model, const Values& values) {
   const auto on_finest = [](auto measure) {
     return [measure](const Runs& runs) -> Measurement {
       const SphPlunged& finest = runs.back();
@@ -138,7 +138,7 @@ void claim_model(Claims<Runs> claims, const Model& model, const Values& values) 
   }
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<Model> models = models_of(values);
   for (std::size_t m = 0; m < models.size(); ++m) {
     claim_model(claims.of([m](const Results& r) -> const Runs& { return r.runs.at(m); }), models[m], values);

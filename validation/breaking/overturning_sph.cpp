@@ -185,7 +185,7 @@ auto on_finest(Measure measure) {
   };
 }
 
-void claim_distances(Claims<Results> claims, const Values& values) {
+void claim_distances(const Claims<Results>& claims, const Values& values) {
   const double spacing = wavelength / static_cast<double>(values.integer("columns"));
   const auto orders = claims.only_if(values.tier() != Tier::quick, "its coarsest lattices do not resolve the jet");
   for (std::size_t i = 0; i < instants.size(); ++i) {
@@ -220,7 +220,7 @@ void claim_distances(Claims<Results> claims, const Values& values) {
   }
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const double period = period_of(wave_of(values));
   claim_distances(claims, values);
   claims.check({.id = "overturns", .text = "The wave turns over.", .quantity = "it does", .source = source},

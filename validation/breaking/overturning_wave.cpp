@@ -60,7 +60,7 @@ struct Results {
 };
 
 /// Steps are as long as their tolerance allows, and each may err by it: only the run knows how many there are.
-void claim_self_test(Claims<exact::SelfTest> claims) {
+void claim_self_test(const Claims<exact::SelfTest>& claims) {
   struct Declared {
     std::string name;
     double largest;
@@ -86,7 +86,7 @@ void claim_self_test(Claims<exact::SelfTest> claims) {
   }
 }
 
-void claims(const Values& /*values*/, Claims<Results> claims) {
+void claims(const Values& /*values*/, const Claims<Results>& claims) {
   claim_self_test(claims.of(&Results::identities));
   claims.check(
       {.id = "overturns", .text = "The wave turns over.", .quantity = "the front becomes vertical", .source = source},

@@ -229,7 +229,7 @@ void claim_band(const Claims<Results>& claims, bool as_published) {
                             .reason = "the berm is about half a wave wide"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s(values);
   const auto given = claims.only_if(s.as_given(), "for the berm of the default parameters");
   claim_regression(given.of(&Results::given), tabled(values));

@@ -1,6 +1,6 @@
 /// What a case claims, declared before it runs.
 ///
-///     void claims(const Values& values, Claims<Results>& claims) {
+///     void claims(const Values& values, const Claims<Results>& claims) {
 ///       claims.check({.id = "crest", .text = "The crest keeps its height.", ...},
 ///                    [](const Results& r) -> Measurement { return {.value = r.crest, .resolution = r.resolution}; },
 ///                    evidence::Bound{.limit = 1e-3, .reason = "..."});

@@ -12,7 +12,8 @@ constexpr const char* tolerance_reason =
 
 }  // namespace
 
-void claim_identities(Claims<exact::SelfTest> claims, const exact::SelfTest& declared, const std::string& source) {
+void claim_identities(const Claims<exact::SelfTest>& claims, const exact::SelfTest& declared,
+                      const std::string& source) {
   for (std::size_t k = 0; k < declared.size(); ++k) {
     const exact::Identity& identity = declared[k];
     claims.check(

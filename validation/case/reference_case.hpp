@@ -14,7 +14,8 @@
 namespace seiche::validation {
 
 /// One claim per identity of the solution that a case stands on. @param declared  the same, for names and limits
-void claim_identities(Claims<exact::SelfTest> claims, const exact::SelfTest& declared, const std::string& source);
+void claim_identities(const Claims<exact::SelfTest>& claims, const exact::SelfTest& declared,
+                      const std::string& source);
 
 /// "tolerance": the relative error that still passes a submitted result.
 Parameter tolerance_parameter();

@@ -35,7 +35,7 @@ class Study {
   /// @param compute  numbers and curves
   /// @param show     figures, tables and measurements
   template <class Results>
-  Study(void (*declare)(const Values&, Claims<Results>), Results (*compute)(const Run&),
+  Study(void (*declare)(const Values&, const Claims<Results>&), Results (*compute)(const Run&),
         void (*show)(const Results&, const Values&, evidence::Exhibit&))
       : claims_([declare](const Values& values) {
           std::vector<DeclaredClaim> list;

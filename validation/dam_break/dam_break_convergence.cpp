@@ -92,7 +92,7 @@ struct Results {
   }
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const auto finest = claims.at(fmt::format("N = {}", counts_of(values).back()));
   for (const double ratio : ratios) {
     const std::string id = id_of(ratio);

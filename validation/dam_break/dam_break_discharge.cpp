@@ -79,7 +79,7 @@ Discharge discharge_by_particles(double gravity, const Setting& s) {
   return discharge;
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const auto n = static_cast<double>(values.integer("particles"));
   const std::vector<Setting> all = settings(values);
   for (std::size_t k = 0; k < all.size(); ++k) {

@@ -78,7 +78,7 @@ Results compute(const Run& run) {
   return r;
 }
 
-void claims(const Values& /*values*/, Claims<Results> claims) {
+void claims(const Values& /*values*/, const Claims<Results>& claims) {
   claims.of(&Results::collapse)
       .check(
           {.id = "contained",

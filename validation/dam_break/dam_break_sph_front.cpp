@@ -92,7 +92,7 @@ double front_speed(const SphCollapse& run) {
   return speed_of(run.free_front());
 }
 
-void claim_front(Claims<SphCollapse> claims, const ColumnFront& data) {
+void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data) {
   const auto fitted = [data](double ShiftedFront::*member) {
     return [data, member](const SphCollapse& run) -> Measurement {
       return {.value = fit_of(run, data).*member, .resolution = run.resolution()};
@@ -125,7 +125,7 @@ void claim_front(Claims<SphCollapse> claims, const ColumnFront& data) {
             .relative = true});
 }
 
-void claim_failures(Claims<SphCollapse> claims, const ColumnFront& data, const Values& values) {
+void claim_failures(const Claims<SphCollapse>& claims, const ColumnFront& data, const Values& values) {
   const auto fails = [&](const evidence::Claim& claim, const auto& measured, const Bound& bound,
                          const ByTier<evidence::KnownFailure>& known) {
     if (at_defaults(values)) {
@@ -162,7 +162,7 @@ void claim_failures(Claims<SphCollapse> claims, const ColumnFront& data, const V
 }
 
 /// The same problem on the same lattice by an earlier program.
-void claim_regression(Claims<SphCollapse> claims, const Values& values) {
+void claim_regression(const Claims<SphCollapse>& claims, const Values& values) {
   const io::Table known = values.table("regression_sph_column_collapse");
   const auto difference = [known](const std::string& column, std::vector<double> SphCollapse::*series) {
     return [T = known.column("T"), theirs = known.column(column), series](const SphCollapse& run) -> Measurement {
@@ -187,7 +187,7 @@ void claim_regression(Claims<SphCollapse> claims, const Values& values) {
                Bound{.limit = 0.01, .reason = "a tenth of what is lost"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const ColumnFront data = data_of(values);
   const std::vector<long> ladder = ladder_of(values);
   const auto finest = claims.of([](const Results& runs) -> const SphCollapse& { return runs.back(); });

@@ -64,7 +64,7 @@ ShiftedFront fit_of(const SphCollapse& run, const ColumnFront& data) {
   return shifted_front(run.free_front(), data.curve(), tank - 0.1);
 }
 
-void claim_front(Claims<Results> claims, const ColumnFront& data, const Required& required) {
+void claim_front(const Claims<Results>& claims, const ColumnFront& data, const Required& required) {
   const auto on_finest = [data](double ShiftedFront::*member) {
     return [data, member](const Results& runs) -> Measurement {
       return {.value = fit_of(runs.back(), data).*member, .resolution = runs.back().resolution()};
@@ -83,7 +83,7 @@ void claim_front(Claims<Results> claims, const ColumnFront& data, const Required
                on_finest(&ShiftedFront::rms), Bound{.limit = required.rms, .reason = required.rms_reason});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const ColumnFront mps = column_front("koshizuka_oka_mps", values);
   const ColumnFront first = column_front("koshizuka_oka_1", values);
   const ColumnFront second = column_front("koshizuka_oka_2", values);

@@ -100,7 +100,7 @@ ShiftedFront fit_of(const SphCollapse& series, const ColumnFront& data) {
   return shifted_front(series.free_front(), data.curve(), tank - 0.1);
 }
 
-void claim_front(Claims<SphCollapse> claims, const ColumnFront& data) {
+void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data) {
   const auto fitted = [data](double ShiftedFront::*member) {
     return [data, member](const SphCollapse& series) -> Measurement {
       return {.value = fit_of(series, data).*member, .resolution = series.resolution()};
@@ -122,7 +122,7 @@ void claim_front(Claims<SphCollapse> claims, const ColumnFront& data) {
                                "together"});
 }
 
-void claim_events(Claims<Frames> claims) {
+void claim_events(const Claims<Frames>& claims) {
   const double unit = std::sqrt(gravity / a);
   const auto event = [&](const std::string& id, const std::string& text, const std::string& detector, auto happens) {
     claims.check(
@@ -146,7 +146,7 @@ void claim_events(Claims<Frames> claims) {
         [](const Frames& frames) { return frames.heights.at(4).jet > 0.5 * a || frames.heights.at(5).jet > 0.5 * a; });
 }
 
-void claim_contained(Claims<SphCollapse> claims, const Values& values) {
+void claim_contained(const Claims<SphCollapse>& claims, const Values& values) {
   const evidence::Claim contained{.id = "contained",
                                   .text = "No particle leaves through a wall.",
                                   .quantity = "particles beside or below the tank at the end",
@@ -167,7 +167,7 @@ void claim_contained(Claims<SphCollapse> claims, const Values& values) {
   }
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const auto finest = claims.of([](const Results& runs) -> const Frames& { return runs.back(); });
   const auto series = finest.of(&Frames::series);
   claim_front(series, column_front("martin_moyce_square", values));

@@ -96,7 +96,7 @@ void draw_parabola(evidence::Exhibit& exhibit, const FlowRun& flow, double front
   panel.steps("particles", flow.profile().edges, means_of(flow.profile()).depth, Role::peer);
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
   const double end = times.back();
   const double front = s.ritter.front(end);

@@ -54,7 +54,7 @@ struct Results {
   FlowRun roe;
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
   const io::Table known = values.table("regression_dam_break");
   const auto published = claims.only_if(values.as_published(), "the earlier program ran with the standard parameters");

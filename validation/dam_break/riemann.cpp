@@ -214,7 +214,7 @@ double steps_of(const SetUp& s) {
   return s.time * fastest / (s.discretisation.courant * cell);
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
   const auto here = claims.at(s.discretisation.text());
   claim_conservation(here.of(&Results::flow), s.problem, s.discretisation, s.time);

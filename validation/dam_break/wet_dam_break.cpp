@@ -40,7 +40,7 @@ SetUp set_up(const WetDamBreak& setup, const Values& values) {
 
 }  // namespace
 
-void claim_wet_dam_break(const WetDamBreak& setup, const Values& values, Claims<WetDamBreakResults> claims) {
+void claim_wet_dam_break(const WetDamBreak& setup, const Values& values, const Claims<WetDamBreakResults>& claims) {
   const SetUp s = set_up(setup, values);
   const auto flow = claims.of(&WetDamBreakResults::flow).at(s.discretisation.text());
   claim_conservation(flow, s.problem, s.discretisation, s.time);

@@ -27,14 +27,16 @@ struct WetDamBreakResults {
   std::vector<Contestant> contestants;
 };
 
-void claim_wet_dam_break(const WetDamBreak& setup, const Values& values, Claims<WetDamBreakResults> claims);
+void claim_wet_dam_break(const WetDamBreak& setup, const Values& values, const Claims<WetDamBreakResults>& claims);
 WetDamBreakResults compute_wet_dam_break(const WetDamBreak& setup, const Run& run);
 void show_wet_dam_break(const WetDamBreak& setup, const WetDamBreakResults& r, evidence::Exhibit& exhibit);
 
 template <WetDamBreak (*setup)()>
 Study wet_dam_break() {
   return Study(
-      +[](const Values& values, Claims<WetDamBreakResults> claims) { claim_wet_dam_break(setup(), values, claims); },
+      +[](const Values& values, const Claims<WetDamBreakResults>& claims) {
+        claim_wet_dam_break(setup(), values, claims);
+      },
       +[](const Run& run) { return compute_wet_dam_break(setup(), run); },
       +[](const WetDamBreakResults& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
         show_wet_dam_break(setup(), r, exhibit);

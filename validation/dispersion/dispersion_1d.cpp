@@ -188,7 +188,7 @@ struct Results {
   std::vector<Found> figure;
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const double periods = values.real("periods");
   const StandingBox own = own_box(values);
   const auto law = [&](const auto& part, const std::string& id, const std::string& text, const std::string& quantity,

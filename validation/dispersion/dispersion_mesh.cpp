@@ -176,7 +176,7 @@ double error_of(const MeshTank& tank, double measured) {
   return without_step(tank, measured) / airy.frequency(tank.wavenumber) - 1;
 }
 
-void claim_waves(const Values& values, Claims<Results> claims) {
+void claim_waves(const Values& values, const Claims<Results>& claims) {
   const double periods = values.real("periods");
   const MeshTank own = own_tank(values);
   claims.at(fmt::format("{} x {} cells, tau = {:g}", own.columns, own.rows, own.tau))
@@ -212,7 +212,7 @@ void claim_waves(const Values& values, Claims<Results> claims) {
           frequency_roundoff(tanks, periods, &MeshTank::columns));
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   claim_waves(values, claims);
   const std::vector<MeshTank> tanks = long_tanks();
   const MeshTank& seven = tanks.front();

@@ -103,7 +103,7 @@ double condition(const PlanTank& tank) {
 }
 
 /// @param phase  omega tau
-void claim_law(Claims<std::vector<Deviations>> claims, const std::string& id, const std::string& what,
+void claim_law(const Claims<std::vector<Deviations>>& claims, const std::string& id, const std::string& what,
                const PlanTank& tank, double phase, double periods) {
   const auto largest = [](double Deviations::*of) {
     return [of](const std::vector<Deviations>& found) {
@@ -136,7 +136,7 @@ void claim_law(Claims<std::vector<Deviations>> claims, const std::string& id, co
                                "sqrt(n); a hundred roundings of the rest"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const double tau = values.real("tau");
   const Fitted own = own_box(values);
   const PlanMode mode(own.tank, own.half_waves_x, own.half_waves_y);

@@ -153,7 +153,7 @@ Measurement energy_defect(const Results& r) {
           .told = {.operations = worst.roundings()}};
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const RefinementStudy study = study_of_orders();
   const long finest = meshes_up_to(values.integer("n")).back();
   claims.check(

@@ -163,7 +163,7 @@ Most most(const Values& values) {
                      .area = (farthest + time * u * std::sqrt(cells)) * width}};
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const auto steps = static_cast<double>(values.integer("steps"));
   const Most cap = most(values);
   const auto nodes = static_cast<double>((values.integer("nx") + 1) * (values.integer("ny") + 1));

@@ -133,7 +133,7 @@ Results compute(const Run& run) {
   return runs;
 }
 
-void claim_momenta(Claims<Stretched> claims, const Values& values) {
+void claim_momenta(const Claims<Stretched>& claims, const Values& values) {
   const double dx = values.real("dx");
   const double particles = std::numbers::pi / (dx * dx);
   const double steps = end * values.real("sound") / (values.real("courant") * values.real("smoothing") * dx);
@@ -166,7 +166,7 @@ void claim_momenta(Claims<Stretched> claims, const Values& values) {
                                                       "mirrored particles cancel"});
 }
 
-void claim_regression(Claims<Stretched> claims, const Values& values) {
+void claim_regression(const Claims<Stretched>& claims, const Values& values) {
   const std::string name = "regression_sph_stretched_patch";
   const io::Table table = values.table(name);
   const auto described = reference_source(name);
@@ -201,7 +201,7 @@ void claim_regression(Claims<Stretched> claims, const Values& values) {
   }
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const auto finest = claims.of([](const Results& runs) -> const Stretched& { return runs.back(); });
   for (const double t : {0.5, 1.0}) {
     finest.check(

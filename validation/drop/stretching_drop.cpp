@@ -32,7 +32,7 @@ std::vector<double> times_of(const Values& values) {
   return evenly(0, values.real("time"), 101);
 }
 
-void claims(const Values& values, Claims<exact::SelfTest> claims) {
+void claims(const Values& values, const Claims<exact::SelfTest>& claims) {
   claim_identities(claims, drop_of(values).self_test(), source);
 }
 

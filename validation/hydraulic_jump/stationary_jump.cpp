@@ -79,7 +79,7 @@ void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const
   figure.panel({.x = "x [m]", .y = "velocity u [m/s]"}).line("exact", curve.x, curve.velocity, Role::exact);
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
   claim_conservation(claims.of(&Results::flow), s.problem, s.discretisation, s.time);
   claim_exact_profile(claims.of(&Results::flow), s.jump.downstream().depth, s.discretisation, s.time);

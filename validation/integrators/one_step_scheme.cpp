@@ -139,14 +139,14 @@ struct Results {
 };
 
 /// What an integrator keeps of one of the systems.
-Claims<KeptInvariants> of(Claims<Results> claims, Integrator integrator, bool pinned) {
+Claims<KeptInvariants> of(const Claims<Results>& claims, Integrator integrator, bool pinned) {
   return claims.of([integrator, pinned](const Results& r) -> const KeptInvariants& {
     return std::ranges::find(r.of(pinned), integrator, &History::integrator)->kept;
   });
 }
 
 /// What Frank says of his scheme, and of no other.
-void claim_half_the_cost(Claims<Curves> claims, const std::string& range) {
+void claim_half_the_cost(const Claims<Curves>& claims, const std::string& range) {
   const auto largest_ratio = [](const Curves& curves, auto rk2_error) {
     const WorkPrecision& own = curves.of(Integrator::one_step);
     Largest ratio;
@@ -188,7 +188,7 @@ void claim_half_the_cost(Claims<Curves> claims, const std::string& range) {
       Bound{1, "better means less than 1"});
 }
 
-void claim_accuracy(Claims<Curves> claims, const Values& values) {
+void claim_accuracy(const Claims<Curves>& claims, const Values& values) {
   const Integrator scheme = judged(values);
   const std::vector<long> steps = refined_steps(values);
   claim_half_the_cost(claims.only_if(scheme == Integrator::one_step, "Frank says it of the one-step scheme only"),
@@ -212,7 +212,7 @@ bool spherical_double_pendulum(const Values& values) {
   return values.integer("links") == 2 && values.real("gravity") == 1;
 }
 
-void claim_digits(Claims<Curves> claims, const Values& values) {
+void claim_digits(const Claims<Curves>& claims, const Values& values) {
   const std::string name_of_table = "regression_one_step_scheme";
   const io::Table table = values.table(name_of_table);
   const auto tabulated =
@@ -252,7 +252,7 @@ rigid_chain::Scales largest_scales(const Values& values, bool pinned) {
   return most;
 }
 
-void claim_conservation(Claims<Results> all, const Values& values, bool pinned) {
+void claim_conservation(const Claims<Results>& all, const Values& values, bool pinned) {
   const Integrator scheme = judged(values);
   const Claims<KeptInvariants> claims = of(all, scheme, pinned);
   const double tau = values.real("long_tau");
@@ -306,7 +306,7 @@ void claim_conservation(Claims<Results> all, const Values& values, bool pinned) 
                              "stage"});
 }
 
-void claim_bounded(Claims<Results> claims, const Values& values) {
+void claim_bounded(const Claims<Results>& claims, const Values& values) {
   const std::string name_of_table = "regression_rattle_energy";
   const io::Table table = values.table(name_of_table);
   of(claims, Integrator::rattle, true)
@@ -325,7 +325,7 @@ void claim_bounded(Claims<Results> claims, const Values& values) {
                 "1.5e-4 over 1e6 steps, plus half a unit of its last digit"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   claim_accuracy(claims.of(&Results::curves), values);
   claim_digits(claims.of(&Results::curves), values);
   for (const bool pinned : {true, false}) claim_conservation(claims, values, pinned);

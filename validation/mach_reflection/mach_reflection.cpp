@@ -179,7 +179,7 @@ bool long_enough(const ReflectionRun& run) {
   return run.time == 0 || run.time >= run.settled_time();
 }
 
-void claim_reference(Claims<Configuration> claims, double angle, const KnownReflection& known) {
+void claim_reference(const Claims<Configuration>& claims, double angle, const KnownReflection& known) {
   for (const Quantity& quantity : quantities()) {
     const Known& expected = known.*quantity.known;
     claims.only_if(!expected.doubt, expected.doubt ? expected.doubt->reason : "")
@@ -199,7 +199,7 @@ void claim_reference(Claims<Configuration> claims, double angle, const KnownRefl
 }
 
 /// Theory is of leading order in the amplitude.
-void claim_theory(Claims<Configuration> claims, double angle, const ReflectionRun& what) {
+void claim_theory(const Claims<Configuration>& claims, double angle, const ReflectionRun& what) {
   const MachReflection finite(what.amplitude, what.angle, MachReflection::Theory::kodama_yeh);
   constexpr double cusp = 0.15;
   claims
@@ -221,7 +221,7 @@ void claim_theory(Claims<Configuration> claims, double angle, const ReflectionRu
                           .relative = true});
 }
 
-void claim_steady(Claims<Configuration> claims, double angle, const ReflectionRun& what) {
+void claim_steady(const Claims<Configuration>& claims, double angle, const ReflectionRun& what) {
   claims
       .only_if(std::abs(what.kappa_finite_angle() - 1) > 0.25 && long_enough(what),
                "next to kappa = 1, and in runs that do not wait for it, the stem still grows at the end")
@@ -234,7 +234,7 @@ void claim_steady(Claims<Configuration> claims, double angle, const ReflectionRu
           evidence::Bound{.limit = steady_growth, .reason = "what counts as steady here"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<double> angles = angles_of(values);
   const std::vector<KnownReflection> known = known_reflections(values);
   for (std::size_t k = 0; k < angles.size(); ++k) {

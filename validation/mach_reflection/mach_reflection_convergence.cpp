@@ -61,7 +61,7 @@ double when(const Values& values) {
   return 0.95 * values.real("time");
 }
 
-void claim_order(Claims<Ladder> claims, const Ladder& ladder) {
+void claim_order(const Claims<Ladder>& claims, const Ladder& ladder) {
   claims.check(
       {.id = "order-" + ladder.id,
        .text = fmt::format("The height of the stem converges with second order in the {}.", ladder.text),
@@ -73,7 +73,7 @@ void claim_order(Claims<Ladder> claims, const Ladder& ladder) {
                       "six spacings wide"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   claim_order(claims.of(&Results::lattices), Results{}.lattices);
   claim_order(claims.of(&Results::steps), Results{}.steps);
   const double steps = values.real("time") / usual_run(values).tau();

@@ -134,7 +134,7 @@ Worst from_theory(const ReflectionSeries& series, double (ReflectionRun::*kappa)
   return worst;
 }
 
-void claim_theory(Claims<ReflectionSeries> claims, const ReflectionSeries& series) {
+void claim_theory(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
   claims.check(
       {.id = with("theory", series),
        .text = fmt::format("a = {:g}: a_w/a_i is that of the theory of small waves over the parameter for "
@@ -154,7 +154,7 @@ std::string state_of(const Reflection& r) {
   return fmt::format("{:.0f} deg, {}, {}", degrees(r.run.angle), r.run.resolution(), r.growth_flag());
 }
 
-void claim_peak(Claims<ReflectionSeries> claims, const ReflectionSeries& series) {
+void claim_peak(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
   constexpr double frank = 3.5;
   const Plan* plan = plan_of(series.amplitude);
   claims
@@ -195,7 +195,7 @@ void claim_peak(Claims<ReflectionSeries> claims, const ReflectionSeries& series)
             .expected = 0.945});
 }
 
-void claim_boundary(Claims<ReflectionSeries> claims, const ReflectionSeries& series,
+void claim_boundary(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series,
                     const std::optional<double>& known) {
   const auto claim = [&](const std::string& id, const std::string& text, const std::string& from,
                          const Uncertainty& criterion) {
@@ -222,7 +222,7 @@ void claim_boundary(Claims<ReflectionSeries> claims, const ReflectionSeries& ser
   }
 }
 
-void claim_law(Claims<ReflectionSeries> claims) {
+void claim_law(const Claims<ReflectionSeries>& claims) {
   constexpr double frank = 0.62;
   claims.check(
       {.id = "angle-law",
@@ -274,7 +274,7 @@ Worst angle_difference(const ReflectionSeries& series) {
   return worst;
 }
 
-void claim_angles(Claims<ReflectionSeries> claims, const ReflectionSeries& series) {
+void claim_angles(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
   claims.check({.id = with("angle-falls", series),
                 .text = fmt::format("a = {:g}: where reflection is irregular, the angle of reflection falls as that of "
                                     "incidence grows.",
@@ -296,7 +296,7 @@ void claim_angles(Claims<ReflectionSeries> claims, const ReflectionSeries& serie
                       "the least by which the two differ below kappa = 1 in mach_reflection_model2"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<ReflectionSeries> all = series_of(values);
   const bool same_lattices = std::abs(values.real("h") - 0.5) < 1e-9;
   const bool fine = values.real("h") < 0.5 + 1e-9;

@@ -77,7 +77,7 @@ const std::vector<Quantity>& quantities() {
   return all;
 }
 
-void claim_known(Claims<Pair> claims, const Configuration& configuration) {
+void claim_known(const Claims<Pair>& claims, const Configuration& configuration) {
   for (const Quantity& quantity : quantities()) {
     const double known = configuration.*quantity.known;
     claims.check(
@@ -96,7 +96,7 @@ void claim_known(Claims<Pair> claims, const Configuration& configuration) {
   }
 }
 
-void claim_models(Claims<Pair> claims, const Configuration& configuration) {
+void claim_models(const Claims<Pair>& claims, const Configuration& configuration) {
   claims.check(
       {.id = "models-" + configuration.id(),
        .text = fmt::format("{}: the two models have nearly the same amplitude at the wall.", configuration.text()),
@@ -112,7 +112,7 @@ void claim_models(Claims<Pair> claims, const Configuration& configuration) {
       evidence::Bound{.limit = 0.06, .reason = "an earlier program finds 4 to 6 % between the two models"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<Configuration> all = configurations(values);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const auto pair = claims.of([k](const Results& r) -> const Pair& { return r.at(k); });

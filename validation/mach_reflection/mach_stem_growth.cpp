@@ -71,7 +71,7 @@ std::string resolution_of(const Values& values) {
   return fmt::format("h = {:g}, tau = {:g}", values.real("h"), 0.5 * values.real("h"));
 }
 
-void claims(const Values& values, Claims<Development> claims) {
+void claims(const Values& values, const Claims<Development>& claims) {
   claims = claims.at(resolution_of(values));
   claims.check(
       {.id = "straight",

@@ -154,7 +154,7 @@ Measurement ratio_at(const Ladder& ladder, double distance) {
   return {.value = values.front(), .uncertainty = fine_limit(sizes, values).uncertainty};
 }
 
-void claim_known(Claims<Ladder> claims, const KnownGrowth& known) {
+void claim_known(const Claims<Ladder>& claims, const KnownGrowth& known) {
   claims.check(
       {.id = fmt::format("growth-{}-{:.0f}", id_of(known.angle), known.distance),
        .text = fmt::format("{:.0f} deg, {:g} depths from the bend: the stem is as high as by an earlier program.",
@@ -169,7 +169,7 @@ void claim_known(Claims<Ladder> claims, const KnownGrowth& known) {
                                       "depends on where it is measured. Ours: the change with the lattice"});
 }
 
-void claim_early(Claims<Ladder> claims, double angle) {
+void claim_early(const Claims<Ladder>& claims, double angle) {
   constexpr double tank = 30;
   claims.check(
       {.id = "early-" + id_of(angle),
@@ -182,7 +182,7 @@ void claim_early(Claims<Ladder> claims, double angle) {
       Bound{.limit = 0.5, .reason = "between 1 and 2: what Melville measured", .expected = 1.5});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<double> angles = angles_of(values);
   const double h = values.real("h");
   for (std::size_t k = 0; k < angles.size(); ++k) {

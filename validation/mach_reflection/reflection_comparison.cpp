@@ -47,7 +47,7 @@ double difference(const ReflectionSeries& series, const Row& row, const Quantity
   return std::abs(ours.value - theirs.value) / std::hypot(stated, std::min(ours.half_width(), stated));
 }
 
-void claim_rows(Claims<ReflectionSeries> claims, const ReflectionSeries& series, const Quantity& quantity,
+void claim_rows(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series, const Quantity& quantity,
                 const std::vector<Row>& rows, std::size_t compared) {
   const Bound same{.limit = 1,
                    .reason =
@@ -86,7 +86,7 @@ void claim_rows(Claims<ReflectionSeries> claims, const ReflectionSeries& series,
 
 }  // namespace
 
-void claim_known_reflections(Claims<ReflectionSeries> claims, const ReflectionSeries& series,
+void claim_known_reflections(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series,
                              const std::vector<KnownReflection>& known) {
   std::vector<Row> rows;
   std::vector<Row> steady;
@@ -101,7 +101,7 @@ void claim_known_reflections(Claims<ReflectionSeries> claims, const ReflectionSe
   }
 }
 
-void claim_known_history(Claims<ReflectionSeries> claims, const ReflectionSeries& series, const Values& values) {
+void claim_known_history(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series, const Values& values) {
   const std::string name = "regression_mach_reflection_history";
   const io::Table table = values.table(name);
   for (std::size_t k = 0; k < series.angles.size(); ++k) {

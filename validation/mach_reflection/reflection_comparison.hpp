@@ -12,9 +12,9 @@ namespace seiche::validation {
 
 /// Amplitudes and angles of all known reflections of the series; ids "a_w-0_3", "a_r-", "psi_r-", "stem-".
 /// @param series  to be run
-void claim_known_reflections(Claims<ReflectionSeries> claims, const ReflectionSeries& series,
+void claim_known_reflections(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series,
                              const std::vector<KnownReflection>& known);
 /// a_w as time goes on, next to resonance, where it is known of an angle of the series; ids "history-0_3".
-void claim_known_history(Claims<ReflectionSeries> claims, const ReflectionSeries& series, const Values& values);
+void claim_known_history(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series, const Values& values);
 
 }  // namespace seiche::validation

@@ -87,7 +87,7 @@ struct Results {
   Flow coarsest;                ///< at the end
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const RefinementStudy study = study_of_orders();
   study.claim_orders(claims.of(&Results::refinement));
   const DoubleShearRun finest = run_of(values, meshes_up_to(values.integer("n")).back());

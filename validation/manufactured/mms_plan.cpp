@@ -51,7 +51,7 @@ RefinementStudy study_of(const Values& values) {
           .coarsest = lattices_up_to(values.integer("n"))[1]};
 }
 
-void claims(const Values& values, Claims<Refinement> claims) {
+void claims(const Values& values, const Claims<Refinement>& claims) {
   const RefinementStudy study = study_of(values);
   study.claim_orders(claims);
   study.claim_digits(claims.only_if(values.as_published(), "the earlier program ran with the default parameters"),

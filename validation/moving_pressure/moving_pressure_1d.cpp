@@ -35,7 +35,7 @@ bool sends_soliton(const PressureSource& source, double time) {
          source.half_width <= 8 && time >= 100;
 }
 
-void claims(const Values& values, Claims<PressureWaves> claims) {
+void claims(const Values& values, const Claims<PressureWaves>& claims) {
   const auto [source, run] = set_up(values);
   const auto regime = pressure_regime_of(values, source, run);
   claim_leading_soliton(

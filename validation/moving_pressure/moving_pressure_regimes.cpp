@@ -54,7 +54,7 @@ PressureRun run_of(const Values& values, double time, double fineness = 1) {
 }
 
 /// The regime is the model's, not the resolution's.
-void claim_resolved(Claims<PressureWaves> fine, Claims<Results> claims) {
+void claim_resolved(const Claims<PressureWaves>& fine, const Claims<Results>& claims) {
   claims.check(
       {.id = "resolved",
        .text = "Half the spacing and half the step change its period by less than a hundredth.",
@@ -79,7 +79,7 @@ void claim_resolved(Claims<PressureWaves> fine, Claims<Results> claims) {
                             .expected = false});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<PressureRegime> regimes = regimes_of(values);
   for (std::size_t k = 0; k < regimes.size(); ++k) {
     const PressureRegime& regime = regimes[k];

@@ -100,7 +100,7 @@ std::optional<PressureRegime> pressure_regime_of(const Values& values, const Pre
   return std::nullopt;
 }
 
-void claim_leading_soliton(Claims<PressureWaves> claims, const std::string& id, const PressureSource& of,
+void claim_leading_soliton(const Claims<PressureWaves>& claims, const std::string& id, const PressureSource& of,
                            const PressureRun& run) {
   claims.at(run.text())
       .check(
@@ -120,7 +120,7 @@ void claim_leading_soliton(Claims<PressureWaves> claims, const std::string& id, 
                 .expected = 1});
 }
 
-void claim_pressure_regime(Claims<PressureWaves> claims, const PressureRegime& regime, const PressureRun& run) {
+void claim_pressure_regime(const Claims<PressureWaves>& claims, const PressureRegime& regime, const PressureRun& run) {
   using Measured = double (*)(const PressureWaves&);
   const auto check = [&](const std::string& id, const std::string& text, const std::string& quantity, Measured measured,
                          const evidence::Criterion& criterion, const std::string& from = pressure_regression) {

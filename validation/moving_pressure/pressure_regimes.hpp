@@ -50,9 +50,9 @@ inline constexpr double soliton_threshold = 0.03;
 
 /// The leading soliton, the first wave ahead that can be told from ripples, has the speed of a solitary wave. Of
 /// sources from which one has got away by the end.
-void claim_leading_soliton(Claims<PressureWaves> claims, const std::string& id, const PressureSource& source,
+void claim_leading_soliton(const Claims<PressureWaves>& claims, const std::string& id, const PressureSource& source,
                            const PressureRun& run);
-void claim_pressure_regime(Claims<PressureWaves> claims, const PressureRegime& regime, const PressureRun& run);
+void claim_pressure_regime(const Claims<PressureWaves>& claims, const PressureRegime& regime, const PressureRun& run);
 
 /// Measurements under names that begin with `prefix`, those of the leading soliton with `leader`.
 void show_pressure_waves(evidence::Exhibit& exhibit, const std::string& prefix, const std::string& leader,

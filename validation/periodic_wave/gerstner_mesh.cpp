@@ -205,7 +205,7 @@ struct Results {
   std::vector<Flow> flows;  ///< at the end, on the mesh that is drawn
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const RefinementStudy study = study_of(values);
   study.claim_orders(claims.of(&Results::refinement));
   study.claim_digits(claims.of(&Results::refinement)

@@ -121,7 +121,7 @@ void draw_rearrangement(evidence::Exhibit& exhibit, const Results& r, double tau
   }
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const long n = values.integer("particles");
   const double tau = values.real("time_step");
   claims.at(fmt::format("N = {}", n))

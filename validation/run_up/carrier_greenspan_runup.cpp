@@ -47,7 +47,7 @@ struct Results {
   std::vector<double> elevation;
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   claim_identities(claims.of(&Results::identities), wave_of(values).self_test(), "Synolakis (1987)");
 }
 

@@ -158,7 +158,7 @@ Measurement deviation_of(const std::vector<Passed>& spacings, const Wave& wave, 
   return {.value = rms.front(), .uncertainty = fine_limit(size, rms, 1).uncertainty};
 }
 
-void claim_wave(Claims<std::vector<Passed>> claims, const Wave& wave, const Measured& data, double spacing) {
+void claim_wave(const Claims<std::vector<Passed>>& claims, const Wave& wave, const Measured& data, double spacing) {
   const evidence::Claim runup{
       .id = "runup-" + wave.name,
       .text = wave.seen == 180
@@ -195,7 +195,7 @@ void claim_wave(Claims<std::vector<Passed>> claims, const Wave& wave, const Meas
   }
 }
 
-void claim_lee(Claims<Passed> claims) {
+void claim_lee(const Claims<Passed>& claims) {
   claims.check(
       {.id = "lee",
        .text = "Behind the island, where the two ends of the crest meet, the water climbs higher than beside it.",
@@ -206,7 +206,7 @@ void claim_lee(Claims<Passed> claims) {
                             .reason = "measured: 1.6 times"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const io::Table table = values.table("conical_island_runup");
   const double spacing = finest_spacing(values);
   for (std::size_t k = 0; k < waves.size(); ++k) {

@@ -118,7 +118,7 @@ struct Results {
   double seconds = 0;
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const auto& [climb, theory] = set_up(values);
   claim_energy(claims.of(&Results::up), climb);
   claims.at(climb.resolution())

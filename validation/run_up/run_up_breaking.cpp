@@ -192,7 +192,7 @@ std::size_t runs() {
   return 2 * told.size();
 }
 
-void claim_fates(Claims<Results> claims, bool quick) {
+void claim_fates(const Claims<Results>& claims, bool quick) {
   claims.check(
       {.id = "below",
        .text = "Waves below the limit run through run-up and run-down.",
@@ -242,7 +242,7 @@ void claim_fates(Claims<Results> claims, bool quick) {
 }
 
 /// What the switch does and what it does not.
-void claim_switch(Claims<Results> claims, bool quick) {
+void claim_switch(const Claims<Results>& claims, bool quick) {
   const std::string own = "the switch is not in the thesis";
   const auto with = [](const Told& one) { return !plain(one); };
   claims.check(
@@ -305,7 +305,7 @@ void claim_switch(Claims<Results> claims, bool quick) {
                                   "by default"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const double h = values.real("h");
   const bool quick = values.tier() == Tier::quick;
   claim_fates(claims.at(fmt::format("h = {0:g} and {1:g}", h, h / 2)), quick);

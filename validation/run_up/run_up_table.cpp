@@ -88,7 +88,7 @@ Printed printed(const Rows& rows) {
               [](const auto& row) { return !std::isnan(row.printed_half); })};
 }
 
-void claim_thesis(Claims<Results> claims, const Printed& thesis_values) {
+void claim_thesis(const Claims<Results>& claims, const Printed& thesis_values) {
   claims.at("h = 0.25, tip V/4")
       .check(
           {.id = "thesis",
@@ -117,7 +117,7 @@ Worst change_by_last_halving(const std::vector<Row>& rows, bool steepest) {
   return change;
 }
 
-void claim_refinement(Claims<Results> claims, std::size_t levels) {
+void claim_refinement(const Claims<Results>& claims, std::size_t levels) {
   const double halvings = static_cast<double>(levels) - 3;  // from 1/8 to 1/16 it is none
   claims.at(fmt::format("h = {:g} to {:g}", runup_spacing(levels - 2), runup_spacing(levels - 1)))
       .check(
@@ -150,7 +150,7 @@ Worst off_earlier(const std::vector<Row>& rows, const io::Table& table, bool ste
 }
 
 /// Against a program that shares no code with ours. The thesis's kinetic energy, both tips, all spacings in common.
-void claim_earlier(Claims<Results> claims, const io::Table& table) {
+void claim_earlier(const Claims<Results>& claims, const io::Table& table) {
   const auto claim = [&](const std::string& id, const std::string& text, bool steepest, double limit) {
     claims.check(
         {.id = id,
@@ -195,7 +195,7 @@ double off_other_authors(const std::vector<Row>& rows, std::size_t variant) {
   return rms(rows, [variant](const Row& row) { return row.computed[variant].back() / row.calculated - 1; });
 }
 
-void claim_measurements(Claims<Results> claims) {
+void claim_measurements(const Claims<Results>& claims) {
   const auto claim = [](const std::string& id, const std::string& text) -> evidence::Claim {
     return {.id = id,
             .text = text,
@@ -358,7 +358,7 @@ void draw_slopes(evidence::Exhibit& exhibit, const std::vector<Row>& rows) {
   }
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const std::size_t levels = levels_of(values);
   claim_thesis(claims, printed(frank_runups(values)));
   claim_refinement(claims, levels);

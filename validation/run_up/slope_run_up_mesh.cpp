@@ -244,7 +244,7 @@ void claim_no_folds(const Claims<std::vector<Climbed>>& claims, std::size_t leve
                "node"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const auto all = claims.of(&Results::all);
   claim_regression(all);
   claim_thesis(all, rows_of(values));

@@ -93,7 +93,7 @@ RunUp run_up(const SolitaryClimb& climb, const Watch& watch) {
   return run;
 }
 
-void claim_energy(Claims<RunUp> claims, const SolitaryClimb& climb) {
+void claim_energy(const Claims<RunUp>& claims, const SolitaryClimb& climb) {
   const evidence::Claim claim{.id = "energy",
                               .text = "Energy is kept while the wave climbs.",
                               .quantity = "largest change over the energy of the wave",

@@ -64,7 +64,7 @@ struct Watch {
 RunUp run_up(const SolitaryClimb& climb, const Watch& watch = {});
 
 /// Claim that energy is kept: to round-off by the conservative scheme, to O(tau^2) by the others. Needs the ledger.
-void claim_energy(Claims<RunUp> claims, const SolitaryClimb& climb);
+void claim_energy(const Claims<RunUp>& claims, const SolitaryClimb& climb);
 void show_energy(const RunUp& run, evidence::Exhibit& exhibit);
 
 /// Parameters that choose the method: spacing and, of the steps, tau_over_spacing and scheme; over slopes tip_mass and

@@ -271,7 +271,7 @@ void tabulate(evidence::Exhibit& exhibit, evidence::Table& table, const std::str
   }
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const auto profiles = claims.at(climb_from(values, cot_slope, laboratory_amplitude).resolution());
   profiles.check(
       {.id = "analytic-profiles",

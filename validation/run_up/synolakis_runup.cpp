@@ -92,7 +92,7 @@ struct Results {
   Laboratory coarse;  ///< with twice the spacing
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const auto limit = [](const Results& r) { return r.consistent.limit().extrapolated; };
   const auto refined = claims.at(fmt::format("h = 0.5 to {:g}, tip V/6, extrapolated",
                                              0.5 / std::pow(2.0, static_cast<double>(values.integer("levels") - 1))));

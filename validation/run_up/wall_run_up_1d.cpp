@@ -148,7 +148,7 @@ SolitaryClimb climb_of(const Values& values) {
   return climb_from(values, 0, values.real("amplitude"));
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const SolitaryClimb climb = climb_of(values);
   claim_energy(claims.of(&Results::up), climb);
   const auto compared = claims.of(&Results::comparison)

@@ -31,7 +31,7 @@ struct Results {
   exact::SelfTest identities;
 };
 
-void claims(const Values& /*values*/, Claims<Results> claims) {
+void claims(const Values& /*values*/, const Claims<Results>& claims) {
   // What the identities are called and how far they may be off is the same for all waves: a coarse one tells it soon.
   const exact::WallRunup coarse(0.05, 1, 128, 1e-6);
   claim_identities(claims.of(&Results::identities), coarse.self_test(), source);

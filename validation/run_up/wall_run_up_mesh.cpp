@@ -168,7 +168,7 @@ void claim_holds(const MeshWallClimb& climb, const Claims<Results>& claims) {
   }
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const MeshWallClimb climb = climb_of(values);
   const double amplitude = climb.wave.amplitude();
   claim_energy(climb, claims.at(climb.resolution()));

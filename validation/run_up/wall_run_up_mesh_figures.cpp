@@ -196,7 +196,7 @@ void claim_loads(const Claims<std::vector<Curve>>& claims, const io::Table& tabl
   }
 }
 
-void claims(const Values& values, Claims<std::vector<Curve>> claims) {
+void claims(const Values& values, const Claims<std::vector<Curve>>& claims) {
   const std::vector<long> meshes = meshes_of(values);
   const auto finest = claims.at(Curve{.rows = meshes.back(), .points = {}}.name());
   claim_exact(finest, values.table("wall_runup_exact"));

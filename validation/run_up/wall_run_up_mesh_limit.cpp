@@ -277,7 +277,7 @@ auto fate_of(const std::string& variant, double amplitude, bool Fate::*is) {
   };
 }
 
-void claims(const Values& values, Claims<Results> all) {
+void claims(const Values& values, const Claims<Results>& all) {
   const long rows = values.integer("rows");
   // The mesh does not depend on the wave.
   const Claims<Results> claims = all.at(MeshWallClimb::with_rows(exact::SolitaryWave(0.1), rows).resolution());

@@ -99,7 +99,7 @@ std::vector<Tabulated> tabulated(const io::Table& table, int refined, std::size_
 
 /// Largest relative deviation from tabulated values. @param measured  one error per size of the refinement
 template <class Errors>
-void claim_table(Claims<Refinement> claims, const std::string& id, const std::string& what,
+void claim_table(const Claims<Refinement>& claims, const std::string& id, const std::string& what,
                  const std::vector<Tabulated>& expected, Errors measured, const std::string& reason) {
   claims.at(fmt::format("{} resolutions", expected.size()))
       .check(
@@ -121,7 +121,7 @@ void claim_table(Claims<Refinement> claims, const std::string& id, const std::st
           Bound{.limit = 0.05, .reason = reason});
 }
 
-void claim_second_order(Claims<Refinement> claims, const std::string& id, const std::string& what,
+void claim_second_order(const Claims<Refinement>& claims, const std::string& id, const std::string& what,
                         std::vector<double> Refinement::*errors) {
   claims.check(
       {.id = "order-" + id, .text = what + ": second order.", .quantity = "observed order", .source = source},
@@ -185,7 +185,7 @@ std::string resolution(const Values& values) {
 }
 
 /// Everything is kept that the scheme should keep, in the run of the parameters.
-void claim_kept(Claims<OwnRun> claims, const Values& values) {
+void claim_kept(const Claims<OwnRun>& claims, const Values& values) {
   const double h = values.real("h");
   const auto claim = [&](const Claims<OwnRun>& applies, const std::string& id, const std::string& text,
                          std::vector<double> SerreHistory::*defect, double scale, const std::string& reason) {
@@ -210,7 +210,7 @@ void claim_kept(Claims<OwnRun> claims, const Values& values) {
         "a rounded coordinate, up to the channel's length, over the width of a cell");
 }
 
-void claim_orders(Claims<Results> claims) {
+void claim_orders(const Claims<Results>& claims) {
   for (std::size_t k = 0; k < plain.size(); ++k) {
     const auto together = claims.of([k](const Results& r) -> const Refinement& { return r.together.at(k); });
     const std::string id = plain_ids.at(k);
@@ -237,7 +237,7 @@ void claim_orders(Claims<Results> claims) {
   }
 }
 
-void claim_tables(Claims<Results> everything, const Values& values, const SerreWave& wave) {
+void claim_tables(const Claims<Results>& everything, const Values& values, const SerreWave& wave) {
   const bool same = values.real("amplitude") == 0.2 && values.real("h") == 0.25 && values.real("tau") == 0.1 &&
                     values.real("length") == 60 && values.real("time") == 20 && values.real("alpha") == 1.0 / 3 &&
                     values.integer("levels") >= 5;
@@ -264,7 +264,7 @@ void claim_tables(Claims<Results> everything, const Values& values, const SerreW
               &Refinement::l2, spacing_reason);
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   claim_kept(claims.at(resolution(values)).of(&Results::own), values);
   claim_orders(claims);
   claim_tables(claims, values, wave_of(values));

@@ -142,7 +142,7 @@ Results compute(const Run& run) {
   return r;
 }
 
-void claim_digits(Claims<Family> claims, const Family& declared, const io::Table& table) {
+void claim_digits(const Claims<Family>& claims, const Family& declared, const io::Table& table) {
   claims.check(
       {.id = fmt::format("digits-{}", declared.mesh.rows),
        .text = fmt::format("Heights and speeds with {} are those of an earlier program.", declared.label),
@@ -162,7 +162,7 @@ void claim_digits(Claims<Family> claims, const Family& declared, const io::Table
       Bound{.limit = 1e-4, .reason = "a unit of the last digit given"});
 }
 
-void claim_source_table(Claims<Family> claims, const io::Table& published) {
+void claim_source_table(const Claims<Family>& claims, const io::Table& published) {
   claims.check(
       {.id = "source-table",
        .text = "Speeds are those of the source's table at the same height.",
@@ -204,7 +204,7 @@ double profiles_approach(const Results& r, std::size_t mesh) {
 }
 
 /// Meshes one after the other come nearer to the Euler equations.
-void claim_approach(Claims<Results> claims, const std::vector<Family>& all) {
+void claim_approach(const Claims<Results>& claims, const std::vector<Family>& all) {
   for (std::size_t m = 1; m < all.size(); ++m) {
     const auto claim = [&](const char* id, const char* what, double (*approach)(const Results&, std::size_t)) {
       claims.at(all[m].label)
@@ -222,7 +222,7 @@ void claim_approach(Claims<Results> claims, const std::vector<Family>& all) {
   }
 }
 
-void claim_second_approximation(Claims<Family> claims) {
+void claim_second_approximation(const Claims<Family>& claims) {
   claims.check(
       {.id = "second-approximation",
        .text = "On cells one depth wide profiles are nearer to the second approximation than to the exact "
@@ -239,7 +239,7 @@ void claim_second_approximation(Claims<Family> claims) {
 
 /// The same wave however it was made: the exact Euler wave, let run on the coarsest mesh, ends on the curve of waves
 /// born from humps.
-void claim_one_curve(Claims<Results> claims) {
+void claim_one_curve(const Claims<Results>& claims) {
   claims.check(
       {.id = "one-curve",
        .text = "The exact wave of the Euler equations, started with A = 0.3, ends on the same curve of height "
@@ -257,7 +257,7 @@ void claim_one_curve(Claims<Results> claims) {
                       "1e-3 while they are averaged: 4e-4"});
 }
 
-void claim_fold(Claims<Family> claims) {
+void claim_fold(const Claims<Family>& claims) {
   claims.known_failure(
       {.id = "fold",
        .text = "The highest hump leaves no corner folded on cells one depth wide.",
@@ -274,7 +274,7 @@ void claim_fold(Claims<Family> claims) {
                  "slowly, so that a few steps more or less are the same fold"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<Family> all = families(values.tier());
   const Claims<Family> coarsest = claims.at(all.front().label).of(&Results::coarsest);
   for (std::size_t m = 0; m < 2; ++m) {

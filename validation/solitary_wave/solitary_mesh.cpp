@@ -195,7 +195,7 @@ Worst beyond_rounding(const Results& r, const io::Table& table, double amplitude
   return beyond;
 }
 
-void claim_tabulated(Claims<Results> claims, const Values& values) {
+void claim_tabulated(const Claims<Results>& claims, const Values& values) {
   const io::Table table = values.table(table_of_digits);
   const Bound rounding{.limit = 0, .reason = "half a unit of the last digit given is all that may differ"};
   const Bound beginning{.limit = 1e-3,
@@ -225,7 +225,7 @@ void claim_tabulated(Claims<Results> claims, const Values& values) {
 }
 
 /// The coarsest mesh under a high wave: how long it lasts with either start, and with the restoring force.
-void claim_fold(Claims<Results> all) {
+void claim_fold(const Claims<Results>& all) {
   const auto claims = all.at(coarsest.text());
   const Bound to_the_end{
       .limit = 1e-9, .reason = "the time that was asked for, to the rounding of its steps", .expected = duration};
@@ -276,7 +276,7 @@ std::vector<double> heights_of_cells(const Travels& travels) {
 }
 
 /// What the steps keep: the one-step scheme to second order in them, the conservative one to round-off.
-void claim_conservation(Claims<Results> claims) {
+void claim_conservation(const Claims<Results>& claims) {
   const auto claim_order = [&](const std::string& id, const std::string& what, double Outcome::*defect) {
     claims.check(
         {.id = "one-step-" + id,
@@ -314,7 +314,7 @@ double profile_of_side(const Results& r, std::size_t side) {
   return r.sides.at(side).outcome.whole(&Outcome::profile);
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   claim_conservation(claims);
   claims.at("from h1 = 0.5, 4 rows")
       .check(

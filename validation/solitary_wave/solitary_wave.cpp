@@ -34,7 +34,7 @@ struct Results {
   exact::SelfTest identities;
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   claim_identities(claims.of(&Results::identities), wave_of(values).self_test(), source);
 }
 

@@ -222,7 +222,7 @@ double against_peer(const Curve& curve) {
   return ratio.value();
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const SerreWave wave = wave_of(values);
   const bool peers_wave = wave.amplitude == 2.1 && wave.depth == 10 && wave.gravity == 10 && wave.time == 29.2 &&
                           values.integer("coarsest") == 64;

@@ -103,7 +103,7 @@ Bound energy_bound(const Travel& travel) {
           reason + ", and half over the square of the layers, by which masses in nodes raise the vertical inertia"};
 }
 
-void claim_travel(Claims<Travel> claims, const Travel& travel) {
+void claim_travel(const Claims<Travel>& claims, const Travel& travel) {
   const auto claim = [&](const std::string& what, const std::string& text, const std::string& quantity) {
     return evidence::Claim{
         .id = travel.id + "-" + what, .text = travel.name + ": " + text, .quantity = quantity, .source = frank};
@@ -137,7 +137,7 @@ void claim_travel(Claims<Travel> claims, const Travel& travel) {
                    : Bound{0.01, "Frank gives no number: one per cent of the speed of the exact wave of this height"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<Travel> travels = travels_of(values);
   for (std::size_t k = 0; k < travels.size(); ++k) {
     claim_travel(claims.at(fmt::format("h = {:g}, tau = {:g}", travels[k].run.spacing, travels[k].run.tau))

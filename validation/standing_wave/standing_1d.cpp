@@ -186,7 +186,7 @@ struct Results {
   [[nodiscard]] double smallest() const { return seiche::smallest(curves[judged_model]); }
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const StandingBox box = own_box(values);
   const double own_theory = DispersiveStandingWave::frequency_correction(box.wavenumber, box.wave_parameters());
   claims.at(fmt::format("{} cells, tau = {:g}, a/H = {:g}", box.cells, box.tau, values.real("amplitude")))

@@ -209,7 +209,7 @@ Results compute(const Run& run) {
   return r;
 }
 
-void claim_coefficients(Claims<Coefficients> claims, std::size_t finest) {
+void claim_coefficients(const Claims<Coefficients>& claims, std::size_t finest) {
   for (std::size_t i = 0; i < wavelengths.size(); ++i) {
     const double wavelength = wavelengths[i];
     const std::string id = fmt::format("{:.0f}", 100 * wavelength);
@@ -240,7 +240,7 @@ void claim_coefficients(Claims<Coefficients> claims, std::size_t finest) {
   }
 }
 
-void claim_root(Claims<Coefficients> claims, std::size_t finest) {
+void claim_root(const Claims<Coefficients>& claims, std::size_t finest) {
   std::vector<double> theory;
   for (const double wavelength : wavelengths) theory.push_back(in_water(wavelength));
   const double exact = exact::StandingWave::critical_wavelength();
@@ -264,7 +264,7 @@ void claim_root(Claims<Coefficients> claims, std::size_t finest) {
                         "one-dimensional dispersive model, whose root is 0.7 further on"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const MeshTank tank = own_tank(values);
   claims
       .at(fmt::format("{} x {} cells, tau = {:g}, a/H = {:g}", tank.columns, tank.rows, tank.tau,

@@ -179,7 +179,7 @@ Results compute(const Run& run) {
 }
 
 /// Frank's model: the fold, and that it is not the time step's.
-void claim_fold(Claims<Wave> claims, const Values& values, double amplitude, const std::string& suffix) {
+void claim_fold(const Claims<Wave>& claims, const Values& values, double amplitude, const std::string& suffix) {
   const std::optional<KnownFold> fold = known_fold(values, amplitude);
   const evidence::Claim carries{
       .id = "carries" + suffix,
@@ -216,7 +216,7 @@ void claim_fold(Claims<Wave> claims, const Values& values, double amplitude, con
 }
 
 /// With the potential: energy of the one-step scheme, and the effect on the frequency.
-void claim_longer_life(Claims<Wave> claims, const Values& values, const std::string& suffix) {
+void claim_longer_life(const Claims<Wave>& claims, const Values& values, const std::string& suffix) {
   const double tau = values.real("tau");
   claims.check(
       {.id = "carries-with-hourglass" + suffix,
@@ -248,7 +248,7 @@ void claim_longer_life(Claims<Wave> claims, const Values& values, const std::str
 }
 
 /// The conservative scheme, through the whole run.
-void claim_conservation(Claims<Wave> claims, const Values& values, double amplitude, const std::string& suffix) {
+void claim_conservation(const Claims<Wave>& claims, const Values& values, double amplitude, const std::string& suffix) {
   const double steps = std::ceil(values.real("time") / values.real("tau"));
   const auto columns = static_cast<double>(values.integer("columns"));
   const auto rows = static_cast<double>(values.integer("rows"));
@@ -281,7 +281,7 @@ void claim_conservation(Claims<Wave> claims, const Values& values, double amplit
                                    "tank to its length, and multiply heights of rows"});
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<double> waves = amplitudes(values);
   for (std::size_t i = 0; i < waves.size(); ++i) {
     const Claims<Wave> wave = claims

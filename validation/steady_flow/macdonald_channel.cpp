@@ -98,7 +98,7 @@ Settled settle(const exact::MacDonald& channel, const Values& values, std::size_
   return settled;
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const exact::MacDonald channel = channel_of(values);
   const long finest = refinements.back() * values.integer("particles");
   claims.check(

@@ -150,7 +150,7 @@ evidence::ObservedOrder order_of(const Results& r) {
   return evidence::observed_order(widths, errors);
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const double gravity = values.real("gravity");
   const Regime regime = regime_from(values.text("regime"), gravity);
   const long finest = refinements.back() * values.integer("particles");

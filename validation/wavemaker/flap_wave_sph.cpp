@@ -175,7 +175,7 @@ Measurement second_wave(const Results& r) {
   return {.value = r.heights(r.runs.back())[1], .resolution = r.runs.back().resolution()};
 }
 
-void claim_second_wave(Claims<Results> claims, const Theory& linear, const Values& values) {
+void claim_second_wave(const Claims<Results>& claims, const Theory& linear, const Values& values) {
   const auto near = [](const std::string& id, const std::string& scheme) {
     return evidence::Claim{.id = "second-transient" + id,
                            .text = fmt::format("The second wave is that of the exact transient ({}).", scheme),
@@ -221,7 +221,7 @@ void claim_second_wave(Claims<Results> claims, const Theory& linear, const Value
   }
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   claim_second_wave(claims, theory_of(design_of(values)), values);
   claims.check(
       {.id = "transient-below",

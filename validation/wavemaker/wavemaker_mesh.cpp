@@ -188,7 +188,7 @@ double second_order_changes(const Results& r) {
   return off.value();
 }
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
   claims.only_if(!s.paddle.sudden, "no mesh resolves all waves of a piston that jumps")
       .check(

@@ -47,7 +47,7 @@ struct Results {
   std::vector<double> elevation, settled;  ///< at the gauge, at the times that are asked for
 };
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   claim_identities(claims.of(&Results::identities), start_of(values).self_test(), source);
 }
 

@@ -27,7 +27,7 @@ Claim claim(const std::string& id) {
 
 const Bound bound{.limit = 0.1, .reason = "test", .expected = 1};
 
-void claims(const Values& values, Claims<Results> claims) {
+void claims(const Values& values, const Claims<Results>& claims) {
   const std::string& what = values.text("what");
   if (what == "nothing") return;
   const auto all = claims.only_if(what != "all left out", "no water");

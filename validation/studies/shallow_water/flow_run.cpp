@@ -67,7 +67,7 @@ double most_steps(const FlowProblem& problem, const Discretisation& d, double ti
   return 4 * squeezed * extent.speed.value() * time / (d.courant * width) + times_shown;
 }
 
-void claim_conservation(Claims<FlowRun> claims, const FlowProblem& problem, const Discretisation& discretisation,
+void claim_conservation(const Claims<FlowRun>& claims, const FlowProblem& problem, const Discretisation& discretisation,
                         double time, const std::string& suffix) {
   // A scheme may overshoot the exact depths and velocities, not twice them.
   const Extent extent = extent_of(problem, time);
@@ -107,7 +107,7 @@ void claim_conservation(Claims<FlowRun> claims, const FlowProblem& problem, cons
                          "sums over N particles, N times that size, count as N^2 such operations each"});
 }
 
-void claim_single_particle(Claims<FlowRun> claims, const Front& front) {
+void claim_single_particle(const Claims<FlowRun>& claims, const Front& front) {
   claims.check(
       {.id = "width",
        .text = "The jump lies inside a single particle.",
@@ -119,7 +119,8 @@ void claim_single_particle(Claims<FlowRun> claims, const Front& front) {
       evidence::Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
 }
 
-void claim_exact_profile(Claims<FlowRun> claims, double deepest, const Discretisation& discretisation, double time) {
+void claim_exact_profile(const Claims<FlowRun>& claims, double deepest, const Discretisation& discretisation,
+                         double time) {
   claims.check(
       {.id = "reconstructed_l1_h",
        .text = "The method's profile is the exact one.",
@@ -135,7 +136,7 @@ void claim_exact_profile(Claims<FlowRun> claims, double deepest, const Discretis
           .reason = "eight rounded operations per step, and per particle the jump has passed"});
 }
 
-void claim_range(Claims<FlowRun> claims, double lowest, double highest, const Discretisation& discretisation,
+void claim_range(const Claims<FlowRun>& claims, double lowest, double highest, const Discretisation& discretisation,
                  double time, const std::string& source) {
   claims.check(
       {.id = "range",
@@ -154,7 +155,7 @@ void claim_range(Claims<FlowRun> claims, double lowest, double highest, const Di
                          "times smaller"});
 }
 
-void claim_reproduced(Claims<double> claims, evidence::Claim claim, double stated) {
+void claim_reproduced(const Claims<double>& claims, evidence::Claim claim, double stated) {
   claim.source = "regression: an earlier program for the same schemes, table reference_data/regression_dam_break";
   claims.check(
       std::move(claim), [](double measured) { return measured; },

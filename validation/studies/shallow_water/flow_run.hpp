@@ -46,25 +46,26 @@ double most_steps(const FlowProblem& problem, const Discretisation& discretisati
 
 /// Mass and momentum (less what passed the ends) are conserved to round-off; ids "mass" and "momentum" with the suffix.
 /// @param time  end of the run
-void claim_conservation(Claims<FlowRun> claims, const FlowProblem& problem, const Discretisation& discretisation,
+void claim_conservation(const Claims<FlowRun>& claims, const FlowProblem& problem, const Discretisation& discretisation,
                         double time, const std::string& suffix = "");
 
 /// The jump lies inside a single particle; id "width".
-void claim_single_particle(Claims<FlowRun> claims, const Front& front);
+void claim_single_particle(const Claims<FlowRun>& claims, const Front& front);
 
 /// The method's own profile is the exact one to round-off; for flows of uniform states and jumps, at a fixed step.
 /// @param deepest  depth that is rounded [m]
-void claim_exact_profile(Claims<FlowRun> claims, double deepest, const Discretisation& discretisation, double time);
+void claim_exact_profile(const Claims<FlowRun>& claims, double deepest, const Discretisation& discretisation,
+                         double time);
 
 /// No mean depth leaves [lowest, highest] but by round-off; id "range". At a fixed step.
 /// @param source  why the exact solution stays inside
-void claim_range(Claims<FlowRun> claims, double lowest, double highest, const Discretisation& discretisation,
+void claim_range(const Claims<FlowRun>& claims, double lowest, double highest, const Discretisation& discretisation,
                  double time, const std::string& source);
 
 /// An error is what an earlier program for the same schemes gave, within 10 %: a larger one means that something got
 /// worse, a smaller one that the number stated is out of date. Regression, not validation.
 /// @param claim  without its source
-void claim_reproduced(Claims<double> claims, evidence::Claim claim, double stated);
+void claim_reproduced(const Claims<double>& claims, evidence::Claim claim, double stated);
 
 /// Largest Courant number and conservation defects as measurements, each name with the suffix.
 void show_conservation(const FlowRun& flow, evidence::Exhibit& exhibit, const std::string& suffix = "");
