@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <boost/math/quadrature/gauss.hpp>
 
@@ -24,8 +25,10 @@ Identity group_speed_identity(const Law& law, double k_highest) {
         boost::math::quadrature::gauss<double, 30>::integrate([&](double k) { return law.group_speed(k); }, from, to);
     defect.add(std::abs(sum - law.frequency(to)) / law.frequency(to));
   }
-  return {"integral of the group speed over k = frequency", defect.value(), 2e-14,
-          "30-point Gauss on eighths of the interval resolves the law to round-off; 90 roundings"};
+  return {"integral of the group speed over k = frequency", defect.value(),
+          4 * std::numeric_limits<double>::epsilon() * std::sqrt(90),
+          "30-point Gauss on eighths of the interval resolves the law to round-off; 90 roundings: 38 additions, the "
+          "abscissae, weights and values of the points, the frequency"};
 }
 
 /// The wavenumber of a frequency has that frequency, for k doubling from `lowest` to `highest`. (The wavenumbers
