@@ -66,10 +66,10 @@ void claim_limits(verification::Check& check) {
                   .quantity = "c",
                   .source = source},
                  {.value = (64 * at(0.05) - 20 * at(0.1) + at(0.2)) / 45},
-                 evidence::Bound{.limit = 2e-6,
-                                 .reason = "extrapolation leaves the product of the three k^2, 1e-6, times a "
-                                           "coefficient below 1; the plan lattice h^2/12 = 1e-7 and the directions' "
-                                           "part of it",
+                 evidence::Bound{.limit = 1.4e-7,
+                                 .reason = "extrapolation leaves the product of the three k^2, 1e-6, times the "
+                                           "coefficient of k^8, at most the 1/16 of 1/(1 + k^2/2); the plan lattice "
+                                           "h^2/6 (1 - 0.6^4 - 0.8^4) = 7.7e-8",
                                  .expected = 1.0 / 3 + (tuned ? 0 : h3 * h3 / 6)});
     }
   }

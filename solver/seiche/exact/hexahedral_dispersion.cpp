@@ -90,8 +90,9 @@ SelfTest HexahedralDispersion::self_test() const {
   }
   const double longest = 1e-9 / std::max({depth_, spacing_x_, spacing_y_});
   return {
-      {"frequency from the layers one by one", layers_defect.value(), 1e-15 * static_cast<double>(10 + 2 * layers_),
-       "20 roundings in either formula, 4 more per layer"},
+      {"frequency from the layers one by one", layers_defect.value(),
+       std::numeric_limits<double>::epsilon() * (20 + 1.5 * static_cast<double>(layers_)),
+       "half an ulp for each of 20 roundings in either formula; 6 more per layer, under the root"},
       {"along an axis: the two-dimensional mesh", section_defect.value(), 1e-14,
        "45 ulp for 20 roundings in either law"},
       {"one layer: the plan law with alpha = b", markers_defect.value(), 1e-14,

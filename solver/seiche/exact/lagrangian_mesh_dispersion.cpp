@@ -112,8 +112,9 @@ SelfTest LagrangianMeshDispersion::self_test() const {
   }
   const double shortest_frequency = std::sqrt(gravity_ / (3 * inertia_ * row_height()));
   const double longest = 1e-9 / std::max(depth_, column_width_);
-  return {{"frequency from the rows one by one", rows_defect.value(), 1e-15 * static_cast<double>(8 + 2 * rows_),
-           "16 roundings in either formula, 4 more per row"},
+  return {{"frequency from the rows one by one", rows_defect.value(),
+           std::numeric_limits<double>::epsilon() * static_cast<double>(16 + rows_),
+           "half an ulp for each of 16 roundings in either formula; 4 more per row, under the root"},
           {"one row: formula (13) with alpha = b", markers_defect.value(), 2e-14,
            "90 ulp: 40 roundings, the shortest of the waves makes a rounding of the phase ten of the tangent"},
           {"shortest wave: omega^2 = g/(3 b h2)", std::abs(frequency(shortest) / shortest_frequency - 1), 4e-15,
