@@ -71,8 +71,8 @@ std::string resolution_of(const Values& values) {
   return fmt::format("h = {:g}, tau = {:g}", values.real("h"), 0.5 * values.real("h"));
 }
 
-void claims(const Values& values, const Claims<Development>& claims) {
-  claims = claims.at(resolution_of(values));
+void claims(const Values& values, const Claims<Development>& all) {
+  const Claims<Development> claims = all.at(resolution_of(values));
   claims.check(
       {.id = "straight",
        .text = "The stem's length grows in proportion to the path: the third and the last quarter of it "
