@@ -120,7 +120,8 @@ void claim_leading_soliton(const Claims<PressureWaves>& claims, const std::strin
                 .expected = 1});
 }
 
-void claim_pressure_regime(const Claims<PressureWaves>& claims, const PressureRegime& regime, const PressureRun& run) {
+void claim_pressure_regime(const Claims<PressureWaves>& all, const PressureRegime& regime, const PressureRun& run) {
+  Claims<PressureWaves> claims = all;
   using Measured = double (*)(const PressureWaves&);
   const auto check = [&](const std::string& id, const std::string& text, const std::string& quantity, Measured measured,
                          const evidence::Criterion& criterion, const std::string& from = pressure_regression) {
