@@ -1,14 +1,12 @@
 #include "validation/case/job.hpp"
 
 #include <chrono>
-#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "reports/evidence/provenance.hpp"
 #include "reports/evidence/record_files.hpp"
-#include "seiche/divergence.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -68,7 +66,9 @@ Ending run_job(const Job& job, const std::filesystem::path& directory, const Run
   try {
     job.definition->study.run(run, record);
   } catch (const std::invalid_argument& refused) {
-    return {Outcome::wrong_input, fmt::format("{}: {}", job.definition->name, refused.what())};
+    // A case that refuses its own parameters is broken, and an older record must not stand for it.
+    if (!run.standard()) return {Outcome::wrong_input, fmt::format("{}: {}", job.definition->name, refused.what())};
+    record.error = refused.what();
   } catch (const std::exception& failure) {
     record.error = failure.what();
   }

@@ -60,6 +60,8 @@ class Values {
   [[nodiscard]] Tier tier() const { return tier_; }
   /// Whether every parameter has its quick default, which is the publication's own where there is one.
   [[nodiscard]] bool as_published() const { return canonical() == Values(declared_, Tier::quick).canonical(); }
+  /// Whether every parameter has the default of its own tier.
+  [[nodiscard]] bool standard() const { return canonical() == Values(declared_, tier_).canonical(); }
   /// "name=value" per line with 17 digits: equal text means equal run.
   [[nodiscard]] std::string canonical() const;
 

@@ -59,15 +59,19 @@ std::vector<DeclaredClaim> Study::claims(const Values& values) const {
 
 void Study::run(const Run& run, evidence::Record& record) const {
   const std::vector<DeclaredClaim> list = claims(run);
+  const auto broken = [&](const std::exception& failure) {
+    record.error = failure.what();
+    fail_all(list, record.error, record);
+  };
   Computed results;
   try {
     results = compute_(run);
-  } catch (const std::invalid_argument&) {
-    throw;
+  } catch (const std::invalid_argument& refused) {
+    // At a tier's own parameters there is no wrong input: the computation has gone wrong.
+    if (!run.standard()) throw;
+    return broken(refused);
   } catch (const std::exception& failure) {
-    record.error = failure.what();
-    fail_all(list, record.error, record);
-    return;
+    return broken(failure);
   }
   for (const DeclaredClaim& declared : list) {
     if (declared.left_out.empty()) record.keep(judged(declared, results.get()));

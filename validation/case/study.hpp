@@ -47,13 +47,12 @@ class Study {
           show(*static_cast<const Results*>(results), values, exhibit);
         }) {}
 
-  [[nodiscard]] explicit operator bool() const { return static_cast<bool>(compute_); }
-
   /// @throws std::invalid_argument where parameters that are each in range do not go together
   [[nodiscard]] std::vector<DeclaredClaim> claims(const Values& values) const;
 
   /// Computes, judges every declared claim once, shows. Whatever breaks down leaves no claim without a verdict: what
-  /// could not be measured is an error under its own name. @throws std::invalid_argument as claims() does
+  /// could not be measured is an error under its own name. @throws std::invalid_argument as claims() does, and where
+  /// computing refuses parameters that the user has set
   void run(const Run& run, evidence::Record& record) const;
 
  private:

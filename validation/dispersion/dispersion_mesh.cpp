@@ -35,7 +35,7 @@ too few for that. Deviations of the measured frequencies from the law are roundi
 #include "validation/case/reference_case.hpp"
 #include "validation/dispersion/boussinesq_mesh.hpp"
 #include "validation/dispersion/frequency_roundoff.hpp"
-#include "validation/instruments/mesh_standing_mode.hpp"
+#include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -31,7 +31,7 @@ Tadjbakhsh and Keller's line, where the one-dimensional dispersive model has its
 #include "seiche/exact/standing_wave.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
-#include "validation/instruments/mesh_standing_mode.hpp"
+#include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -69,8 +69,9 @@ const std::vector<std::string> all_of_them{
     "fine",     "nothing",        "all left out", "twice",   "left out",        "not measured", "not a number",
     "not told", "beyond the cap", "crash",        "refused", "another failure", "not shown"};
 
-Run run_of(const std::string& what) {
-  Values values({validation::choice("what", std::string("fine"), all_of_them, "what happens")}, Tier::quick);
+/// @param standard  the case's own choice
+Run run_of(const std::string& what, const std::string& standard = "fine") {
+  Values values({validation::choice("what", standard, all_of_them, "what happens")}, Tier::quick);
   values.set("what", what);
   return {values, [](double) {}};
 }
@@ -155,6 +156,16 @@ TEST_CASE("a case that declares a claim twice or claims nothing is refused befor
 
 TEST_CASE("parameters that do not go together are the user's error, not the case's", "[study]") {
   CHECK_THROWS_AS(record_of("refused"), std::invalid_argument);
+}
+
+TEST_CASE("what is refused at the case's own parameters is the case's error: every claim is in error", "[study]") {
+  Record record;
+  record.name = "test";
+  Study(claims, compute, show).run(run_of("refused", "refused"), record);
+  CHECK(record.error == "depth: must be positive");
+  CHECK(record.claims().size() == 4);
+  for (const JudgedClaim& judged : record.claims()) CHECK(judged.judgement.verdict == Verdict::error);
+  CHECK_FALSE(record.as_declared());
 }
 
 TEST_CASE("what cannot be shown keeps its verdicts and does not pass for finished", "[study]") {

@@ -100,7 +100,7 @@ double half_unit(double value) {
 
 }  // namespace
 
-TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[conservation]") {
+TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[manufactured]") {
   Check check("dispersive_composition", "Dispersive shallow water: compositions to fourth order in time",
               "Solitary wave of amplitude 0.3 in a periodic level channel of length 60, cells of 0.25, $t = 20$. The "
               "error is the largest of a marker's place against the limit of small steps on the same cells, so that it "

@@ -133,7 +133,7 @@ const std::vector<int> second_order_steps{50, 100, 200, 400};
 
 }  // namespace
 
-TEST_CASE("a free patch of fluid: errors of the integrators", "[conservation]") {
+TEST_CASE("a free patch of fluid: errors of the integrators", "[manufactured]") {
   Check check("lagrangian_mesh_patch_accuracy", "Free patch of fluid: errors of the integrators",
               "The sheared and bent patch at t = 1; the error is the largest of a coordinate against RK4 with 8192 "
               "steps.");
@@ -159,7 +159,7 @@ TEST_CASE("a free patch of fluid: errors of the integrators", "[conservation]") 
   judge.energy(Integrator::runge_kutta_4, 100, {6e-13, 1});
 }
 
-TEST_CASE("sloshing water: errors of the integrators", "[conservation]") {
+TEST_CASE("sloshing water: errors of the integrators", "[manufactured]") {
   Check check("lagrangian_mesh_sloshing_accuracy", "Sloshing on a Lagrangian mesh: errors of the integrators",
               "Water in a box 6 depths long, 16 x 4 cells, is released with a surface of $0.1\\cos(\\pi x/6)$. Errors "
               "of a coordinate at t = 8, about two thirds of a period, against RK4 with 2560 steps. The potential "

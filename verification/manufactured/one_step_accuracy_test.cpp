@@ -36,7 +36,7 @@ State integrated(Integrator integrator, int steps, Worst* energy = nullptr) {
 
 }  // namespace
 
-TEST_CASE("integrators of constrained systems have their orders", "[conservation]") {
+TEST_CASE("integrators of constrained systems have their orders", "[manufactured]") {
   Check check("integrator_orders", "Orders of the integrators of constrained systems",
               "Spherical double pendulum (unit links, masses 1 and 1.3, unit gravity) to $t = 5$; the error is the "
               "largest of a coordinate against RK4 with 131072 steps.");

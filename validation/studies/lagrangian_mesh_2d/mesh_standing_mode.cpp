@@ -1,4 +1,4 @@
-#include "validation/instruments/mesh_standing_mode.hpp"
+#include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -130,7 +130,7 @@ double growth(double share_of_limit, int steps) {
 
 }  // namespace
 
-TEST_CASE("frequencies of small oscillations and the largest stable step", "[conservation]") {
+TEST_CASE("frequencies of small oscillations and the largest stable step", "[dispersion]") {
   Check check(
       "one_step_linear_modes", "Small oscillations: phase error and stability",
       "Four masses hang from a pin; a mode of frequency $\\Omega$ has amplitude 1e-7. The one-step scheme gives "
