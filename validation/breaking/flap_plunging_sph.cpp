@@ -86,15 +86,18 @@ Results compute(const Run& run) {
   climb(run, models.size() * ladder.size(), [&](std::size_t k) {
     const std::size_t size = k / models.size();
     const std::size_t model = k % models.size();
-    r.runs[model][size] = plunge({.depth = depth,
-                                  .period = run.real("period"),
-                                  .stroke = run.real("stroke"),
-                                  .wavelength = wavelength,
-                                  .flume = run.real("flume"),
-                                  .layers = ladder[size],
-                                  .lattice = wcsph::lattice_named(run.text("lattice")),
-                                  .settings = models[model].settings},
-                                 frames);
+    const Part part = run.part(fmt::format("{}, {} layers", models[model].id, ladder[size]));
+    r.runs[model][size] = part.result<SphPlunged>([&] {
+      return plunge({.depth = depth,
+                     .period = run.real("period"),
+                     .stroke = run.real("stroke"),
+                     .wavelength = wavelength,
+                     .flume = run.real("flume"),
+                     .layers = ladder[size],
+                     .lattice = wcsph::lattice_named(run.text("lattice")),
+                     .settings = models[model].settings},
+                    frames, part);
+    });
   });
   return r;
 }

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "reports/evidence/provenance.hpp"
 #include "reports/evidence/record_files.hpp"
@@ -59,9 +60,12 @@ evidence::Record Job::blank_record() const {
   return record;
 }
 
-Ending run_job(const Job& job, const std::filesystem::path& directory, const Run::Progress& progress) {
-  const Run run(job.values, progress);
+Ending run_job(const Job& job, const std::filesystem::path& directory, const Keeping& keeping,
+               const Run::Progress& progress) {
   evidence::Record record = job.blank_record();
+  const auto checkpoints =
+      std::make_shared<Checkpoints>(directory / ".checkpoints" / record.stem(), record.fingerprint, keeping);
+  const Run run(job.values, progress, checkpoints);
   const auto begin = std::chrono::steady_clock::now();
   try {
     job.definition->study.run(run, record);
@@ -80,8 +84,10 @@ Ending run_job(const Job& job, const std::filesystem::path& directory, const Run
     return {Outcome::unfinished, failure.what()};
   }
   if (!record.error.empty()) return {Outcome::unfinished, record.error};
-  if (record.as_declared()) return {Outcome::as_declared, {}};
-  std::string undeclared;
+  checkpoints->remove_all();
+  const std::string notes = fmt::format("{}", fmt::join(checkpoints->notes(), "; "));
+  if (record.as_declared()) return {Outcome::as_declared, notes};
+  std::string undeclared = notes;
   for (const evidence::JudgedClaim& claim : record.claims()) {
     if (!claim.as_declared()) undeclared += (undeclared.empty() ? "" : "; ") + in_words(claim);
   }

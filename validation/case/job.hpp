@@ -35,8 +35,9 @@ struct Ending {
   std::string message;
 };
 
-/// Runs a job in this process and writes its record.
-Ending run_job(const Job& job, const std::filesystem::path& directory, const Run::Progress& progress);
+/// Runs a job in this process and writes its record. Checkpoints lie beside the records until it is written.
+Ending run_job(const Job& job, const std::filesystem::path& directory, const Keeping& keeping,
+               const Run::Progress& progress);
 
 /// Writes the record of a job that could not write its own.
 void write_error_record(const Job& job, const std::filesystem::path& directory, const std::string& reason,

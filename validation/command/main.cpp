@@ -40,7 +40,14 @@ void add_run(CLI::App& app, Action& action) {
   command->add_option("--config", options->config, "TOML file with parameters; tables [CASE] for single cases");
   command->add_option("--jobs,-j", options->run.jobs, "how many cases run at once")->check(CLI::Range(1U, 1024U));
   command->add_option("--out", options->run.directory, "folder for the records")->capture_default_str();
-  command->add_flag("--resume", options->run.resume, "keep what an earlier run of the same program finished");
+  command->add_flag("--resume", options->run.resume,
+                    "keep what an earlier run of the same program finished, go on from its checkpoints");
+  command
+      ->add_option_function<long>(
+          "--checkpoint-every",
+          [options](long seconds) { options->run.checkpoint_every = std::chrono::seconds(seconds); },
+          "seconds after which a long computation keeps its state again (120)")
+      ->check(CLI::Range(0L, 86400L));
   command->add_flag("--help-parameters", options->help_parameters, "show what the cases let you set, and stop");
   command->footer("Example:\n  seiche run riemann --set right_depth=0.1 --set scheme=M2 --out evidence");
   command->callback([options, &action] { action = [options] { return run(*options); }; });

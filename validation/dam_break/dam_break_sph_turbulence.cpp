@@ -27,6 +27,7 @@ of wall particles keeps them all.
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/sph_dam.hpp"
 #include "validation/instruments/shifted_front.hpp"
+#include "validation/studies/wcsph/kept_flow.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 #include "validation/studies/wcsph/speed_field.hpp"
@@ -87,12 +88,19 @@ Frames frames_of(const SphDam& dam) {
   return result;
 }
 
+void exchange(Tape& tape, Frames& frames) {
+  tape(frames.series, frames.heights, frames.particles);
+}
+
 using Results = std::vector<Frames>;  ///< by the lattices of the ladder
 
 Results compute(const Run& run) {
   const std::vector<long> ladder = sph_ladder(run.tier(), run.integer("cells"), 5);
   Results runs(ladder.size());
-  climb(run, ladder.size(), [&](std::size_t size) { runs[size] = frames_of(dam_of(run, ladder[size])); });
+  climb(run, ladder.size(), [&](std::size_t size) {
+    const Part part = run.part(fmt::format("{} cells", ladder[size]));
+    runs[size] = part.result<Frames>([&] { return frames_of(dam_of(run, ladder[size])); });
+  });
   return runs;
 }
 

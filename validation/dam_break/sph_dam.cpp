@@ -58,6 +58,11 @@ SphCollapse collapse(const SphDam& dam, double unit, double last, long samples, 
   return result;
 }
 
+void exchange(Tape& tape, SphCollapse& s) {
+  tape(s.spacing, s.particles, s.T, s.front, s.height, s.energy, s.reaches_wall, s.lost, s.steps, s.extremes,
+       s.roundings);
+}
+
 void measure_run(evidence::Exhibit& exhibit, const SphCollapse& run) {
   exhibit.measure("particles", static_cast<double>(run.particles));
   exhibit.measure("steps", static_cast<double>(run.steps));

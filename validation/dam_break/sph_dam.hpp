@@ -47,6 +47,8 @@ SphCollapse collapse(const SphDam& dam, double unit, double last, long samples, 
                      const std::function<void(std::size_t, const wcsph::Flow&)>& on_frame = {},
                      const std::function<void(double)>& progress = {});
 
+void exchange(Tape& tape, SphCollapse& series);
+
 /// Mach number, densities, rebuilds, lost particles: what a reader of the record wants to know of any run.
 void measure_run(evidence::Exhibit& exhibit, const SphCollapse& run);
 

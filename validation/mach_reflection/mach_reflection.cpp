@@ -34,6 +34,7 @@ grows by more than 1 % in the last fifth of the run is marked, and the limit of 
 #include "validation/case/case.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/instruments/fine_limit.hpp"
+#include "validation/mach_reflection/kept_reflection.hpp"
 #include "validation/mach_reflection/reflection_reference.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 
@@ -127,7 +128,7 @@ Results compute(const Run& run) {
       count, workers_of(run.tier()),
       [&](std::size_t k) {
         Configuration& one = all[k % all.size()];
-        one.ladder[k / all.size()] = reflect(run_of(run, one.angle, factors[k / all.size()]));
+        one.ladder[k / all.size()] = reflect_as_part(run, run_of(run, one.angle, factors[k / all.size()]));
       },
       [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(count)); });
   return all;

@@ -31,7 +31,6 @@ $a_i = 0.3$) the plateau is lower; 0.99 of it is the criterion there, and no cla
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
-#include "validation/case/on_threads.hpp"
 #include "validation/mach_reflection/reflection_comparison.hpp"
 #include "validation/mach_reflection/reflection_figures.hpp"
 #include "validation/mach_reflection/reflection_reference.hpp"
@@ -320,7 +319,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 
 Results compute(const Run& run) {
   Results all = series_of(run);
-  sweep(all, run.real("time"), workers_of(run.tier()), [&](double done) { run.progress(done); });
+  sweep(run, all, run.real("time"));
   return all;
 }
 

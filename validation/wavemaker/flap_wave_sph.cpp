@@ -30,6 +30,7 @@ stroke, 1.08 m high.
 #include "seiche/models/wcsph/volume_fraction.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/agreement.hpp"
+#include "validation/studies/wcsph/kept_flow.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
 
@@ -70,7 +71,11 @@ struct Waves {
   }
 };
 
-Waves make_waves(const Run& run, const Design& design, long layers, const Scheme& scheme) {
+void exchange(Tape& tape, Waves& w) {
+  tape(w.spacing, w.layers, w.particles, w.time, w.elevation, w.behind, w.extremes, w.steps);
+}
+
+Waves make_waves(const Run& run, const Design& design, long layers, const Scheme& scheme, Part part) {
   const double spacing = design.depth / static_cast<double>(layers);
   const double length = spacing * std::round(run.real("flume") * design.gauge / spacing);
   wcsph::Settings settings = sph_settings(run, gravity, 1000, std::sqrt(gravity * design.depth));
@@ -90,7 +95,10 @@ Waves make_waves(const Run& run, const Design& design, long layers, const Scheme
   wcsph::Box basin = wcsph::unbounded;
   basin.bottom = scene.bottom;
   basin.right = scene.far_wall;
-  for (long n = 0; n <= samples; ++n) {
+  long n = 0;
+  const auto state = [&](Tape& tape) { tape(n, waves, flow); };
+  for (part.resume(state); n <= samples; ++n) {
+    part.keep(state);
     flow.advance_to(design.period * static_cast<double>(n) / samples_per_period);
     const wcsph::VolumeFraction fraction(flow.particles(), flow.smoothing_length(), basin, settings.kernel);
     waves.time.push_back(flow.time());
@@ -161,11 +169,11 @@ Results compute(const Run& run) {
   const std::vector<long> ladder = sph_ladder(run.tier(), finest);
   Results r{.design = design, .linear = theory_of(design), .runs = std::vector<Waves>(ladder.size()), .wide = {}};
   climb(run, ladder.size() + 1, [&](std::size_t k) {
-    if (k == ladder.size()) {
-      r.wide = make_waves(run, design, finest, Scheme::more_neighbours);
-    } else {
-      r.runs[k] = make_waves(run, design, ladder[k], Scheme::as_set);
-    }
+    const bool wide = k == ladder.size();
+    const long layers = wide ? finest : ladder[k];
+    const Part part = run.part(fmt::format("{} layers{}", layers, wide ? ", more neighbours" : ""));
+    (wide ? r.wide : r.runs[k]) = part.result<Waves>(
+        [&] { return make_waves(run, design, layers, wide ? Scheme::more_neighbours : Scheme::as_set, part); });
   });
   return r;
 }
