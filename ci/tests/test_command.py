@@ -186,6 +186,59 @@ class Command(unittest.TestCase):
         seiche("run", "riemann", "--set", "particles=44", "--resume", "--out", self.out)
         self.assertNotEqual((self.out / "riemann.json").stat().st_mtime_ns, stamp)
 
+    def killed_when(self, kept, *words):
+        """Kills a run once `kept(files)` holds of its checkpoints, and returns their names."""
+        run = subprocess.Popen([SEICHE, "run", *words, "--checkpoint-every", "0", "--out", str(self.out)],
+                               stdout=subprocess.DEVNULL)
+        files = []
+        for _ in range(6000):
+            files = sorted(p.name for p in self.out.glob(".checkpoints/*/*.checkpoint"))
+            if kept(files) or run.poll() is not None:
+                break
+            time.sleep(0.01)
+        self.assertIsNone(run.poll(), "the run ended before it could be killed")
+        children = children_of(run)
+        run.kill()
+        run.wait()
+        for _ in range(500):  # children die with their parent
+            if not any(pathlib.Path(f"/proc/{child}").exists() for child in children):
+                break
+            time.sleep(0.01)
+        self.assertEqual(list(self.out.glob("*.json")), [])
+        return files
+
+    def goes_on_after_a_kill(self, kept, *words):
+        """A run that is killed and resumed writes the same arrays as one that is left alone."""
+        whole = seiche("run", *words, "--out", self.out.parent / "whole")
+        self.assertIn(whole.returncode, (0, 1), whole.stdout + whole.stderr)
+        files = self.killed_when(kept, *words)
+        resumed = seiche("run", *words, "--resume", "--out", self.out)
+        self.assertEqual(resumed.returncode, whole.returncode, resumed.stdout + resumed.stderr)
+        for array in (self.out.parent / "whole").glob("*.h5"):
+            self.assertEqual(array.read_bytes(), (self.out / array.name).read_bytes(), files)
+        # Nothing is left beside the records.
+        self.assertEqual([p.name for p in self.out.glob(".*")], [])
+        return resumed.stdout
+
+    SWEEP = ["mach_reflection_curves", "--set", "h=1.2", "--set", "time=150"]
+    BREAKER = ["overturning_sph", "--set", "columns=60"]
+
+    def test_a_sweep_goes_on_after_the_parts_that_were_finished(self):
+        self.goes_on_after_a_kill(lambda files: len(files) >= 2, *self.SWEEP)
+
+    def test_particles_go_on_in_the_midst_of_a_run_to_the_last_bit(self):
+        self.goes_on_after_a_kill(lambda files: any("unfinished" in name for name in files), *self.BREAKER)
+
+    def test_checkpoints_that_are_damaged_are_ignored_with_a_note(self):
+        self.killed_when(lambda files: len(files) >= 2, *self.SWEEP)
+        for path in self.out.glob(".checkpoints/*/*.checkpoint"):
+            path.write_bytes(path.read_bytes()[:-1])
+        # What reads the whole folder does not stumble over them.
+        self.assertEqual(seiche("run", "thacker", "--out", self.out).returncode, 0)
+        self.assertEqual(seiche("compare", self.out, self.out).returncode, 0)
+        self.assertIn("damaged checkpoints", seiche("run", *self.SWEEP, "--resume", "--out", self.out).stdout)
+        self.assertEqual([p.name for p in self.out.glob(".*")], [])
+
     def test_a_folder_that_cannot_be_written_is_status_3(self):
         self.out.parent.mkdir(exist_ok=True)
         self.out.write_text("a file, not a folder")
