@@ -269,9 +269,10 @@ void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t l
           },
           evidence::Roundoff{.operations = latest_runup / finest * sweeps,
                              .scale = farthest,
-                             .reason = "a rounded place, at most 27 depths from the origin, per sweep of a step, six a "
-                                       "step, up to t = 17 on the finest mesh; pressures of the wave's height do the work "
-                                       "of its energy over a depth"});
+                             .reason =
+                                 "a rounded place, at most 27 depths from the origin, per sweep of a step, six a "
+                                 "step, up to t = 17 on the finest mesh; pressures of the wave's height do the work "
+                                 "of its energy over a depth"});
   claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing))
       .check(
           {.id = "toe",
