@@ -21,7 +21,7 @@ Flow MeshSlopeClimb::start() const {
                                                          .columns = columns,
                                                          .rows = static_cast<std::size_t>(rows),
                                                          .elevation = elevation},
-                                                        tan_slope, blend);
+                                                        tan_slope, blend, rounding * spacing);
   // Sheared columns reach above the surface where it falls.
   const auto velocity = [&](Point r) {
     const exact::Velocity v = wave.velocity(r.x - crest, std::min(r.y, elevation(r.x)));
