@@ -41,7 +41,7 @@ MeshSlopeRun climb_slope(const MeshSlopeClimb& climb, const std::function<void(c
   const double energy = flow.energy();
   Peak level;
   constexpr double fallen = 0.98;
-  const double latest = 3 * MeshSlopeClimb::toe;
+  const double latest = 3 * climb.toe;
   Worst defect;
   // The level is NaN before the first step.
   const auto climbs = [&] {

@@ -1,7 +1,6 @@
 /// A solitary wave of the Euler equations climbs a plane slope on the two-dimensional Lagrangian mesh.
 ///
-/// Units: depth and gravity are 1, y counts from still water. The tank begins at x = 0, the crest starts at x = 12, the
-/// toe of the slope is at x = 24.
+/// Units: depth and gravity are 1, y counts from still water. The tank begins at x = 0.
 #pragma once
 
 #include <functional>
@@ -16,11 +15,10 @@
 namespace seiche::validation {
 
 struct MeshSlopeClimb {
-  static constexpr double crest = 12;
-  static constexpr double toe = 24;
-
   exact::SolitaryWave wave;
   double tan_slope = 1;
+  double crest = 12;  ///< at the start
+  double toe = 24;
   double spacing = 0.25;  ///< of columns
   long rows = 8;
   double tau = 0.025;

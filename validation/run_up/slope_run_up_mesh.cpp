@@ -445,7 +445,7 @@ void show_one(const Climb& one, evidence::Exhibit& exhibit) {
       .panel({.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
       .line("contact point", one.time, one.level);
   const double highest = std::isnan(one.run.runup) ? largest(one.level) : one.run.runup;
-  const MeshWindow window{MeshSlopeClimb::toe - 4, MeshSlopeClimb::toe + (1 + 1.1 * highest) / one.climb.tan_slope};
+  const MeshWindow window{one.climb.toe - 4, one.climb.toe + (1 + 1.1 * highest) / one.climb.tan_slope};
   draw_mesh(
       exhibit.figure("mesh", "The mesh at the largest run-up", title, {"frank-slopes-2d"}).panel(mesh_axes("", window)),
       "mesh", one.run.flow.model().mesh(), one.x, one.y, window);
