@@ -51,7 +51,8 @@ std::filesystem::path Checkpoints::file(const std::string& name) const {
 }
 
 std::optional<std::string> Checkpoints::read(const std::string& name) const {
-  if (!active() || !std::filesystem::exists(file(name))) return std::nullopt;
+  std::error_code unreachable;
+  if (!active() || !std::filesystem::exists(file(name), unreachable)) return std::nullopt;
   try {
     const std::string text = io::read_file(file(name));
     const std::string_view bytes = after_lines(text, 4);

@@ -74,7 +74,7 @@ class Part {
   /// What compute() returns, now or when an interrupted run had finished the part.
   template <class Result, class Compute>
   Result result(const Compute& compute) const {
-    Result result;
+    Result result{};
     if (read(name_, [&](Tape& tape) { tape(result); })) return result;
     result = compute();
     write(name_, [&](Tape& tape) { tape(result); });

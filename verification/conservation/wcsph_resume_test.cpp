@@ -72,8 +72,8 @@ bool same(const Flow& a, const Flow& b) {
 }  // namespace
 
 TEST_CASE("a flow resumed from a kept state gives the same bytes", "[conservation]") {
-  constexpr int steps = 150;
-  constexpr int apart = 7;
+  constexpr int steps = 300;
+  constexpr int apart = 13;
   Check check("wcsph_resume", "A run that was interrupted",
               fmt::format("Weakly compressible SPH, {} steps. Every {} steps the state is kept, and at the end flows "
                           "that were made anew are resumed from each: in the same order, with the same lists of "
@@ -87,7 +87,7 @@ TEST_CASE("a flow resumed from a kept state gives the same bytes", "[conservatio
       whole.advance();
     }
     // Some were kept between two sortings, and are resumed across another.
-    CHECK(whole.extremes().rebuilds > 3);
+    CHECK(whole.extremes().rebuilds > 2);
     CHECK(whole.extremes().rebuilds < steps);
     long different = 0;
     for (const FlowState& state : kept) {
