@@ -206,6 +206,7 @@ void claim_theory(const Claims<Configuration>& claims, double angle, const Refle
   claims
       .only_if(std::abs(finite.kappa() - 1) >= cusp,
                "the theory has a cusp at kappa = 1, within 0.15 of which it is not judged")
+      .only_if(long_enough(what), "the limit of a run that does not wait for its stem is not known")
       .check(
           {.id = "theory-" + id_of(angle),
            .text = fmt::format("At {:g} deg the amplitude at the wall is that of the theory of small waves, with its "
