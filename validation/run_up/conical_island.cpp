@@ -16,9 +16,10 @@ been highest, what it has reached by then.
 
 **What to look at.** The crest bends around the island, and its two ends meet behind it: there the water climbs nearly
 as high as in front, though the sides saw much less. Cases A and B are computed until the run-up is over all around; in
-B the lattice folds in the backwash behind the island. In case C the wave breaks at the sides: the edge of the water
-piles up there, the lattice folds, and what is behind the island is not reached. Without friction the run-up in front of
-cases B and C would be 7 and 24 % higher, and without the force along the shore B would fold before its ends meet.
+B the lattice folds in the backwash behind the island, where the model has climbed a fifth to a third above the
+measurement. In case C the wave breaks at the sides: the edge of the water piles up there, the lattice folds, and what
+is behind the island is not reached. With columns 0.5 m apart and without friction the run-up in front of cases B and C
+is 6 and 30 % higher, and without the force along the shore B folds before its ends meet.
 */
 #include <algorithm>
 #include <array>
@@ -140,7 +141,7 @@ struct Results {
 };
 
 double finest_spacing(const Values& values) {
-  return values.tier() == Tier::quick ? 0.5 : 0.35;
+  return values.tier() == Tier::quick ? 0.35 : 0.25;
 }
 
 Measurement deviation_of(const std::vector<Passed>& spacings, const Measured& data) {
@@ -183,7 +184,7 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, co
       "behind the island is not reached";
   if (breaks) {
     claims.known_failure(runup, off, criterion, {.value = 0.66, .width = 0.1, .reason = reason});
-    claims.known_failure(over, missed, none, {.value = 4, .width = 1, .reason = reason});
+    claims.known_failure(over, missed, none, {.value = 4.5, .width = 0.5, .reason = reason});
   } else {
     claims.check(runup, off, criterion);
     claims.check(over, missed, none);
