@@ -155,7 +155,7 @@ Measurement deviation_of(const std::vector<Passed>& spacings, const Measured& da
 }
 
 /// Of the highest wave the lattice folds at the sides, and of the middle one in the backwash.
-void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, const Measured& data) {
+void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, const Measured& data, double spacing) {
   const bool breaks = wave.name == "C";
   const evidence::Claim runup{
       .id = "runup-" + wave.name,
@@ -187,7 +187,15 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, co
     claims.known_failure(over, missed, none, {.value = 4.5, .width = 0.5, .reason = reason});
   } else {
     claims.check(runup, off, criterion);
-    claims.check(over, missed, none);
+    if (wave.name == "B" && spacing < 0.3) {
+      claims.known_failure(over, missed, none,
+                           {.value = 1,
+                            .width = 0,
+                            .reason = "behind the island the lattice folds within a quarter of a second of the largest "
+                                      "run-up, where the waves meet ever higher as columns become narrower"});
+    } else {
+      claims.check(over, missed, none);
+    }
   }
 }
 
@@ -212,9 +220,9 @@ void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave) {
   }
 }
 
-void claim_lee(const Claims<Passed>& claims, const std::string& wave) {
+void claim_lee(const Claims<Passed>& claims) {
   claims.check(
-      {.id = "lee-" + wave,
+      {.id = "lee",
        .text = "Behind the island, where the two ends of the crest meet, the water climbs higher than beside it.",
        .quantity = "run-up at 180 degrees over that at 157.5",
        .source = source},
@@ -230,10 +238,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const double step = ConicalIsland({.height = waves[k].height, .spacing = spacing}).step();
     const auto wave = claims.at(resolution(spacing, step));
     const auto spacings = wave.of([k](const Results& r) -> const std::vector<Passed>& { return r.passed.at(k); });
-    claim_runup(spacings, waves[k], measured(table, waves[k].height));
+    claim_runup(spacings, waves[k], measured(table, waves[k].height), spacing);
     claim_whole(spacings, waves[k]);
-    if (waves[k].name != "C") {
-      claim_lee(wave.of([k](const Results& r) -> const Passed& { return r.passed.at(k).front(); }), waves[k].name);
+    if (waves[k].name == "A") {
+      claim_lee(wave.of([k](const Results& r) -> const Passed& { return r.passed.at(k).front(); }));
     }
   }
 }
