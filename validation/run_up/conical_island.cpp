@@ -16,9 +16,10 @@ been highest, what it has reached by then.
 
 **What to look at.** The crest bends around the island, and its two ends meet behind it: there the water climbs nearly
 as high as in front, though the sides saw much less. Cases A and B are computed until the run-up is over all around; in
-B the lattice folds in the backwash behind the island. In case C the wave breaks at the sides: the edge of the water
-piles up there, the lattice folds, and what is behind the island is not reached. Without friction the run-up in front of
-cases B and C would be 7 and 24 % higher, and without the force along the shore B would fold before its ends meet.
+B the lattice folds in the backwash behind the island, where the model has climbed a fifth to a third above the
+measurement. In case C the wave breaks at the sides: the edge of the water piles up there, the lattice folds, and what
+is behind the island is not reached. With columns 0.5 m apart and without friction the run-up in front of cases B and C
+is 6 and 30 % higher, and without the force along the shore B folds before its ends meet.
 */
 #include <algorithm>
 #include <array>
@@ -140,7 +141,7 @@ struct Results {
 };
 
 double finest_spacing(const Values& values) {
-  return values.tier() == Tier::quick ? 0.5 : 0.35;
+  return values.tier() == Tier::quick ? 0.35 : 0.25;
 }
 
 Measurement deviation_of(const std::vector<Passed>& spacings, const Measured& data) {
@@ -154,7 +155,7 @@ Measurement deviation_of(const std::vector<Passed>& spacings, const Measured& da
 }
 
 /// Of the highest wave the lattice folds at the sides, and of the middle one in the backwash.
-void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, const Measured& data) {
+void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, const Measured& data, double spacing) {
   const bool breaks = wave.name == "C";
   const evidence::Claim runup{
       .id = "runup-" + wave.name,
@@ -183,10 +184,18 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, co
       "behind the island is not reached";
   if (breaks) {
     claims.known_failure(runup, off, criterion, {.value = 0.66, .width = 0.1, .reason = reason});
-    claims.known_failure(over, missed, none, {.value = 4, .width = 1, .reason = reason});
+    claims.known_failure(over, missed, none, {.value = 4.5, .width = 0.5, .reason = reason});
   } else {
     claims.check(runup, off, criterion);
-    claims.check(over, missed, none);
+    if (wave.name == "B" && spacing < 0.3) {
+      claims.known_failure(over, missed, none,
+                           {.value = 1,
+                            .width = 0,
+                            .reason = "behind the island the lattice folds within a quarter of a second of the largest "
+                                      "run-up, where the waves meet ever higher as columns become narrower"});
+    } else {
+      claims.check(over, missed, none);
+    }
   }
 }
 
@@ -211,9 +220,9 @@ void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave) {
   }
 }
 
-void claim_lee(const Claims<Passed>& claims, const std::string& wave) {
+void claim_lee(const Claims<Passed>& claims) {
   claims.check(
-      {.id = "lee-" + wave,
+      {.id = "lee",
        .text = "Behind the island, where the two ends of the crest meet, the water climbs higher than beside it.",
        .quantity = "run-up at 180 degrees over that at 157.5",
        .source = source},
@@ -229,10 +238,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const double step = ConicalIsland({.height = waves[k].height, .spacing = spacing}).step();
     const auto wave = claims.at(resolution(spacing, step));
     const auto spacings = wave.of([k](const Results& r) -> const std::vector<Passed>& { return r.passed.at(k); });
-    claim_runup(spacings, waves[k], measured(table, waves[k].height));
+    claim_runup(spacings, waves[k], measured(table, waves[k].height), spacing);
     claim_whole(spacings, waves[k]);
-    if (waves[k].name != "C") {
-      claim_lee(wave.of([k](const Results& r) -> const Passed& { return r.passed.at(k).front(); }), waves[k].name);
+    if (waves[k].name == "A") {
+      claim_lee(wave.of([k](const Results& r) -> const Passed& { return r.passed.at(k).front(); }));
     }
   }
 }
