@@ -14,8 +14,9 @@ of the time origin, for the columns were let go by melting a diaphragm of waxed 
 that was not measured. The publication reports good agreement and no shift. Its volume-of-fluid curve cannot be
 repeated from the text.
 
-**What to look at.** As it stands the computed front is ahead, by 7 to 11 per cent with the publication's spacing $a/50$
-and by 10 to 14 with $a/100$. Shifted, it goes through the points.
+**What to look at.** As it stands the computed front is ahead, by 3 to 7 per cent with $a/30$ and 8 to 12 with $a/71$,
+as it must be of a column that nothing delays. Shifted, it goes through the points. Artificial viscosity goes with the
+spacing: the finer the lattice, the faster the front.
 */
 #include <algorithm>
 #include <array>
@@ -127,9 +128,14 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data) {
       },
       evidence::Qualitative{.detector = "X/a, as it stands, is above that of each of the points before the far wall",
                             .reason = "a diaphragm can only delay the water"});
+}
+
+/// By the publication's spacing where the tier has it. Finer lattices have less artificial viscosity, and their front
+/// is judged within the uncertainties.
+void claim_speed(const Claims<SphCollapse>& claims, const ColumnFront& data) {
   claims.check(
       {.id = "speed",
-       .text = "The front is as fast as the measured one, whatever the shift.",
+       .text = "With the publication's spacing, or that of the quick tier, the front is as fast as the measured one.",
        .quantity = "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
        .source = experiment},
       [](const SphCollapse& run) -> Measurement { return {.value = front_speed(run), .resolution = run.resolution()}; },
@@ -171,6 +177,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto finest = claims.of([](const Results& runs) -> const SphCollapses& { return runs.back(); });
   claim_sound(finest, values);
   claim_front(finest.of(&SphCollapses::run), data);
+  const auto same = std::ranges::find(ladder, 50) - ladder.begin();
+  claim_speed(claims.of([same](const Results& runs) -> const SphCollapse& {
+    return same < std::ssize(runs) ? runs[static_cast<std::size_t>(same)].run : runs.back().run;
+  }),
+              data);
   claims.only_if(ladder.size() >= 3, "its uncertainty needs three lattices, which the full tier affords")
       .check(
           {.id = "speed-uncertain",
@@ -188,7 +199,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
                                 .useful = 0.4 * speed_of(data.curve()),
                                 .reason = "two points, known to 0.05 each, 0.55 apart in T; beyond 40 % nothing is "
                                           "said"});
-  const auto same = std::ranges::find(ladder, 50) - ladder.begin();
   Values theirs(values.declared(), values.tier());
   theirs.set("cells", Value(values.integer("cells")));
   theirs.set("lattice", Value("square"));
