@@ -175,7 +175,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                        "first order to a quarter of an order, 0.5 times 2^(1/4): the orders between three "
                        "lattices, 1.0 and 0.8, differ by that much",
                    .expected = 0.5};
-  if (at_defaults(values)) {
+  if (values.standard()) {
     const bool quick = values.tier() == Tier::quick;
     claims.known_failure(converges(options.front()), ratio(0), half,
                          {.value = quick ? 0.72 : 1.2,

@@ -16,9 +16,9 @@ wave and the cosine of figure 4 are different waves with different clocks. The p
 its flume, the height of its paddle or the phase in which the paddle starts, and no curve in numbers; so the frames are
 shown and the events timed. What can be judged of them: the second wave plunges, and it does so at the same time without
 and with the stress. Here the flap starts from the middle of its stroke at full speed, and the front hangs over at 1.14
-periods; counted from the rearmost position of the flap, a quarter of a period earlier, that is 1.39, beside 1.38 of the
-publication, which does not say from where it counts. A direct comparison with potential flow, from one and the same
-start, is `overturning_sph`.
+periods, in a flume of two wavelengths as in one of three. Counted from the rearmost position of the flap, a quarter of
+a period earlier, that is 1.39, beside 1.38 in the publication; whether it counts from there, it does not say. A direct
+comparison with potential flow, from one and the same start, is `overturning_sph`.
 
 **What to look at.** A spilling tongue is there at 0.30 already. The largest speed, that of spray, has no limit for fine
 spacings.

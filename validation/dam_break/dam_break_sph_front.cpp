@@ -3,17 +3,20 @@ A column of water, $a = 5.7$ cm wide and twice as high, falls in an open tank $4
 Moyce (1952), as weakly compressible SPH computes it in figure 2 of the publication; figure 1 is its domain.
 
 **Set-up.** Walls $3.5a$ high; artificial viscosity $\alpha = 0.3$, XSPH $\epsilon = 0.5$, no density filter, $h =
-1.3\,dx$. The publication's 11103 particles are two in each of 50 by 100 cells and 1103 of the walls, whose corners
-are counted twice (tier `paper`); a square lattice with one in each cell gives the same front. Tier `full`: five
-spacings from $a/25$ to $a/100$. $T = t\sqrt{2g/a}$.
+1.3\,dx$. The publication wants $c_0$ ten times as large as the largest speed of the whole run. A first run with $c_0 =
+10\sqrt{2gH}$, $H = 2a$, as the usual rule has it, tells that speed; there it is up to a fifth of $c_0$. The second run,
+with 12.5 times that speed and the same $\alpha c_0$, is the computation. The publication's 11103 particles are two in
+each of 50 by 100 cells and 1103 of the walls, whose corners are counted twice (tier `paper`); a square lattice with one
+in each cell gives the same front. Tier `full`: five spacings from $a/18$ to $a/71$. $T = t\sqrt{2g/a}$.
 
 **What is compared.** The front with the points of the wider column, $a = 5.715$ cm: as it stands, and with one shift
 of the time origin, for the columns were let go by melting a diaphragm of waxed paper, which delays the start by a time
 that was not measured. The publication reports good agreement and no shift. Its volume-of-fluid curve cannot be
 repeated from the text.
 
-**What to look at.** As it stands the computed front is ahead, by 7 to 11 per cent with the publication's spacing $a/50$
-and by 10 to 14 with $a/100$. Shifted, it goes through the points.
+**What to look at.** As it stands the computed front is ahead, by 3 to 7 per cent with $a/30$ and 8 to 12 with $a/71$,
+as it must be of a column that nothing delays. Shifted, it goes through the points. Artificial viscosity goes with the
+spacing: the finer the lattice, the faster the front.
 */
 #include <algorithm>
 #include <array>
@@ -125,9 +128,14 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data) {
       },
       evidence::Qualitative{.detector = "X/a, as it stands, is above that of each of the points before the far wall",
                             .reason = "a diaphragm can only delay the water"});
+}
+
+/// By the publication's spacing where the tier has it. Finer lattices have less artificial viscosity, and their front
+/// is judged within the uncertainties.
+void claim_speed(const Claims<SphCollapse>& claims, const ColumnFront& data) {
   claims.check(
       {.id = "speed",
-       .text = "The front is as fast as the measured one, whatever the shift.",
+       .text = "With the publication's spacing, or that of the quick tier, the front is as fast as the measured one.",
        .quantity = "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
        .source = experiment},
       [](const SphCollapse& run) -> Measurement { return {.value = front_speed(run), .resolution = run.resolution()}; },
@@ -169,6 +177,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto finest = claims.of([](const Results& runs) -> const SphCollapses& { return runs.back(); });
   claim_sound(finest, values);
   claim_front(finest.of(&SphCollapses::run), data);
+  const auto same = std::ranges::find(ladder, 50) - ladder.begin();
+  claim_speed(claims.of([same](const Results& runs) -> const SphCollapse& {
+    return same < std::ssize(runs) ? runs[static_cast<std::size_t>(same)].run : runs.back().run;
+  }),
+              data);
   claims.only_if(ladder.size() >= 3, "its uncertainty needs three lattices, which the full tier affords")
       .check(
           {.id = "speed-uncertain",
@@ -186,7 +199,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
                                 .useful = 0.4 * speed_of(data.curve()),
                                 .reason = "two points, known to 0.05 each, 0.55 apart in T; beyond 40 % nothing is "
                                           "said"});
-  const auto same = std::ranges::find(ladder, 50) - ladder.begin();
   Values theirs(values.declared(), values.tier());
   theirs.set("cells", Value(values.integer("cells")));
   theirs.set("lattice", Value("square"));
@@ -266,7 +278,7 @@ Case dam_break_sph_front() {
       "Moyce, Phil. Trans. R. Soc. Lond. A 244 (1952) 312";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = with(
-      {integer("cells", {30, 100, 50}, {10, 1000}, "particle spacings in the width of the column"),
+      {integer("cells", {30, 71, 50}, {10, 1000}, "particle spacings in the width of the column"),
        choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"}, "lattice of the particles")},
       sph_dam_parameters({.alpha = 0.3}));
   c.study = Study(claims, compute, show);

@@ -1,6 +1,7 @@
 #include "validation/dam_break/sph_sound.hpp"
 
 #include <cmath>
+#include <variant>
 
 namespace seiche::validation {
 namespace {
@@ -41,6 +42,9 @@ SphCollapses collapse_by_rule(const SphDam& dam, const Values& values, const Wat
   SphCollapses runs{.first = collapse(dam, watch, {}, {}, part(0, share)), .run = {}};
   SphDam second = dam;
   second.settings.sound_speed = enough * runs.first->largest_speed();
+  if (auto* artificial = std::get_if<wcsph::ArtificialViscosity>(&second.settings.viscosity)) {
+    artificial->alpha *= dam.settings.sound_speed / second.settings.sound_speed;
+  }
   runs.run = collapse(second, watch, frames, on_frame, part(share, 1));
   return runs;
 }

@@ -4,6 +4,9 @@
 /// tells it; a second one, with the sound speed that follows, is the computation. Fastest are single particles of the
 /// splash at the far wall, so lattices and sound speeds differ by a tenth or two: a quarter more than ten is taken.
 ///
+/// Artificial viscosity is proportional to alpha c_0. That product stays what it is in the first run: with alpha itself
+/// a faster sound would thicken the water, and slow the front down by a twentieth.
+///
 /// Reference: Monaghan, Simulating free surface flows with SPH, J. Comput. Phys. 110 (1994) 399.
 #pragma once
 
