@@ -4,7 +4,7 @@ import os
 import pathlib
 import shutil
 
-from render import atlas, badge, gallery, pages, records, sharpness
+from render import atlas, badge, defects, gallery, pages, records, sharpness
 from render.formulas import Formulas
 from render.records import Broken
 from render.store import MARKER, Store
@@ -50,10 +50,12 @@ def build(evidence, stage, out, options):
     whole = {"summary": summary, "kinds": pages.grouped(cases), "sources": sources, "filled": filled,
              "tiles": len(titles), "has_junit": (evidence / "junit.xml").is_file(),
              "sharpness": sharpness.survey([record for case in cases for record in case.records if record.own]),
+             "defects": defects.survey(defects.read(), loaded),
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
     write("index.html.j2", "index.html", "", **whole)
     write("atlas.html.j2", "atlas.html", "", **whole)
     write("sharpness.html.j2", "sharpness.html", "", **whole)
+    write("defects.html.j2", "defects.html", "", **whole)
     write("reading.html.j2", "reading.html", "", **whole)
     if options.pdf:
         write("print.html.j2", "print.html", "", views=views, **whole)

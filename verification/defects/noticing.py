@@ -32,10 +32,10 @@ def command(check, program, folder):
 
 
 def of_record(path):
-    """"record: claim" -> Finding. Throws NoAnswer for a record of a run that did not finish."""
+    """"record: claim" -> Finding; none of a run that did not finish."""
     record = json.loads(path.read_text())
     if record["status"] != "finished":
-        raise NoAnswer(f"{record['case']} did not finish: {record['error']}")
+        return {}
     return {f"{record['case']}: {claim['id']}": Finding(claim["verdict"], not claim["as_declared"], claim["measured"],
                                                         claim["criterion"]["limit"])
             for claim in record["claims"]}

@@ -25,7 +25,7 @@ from defects import FOLDER, BadDefect, all_defects
 from noticing import Finding, NoAnswer, findings
 from programs import Build, NotBuilt
 
-COLUMNS = ("defect", "of", "file", "check", "claim", "measured", "limit", "verdict", "others")
+COLUMNS = ("defect", "what", "of", "file", "check", "claim", "measured", "limit", "verdict", "others")
 
 
 @dataclasses.dataclass
@@ -90,7 +90,9 @@ def compare(result, sound, broken):
     claims = {claim for claim in noticed if not claim.startswith("test: ")}
     result.others = len((claims or noticed) - {name})
     result.finding = broken.get(name)
-    if name not in noticed:
+    if name in sound and name not in broken:
+        result.trouble = f"{name} was not judged: its test ended by an exception"
+    elif name not in noticed:
         result.trouble = f"not noticed by {name}" + (f", but by {', '.join(sorted(noticed))}" if noticed else "")
 
 
@@ -126,18 +128,27 @@ def report(number, total, result):
     print(line if result.found else f"{line}\n{result.trouble}", flush=True)
 
 
-def write(path, results):
-    """The record of a run, whole or not at all."""
+def row(result):
+    defect, finding = result.defect, result.finding or Finding("", False)
+    entries = (defect.name, defect.what, defect.of, defect.file, defect.check, defect.noticed_by,
+               digits(finding.measured), digits(finding.limit), finding.verdict if result.found else "not found",
+               result.others)
+    return dict(zip(COLUMNS, map(str, entries)))
+
+
+def write(path, results, known):
+    """The record with the results of this run, whole or not at all; of other defects what it said before."""
+    rows = {}
+    if path.is_file():
+        with path.open(newline="") as file:
+            rows = {former["defect"]: former for former in csv.DictReader(file)}
+    rows |= {result.defect.name: row(result) for result in results}
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_suffix(".part")
     with part.open("w", newline="") as file:
-        rows = csv.writer(file, lineterminator="\n")
-        rows.writerow(COLUMNS)
-        for result in sorted(results, key=lambda result: result.defect.name):
-            defect, finding = result.defect, result.finding or Finding("", False)
-            rows.writerow([defect.name, defect.of, defect.file, defect.check, defect.noticed_by,
-                           digits(finding.measured), digits(finding.limit),
-                           finding.verdict if result.found else "not found", result.others])
+        table = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        table.writeheader()
+        table.writerows(rows[defect.name] for defect in known if defect.name in rows)
     part.replace(path)
 
 
@@ -162,7 +173,7 @@ def main():
     parser.add_argument("--random", type=int, metavar="N", help="only so many of them, chosen at random")
     parser.add_argument("--seed", type=int, help="of the choice")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--record", type=pathlib.Path, help="CSV to write after a run over all defects")
+    parser.add_argument("--record", type=pathlib.Path, help="CSV of what all defects came to; rows of this run are renewed")
     options = parser.parse_args()
 
     scratch = options.build.resolve() / "defects"
@@ -180,8 +191,8 @@ def main():
     print(f"{len(results) - len(missed)} of {len(results)} defects found")
     if missed:
         print(f"not found: {', '.join(sorted(missed))}")
-    if options.record and len(defects) == len(known):
-        write(options.record, results)
+    if options.record:
+        write(options.record, results, known)
     return 1 if missed else 0
 
 

@@ -22,8 +22,11 @@ sys.path.insert(0, str(REPORTS))
 import h5py  # noqa: E402
 import numpy  # noqa: E402
 
-from render import quantities, records  # noqa: E402
+from render import defects, pages, quantities, records  # noqa: E402
 from render.command import main  # noqa: E402
+from render.formulas import Formulas  # noqa: E402
+from render.store import Store  # noqa: E402
+from render.text import Typesetter  # noqa: E402
 
 HOSTILE = "<script>alert('x')</script>\"&'"
 VOID = {"meta", "link", "br", "img", "input", "hr", "rect", "path", "circle", "wbr"}
@@ -244,6 +247,25 @@ class Report(unittest.TestCase):
         self.assertIn("sharp-claim-wide", marginal)     # its uncertainty uses up the limit
         for neither in ("exact", "middle", "fails", "seen"):
             self.assertNotIn(f"sharp-claim-{neither}", page)
+
+    def test_planted_defects_are_listed_with_the_claims_that_found_them(self):
+        rows = [{"defect": "linear/a", "of": "solver", "what": "a sign", "file": "a.cpp", "check": "a_test.cpp",
+                 "claim": "sharp: marginal", "measured": "0.5", "limit": "1e-12", "verdict": "fail", "others": "2"},
+                {"defect": "linear/b", "of": "solver", "what": "a factor", "file": "a.cpp", "check": "a_test.cpp",
+                 "claim": "gone: claim", "measured": "", "limit": "", "verdict": "not found", "others": "0"}]
+        memo = Store(self.out / ".cache").memo
+        loaded, _ = records.load(self.evidence, memo)
+        page = pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("defects.html.j2").render(
+            root="", page="defects.html", title="T", fonts=False, defects=defects.survey(rows, loaded))
+        self.assertIn("1 of 2 defects are found, by 1 different claim.", page)
+        self.assertIn("cases/sharp.html#sharp-claim-marginal", page)
+        self.assertIn("not found", page[page.index('id="linear-b'):])
+
+    def test_every_planted_defect_of_the_record_is_shown(self):
+        page = (self.out / "defects.html").read_text(encoding="utf-8")
+        rows = defects.read()
+        self.assertEqual(page.count("<tr id="), len(rows))
+        self.assertIn("defects.html", self.index)
 
     def test_a_tile_is_reproduced_only_by_runs_that_came_out_as_declared(self):
         atlas = (self.out / "atlas.html").read_text(encoding="utf-8")
