@@ -417,6 +417,7 @@ Case slope_run_up_mesh() {
                           real("tan_slope", 1.0, "1", {0.3, 5}, "tangent of the slope")},
                          mesh_parameters(0.25, 8, 0.025),
                          {toggle("beyond_folds", true, "go on when a cell folds, as Frank's model does")}});
+  c.published = {{.tiles = {"frank-slopes-2d"}, .differs = "the thesis does not state the mesh"}};
   c.study = Study(claims, compute, show);
   return c;
 }
