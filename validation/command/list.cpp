@@ -33,7 +33,8 @@ Json to_json(const validation::Value& value) {
 
 Json to_json(const Case& one, const validation::Published& set) {
   Json values = Json::object();
-  for (const auto& [name, value] : one.values(set).all()) values[name] = to_json(value);
+  const validation::Values chosen = one.values(set);
+  for (const auto& [name, value] : chosen.all()) values[name] = to_json(value);
   return {{"tiles", set.tiles}, {"tier", name(set.tier)}, {"values", values}, {"differs", set.differs}};
 }
 
@@ -96,7 +97,8 @@ void print_published() {
   for (const Case& one : validation::all_cases()) {
     for (const validation::Published& set : one.published) {
       fmt::print("seiche run {} --as {}\n  tier {}", one.name, fmt::join(set.tiles, ", "), name(set.tier));
-      for (const auto& [name, value] : one.values(set).all()) {
+      const validation::Values chosen = one.values(set);
+      for (const auto& [name, value] : chosen.all()) {
         fmt::print(", {} = {}", name, std::visit([](const auto& v) { return fmt::format("{}", v); }, value));
       }
       fmt::print("\n");
