@@ -269,6 +269,12 @@ Case flap_plunging_sph() {
        integer("layers", {10, 26, 26}, {6, 200}, "particle spacings in the depth"),
        choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"}, "lattice of the particles")},
       sph_parameters({.alpha = 0.01}, "sqrt(g d)"));
+  c.published = {
+      {.tiles = {"sph-fig-4"}},
+      {.tiles = {"sph-fig-6"},
+       .tier = Tier::paper,
+       .differs =
+           "the publication states neither the length of the flume nor the height and the first phase of the paddle"}};
   c.study = Study(claims, compute, show);
   return c;
 }

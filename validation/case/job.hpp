@@ -26,6 +26,8 @@ struct Job {
 
   /// Of everything that decides the numbers but the reference tables: equal means that it need not run again.
   [[nodiscard]] std::string fingerprint() const;
+  /// Names the files of the record: blank_record().stem().
+  [[nodiscard]] std::string stem() const;
   /// A record with everything that is known before the case runs.
   [[nodiscard]] evidence::Record blank_record() const;
 };

@@ -281,6 +281,10 @@ Case dam_break_sph_front() {
       {integer("cells", {30, 71, 50}, {10, 1000}, "particle spacings in the width of the column"),
        choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"}, "lattice of the particles")},
       sph_dam_parameters({.alpha = 0.3}));
+  c.published = {{.tiles = {"sph-fig-1"}},
+                 {.tiles = {"sph-fig-2"},
+                  .tier = Tier::paper,
+                  .differs = "the two shared corners of the walls hold one particle, not two"}};
   c.study = Study(claims, compute, show);
   return c;
 }

@@ -252,6 +252,9 @@ Case dam_break_sph_turbulence() {
        choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"}, "lattice of the particles"),
        integer("wall_rows", {2, 2, 3}, {2, 3}, "rows of wall particles")},
       sph_dam_parameters({.viscosity = "sps", .filter = 30, .courant = {0.2, 0.15, 0.15}}));
+  c.published = {{.tiles = {"sph-fig-3"},
+                  .tier = Tier::paper,
+                  .differs = "time steps of 0.15 h/(c + sigma) where the publication has 0.3"}};
   c.study = Study(claims, compute, show);
   return c;
 }

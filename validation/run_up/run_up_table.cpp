@@ -442,6 +442,8 @@ Case run_up_table() {
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = joined({{integer("halvings", {1, 2, 3}, {1, 5}, "how often the spacing is halved, from 1/4 depth on")},
                          step_parameters()});
+  c.published = {{.tiles = {"frank-table-runup"},
+                  .differs = "the thesis does not state the spacing: 1/4 of the depth, and half of it"}};
   c.study = Study(claims, compute, show);
   return c;
 }

@@ -483,6 +483,9 @@ Case flap_wave_sph() {
                        real("flume", 2.25, "gauge", {1.1, 20}, "length of the flume"),
                        integer("layers", {14, 40, 80}, {4, 400}, "particle spacings in the depth")},
                       sph_parameters({.alpha = 0.01, .filter = 30}, "sqrt(g d)"));
+  c.published = {{.tiles = {"sph-fig-5"},
+                  .tier = Tier::full,
+                  .differs = "the publication states neither the spacing nor the length of the flume"}};
   c.study = Study(claims, compute, show);
   return c;
 }
