@@ -33,13 +33,13 @@ double moment_between(const BentLine& line, double from, double to) {
 
 TEST_CASE("a bent line's chords, places and moments agree to round-off", "[geometry]") {
   Check check("bent_line", "Two lines joined by an arc",
-              "A level line at y = -1 that turns at (3, -1), to the left and to the right, by 0.1 to 2.5. Arc lengths "
+              "A level line at y = -1 that turns at (3, -1), to the left and to the right, by 0.1 to 1.5. Arc lengths "
               "before, on and after the arc, and intervals over one, two or all three of these.");
   Worst chord;
   Worst length;
   Worst back;
   Worst moments;
-  for (const double angle : {-1.2, 0.1, std::numbers::pi / 4, 1.1, 2.5}) {
+  for (const double angle : {-1.2, 0.1, std::numbers::pi / 4, 1.1, 1.5}) {
     const double rounding = 0.4;
     const BentLine line({3, -1}, {1, 0}, {std::cos(angle), std::sin(angle)}, rounding);
     const double half = 0.5 * std::abs(angle) * line.radius();
@@ -77,6 +77,6 @@ TEST_CASE("a bent line's chords, places and moments agree to round-off", "[geome
               .source = source},
              {.value = moments.value()}, roundings);
   CHECK_THROWS_AS(BentLine({0, 0}, {1, 0}, {1, 0}, 0.1), std::invalid_argument);
-  CHECK_THROWS_AS(BentLine({0, 0}, {1, 0}, {-1, 0}, 0.1), std::invalid_argument);
-  CHECK_THROWS_AS(BentLine({0, 0}, {1, 0}, {0, 1}, 0), std::invalid_argument);
+  CHECK_THROWS_AS(BentLine({0, 0}, {1, 0}, {0, 1}, 0.1), std::invalid_argument);
+  CHECK_THROWS_AS(BentLine({0, 0}, {1, 0}, {1, 1}, 0), std::invalid_argument);
 }

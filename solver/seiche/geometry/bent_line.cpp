@@ -27,7 +27,7 @@ double turn(Point before, Point after) {
   const Point to = unit(after);
   const double angle = std::atan2(from.x * to.y - from.y * to.x, dot(from, to));
   constexpr double least = 1e-6;
-  constexpr double most = 3;
+  constexpr double most = 1.57;
   if (!(std::abs(angle) >= least && std::abs(angle) <= most)) {
     throw std::invalid_argument(
         fmt::format("a line turns by {:g} rad; allowed: {:g} to {:g}, to either side", angle, least, most));
