@@ -456,7 +456,7 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
     along.line(label, places, share, role);
   };
   line("as set", r.runs.back(), Role::computed);
-  line(more_neighbours.name, r.wide.back(), Role::exact);
+  line(more_neighbours.name, r.wide.back(), Role::guide);
   for (const Waves& one : r.suspects) line(one.scheme, one, Role::peer);
 }
 
