@@ -9,7 +9,7 @@
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
 
-TEST_CASE("the barrier's force is the slope of its energy", "[conservation]") {
+TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
   verification::Check check(
       "lagrangian_mesh_barrier", "Corner barrier: force and energy",
       "Nine cells, of which the middle node is moved until four corners are sharp: the force on every node against "
