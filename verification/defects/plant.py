@@ -152,8 +152,8 @@ def write(path, results, known):
     part.replace(path)
 
 
-def plant_all(planter, defects, jobs):
-    """Results in the order in which they come."""
+def plant_all(planter, defects, jobs, keep):
+    """Results in the order in which they come, each with what came before it handed to keep."""
     checks = list(dict.fromkeys(defect.check for defect in defects))
     results = []
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
@@ -163,6 +163,7 @@ def plant_all(planter, defects, jobs):
         for number, run in enumerate(concurrent.futures.as_completed(runs), 1):
             results.append(run.result())
             report(number, len(defects), results[-1])
+            keep(results)
     return results
 
 
@@ -184,15 +185,14 @@ def main():
     except (BadDefect, ValueError) as wrong:
         print(f"plant.py: {wrong}", file=sys.stderr)
         return 2
+    keep = (lambda results: write(options.record, results, known)) if options.record else (lambda results: None)
     with (scratch / ".lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # two runs would plant in the same place
-        results = plant_all(Planter(Build(options.build), scratch), defects, options.jobs)
+        results = plant_all(Planter(Build(options.build), scratch), defects, options.jobs, keep)
     missed = [result.defect.name for result in results if not result.found]
     print(f"{len(results) - len(missed)} of {len(results)} defects found")
     if missed:
         print(f"not found: {', '.join(sorted(missed))}")
-    if options.record:
-        write(options.record, results, known)
     return 1 if missed else 0
 
 

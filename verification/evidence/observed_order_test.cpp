@@ -40,6 +40,11 @@ TEST_CASE("scatter wider than the tolerance is inconclusive", "[order]") {
   errors[1] *= 2;
   errors[3] /= 2;
   CHECK(judge(observed_order(sizes, errors), Order{2, 0.1, "test"}).verdict == Verdict::inconclusive);
+  // Scatter without a slope: the order is the expected one, and is not known.
+  errors = errors_of_order(2);
+  const std::vector<double> residuals{2, -1, -2, -1, 2};
+  for (std::size_t k = 0; k < errors.size(); ++k) errors[k] *= std::exp(0.2 * residuals[k]);
+  CHECK(judge(observed_order(sizes, errors), Order{2, 0.1, "test"}).verdict == Verdict::inconclusive);
 }
 
 TEST_CASE("points at the round-off floor are left out and named", "[order]") {
