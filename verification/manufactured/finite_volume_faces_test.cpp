@@ -37,7 +37,7 @@ FiniteVolumeFlow stationary_jump(State upstream, State downstream) {
 
 }  // namespace
 
-TEST_CASE("fluxes through a face are those of the schemes in closed form", "[conservation]") {
+TEST_CASE("fluxes through a face are those of the schemes in closed form", "[manufactured]") {
   verification::Check check(
       "finite_volume_faces", "Finite volumes: fluxes in closed form",
       "Steps so short that the states beside a face do not change. A stream of depth $h$ and velocity $u$ that meets a "
@@ -118,7 +118,7 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[con
                            "0.7 m in one cell is no fan"});
 }
 
-TEST_CASE("friction and bed act as the ledger says", "[conservation]") {
+TEST_CASE("friction and bed act as the ledger says", "[manufactured]") {
   verification::Check check(
       "finite_volume_sources", "Finite volumes: friction and bed",
       "Uniform flow between free ends under Manning's friction obeys $u' = -k u |u|$, $k = g n^2/h^{4/3}$: the "
