@@ -88,7 +88,7 @@ class Build:
             found = [defect.file]
         else:
             found = [path for path in self.sources.deciding(defect.check.file)
-                     if path.endswith(".cpp") and defect.file in self.read_by(path)]
+                     if path in compile_of and defect.file in self.read_by(path)]
         missing = [path for path in found if path not in compile_of]
         if missing or not found:
             raise NotBuilt(f"{defect.check.target} is not made from {' '.join(missing) or defect.file}")
@@ -99,7 +99,6 @@ class Build:
         words = list(self.commands(defect.check.target)[0][source])
         if not defect.file.endswith(".cpp"):
             words = without_precompiled(words)
-            words[words.index("-c"):words.index("-c")] = []
             first = next(i for i, word in enumerate(words) if word.startswith("-I"))
             words[first:first] = [f"-I{tree}/solver", f"-I{tree}"]
         text = tree / source if (tree / source).is_file() else ROOT / source
