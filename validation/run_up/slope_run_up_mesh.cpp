@@ -213,7 +213,7 @@ void claim_convergence(const Claims<std::vector<Climbed>>& claims) {
             for (std::size_t k = 0; k < all.size(); ++k) off.add(all[k].order() - 1, static_cast<double>(k));
             const Climbed& worst = all.at(static_cast<std::size_t>(off.where()));
             return {.value = worst.order(),
-                    .where = fmt::format("A = {:g}, cot = {:g}", worst.amplitude, farthest.cot_slope)};
+                    .where = fmt::format("A = {:g}, cot = {:g}", worst.amplitude, worst.cot_slope)};
           },
           Bound{.limit = 0.5,
                 .reason = "half an order: three meshes, the coarsest with four rows or less",
