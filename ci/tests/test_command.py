@@ -117,6 +117,8 @@ class Command(unittest.TestCase):
         told = seiche("compare", self.out, "--record", table)
         self.assertEqual(told.returncode, 1)
         self.assertEqual(told.stdout.count("new, "), len(claims))
+        # Claims of a case that did not run.
+        other = "riemann,,depth,bound,0.1,,0,1,,pass\n"
 
         def row(claim, **changes):
             c = {"measured": claim["measured"], "verdict": ("declared " if claim["declared"] == "fail" else "")
@@ -126,9 +128,13 @@ class Command(unittest.TestCase):
             numbers = ",".join("" if number is None else repr(number) for number in text)
             return f"bore_reflection,bzz-fig-15,{claim['id']},{claim['criterion']['kind']},{numbers},{c['verdict']}\n"
 
-        table.write_text(header + "".join(map(row, claims)))
+        table.write_text(header + "".join(map(row, claims)) + other)
         same = seiche("compare", self.out, "--record", table)
         self.assertEqual(same.returncode, 0, same.stdout)
+        self.assertIn("1 claims of other runs not compared", same.stdout)
+        whole = seiche("compare", self.out, "--record", table, "--whole")
+        self.assertEqual(whole.returncode, 1)
+        self.assertIn("riemann depth: no longer there", whole.stdout)
         table.write_text(header + row(claims[0], measured=1e3) + row(claims[1], verdict="fail") + "".join(map(row, claims[3:]))
                          + row(claims[3]).replace(claims[3]["id"], "old"))
         told = seiche("compare", self.out, "--record", table)

@@ -37,10 +37,8 @@ std::string text(double value, int digits) {
 
 /// A measured or expected value.
 std::string value_text(double value, const RecordedClaim& claim) {
-  constexpr int round_off_digits = 3;
-  constexpr int fewest = 6;
+  const int fewest = claim.kind == "roundoff" ? 3 : 6;
   constexpr int all = 17;
-  if (claim.kind == "roundoff") return text(value, round_off_digits);
   if (value == 0 || !(scale(claim) > 0)) return text(value, all);
   const double needed = std::ceil(std::log10(std::abs(value) / scale(claim))) + 3;
   return text(value, static_cast<int>(std::clamp<double>(needed, fewest, all)));

@@ -73,6 +73,7 @@ struct CompareOptions {
   std::string after;  ///< folder, or with `record` the table; empty: the project's own
   double factor = 1.05;
   bool record = false;  ///< compare with the evidence of record
+  bool whole = false;   ///< records of it that the folder has not count as changed
   std::string tier = "quick";
 };
 int compare(const CompareOptions& options);

@@ -116,7 +116,7 @@ std::string record_tests(const std::string& program, const std::string& evidence
     if (!std::filesystem::exists(validation::data_folder("record") / fmt::format("{}.csv", name(tier)))) continue;
     text += fmt::format(
         "if(\";${{seiche_tiers}};\" MATCHES \";{0};\")\n"
-        "  add_test([=[record.{0}]=] [=[{1}]=] compare [=[{2}]=] --record --tier {0})\n"
+        "  add_test([=[record.{0}]=] [=[{1}]=] compare [=[{2}]=] --record --whole --tier {0})\n"
         "  set_tests_properties([=[record.{0}]=] PROPERTIES LABELS \"{0};project\" TIMEOUT 60\n"
         "    FIXTURES_REQUIRED evidence.{0})\n"
         "endif()\n",

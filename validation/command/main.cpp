@@ -142,6 +142,7 @@ void add_compare(CLI::App& app, Action& action) {
       ->check(CLI::Range(1.0, 1e6));
   CLI::Option* record = command->add_flag(
       "--record", options->record, "compare A with the evidence of record: with table B, or that of this version");
+  command->add_flag("--whole", options->whole, "with --record: what A has not counts as changed")->needs(record);
   command->add_option("--tier", options->tier, "with --record: quick, full or paper")
       ->capture_default_str()
       ->needs(record);

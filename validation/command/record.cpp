@@ -1,5 +1,6 @@
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -60,6 +61,13 @@ std::vector<Summary> current(Tier tier, std::vector<Summary> records) {
   return records;
 }
 
+/// Drops the claims of runs that `now` has not; returns how many.
+std::size_t drop_others(std::vector<evidence::RecordedClaim>& before, const std::vector<evidence::RecordedClaim>& now) {
+  std::set<std::pair<std::string, std::string>> runs;
+  for (const evidence::RecordedClaim& one : now) runs.emplace(one.name, one.set);
+  return std::erase_if(before, [&](const evidence::RecordedClaim& one) { return !runs.contains({one.name, one.set}); });
+}
+
 std::filesystem::path file_of(Tier tier, const std::string& chosen) {
   return chosen.empty() ? validation::data_folder("record") / fmt::format("{}.csv", name(tier))
                         : std::filesystem::path(chosen);
@@ -96,11 +104,14 @@ int compare_with_record(const CompareOptions& options) {
     if (!one.standard) changed.push_back(fmt::format("{}: ran with parameters that are not the tier's", stem(one)));
   }
   const auto now = evidence::recorded_claims(records);
-  for (std::string& change : evidence::changes(evidence::read_recorded_claims(file), now)) {
+  std::vector<evidence::RecordedClaim> before = evidence::read_recorded_claims(file);
+  const std::size_t left_out = options.whole ? 0 : drop_others(before, now);
+  for (std::string& change : evidence::changes(before, now)) {
     changed.push_back(std::move(change));
   }
   for (const std::string& change : changed) fmt::print("  {}\n", change);
   fmt::print("{} claims, {} changed from {}\n", now.size(), changed.size(), file.string());
+  if (left_out > 0) fmt::print("{} claims of other runs not compared; --whole asks for them\n", left_out);
   if (!changed.empty())
     fmt::print("where the changes are meant, 'ci/record {}' makes them the new record\n", options.tier);
   return changed.empty() ? 0 : 1;

@@ -45,7 +45,10 @@ TEST_CASE("the evidence of record is read as it was written", "[evidence]") {
   known.claim = "known";
   known.band = 0.2;
   known.verdict = "declared fail";
-  const std::vector<RecordedClaim> claims{bound(1.0123456789), known, lost, roundoff(3.8412e-15)};
+  RecordedClaim place = roundoff(29.544312345678912);
+  place.claim = "place";
+  place.expected = place.measured;
+  const std::vector<RecordedClaim> claims{bound(1.0123456789), known, lost, roundoff(3.8412e-15), place};
   const std::string csv = evidence::to_csv(claims);
   const auto file = std::filesystem::temp_directory_path() / "seiche_evidence_of_record.csv";
   std::ofstream(file) << csv;
@@ -53,7 +56,7 @@ TEST_CASE("the evidence of record is read as it was written", "[evidence]") {
   CHECK(evidence::to_csv(read) == csv);
   CHECK(evidence::changes(claims, read).empty());
   std::ofstream(file, std::ios::app) << "bore,,x,bound,one,,1,1,,pass\n";
-  CHECK_THROWS_WITH(evidence::read_recorded_claims(file), Contains("line 6: 'one'"));
+  CHECK_THROWS_WITH(evidence::read_recorded_claims(file), Contains("line 7: 'one'"));
   std::filesystem::remove(file);
 }
 

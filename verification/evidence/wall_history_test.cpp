@@ -159,6 +159,14 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
               .source = "definition of the measure"},
              {.value = none.amplitude.uncertainty > 0.5 ? 1.0 : 0.0},
              evidence::Qualitative{"uncertainty larger than half of the last value", "no curvature to extrapolate"});
+  check.that({.id = "unbent",
+              .text = "It does not bend, and is said not to.",
+              .quantity = "whether an exponential is told from a straight line",
+              .source = "definition of the measure"},
+             {.value = exponential_approach(line.time, line.amplitude).bends ? 1.0 : 0.0},
+             evidence::Qualitative{.detector = "the best rate is not the slowest of those tried",
+                                   .reason = "the misfit falls towards the straight line",
+                                   .expected = false});
   check.that({.id = "growth",
               .text = "Its growth over the last fifth.",
               .quantity = "relative growth",
