@@ -176,10 +176,12 @@ void claim_peak(const Claims<ReflectionSeries>& claims, const ReflectionSeries& 
           },
           Uncertainty{.expected = frank,
                       .data = 0.05 * frank,
-                      .useful = 0.37,
-                      .reason = "printed to two digits as about the largest value; ours: what the fitted approach to "
-                                "its limit adds, and the uncertainty of that. A value u from 3.5, known to v, excludes "
-                                "4 if u + v < 0.5: with 5 % of 3.5, up to 0.37 together"});
+                      .useful = 0.3725,
+                      .reason =
+                          "printed to two digits as about the largest value; ours: what the fitted approach to "
+                          "its limit adds, and the uncertainty of that. A value that passes, known to v, excludes "
+                          "4 if hypot(0.35, v) + v < 0.5, where 0.35 is twice 5 % of 3.5: v < 0.1275, together "
+                          "0.3725"});
   claims.check(
       {.id = with("peak-place", series),
        .text = fmt::format("a = {:g}: it is highest just below kappa = 1 for finite angles.", series.amplitude),
