@@ -1,6 +1,8 @@
 """The HDF5 side of a record: which figures it holds (as digests, for the cache), which arrays, and their data."""
 import hashlib
 
+LARGEST_FIGURES = 2 * 10**7     # [number], in all figures of a record; a file of kilobytes may declare far more
+
 
 def _text(value):
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
@@ -20,6 +22,7 @@ def survey(path):
     """What is in the file: {"figures": {id: digest of all its data and attributes}, "arrays": [{name, shape, ...}]}."""
     import h5py
     with h5py.File(path, "r") as file:
+        _check(file)
         figures = {}
         for name, group in file["figures"].items() if "figures" in file else ():
             figures[name] = _group_digest(group)
@@ -34,6 +37,34 @@ def survey(path):
         if "arrays" in file:
             file["arrays"].visititems(visit)
     return {"figures": figures, "arrays": listed}
+
+
+def _check(file):
+    """All that the file shows lies in it, once, and can be held.
+
+    @throws ValueError  naming the object
+    """
+    import h5py
+    numbers, seen, waiting = 0, set(), [("", file)]
+    while waiting:
+        above, group = waiting.pop()
+        for name in group:
+            place = f"{above}/{name}"
+            if not isinstance(group.get(name, getlink=True), h5py.HardLink):
+                raise ValueError(f"{place} is a link; a record holds its data itself")
+            node = group[name]
+            address = h5py.h5o.get_info(node.id).addr
+            if address in seen:
+                raise ValueError(f"{place} is there under another name too")
+            seen.add(address)
+            if isinstance(node, h5py.Group):
+                waiting.append((place, node))
+            elif isinstance(node, h5py.Dataset):
+                if node.external or node.is_virtual:
+                    raise ValueError(f"the data of {place} lie in another file")
+                numbers += (node.size or 0) if place.startswith("/figures/") else 0
+    if numbers > LARGEST_FIGURES:
+        raise ValueError(f"its figures declare {numbers} numbers, more than {LARGEST_FIGURES}")
 
 
 def _group_digest(group):

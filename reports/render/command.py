@@ -29,7 +29,7 @@ def main(arguments=None):
         from render import report
     except ImportError as error:
         return _refuse(f"{error}; install python3-jinja2, python3-markdown, python3-numpy, python3-h5py,"
-                       " python3-matplotlib (and python3-jsonschema)")
+                       " python3-matplotlib, python3-jsonschema")
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
         stage = pathlib.Path(tempfile.mkdtemp(prefix=f".{out.name}.", dir=out.parent))
@@ -69,8 +69,6 @@ def _options(arguments):
 
 def _swap(stage, out):
     """Puts the finished report in its place; the former one goes only once the new one stands."""
-    if (out / ".cache").is_dir():
-        os.replace(out / ".cache", stage / ".cache")
     former = None
     if out.exists():
         former = pathlib.Path(tempfile.mkdtemp(prefix=f".{out.name}.old.", dir=out.parent))

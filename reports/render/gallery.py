@@ -4,7 +4,7 @@ import dataclasses
 import importlib.metadata
 import multiprocessing
 
-from render import arrays
+from render import arrays, files
 from render.store import digest, source_digest
 
 
@@ -18,17 +18,19 @@ class Drawn:
 
 def survey(directory, record, store):
     """Contents of the record's HDF5 file (arrays.survey), "problem" where it cannot be read, "files" that there are."""
-    there = [name for name in (record.file, record.data, record.fields) if name and (directory / name).is_file()]
+    there = [name for name in (record.file, record.data, record.fields) if name and files.is_regular(directory / name)]
     empty = {"figures": {}, "arrays": [], "problem": "", "files": there}
     if not record.data:
         return empty
     path = directory / record.data
     try:
-        status = path.stat()
-        key = f"{path.resolve()} {status.st_size} {status.st_mtime_ns}"
-        return {**empty, **store.memo("survey", key, lambda: arrays.survey(path))}
+        if not path.exists():
+            return {**empty, "problem": f"{record.data} cannot be read: there is no such file"}
+        if not files.is_regular(path):
+            return {**empty, "problem": f"{record.data} is not read: links and pipes are not followed"}
+        return {**empty, **store.memo("survey", files.content_digest(path), lambda: arrays.survey(path))}
     except Exception as error:      # HDF5 raises many types; a damaged file must not hide the rest of the report
-        return {**empty, "problem": f"{record.data} cannot be read: {_brief(error)}"}
+        return {**empty, "problem": f"{record.data} cannot be read: {error}"}
 
 
 def draw_all(directory, records, surveys, store, jobs):
@@ -80,11 +82,6 @@ def _draw(tasks, jobs):
             error = future.exception()
             problems[waiting[future]] = f"the drawing process ended: {error}" if error else future.result()
     return problems
-
-
-def _brief(error):
-    """The error in words: HDF5's own messages are long, and name what the reader cannot use."""
-    return "there is no such file" if isinstance(error, FileNotFoundError) else str(error)
 
 
 def _version(package):

@@ -8,6 +8,10 @@ import hashlib
 import json
 import pathlib
 
+import jsonschema
+
+from render import files
+
 SCHEMA = pathlib.Path(__file__).resolve().parent.parent / "schema" / "record.schema.json"
 KINDS = ("roundoff", "order", "bound", "uncertainty", "qualitative")
 VERDICTS = ("pass", "fail", "inconclusive", "error")
@@ -125,40 +129,17 @@ def _refuse_constant(text):
 
 @functools.cache
 def _validator():
-    """The schema's validator, or None where python3-jsonschema is missing."""
-    try:
-        import jsonschema
-    except ImportError:
-        return None
     return jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text(encoding="utf-8")))
 
 
 def violations(raw):
-    """Sentences naming where `raw` breaks the schema; empty when it does not (or when it cannot be checked)."""
-    validator = _validator()
-    if validator is None:
-        return _missing(raw)
+    """Sentences naming where `raw` breaks the schema; empty when it does not."""
     found = []
-    for error in validator.iter_errors(raw):
+    for error in _validator().iter_errors(raw):
         place = "/".join(str(step) for step in error.absolute_path) or "record"
         message = error.message if len(error.message) < 300 else error.message[:300] + " …"
         found.append(f"{place}: {message}")
     return sorted(found)
-
-
-def _missing(raw):
-    """The part of the check that needs no library: every required key is there."""
-    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
-    if not isinstance(raw, dict):
-        return ["record: not an object"]
-    found = [f"record: {key!r} is missing" for key in schema["required"] if key not in raw]
-    for name, kind in (("claims", "claim"), ("figures", "figure"), ("tables", "table")):
-        parts = raw.get(name, [])
-        for part in parts if isinstance(parts, list) else [None]:
-            required = schema["$defs"][kind]["required"]
-            lacking = [key for key in required if not isinstance(part, dict) or key not in part]
-            found += [f"{name}: {key!r} is missing" for key in lacking]
-    return found
 
 
 def load(directory, memo):
@@ -171,9 +152,10 @@ def load(directory, memo):
     records, broken, taken = [], [], {}
     for path in sorted(pathlib.Path(directory).glob("*.json")):
         try:
-            content = path.read_bytes()
-            raw = json.loads(content.decode("utf-8"), parse_constant=_refuse_constant)
-            key = hashlib.sha256(content).hexdigest() + schema + str(_validator_available())
+            text = files.read_text(path)
+            raw = json.loads(text, parse_constant=_refuse_constant)
+            json.dumps(raw, ensure_ascii=False).encode("utf-8")     # half a surrogate pair is no text
+            key = hashlib.sha256(text.encode("utf-8")).hexdigest() + schema
             reasons = memo("schema", key, lambda: violations(raw))
         except (OSError, ValueError, RecursionError) as error:
             broken.append(Broken(path.name, [f"{type(error).__name__}: {error}"]))
@@ -188,11 +170,6 @@ def load(directory, memo):
         else:
             records.append(Record(path.name, raw))
     return records, broken
-
-
-def _validator_available():
-    import importlib.util
-    return importlib.util.find_spec("jsonschema") is not None
 
 
 def cases(records):

@@ -1,22 +1,21 @@
 """Builds the whole report in an empty directory: read, draw, typeset, copy."""
 import importlib.util
-import os
 import pathlib
 import shutil
 
-from render import atlas, badge, defects, gallery, pages, records, sharpness
+from render import atlas, badge, defects, files, gallery, pages, records, sharpness
 from render.formulas import Formulas
 from render.records import Broken
-from render.store import MARKER, Store
+from render.store import MARKER, Store, user_cache
 from render.text import Typesetter
 
 _HERE = pathlib.Path(__file__).resolve().parent
 
 
 def build(evidence, stage, out, options):
-    """@param stage  empty directory to fill     @param out  the former report, whose cache and copies are used again
+    """@param stage  empty directory to fill     @param out  where the report will be
     @returns one sentence for the terminal"""
-    store = Store((out if (out / ".cache").is_dir() else stage) / ".cache")
+    store = Store(user_cache(), out.resolve())
     loaded, broken = records.load(evidence, store.memo)
     surveys = {record.stem: gallery.survey(evidence, record, store) for record in loaded}
     drawn = gallery.draw_all(evidence, loaded, surveys, store, options.jobs)
@@ -48,7 +47,7 @@ def build(evidence, stage, out, options):
     summary = pages.overview(cases, broken, problems)
     counts = atlas.count(sources)
     whole = {"summary": summary, "kinds": pages.grouped(cases), "sources": sources, "counts": counts,
-             "counts_in_words": atlas.in_words(counts), "has_junit": (evidence / "junit.xml").is_file(),
+             "counts_in_words": atlas.in_words(counts), "has_junit": files.is_regular(evidence / "junit.xml"),
              "sharpness": sharpness.survey([record for case in cases for record in case.records if record.own]),
              "defects": defects.survey(defects.read(), loaded),
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
@@ -61,9 +60,9 @@ def build(evidence, stage, out, options):
         write("print.html.j2", "print.html", "", views=views, **whole)
 
     for asset in ("report.css", "report.js"):
-        _copy(_HERE / "assets" / asset, stage / "assets" / asset, None)
+        _copy(_HERE / "assets" / asset, stage / "assets" / asset)
     _copy_figures(loaded, drawn, stage)
-    _copy_data(evidence, loaded, broken, stage / "data", out / "data")
+    _copy_data(evidence, loaded, broken, stage / "data")
     badge.write(stage / "badge.json", cases, broken)
     (stage / MARKER).write_text("A report made by reports/render; replaced as a whole by its next run.\n")
     store.save()
@@ -95,7 +94,7 @@ def _problems(loaded, surveys, drawn, unknown, evidence):
             problem = drawn[record.stem, figure["id"]].problem
             if problem and problem != surveys[record.stem]["problem"]:
                 found.append((record, f"figure “{figure['id']}”: {problem}"))
-        if record.fields and not (evidence / record.fields).is_file():
+        if record.fields and not files.is_regular(evidence / record.fields):
             found.append((record, f"{record.fields} is missing"))
     return found + [(record, f"no tile of the atlas is called “{name}”") for record, name in unknown]
 
@@ -111,7 +110,7 @@ def _fonts(stage):
         names = ("STIXGeneral.ttf", "STIXGeneralItalic.ttf", "STIXGeneralBol.ttf", "LICENSE_STIX")
         if all((folder / name).is_file() for name in names):
             for name in names:
-                _copy(folder / name, stage / "assets" / name, None)
+                _copy(folder / name, stage / "assets" / name)
             return True
     return False
 
@@ -122,27 +121,21 @@ def _copy_figures(loaded, drawn, stage):
             result = drawn[record.stem, figure["id"]]
             if result.path is not None:
                 folder = stage / "figures" / pages.slug(record.stem)
-                _copy(result.path, folder / f"{figure['id']}.svg", None)
+                _copy(result.path, folder / f"{figure['id']}.svg")
                 if result.thumb is not None:
-                    _copy(result.thumb, folder / f"{figure['id']}.thumb.svg", None)
+                    _copy(result.thumb, folder / f"{figure['id']}.thumb.svg")
 
 
-def _copy_data(evidence, loaded, broken, target, former):
+def _copy_data(evidence, loaded, broken, target):
     """Records, arrays and fields, so that the report can be moved as one folder."""
     names = {record.file for record in loaded} | {entry.file for entry in broken} | {"junit.xml"}
     names |= {name for record in loaded for name in (record.data, record.fields) if name}
     target.mkdir(parents=True, exist_ok=True)
     for name in sorted(names):
-        if (evidence / name).is_file():
-            _copy(evidence / name, target / name, former / name)
+        if files.is_regular(evidence / name):
+            _copy(evidence / name, target / name)
 
 
-def _copy(source, target, former):
-    """Copies a file; where the former report holds the same one (size and time), that copy serves again."""
+def _copy(source, target):
     target.parent.mkdir(parents=True, exist_ok=True)
-    if former is not None and former.is_file():
-        old, new = former.stat(), source.stat()
-        if (old.st_size, old.st_mtime_ns) == (new.st_size, new.st_mtime_ns):
-            os.link(former, target)
-            return
     shutil.copy2(source, target)

@@ -3,10 +3,33 @@
 Raw HTML in the text is printed, not obeyed; links lead to http(s), mailto or an anchor only; pictures are left out,
 since a page may need nothing but its own folder.
 """
+import contextlib
 import re
+import signal
 import xml.etree.ElementTree as ElementTree
 
 from markupsafe import Markup, escape
+
+LONGEST = 5     # [s], for one text; an article of ours takes milliseconds
+
+
+class TookTooLong(Exception):
+    pass
+
+
+@contextlib.contextmanager
+def at_most(seconds):
+    """Stops what runs inside by TookTooLong; regular expressions in the main thread too."""
+    def stop(*_):
+        raise TookTooLong
+    former = signal.signal(signal.SIGALRM, stop)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, former)
+
 
 _PLAIN = re.compile(r"[$*_`\[\]\\!<>&\n|#]|^\s*[-+\d]|  ")
 _SAFE_LINK = re.compile(r"(https?://|mailto:|#)", re.IGNORECASE)
@@ -23,7 +46,16 @@ class Typesetter:
 
     def block(self, text):
         """Paragraphs, lists, tables, headings (set two levels down, below the page's own)."""
-        return Markup(self._memo("markdown", text, lambda: self._convert(text)))
+        return Markup(self._memo("markdown", text, lambda: self._convert_in_time(text)))
+
+    def _convert_in_time(self, text):
+        """Converts; a text that takes the converter seconds is none that a person wrote, and is printed as it is."""
+        try:
+            with at_most(LONGEST):
+                return self._convert(text)
+        except (TookTooLong, RecursionError):
+            self._converter = None      # stopped midway
+            return f"<pre>{escape(text)}</pre>"
 
     def inline(self, text):
         """A sentence or caption, without the paragraph around it."""

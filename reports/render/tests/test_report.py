@@ -191,9 +191,8 @@ def render(evidence, out, *more):
 
 
 def contents(folder):
-    """Bytes of all files of a report but its cache."""
-    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*"))
-            if path.is_file() and ".cache" not in path.parts}
+    """Bytes of all files of a report."""
+    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
 class Report(unittest.TestCase):
@@ -202,6 +201,8 @@ class Report(unittest.TestCase):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.temporary.name)
         cls.evidence, cls.out = cls.folder / "evidence", cls.folder / "report"
+        cls.cache = cls.folder / "cache" / "seiche" / "report"
+        os.environ["XDG_CACHE_HOME"] = str(cls.folder / "cache")
         write_evidence(cls.evidence)
         cls.status, cls.said = render(cls.evidence, cls.out)
         cls.pages = {path: Page(path.read_text(encoding="utf-8")) for path in cls.out.rglob("*.html")}
@@ -268,7 +269,7 @@ class Report(unittest.TestCase):
                  "claim": "sharp: marginal", "measured": "0.5", "limit": "1e-12", "verdict": "fail", "others": "2"},
                 {"defect": "linear/b", "of": "solver", "what": "a factor", "file": "a.cpp", "check": "a_test.cpp",
                  "claim": "gone: claim", "measured": "", "limit": "", "verdict": "not found", "others": "0"}]
-        memo = Store(self.out / ".cache").memo
+        memo = Store(self.cache).memo
         loaded, _ = records.load(self.evidence, memo)
         page = pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("defects.html.j2").render(
             root="", page="defects.html", title="T", fonts=False, defects=defects.survey(rows, loaded))
@@ -367,10 +368,10 @@ class Report(unittest.TestCase):
 
     def test_second_run_draws_nothing_and_gives_the_same_bytes(self):
         first = contents(self.out)
-        cached = {path: path.stat().st_mtime_ns for path in (self.out / ".cache/figures").iterdir()}
+        cached = {path: path.stat().st_mtime_ns for path in (self.cache / "figures").iterdir()}
         self.assertEqual(render(self.evidence, self.out)[0], 0)
         self.assertEqual(contents(self.out), first)
-        self.assertEqual({path: path.stat().st_mtime_ns for path in (self.out / ".cache/figures").iterdir()}, cached)
+        self.assertEqual({path: path.stat().st_mtime_ns for path in (self.cache / "figures").iterdir()}, cached)
 
     def test_a_fresh_report_elsewhere_has_the_same_bytes(self):
         self.assertEqual(render(self.evidence, self.folder / "elsewhere", "--jobs", "1")[0], 0)

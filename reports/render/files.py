@@ -1,0 +1,29 @@
+"""Files of an evidence folder, which may come from a stranger: only regular files in it, of a size that can be read."""
+import hashlib
+import pathlib
+import stat
+
+LARGEST_RECORD = 64 * 2**20     # [byte], hundreds of times the largest of ours
+
+
+def is_regular(path):
+    """A regular file itself: no link, which may lead anywhere, no pipe, which may never end."""
+    try:
+        return stat.S_ISREG(pathlib.Path(path).lstat().st_mode)
+    except OSError:
+        return False
+
+
+def read_text(path):
+    """@throws ValueError  naming what is wrong with the file"""
+    if not is_regular(path):
+        raise ValueError("not a regular file: links and pipes are not followed")
+    size = path.stat().st_size
+    if size > LARGEST_RECORD:
+        raise ValueError(f"{size} bytes, more than the {LARGEST_RECORD} that a record may have")
+    return path.read_bytes().decode("utf-8")
+
+
+def content_digest(path):
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
