@@ -105,17 +105,32 @@ bool ActiveFunctions::known(long i, long j) const {
   return state == State::inner || state == State::zero || state == State::constant;
 }
 
-bool ActiveFunctions::nearest_block(long i, long j, long side, Block& block) const {
-  for (const auto& [across, up] : offsets_of(side)) {
-    const Block candidate{i + across, j + up};
-    bool complete = true;
-    for (long a = 0; complete && a < side; ++a) {
-      for (long b = 0; complete && b < side; ++b) complete = known(candidate.i + a, candidate.j + b);
+bool ActiveFunctions::complete(const Block& block) const {
+  for (long i = block.i; i < block.i + block.columns; ++i) {
+    for (long j = block.j; j < block.j + block.rows; ++j) {
+      if (!known(i, j)) return false;
     }
-    if (complete) {
-      block = candidate;
+  }
+  return true;
+}
+
+/// Along its own column or row: the continuation then couples few unknowns, and none far away.
+bool ActiveFunctions::nearest_run(long i, long j, long side, Block& block) const {
+  for (long gap = 1; gap <= search_radius; ++gap) {
+    for (const Block& run : {Block{i, j - gap - side + 1, 1, side}, Block{i, j + gap, 1, side},
+                             Block{i - gap - side + 1, j, side, 1}, Block{i + gap, j, side, 1}}) {
+      if (!complete(run)) continue;
+      block = run;
       return true;
     }
+  }
+  return false;
+}
+
+bool ActiveFunctions::nearest_block(long i, long j, long side, Block& block) const {
+  for (const auto& [across, up] : offsets_of(side)) {
+    block = {i + across, j + up, side, side};
+    if (complete(block)) return true;
   }
   return false;
 }
@@ -126,11 +141,10 @@ void ActiveFunctions::find_blocks() {
     for (long j = 0; j < rows_; ++j) {
       State& state = state_[index(i, j)];
       if (state != State::outer) continue;
-      Continuation found{.function = index(i, j), .i = i, .j = j, .block = {}, .side = degree_ + 1};
-      bool has_block = nearest_block(i, j, found.side, found.block);
+      Continuation found{.function = index(i, j), .i = i, .j = j, .block = {}};
+      bool has_block = nearest_run(i, j, degree_ + 1, found.block) || nearest_block(i, j, degree_ + 1, found.block);
       if (!has_block && degree_ > 2) {
-        found.side = 3;
-        has_block = nearest_block(i, j, found.side, found.block);
+        has_block = nearest_run(i, j, 3, found.block) || nearest_block(i, j, 3, found.block);
       }
       if (has_block) continuations_.push_back(found);
       state = has_block ? State::continued : State::lost;
@@ -185,15 +199,18 @@ void ActiveFunctions::write_terms(const Lattice& lattice) {
       add(f, 1);
       continue;
     }
-    const auto side = static_cast<std::size_t>(next->side);
-    std::array<double, CellPolynomials::most> across{};
-    std::array<double, CellPolynomials::most> up{};
-    lattice.x.extend(next->i, next->block.i, {across.data(), side});
-    lattice.y.extend(next->j, next->block.j, {up.data(), side});
-    for (std::size_t a = 0; a < side; ++a) {
-      for (std::size_t b = 0; b < side; ++b) {
-        const long column = lattice.x.wrapped(next->block.i + static_cast<long>(a));
-        add(index(column, next->block.j + static_cast<long>(b)), across[a] * up[b]);
+    const Block& block = next->block;
+    const auto columns = static_cast<std::size_t>(block.columns);
+    const auto rows = static_cast<std::size_t>(block.rows);
+    std::array<double, CellPolynomials::most> across{1};
+    std::array<double, CellPolynomials::most> up{1};
+    if (columns > 1) lattice.x.extend(next->i, block.i, {across.data(), columns});
+    if (rows > 1) lattice.y.extend(next->j, block.j, {up.data(), rows});
+    for (std::size_t a = 0; a < columns; ++a) {
+      for (std::size_t b = 0; b < rows; ++b) {
+        const double weight = across[a] * up[b];
+        const long column = lattice.x.wrapped(block.i + static_cast<long>(a));
+        if (weight != 0) add(index(column, block.j + static_cast<long>(b)), weight);
       }
     }
     ++next;

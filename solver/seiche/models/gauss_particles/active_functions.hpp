@@ -5,7 +5,8 @@
 ///     fixed    zero on a wall, or constant on the second of two separate walls (circulation)
 ///     inner    its support holds a cell with at least f times the mass of a full one: an unknown
 ///     outer    it touches a particle, but only of cut cells: its coefficient continues the polynomial of the nearest
-///              complete block of (q + 1)^2 inner or fixed functions, q = degree, else 2
+///              q + 1 inner or fixed functions of its column or row, or else of the nearest complete block of (q + 1)^2,
+///              q = degree, else 2
 ///     spare    as outer without a block near it, next to a wall: an unknown, or thin layers would fall through
 ///     free     as spare, but away from walls: particles of its cells fly freely in this step
 ///
@@ -69,8 +70,9 @@ class ActiveFunctions {
 
  private:
   enum class State : std::uint8_t { untouched, zero, constant, inner, outer, continued, lost };
+  /// Functions i ... i + columns - 1, j ... j + rows - 1.
   struct Block {
-    long i, j;
+    long i, j, columns, rows;
   };
 
   void fix_walls(const Lattice& lattice);
@@ -80,6 +82,8 @@ class ActiveFunctions {
   void number();
   void write_terms(const Lattice& lattice);
   [[nodiscard]] bool known(long i, long j) const;
+  [[nodiscard]] bool complete(const Block& block) const;
+  bool nearest_run(long i, long j, long side, Block& block) const;
   bool nearest_block(long i, long j, long side, Block& block) const;
   template <class Visit>
   void visit(const OccupiedCells::Cell& cell, Visit&& visit_function) const;
@@ -102,7 +106,6 @@ class ActiveFunctions {
     std::size_t function;
     long i, j;
     Block block;
-    long side;
   };
   std::vector<Continuation> continuations_;  // in the order of their functions
 };

@@ -42,6 +42,7 @@ void GramSystem::begin(const Lattice& lattice, const ActiveFunctions& functions)
   offset_ = {lattice.x.first(), lattice.y.first()};
   if (!same) {
     extra_.clear();
+    extra_reach_.clear();
     place_.clear();
   }
   if (!complete_ || !same || !fit(functions)) {
@@ -106,18 +107,43 @@ void GramSystem::choose_slots(const Lattice& lattice, const ActiveFunctions& fun
   }
 }
 
+GramSystem::Place GramSystem::moved(Place from, long columns, long rows) const {
+  const long column = from.i + columns;
+  return {columns_ > 0 ? (column + columns_) % columns_ : column, from.j + rows};
+}
+
+bool GramSystem::at_edge(Place place) const {
+  for (const long step : {-degree_, degree_}) {
+    if (slot(moved(place, step, 0)) < 0 || slot(moved(place, 0, step)) < 0) return true;
+  }
+  return false;
+}
+
+void GramSystem::couple(Place a, Place b) {
+  complete_ = false;
+  extra_.push_back({a, b});
+  Place reach{column_difference(a.i, b.i), b.j - a.j};
+  if (reach.i < 0 || (reach.i == 0 && reach.j < 0)) reach = {-reach.i, -reach.j};
+  if (std::find(extra_reach_.begin(), extra_reach_.end(), reach) == extra_reach_.end()) extra_reach_.push_back(reach);
+}
+
 void GramSystem::analyse() {
   const int slots = static_cast<int>(place_.size()) + (constant_ ? 1 : 0);
-  const long reach = 2 * degree_ + 1;
   std::vector<std::vector<int>> below(static_cast<std::size_t>(slots));
   for (int a = 0; a < static_cast<int>(place_.size()); ++a) {
     auto& column = below[static_cast<std::size_t>(a)];
     const Place at = place_[static_cast<std::size_t>(a)];
     for (long i = -degree_; i <= degree_; ++i) {
       for (long j = -degree_; j <= degree_; ++j) {
-        const long to = columns_ > 0 ? (at.i + i + columns_) % columns_ : at.i + i;
-        const int b = slot({to, at.j + j});
+        const int b = slot(moved(at, i, j));
         if (b >= a) column.push_back(b);
+      }
+    }
+    if (!extra_reach_.empty() && at_edge(at)) {
+      for (const Place reach : extra_reach_) {
+        for (const int b : {slot(moved(at, reach.i, reach.j)), slot(moved(at, -reach.i, -reach.j))}) {
+          if (b >= 0) below[static_cast<std::size_t>(std::min(a, b))].push_back(std::max(a, b));
+        }
       }
     }
     if (constant_) column.push_back(slots - 1);
@@ -141,13 +167,12 @@ void GramSystem::analyse() {
       slots, slots, static_cast<Eigen::Index>(row_.size()), column_begin_.data(), row_.data(), values_.data());
   solver_ = std::make_unique<linear::SparseCholesky>(std::move(pattern));
   ++analyses_;
-
+  const long reach = 2 * degree_ + 1;
   stencil_.assign(place_.size() * static_cast<std::size_t>(reach * reach), -1);
   for (std::size_t a = 0; a < place_.size(); ++a) {
     for (long i = -degree_; i <= degree_; ++i) {
       for (long j = -degree_; j <= degree_; ++j) {
-        const long to = columns_ > 0 ? (place_[a].i + i + columns_) % columns_ : place_[a].i + i;
-        const int b = slot({to, place_[a].j + j});
+        const int b = slot(moved(place_[a], i, j));
         if (b < 0) continue;
         stencil_[a * static_cast<std::size_t>(reach * reach) +
                  static_cast<std::size_t>((i + degree_) * reach + j + degree_)] = entry(static_cast<int>(a), b);
@@ -202,8 +227,7 @@ void GramSystem::add(std::span<const std::size_t> unknowns, const double* matrix
         } else {
           place = entry(from, to);
           if (place < 0) {
-            complete_ = false;
-            extra_.push_back({p, q});
+            couple(p, q);
             continue;
           }
         }

@@ -47,6 +47,9 @@ class GramSystem {
   [[nodiscard]] Place absolute(const ActiveFunctions& functions, std::size_t unknown) const;
   [[nodiscard]] int slot(Place place) const;
   [[nodiscard]] long column_difference(long from, long to) const;
+  void couple(Place a, Place b);
+  [[nodiscard]] bool at_edge(Place place) const;
+  [[nodiscard]] Place moved(Place from, long columns, long rows) const;
   bool fit(const ActiveFunctions& functions);
   void choose_slots(const Lattice& lattice, const ActiveFunctions& functions);
   void analyse();
@@ -63,7 +66,8 @@ class GramSystem {
   long window_rows_ = 0;
   std::vector<int> slot_at_;  // in the window; -1: none
   std::vector<Place> place_;  // of the slots, without the wall's constant, which is the last
-  std::vector<Coupling> extra_;
+  std::vector<Coupling> extra_;     // of continued cells, beyond the reach of a cell's splines
+  std::vector<Place> extra_reach_;  // differences of places so coupled: what one place needs its neighbours will need
   std::vector<int> stencil_;  // entry of a slot's coupling with its neighbours; -1: none
   std::vector<int> column_begin_, row_;
   std::vector<double> values_;

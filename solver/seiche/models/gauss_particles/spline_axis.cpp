@@ -63,7 +63,10 @@ bool SplineAxis::uniform(long from, long to) const {
 }
 
 void SplineAxis::extend(long i, long i0, std::span<double> weights) const {
-  if (static_cast<int>(weights.size()) == degree_ + 1) {
+  if (i >= i0 && i < i0 + static_cast<long>(weights.size())) {
+    std::fill(weights.begin(), weights.end(), 0.0);
+    weights[static_cast<std::size_t>(i - i0)] = 1;
+  } else if (static_cast<int>(weights.size()) == degree_ + 1) {
     blossom(i, i0, weights);
   } else {
     fit(i, i0, weights);
