@@ -28,7 +28,8 @@ std::vector<std::array<long, 2>> block_offsets(long side) {
 }
 
 const std::vector<std::array<long, 2>>& offsets_of(long side) {
-  static const std::array<std::vector<std::array<long, 2>>, 3> all{block_offsets(3), block_offsets(4), block_offsets(5)};
+  static const std::array<std::vector<std::array<long, 2>>, 3> all{block_offsets(3), block_offsets(4),
+                                                                   block_offsets(5)};
   return all[static_cast<std::size_t>(side - 3)];
 }
 
@@ -65,8 +66,8 @@ void ActiveFunctions::choose(const Lattice& lattice, const OccupiedCells& cells,
 void ActiveFunctions::fix_walls(const Lattice& lattice) {
   const bool across = lattice.y.wall_below() || lattice.y.wall_above();
   const bool upright = lattice.x.wall_below() || lattice.x.wall_above();
-  const bool two = across ? lattice.y.wall_below() && lattice.y.wall_above()
-                          : lattice.x.wall_below() && lattice.x.wall_above();
+  const bool two =
+      across ? lattice.y.wall_below() && lattice.y.wall_above() : lattice.x.wall_below() && lattice.x.wall_above();
   wall_constant_ = two && across != upright;
   const auto column = [&](long i, State state) {
     for (long j = 0; j < rows_; ++j) state_[index(i, j)] = state;

@@ -5,8 +5,8 @@
 ///     fixed    zero on a wall, or constant on the second of two separate walls (circulation)
 ///     inner    its support holds a cell with at least f times the mass of a full one: an unknown
 ///     outer    it touches a particle, but only of cut cells: its coefficient continues the polynomial of the nearest
-///              q + 1 inner or fixed functions of its column or row, or else of the nearest complete block of (q + 1)^2,
-///              q = degree, else 2
+///              q + 1 inner or fixed functions of its column or row, or else of the nearest complete block of (q +
+///              1)^2, q = degree, else 2
 ///     spare    as outer without a block near it, next to a wall: an unknown, or thin layers would fall through
 ///     free     as spare, but away from walls: particles of its cells fly freely in this step
 ///

@@ -23,8 +23,7 @@ SEICHE_INLINE void powers(const double* z, const double* weight, double (&power)
 }
 
 template <std::size_t A, std::size_t B>
-SEICHE_INLINE void add_moments(const double (&x)[A][lanes], const double (&y)[B][lanes],
-                               double (&sum)[A * B][lanes]) {
+SEICHE_INLINE void add_moments(const double (&x)[A][lanes], const double (&y)[B][lanes], double (&sum)[A * B][lanes]) {
   for (std::size_t a = 0; a < A; ++a) {
     for (std::size_t b = 0; b < B; ++b) {
 #pragma omp simd
@@ -261,17 +260,17 @@ SEICHE_INLINE void velocity(const CellParticles& at, const CellSplines& splines,
 }
 
 // One function per degree and ground, in all versions of the processor's vectors.
-#define SEICHE_CELL_KERNELS(P, UNEVEN, NAME)                                                                          \
-  SEICHE_SIMD_CLONES void mass_matrix_##NAME(const CellParticles& at, const CellSplines& splines, double* matrix) {    \
-    mass_matrix<P, UNEVEN>(at, splines, matrix);                                                                       \
-  }                                                                                                                    \
-  SEICHE_SIMD_CLONES void load_##NAME(const CellParticles& at, const CellSplines& splines, const double* wx,           \
-                                      const double* wy, double* loads) {                                               \
-    load<P, UNEVEN>(at, splines, wx, wy, loads);                                                                       \
-  }                                                                                                                    \
-  SEICHE_SIMD_CLONES void velocity_##NAME(const CellParticles& at, const CellSplines& splines,                         \
-                                          const double* coefficients, double* ux, double* uy) {                        \
-    velocity<P, UNEVEN>(at, splines, coefficients, ux, uy);                                                            \
+#define SEICHE_CELL_KERNELS(P, UNEVEN, NAME)                                                                        \
+  SEICHE_SIMD_CLONES void mass_matrix_##NAME(const CellParticles& at, const CellSplines& splines, double* matrix) { \
+    mass_matrix<P, UNEVEN>(at, splines, matrix);                                                                    \
+  }                                                                                                                 \
+  SEICHE_SIMD_CLONES void load_##NAME(const CellParticles& at, const CellSplines& splines, const double* wx,        \
+                                      const double* wy, double* loads) {                                            \
+    load<P, UNEVEN>(at, splines, wx, wy, loads);                                                                    \
+  }                                                                                                                 \
+  SEICHE_SIMD_CLONES void velocity_##NAME(const CellParticles& at, const CellSplines& splines,                      \
+                                          const double* coefficients, double* ux, double* uy) {                     \
+    velocity<P, UNEVEN>(at, splines, coefficients, ux, uy);                                                         \
   }
 
 SEICHE_CELL_KERNELS(2, false, level_2)

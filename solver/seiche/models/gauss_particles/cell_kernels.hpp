@@ -3,8 +3,8 @@
 /// In a cell every spline is a polynomial. Sums over particles are taken of powers of the place (moments), and what is
 /// asked of pairs of functions is read off these: (2 p + 1)^2 numbers per particle instead of (p + 1)^4.
 ///
-/// With the stream function Phi(x, eta) the velocity is (Phi_eta, -Phi_x + b' Phi_eta). Functions of a cell are numbered
-/// i (p + 1) + j, i along x.
+/// With the stream function Phi(x, eta) the velocity is (Phi_eta, -Phi_x + b' Phi_eta). Functions of a cell are
+/// numbered i (p + 1) + j, i along x.
 #pragma once
 
 #include <cstddef>

@@ -1,9 +1,9 @@
 /// The normal equations of the unknown splines: assembled cell by cell, scaled, factorised.
 ///
-/// The pattern is that of a slightly larger set of splines, in which those that are no unknowns at a step are left alone;
-/// its symbolic factorisation is kept while the unknowns stay within the set, also when the lattice moves by whole cells
-/// or fractions of one. The matrix is scaled to a diagonal of 1 and shifted by 1e-13: fields that vanish on all
-/// particles then do no harm, and two corrections with the true residual take the shift out again.
+/// The pattern is that of a slightly larger set of splines, in which those that are no unknowns at a step are left
+/// alone; its symbolic factorisation is kept while the unknowns stay within the set, also when the lattice moves by
+/// whole cells or fractions of one. The matrix is scaled to a diagonal of 1 and shifted by 1e-13: fields that vanish on
+/// all particles then do no harm, and two corrections with the true residual take the shift out again.
 #pragma once
 
 #include <cstddef>
@@ -64,11 +64,11 @@ class GramSystem {
   Place corner_{0, 0};  // of the window of slots
   long window_columns_ = 0;
   long window_rows_ = 0;
-  std::vector<int> slot_at_;  // in the window; -1: none
-  std::vector<Place> place_;  // of the slots, without the wall's constant, which is the last
+  std::vector<int> slot_at_;        // in the window; -1: none
+  std::vector<Place> place_;        // of the slots, without the wall's constant, which is the last
   std::vector<Coupling> extra_;     // of continued cells, beyond the reach of a cell's splines
   std::vector<Place> extra_reach_;  // differences of places so coupled: what one place needs its neighbours will need
-  std::vector<int> stencil_;  // entry of a slot's coupling with its neighbours; -1: none
+  std::vector<int> stencil_;        // entry of a slot's coupling with its neighbours; -1: none
   std::vector<int> column_begin_, row_;
   std::vector<double> values_;
   std::unique_ptr<linear::SparseCholesky> solver_;

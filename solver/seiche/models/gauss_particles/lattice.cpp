@@ -28,8 +28,8 @@ double fraction(std::uint64_t seed, double time, std::uint64_t axis) {
 long whole_cells(const char* what, double length, double cell) {
   const double count = std::round(length / cell);
   if (!(length > 0) || !(std::abs(count * cell - length) <= 1e-9 * length)) {
-    throw std::invalid_argument(fmt::format("{} = {:.17g} is out of range: must be a positive multiple of the cell, {:g}",
-                                            what, length, cell));
+    throw std::invalid_argument(
+        fmt::format("{} = {:.17g} is out of range: must be a positive multiple of the cell, {:g}", what, length, cell));
   }
   return static_cast<long>(count);
 }
@@ -64,9 +64,8 @@ void require_continuous_slope(const BottomProfile& profile, double begin, double
         (first_half ? to : from) = between;
       }
       if (std::abs(to - from) > 0.5 * rise) {
-        throw std::invalid_argument(
-            fmt::format("bottom: its slope jumps from {:g} to {:g} at x = {:g}; allowed: a continuous slope", from, to,
-                        left));
+        throw std::invalid_argument(fmt::format(
+            "bottom: its slope jumps from {:g} to {:g} at x = {:g}; allowed: a continuous slope", from, to, left));
       }
     }
     before = after;

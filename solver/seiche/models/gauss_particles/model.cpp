@@ -12,7 +12,8 @@ namespace seiche::gauss_particles {
 Model::Model(Particles particles, std::unique_ptr<FieldSpace> space, Settings settings, Forcing forcing)
     : particles_(std::move(particles)), space_(std::move(space)), settings_(settings), forcing_(std::move(forcing)) {
   require_particles(particles_);
-  if (!space_) throw std::invalid_argument("no space of velocity fields; allowed: a SplineSpace, a PolynomialSpace, ...");
+  if (!space_)
+    throw std::invalid_argument("no space of velocity fields; allowed: a SplineSpace, a PolynomialSpace, ...");
   require_not_negative("gravity", settings_.gravity);
   require_positive("density", settings_.density);
   require_not_negative("penalty", settings_.penalty);

@@ -3,7 +3,8 @@
 /// Particles of constant mass carry places and velocities. At every instant the accelerations are as near to those of
 /// free particles as a space N of smooth solenoidal fields along the walls allows:
 ///
-/// @f[ \sum_k m_k \left( \frac{d \mathbf{v}(\mathbf{r}_k)}{dt} - \mathbf{F}_k \right) \cdot \mathbf{w}(\mathbf{r}_k) = 0
+/// @f[ \sum_k m_k \left( \frac{d \mathbf{v}(\mathbf{r}_k)}{dt} - \mathbf{F}_k \right) \cdot \mathbf{w}(\mathbf{r}_k) =
+/// 0
 ///     \quad \text{for all } \mathbf{w} \in N, \qquad \dot{\mathbf{r}}_k = \mathbf{v}(\mathbf{r}_k), \quad
 ///     \mathbf{v} \in N \tag{20} @f]
 ///
@@ -55,15 +56,15 @@ using mechanics::Output;
 struct Settings {
   double gravity = 1;  ///< [m/s^2]
   double density = 1;  ///< [kg/m^3]
-  /// C of the penalty on gradients of vorticity; 0 for none, and no loss of energy. 0.001 is too weak for long runs, 0.1
-  /// no better than 0.01.
+  /// C of the penalty on gradients of vorticity; 0 for none, and no loss of energy. 0.001 is too weak for long runs,
+  /// 0.1 no better than 0.01.
   double penalty = 0.01;
 };
 
 /// What acts on the water besides gravity.
 struct Forcing {
-  /// Slope of the pressure on the surface along x [Pa/m], at place x and time t; empty for none. The same at all heights:
-  /// the projection takes away the rest.
+  /// Slope of the pressure on the surface along x [Pa/m], at place x and time t; empty for none. The same at all
+  /// heights: the projection takes away the rest.
   std::function<double(double x, double time)> surface_pressure_slope = {};
   /// Force per unit mass at a place [m/s^2]; empty for none.
   std::function<Point(Point place, double time)> body_force = {};

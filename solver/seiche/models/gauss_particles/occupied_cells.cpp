@@ -65,10 +65,10 @@ void OccupiedCells::locate(const Lattice& lattice, std::span<const double> x, lo
     const double low = axis.wall_below() ? 0 : static_cast<double>(margin);
     const double high = axis.wall_above() ? cells : cells - static_cast<double>(margin);
     if (!(s >= low && s <= high)) {
-      throw mechanics::Infeasible(fmt::format("particle at {} = {:g}; the lattice with its margin is [{:g}, {:g}]", name,
-                                              place, axis.begin() + low * axis.cell(),
-                                              axis.begin() + high * axis.cell()),
-                                  at);
+      throw mechanics::Infeasible(
+          fmt::format("particle at {} = {:g}; the lattice with its margin is [{:g}, {:g}]", name, place,
+                      axis.begin() + low * axis.cell(), axis.begin() + high * axis.cell()),
+          at);
     }
     return s;
   };
@@ -85,8 +85,7 @@ void OccupiedCells::locate(const Lattice& lattice, std::span<const double> x, lo
   }
 }
 
-void OccupiedCells::sort(const Lattice& lattice, std::span<const double> x, std::span<const double> mass,
-                         long margin) {
+void OccupiedCells::sort(const Lattice& lattice, std::span<const double> x, std::span<const double> mass, long margin) {
   locate(lattice, x, margin);
   count_.assign(static_cast<std::size_t>(lattice.x.cells() * lattice.y.cells()), 0);
   for (const std::size_t cell : cell_of_) ++count_[cell];

@@ -29,8 +29,8 @@ void require_particles(const Particles& particles) {
           fmt::format("particle {} is at ({:g}, {:g}); allowed: finite", k, particles.x[k], particles.y[k]));
     }
     if (!(particles.mass[k] >= 0) || !std::isfinite(particles.mass[k])) {
-      throw std::invalid_argument(fmt::format("mass of particle {} = {:g}; allowed: non-negative and finite, 0 for markers",
-                                              k, particles.mass[k]));
+      throw std::invalid_argument(fmt::format(
+          "mass of particle {} = {:g}; allowed: non-negative and finite, 0 for markers", k, particles.mass[k]));
     }
     massive = massive || particles.mass[k] > 0;
   }
@@ -66,8 +66,8 @@ Particles layer(const Layer& layer) {
       particles.add(x, bottom + height * (static_cast<double>(j) + 0.5), weight * layer.density * width * height);
     }
   }
-  const double spacing =
-      (layer.end - layer.begin) / static_cast<double>(layer.markers - (layer.marker_at_end && layer.markers > 1 ? 1 : 0));
+  const double spacing = (layer.end - layer.begin) /
+                         static_cast<double>(layer.markers - (layer.marker_at_end && layer.markers > 1 ? 1 : 0));
   for (std::size_t k = 0; k < layer.markers; ++k) {
     const double x = layer.begin + spacing * static_cast<double>(k);
     particles.add(x, layer.surface(x), 0);

@@ -27,7 +27,7 @@ struct Layer {
   double end = 1;    ///< [m]
   std::size_t columns = 1;
   std::size_t rows = 1;
-  double density = 1;                           ///< [kg/m^3]
+  double density = 1;                            ///< [kg/m^3]
   std::function<double(double x)> surface = {};  ///< elevation of the surface [m]
   std::function<double(double x)> bottom = {};   ///< [m]
   /// Masses of the three rows at the surface and at the bottom times 13/12, 7/8, 25/24: the midpoint rule to fourth

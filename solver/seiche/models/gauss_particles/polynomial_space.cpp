@@ -54,9 +54,9 @@ void PolynomialSpace::place(mechanics::Interval, std::span<const double> x, std:
   factors_.compute(root_mass_.asDiagonal() * fields_);
   facts_ = {.unknowns = basis_.size()};
   if (factors_.rank() < count) {
-    throw mechanics::Infeasible(fmt::format("{} fields, of which {} are independent on the {} particles", count,
-                                            factors_.rank(), n),
-                                x.empty() ? 0 : x[0]);
+    throw mechanics::Infeasible(
+        fmt::format("{} fields, of which {} are independent on the {} particles", count, factors_.rank(), n),
+        x.empty() ? 0 : x[0]);
   }
 }
 
@@ -73,7 +73,8 @@ void PolynomialSpace::project(std::span<double> u, std::span<double> v) {
   const double norm = weighted.norm();
   const Eigen::MatrixXd scaled = root_mass_.asDiagonal() * fields_;
   const Eigen::VectorXd defect = scaled.transpose() * (weighted - root_mass_.cwiseProduct(projected));
-  facts_.residual = norm > 0 ? (defect.array() / scaled.colwise().norm().transpose().array()).abs().maxCoeff() / norm : 0;
+  facts_.residual =
+      norm > 0 ? (defect.array() / scaled.colwise().norm().transpose().array()).abs().maxCoeff() / norm : 0;
   Eigen::Map<Eigen::VectorXd>(u.data(), n) = projected.head(n);
   Eigen::Map<Eigen::VectorXd>(v.data(), n) = projected.tail(n);
 }

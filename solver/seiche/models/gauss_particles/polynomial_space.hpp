@@ -1,8 +1,8 @@
 /// Velocity fields whose stream function is a combination of given polynomials: small spaces, solved densely.
 ///
 /// With the five of degree 1 and 2 the fields are all linear ones, and particles follow Dirichlet's ellipse exactly but
-/// for the error in time, however few they are. Leaving out x^2 + y^2 leaves out the rotation, and the angular momentum is
-/// no longer kept.
+/// for the error in time, however few they are. Leaving out x^2 + y^2 leaves out the rotation, and the angular momentum
+/// is no longer kept.
 ///
 /// When not to use it: degrees above four or so, which are ill-conditioned; walls.
 #pragma once

@@ -110,7 +110,8 @@ void SplineAxis::fit(long i, long i0, std::span<double> weights) const {
     Eigen::VectorXd symmetric = Eigen::VectorXd::Zero(count);
     symmetric[0] = 1;
     for (int k = 1; k <= degree_; ++k) {
-      for (long power = count - 1; power > 0; --power) symmetric[power] += (knot(f + k) - middle) * symmetric[power - 1];
+      for (long power = count - 1; power > 0; --power)
+        symmetric[power] += (knot(f + k) - middle) * symmetric[power - 1];
     }
     double binomial = 1;
     for (long power = 1; power < count; ++power) {

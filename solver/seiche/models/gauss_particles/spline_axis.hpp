@@ -1,8 +1,8 @@
 /// B-splines of degree 2, 3 or 4 along one direction of a lattice of equal cells.
 ///
 /// Places are in units of a cell, counted from the first line of the lattice: cell c is [c, c + 1], on it the functions
-/// c ... c + degree are not zero. Knots are uniform; at a wall they are clamped, so that the first function alone is not
-/// zero there. On a periodic axis indices are taken modulo the number of cells.
+/// c ... c + degree are not zero. Knots are uniform; at a wall they are clamped, so that the first function alone is
+/// not zero there. On a periodic axis indices are taken modulo the number of cells.
 ///
 /// Function i that is to continue the spline beyond the functions i0 ... i0 + q gets the weights with which every
 /// polynomial of degree q continues itself: the blossom of the polynomial piece at the knots of function i (de Boor's
@@ -28,7 +28,7 @@ enum class Ends { free, wall_below, wall_above, walls, periodic };
 struct CellPolynomials {
   static constexpr std::size_t most = highest_degree + 1;
   /// [function][power], degree + 1 powers.
-  std::array<double, most * most> function = {};
+  std::array<double, most* most> function = {};
   /// Products of two functions i <= k and of their derivatives, [pair][power], 2 degree + 1 powers.
   std::array<double, most*(most + 1) / 2 * (2 * most - 1)> product = {};
   std::array<double, most*(most + 1) / 2 * (2 * most - 1)> derivative_product = {};
@@ -66,6 +66,7 @@ class SplineAxis {
 
   /// Line of the lattice at which knot k lies; function i spans knots i ... i + degree + 1.
   [[nodiscard]] double knot(long k) const;
+
  private:
   [[nodiscard]] bool uniform(long from, long to) const;
   void blossom(long i, long i0, std::span<double> weights) const;

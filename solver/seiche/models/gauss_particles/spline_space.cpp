@@ -16,8 +16,8 @@ namespace seiche::gauss_particles {
 
 namespace {
 
-constexpr std::size_t chunk = 256;         // cells whose matrices are kept at a time
-constexpr double fewest_per_cell = 8;      // particles, or the sums over them are no integrals
+constexpr std::size_t chunk = 256;     // cells whose matrices are kept at a time
+constexpr double fewest_per_cell = 8;  // particles, or the sums over them are no integrals
 constexpr double largest_residual = 1e-10;
 constexpr int most_corrections = 4;
 
@@ -296,9 +296,8 @@ void SplineSpace::project(std::span<double> u, std::span<double> v) {
     evaluate();
   }
   if (!(facts_.residual <= largest_residual)) {
-    throw mechanics::Infeasible(fmt::format("normal equations solved to {:.2g} only; allowed: {:g}", facts_.residual,
-                                            largest_residual),
-                                0);
+    throw mechanics::Infeasible(
+        fmt::format("normal equations solved to {:.2g} only; allowed: {:g}", facts_.residual, largest_residual), 0);
   }
   facts_.penalty = penalty_form();
   for (std::size_t c = 0; c < cells_.cells().size(); ++c) {

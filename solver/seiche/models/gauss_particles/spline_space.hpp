@@ -1,8 +1,8 @@
 /// Velocity fields whose stream function is a spline on a lattice, continued across cut cells.
 ///
-/// Holds every linear solenoidal field, to round-off, over level ground away from walls; in a channel with a level bottom
-/// the uniform horizontal one. Fields are of class C^(degree - 1), the projection's error is O(h^degree) for any set of
-/// particles.
+/// Holds every linear solenoidal field, to round-off, over level ground away from walls; in a channel with a level
+/// bottom the uniform horizontal one. Fields are of class C^(degree - 1), the projection's error is O(h^degree) for any
+/// set of particles.
 ///
 /// Results do not depend on the number of threads.
 #pragma once
@@ -81,9 +81,9 @@ class SplineSpace final : public FieldSpace {
   std::vector<double> matrices_;                    // of a chunk of cells
   std::vector<double> extension_, half_, reduced_;  // of one continued cell
   std::vector<std::size_t> involved_;
-  std::vector<std::size_t> column_of_;  // of unknowns, in a continued cell
+  std::vector<std::size_t> column_of_;               // of unknowns, in a continued cell
   std::vector<double> wx_, wy_, ux_, uy_, dx_, dy_;  // by places of the cells
-  std::vector<double> loads_;              // of all cells
+  std::vector<double> loads_;                        // of all cells
   std::vector<double> function_load_, coefficients_;
   std::vector<double> z_, r_;
 };

@@ -32,7 +32,8 @@ class Integrals {
     return ((r * orders + s) * order_ + i) * order_ + k;
   }
   /// Coefficient of a power after so many derivations.
-  [[nodiscard]] double coefficient(const CellPolynomials& p, std::size_t i, std::size_t power, std::size_t times) const {
+  [[nodiscard]] double coefficient(const CellPolynomials& p, std::size_t i, std::size_t power,
+                                   std::size_t times) const {
     double value = p.function[i * order_ + power];
     for (std::size_t d = 0; d < times; ++d) value *= static_cast<double>(power - d);
     return value;
