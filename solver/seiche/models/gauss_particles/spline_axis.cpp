@@ -143,12 +143,14 @@ CellPolynomials polynomials_of(const SplineAxis& axis, long cell) {
       const double high = axis.knot(f + k + 1);
       if (i > 0) {
         const double width = axis.knot(f + k) - low;
-        add_linear_times((middle - low) / width, 1 / width, functions[static_cast<std::size_t>(i - 1)],
+        const double scale = 2 * k / width;
+        add_linear_times(scale * (middle - low), scale, functions[static_cast<std::size_t>(i - 1)],
                          next[static_cast<std::size_t>(i)]);
       }
       if (i < k) {
         const double width = high - axis.knot(f + 1);
-        add_linear_times((high - middle) / width, -1 / width, functions[static_cast<std::size_t>(i)],
+        const double scale = 2 * k / width;
+        add_linear_times(scale * (high - middle), -scale, functions[static_cast<std::size_t>(i)],
                          next[static_cast<std::size_t>(i)]);
       }
     }

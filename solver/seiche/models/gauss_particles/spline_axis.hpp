@@ -4,6 +4,9 @@
 /// c ... c + degree are not zero. Knots are uniform; at a wall they are clamped, so that the first function alone is
 /// not zero there. On a periodic axis indices are taken modulo the number of cells.
 ///
+/// Functions are taken 2^p p! times, p the degree: their coefficients are then whole numbers on uniform knots, and sums
+/// that must be linear are so without the rounding of thirds and sixths, which a long run would gather.
+///
 /// Function i that is to continue the spline beyond the functions i0 ... i0 + q gets the weights with which every
 /// polynomial of degree q continues itself: the blossom of the polynomial piece at the knots of function i (de Boor's
 /// algorithm), by Marsden's identity.
