@@ -1,6 +1,7 @@
 // Energy and momenta of free particles under Gauss's principle, with another space of fields at every step.
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -98,13 +99,21 @@ LatticeAt anything() {
 void keeps(Check& check, const std::string& id, const std::string& text, const Defects& d, double fall = 0) {
   const std::string resolution = "768 particles, tau = 5e-4, 5000 steps";
   const auto claim = [&](const std::string& what, double value, double scale, const std::string& reason) {
-    check.that(
-        {.id = id + "-" + what,
-         .text = text + ": " + what + " to round-off.",
-         .quantity = "largest defect of the " + what,
-         .source = source},
-        {.value = value, .resolution = resolution},
-        Roundoff{.operations = steps, .scale = scale, .reason = "one rounded velocity per step; scale: " + reason});
+    const seiche::evidence::Claim statement{.id = id + "-" + what,
+                                            .text = text + ": " + what + " to round-off.",
+                                            .quantity = "largest defect of the " + what,
+                                            .source = source};
+    if (fall > 0) {
+      check.that(statement, {.value = value, .resolution = resolution},
+                 Bound{.limit = steps * scale * std::numeric_limits<double>::epsilon() / 2,
+                       .reason = "half a unit in the last place per step: the particles fall as one, and all their "
+                                 "velocities are rounded to the same side; scale: " +
+                                 reason});
+    } else {
+      check.that(
+          statement, {.value = value, .resolution = resolution},
+          Roundoff{.operations = steps, .scale = scale, .reason = "one rounded velocity per step; scale: " + reason});
+    }
   };
   if (!std::isnan(d.energy)) {
     claim("energy", d.energy, d.scales.energy + fall, "kinetic energy, and the potential energy that was lost");
