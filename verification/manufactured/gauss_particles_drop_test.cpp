@@ -11,6 +11,7 @@
 #include "seiche/exact/stretching_drop.hpp"
 #include "seiche/models/gauss_particles/integrators.hpp"
 #include "seiche/models/gauss_particles/polynomial_space.hpp"
+#include "seiche/models/gauss_particles/pressure.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
@@ -150,5 +151,43 @@ TEST_CASE("a stretched disc on splines with cut cells", "[manufactured]") {
     };
     near("rms", e.rms, run.rms);
     near("surface", e.surface, run.surface);
+  }
+}
+
+TEST_CASE("the pressure at the middle of a stretched disc", "[manufactured]") {
+  Check check(
+      "gauss_particles_pressure", "Free particles: the pressure of the stretched disc",
+      "The reactions of the step about t = 1 are fitted by (1 - x^2/a^2 - y^2/b^2) times a quadratic polynomial: the "
+      "pressure at the middle against Dirichlet's.");
+  const StretchingDrop drop(1, 1, 1);
+  for (const auto& [degree, expected] : {std::pair{3, 5.9e-6}, std::pair{2, 1.6e-4}}) {
+    constexpr double tau = 0.005;
+    Model model(disc(1, 20),
+                std::make_unique<SplineSpace>(LatticePlan{.degree = degree, .cell_x = 0.4, .cell_y = 0.2},
+                                              SplineSpace::Settings{.inner_fraction = 0.4}),
+                {.gravity = 0, .penalty = 0});
+    State state = model.state([](Point r) { return Point{r.x, -r.y}; });
+    OneStep<Model> step(model);
+    for (int k = 0; k < 200; ++k) step.step(state, tau);
+    const double time = state.time - tau / 2;
+    const double a = drop.semi_axis(time);
+    const double b = drop.other_axis(time);
+    const PressureFit fit(
+        model, tau,
+        [=](Point r) {
+          return Level{1 - r.x * r.x / (a * a) - r.y * r.y / (b * b), {-2 * r.x / (a * a), -2 * r.y / (b * b)}};
+        },
+        2);
+    const double exact = drop.at(time).central_pressure;
+    check.measure(fmt::format("what the fit leaves of the gradient, degree {}", degree), fit.residue());
+    check.that(
+        {.id = fmt::format("degree-{}", degree),
+         .text = fmt::format("Splines of degree {}: the pressure at the middle.", degree),
+         .quantity = "error relative to the exact pressure",
+         .source = source},
+        {.value = fit.pressure({0, 0}) / exact - 1, .resolution = "1200 particles, tau = 0.005"},
+        Bound{.limit = 10 * expected,
+              .reason = "ten times an independent program's error, which changes by so much with where the lattice "
+                        "lies in the drop"});
   }
 }

@@ -82,10 +82,6 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
   with_particles("spray", "Water that fills no cell.", {"no cell", "full enough"}, [](Particles& p) {
     for (double& m : p.mass) m *= 1e-3;
   });
-  with_particles("high", "A particle that flies far above the water.", {"no cell"}, [](Particles& p) {
-    for (double& m : p.mass) m *= 1e-6;
-    p.y[5] = 3;
-  });
 
   const auto with_plan = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
                              auto change) {
