@@ -49,6 +49,7 @@ void ActiveFunctions::choose(const Lattice& lattice, const OccupiedCells& cells,
   periodic_ = lattice.x.periodic();
   state_.assign(static_cast<std::size_t>(columns_ * rows_), State::untouched);
   fix_walls(lattice);
+  find_stray(lattice, cells);
   mark(cells, fraction * full_mass);
   find_blocks();
   free_cells(lattice, cells);
@@ -82,9 +83,32 @@ void ActiveFunctions::fix_walls(const Lattice& lattice) {
   if (lattice.y.wall_below()) row(0, State::zero);
 }
 
+/// Cells of markers alone, with no mass in the cells around them.
+void ActiveFunctions::find_stray(const Lattice& lattice, const OccupiedCells& cells) {
+  const long rows = lattice.y.cells();
+  near_mass_.assign(static_cast<std::size_t>(lattice.x.cells() * rows), 0);
+  for (const OccupiedCells::Cell& cell : cells.cells()) {
+    if (cell.mass == 0) continue;
+    for (long i = cell.x - 1; i <= cell.x + 1; ++i) {
+      const long column = lattice.x.periodic() ? lattice.x.wrapped(i) : i;
+      if (column < 0 || column >= lattice.x.cells()) continue;
+      for (long j = std::max(cell.y - 1, 0L); j <= std::min(cell.y + 1, rows - 1); ++j) {
+        near_mass_[static_cast<std::size_t>(column * rows + j)] = 1;
+      }
+    }
+  }
+  free_.assign(cells.cells().size(), 0);
+  for (std::size_t c = 0; c < free_.size(); ++c) {
+    const OccupiedCells::Cell& cell = cells.cells()[c];
+    if (near_mass_[static_cast<std::size_t>(cell.x * rows + cell.y)] == 0) free_[c] = 1;
+  }
+}
+
 void ActiveFunctions::mark(const OccupiedCells& cells, double least_mass) {
   inner_cells_ = 0;
-  for (const OccupiedCells::Cell& cell : cells.cells()) {
+  for (std::size_t c = 0; c < cells.cells().size(); ++c) {
+    if (free_[c] != 0) continue;
+    const OccupiedCells::Cell& cell = cells.cells()[c];
     const bool inner = cell.mass >= least_mass;
     inner_cells_ += inner ? 1 : 0;
     visit(cell, [&](std::size_t f) {
@@ -154,7 +178,6 @@ void ActiveFunctions::find_blocks() {
 }
 
 void ActiveFunctions::free_cells(const Lattice& lattice, const OccupiedCells& cells) {
-  free_.assign(cells.cells().size(), 0);
   const auto at_wall = [](const SplineAxis& axis, long cell) {
     return (axis.wall_below() && cell == 0) || (axis.wall_above() && cell == axis.cells() - 1);
   };

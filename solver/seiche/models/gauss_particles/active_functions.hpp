@@ -8,7 +8,8 @@
 ///              q + 1 inner or fixed functions of its column or row, or else of the nearest complete block of (q +
 ///              1)^2, q = degree, else 2
 ///     spare    as outer without a block near it, next to a wall: an unknown, or thin layers would fall through
-///     free     as spare, but away from walls: particles of its cells fly freely in this step
+///     free     as spare, but away from walls: particles of its cells fly freely in this step, as do markers of cells
+///              around which there is no mass
 ///
 /// Conditioning then does not depend on how the surface cuts the cells, and every polynomial of degree 2 stays in the
 /// space.
@@ -76,6 +77,7 @@ class ActiveFunctions {
   };
 
   void fix_walls(const Lattice& lattice);
+  void find_stray(const Lattice& lattice, const OccupiedCells& cells);
   void mark(const OccupiedCells& cells, double least_mass);
   void find_blocks();
   void free_cells(const Lattice& lattice, const OccupiedCells& cells);
@@ -100,7 +102,8 @@ class ActiveFunctions {
   std::vector<Place> places_;
   std::vector<std::size_t> begin_;
   std::vector<Term> terms_;
-  std::vector<std::uint8_t> plain_, free_;
+  std::vector<std::uint8_t> plain_, free_;  // of occupied cells
+  std::vector<std::uint8_t> near_mass_;     // of all cells: whether they or a neighbour hold mass
 
   struct Continuation {
     std::size_t function;

@@ -16,7 +16,7 @@ namespace seiche::gauss_particles {
 struct SpaceFacts {
   std::size_t unknowns = 0;
   std::size_t inner_cells = 0;     ///< at least half full or so; 0 for spaces without a lattice
-  std::size_t free_particles = 0;  ///< that fly freely, being spray thinner than a cell
+  std::size_t free_particles = 0;  ///< with a mass, that fly freely, being spray thinner than a cell
   std::size_t beyond_walls = 0;    ///< that are outside by O(tau^2), and count as on the wall
   /// Largest defect of the normal equations, each divided by the norm of its field, over the norm of the velocities.
   double residual = 0;

@@ -86,8 +86,10 @@ void SplineSpace::place(mechanics::Interval when, std::span<const double> x, std
     if (!functions_.free(c)) continue;
     free_.resize(particles_, 0);
     const OccupiedCells::Cell& flying = cells_.cells()[c];
-    for (std::size_t k = 0; k < flying.count; ++k) free_[cells_.particle()[flying.begin + k]] = 1;
-    facts_.free_particles += flying.count;
+    for (std::size_t k = flying.begin; k < flying.begin + flying.count; ++k) {
+      free_[cells_.particle()[k]] = 1;
+      if (cells_.mass()[k] > 0) ++facts_.free_particles;
+    }
   }
   assemble();
 }
