@@ -40,7 +40,10 @@ class FieldSpace {
                      std::span<const double> mass, double penalty) = 0;
   /// Replaces velocities by their projection, orthogonal with the masses as weights; markers get the field's.
   /// Throws mechanics::Infeasible when the normal equations are not solved.
-  virtual void project(std::span<double> u, std::span<double> v) = 0;
+  void project(std::span<double> u, std::span<double> v) { project(u, v, {}, {}); }
+  /// As project, with impulses [kg/s] on the particles, massless ones too, besides their momenta; empty: none.
+  virtual void project(std::span<double> u, std::span<double> v, std::span<const double> impulse_x,
+                       std::span<const double> impulse_y) = 0;
   /// Of every particle of the last place: whether it flies freely. Empty: none does.
   [[nodiscard]] virtual std::span<const std::uint8_t> free() const = 0;
   [[nodiscard]] virtual const SpaceFacts& facts() const = 0;

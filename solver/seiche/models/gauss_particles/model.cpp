@@ -9,6 +9,15 @@
 
 namespace seiche::gauss_particles {
 
+namespace {
+
+/// Where the surface's markers are taken to be in the middle of a step: their last mean velocity and so much of its
+/// last change. The force that meets the water then is, to third order in tau, even in time, and the energy does not
+/// drift.
+constexpr double surface_lead = 1.0 / 3;
+
+}  // namespace
+
 Model::Model(Particles particles, std::unique_ptr<FieldSpace> space, Settings settings, Forcing forcing)
     : particles_(std::move(particles)), space_(std::move(space)), settings_(settings), forcing_(std::move(forcing)) {
   require_particles(particles_);
@@ -20,7 +29,12 @@ Model::Model(Particles particles, std::unique_ptr<FieldSpace> space, Settings se
   CompensatedSum total;
   for (const double m : particles_.mass) total.add(m);
   total_mass_ = total.value();
+  if (settings_.surface) surface_.emplace(*settings_.surface, particles_, settings_.density * settings_.gravity);
   const mechanics::State first = state();
+  if (surface_) {
+    first_potential_ = surface_->energy(first.q);
+    marker_lead_ = surface_lead;
+  }
   try {
     linearise({0, 0}, first.q);
   } catch (const mechanics::Infeasible& failure) {
@@ -67,7 +81,9 @@ void Model::linearise(Interval when, Input q) {
 }
 
 void Model::kick(double h, Output u) const {
-  for (std::size_t k = size(); k < 2 * size(); ++k) u[k] -= h * settings_.gravity;
+  if (!surface_) {
+    for (std::size_t k = size(); k < 2 * size(); ++k) u[k] -= h * settings_.gravity;
+  }
   for (std::size_t k = 0; k < force_.size(); ++k) u[k] += h * force_[k];
 }
 
@@ -77,7 +93,18 @@ void Model::advance(Input from, Input u, double h, Output to) const {
 
 void Model::project(Output u, Input, Output) {
   before_.assign(u.begin(), u.end());
-  space_->project(u.first(size()), u.last(size()));
+  if (surface_) {
+    impulse_.assign(rates(), 0.0);
+    surface_->push(places_, when_.length / 2, impulse_);
+    space_->project(u.first(size()), u.last(size()), Input(impulse_).first(size()), Input(impulse_).last(size()));
+    // What flies freely has its own weight.
+    const std::span<const std::uint8_t> free = space_->free();
+    for (std::size_t k = 0; k < free.size(); ++k) {
+      if (free[k] != 0) u[size() + k] -= when_.length / 2 * settings_.gravity;
+    }
+  } else {
+    space_->project(u.first(size()), u.last(size()));
+  }
   projected_.assign(u.begin(), u.end());
   step_work_ = 0;
   if (force_.empty()) return;
@@ -94,9 +121,11 @@ void Model::settle(Interval when, Output, Output u) {
   const std::span<const std::uint8_t> free = space_->free();
   for (std::size_t k = 0; k < size(); ++k) {
     if (particles_.mass[k] > 0 || (!free.empty() && free[k] != 0)) continue;
-    u[k] = projected_[k];
-    u[size() + k] = projected_[size() + k];
+    for (const std::size_t i : {k, size() + k}) {
+      u[i] = projected_[i] + (previous_.empty() ? 0 : marker_lead_ * (projected_[i] - previous_[i]));
+    }
   }
+  previous_ = projected_;
 }
 
 double Model::place(std::size_t rate) const {
@@ -132,6 +161,7 @@ double Model::kinetic_energy(Input, Input u) const {
 }
 
 double Model::potential_energy(Input q) const {
+  if (surface_) return surface_->energy(q) - first_potential_;
   CompensatedSum sum;
   for (std::size_t k = 0; k < size(); ++k) {
     sum.add(particles_.mass[k] * settings_.gravity * (q[size() + k] - particles_.y[k]));

@@ -26,8 +26,9 @@
 /// Markers, which have no mass, ride on the field and are never reflected. Where water is thinner than a cell it flies
 /// freely.
 ///
-/// When not to use it: under gravity for longer than a wave's period without the penalty (vorticity_penalty.hpp): sums
-/// over particles are no exact integrals, and small eddies grow. Sprays and jets thinner than a cell are not resolved.
+/// When not to use it: under gravity for longer than a wave's period without the penalty (vorticity_penalty.hpp) or
+/// gravity on the surface (surface_gravity.hpp): sums over particles are no exact integrals, and small eddies grow.
+/// Sprays and jets thinner than a cell are not resolved.
 ///
 /// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 6; Frank &
 /// Ogorodnikov, Dokl. Akad. Nauk 326 (1992) 958. The same reflection: Ferraro, Iglesias & Martin de Diego, Nonlinearity
@@ -37,6 +38,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,6 +48,7 @@
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/gauss_particles/field_space.hpp"
 #include "seiche/models/gauss_particles/particles.hpp"
+#include "seiche/models/gauss_particles/surface_gravity.hpp"
 
 namespace seiche::gauss_particles {
 
@@ -59,6 +62,8 @@ struct Settings {
   /// C of the penalty on gradients of vorticity; 0 for none, and no loss of energy. 0.001 is too weak for long runs,
   /// 0.1 no better than 0.01.
   double penalty = 0.01;
+  /// Gravity acts through the surface (surface_gravity.hpp) and not on every particle.
+  std::optional<SurfaceLine> surface = {};
 };
 
 /// What acts on the water besides gravity.
@@ -118,7 +123,10 @@ class Model {
   Forcing forcing_;
   double total_mass_ = 0;
   Interval when_;
-  std::vector<double> places_, force_, before_, projected_;
+  std::optional<SurfaceGravity> surface_;
+  double first_potential_ = 0;  // of the surface
+  double marker_lead_ = 0;
+  std::vector<double> places_, force_, before_, projected_, previous_, impulse_;
   double step_work_ = 0;
   CompensatedSum work_, loss_;
 };

@@ -60,7 +60,8 @@ void PolynomialSpace::place(mechanics::Interval, std::span<const double> x, std:
   }
 }
 
-void PolynomialSpace::project(std::span<double> u, std::span<double> v) {
+void PolynomialSpace::project(std::span<double> u, std::span<double> v, std::span<const double> impulse_x,
+                              std::span<const double> impulse_y) {
   const auto n = static_cast<Eigen::Index>(u.size());
   w_.resize(2 * n);
   w_.head(n) = Eigen::Map<const Eigen::VectorXd>(u.data(), n);
@@ -69,10 +70,16 @@ void PolynomialSpace::project(std::span<double> u, std::span<double> v) {
   Eigen::VectorXd solution = factors_.solve(weighted);
   // One correction with the true residual.
   solution += factors_.solve(weighted - root_mass_.cwiseProduct(fields_ * solution));
+  const Eigen::MatrixXd scaled = root_mass_.asDiagonal() * fields_;
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(fields_.cols());
+  if (!impulse_x.empty()) {
+    load = fields_.topRows(n).transpose() * Eigen::Map<const Eigen::VectorXd>(impulse_x.data(), n) +
+           fields_.bottomRows(n).transpose() * Eigen::Map<const Eigen::VectorXd>(impulse_y.data(), n);
+    solution += (scaled.transpose() * scaled).ldlt().solve(load);
+  }
   const Eigen::VectorXd projected = fields_ * solution;
   const double norm = weighted.norm();
-  const Eigen::MatrixXd scaled = root_mass_.asDiagonal() * fields_;
-  const Eigen::VectorXd defect = scaled.transpose() * (weighted - root_mass_.cwiseProduct(projected));
+  const Eigen::VectorXd defect = load + scaled.transpose() * (weighted - root_mass_.cwiseProduct(projected));
   facts_.residual =
       norm > 0 ? (defect.array() / scaled.colwise().norm().transpose().array()).abs().maxCoeff() / norm : 0;
   Eigen::Map<Eigen::VectorXd>(u.data(), n) = projected.head(n);

@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+#include <Eigen/Cholesky>
 #include <Eigen/QR>
 
 #include "seiche/models/gauss_particles/field_space.hpp"
@@ -36,7 +37,9 @@ class PolynomialSpace final : public FieldSpace {
   /// Throws mechanics::Infeasible where the fields are linearly dependent on the particles.
   void place(mechanics::Interval when, std::span<const double> x, std::span<const double> y,
              std::span<const double> mass, double penalty) override;
-  void project(std::span<double> u, std::span<double> v) override;
+  using FieldSpace::project;
+  void project(std::span<double> u, std::span<double> v, std::span<const double> impulse_x,
+               std::span<const double> impulse_y) override;
   [[nodiscard]] std::span<const std::uint8_t> free() const override { return {}; }
   [[nodiscard]] const SpaceFacts& facts() const override { return facts_; }
   [[nodiscard]] double resolution() const override { return 0; }

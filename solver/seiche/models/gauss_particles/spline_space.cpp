@@ -16,8 +16,9 @@ namespace seiche::gauss_particles {
 
 namespace {
 
-constexpr std::size_t chunk = 256;     // cells whose matrices are kept at a time
-constexpr double fewest_per_cell = 8;  // particles, or the sums over them are no integrals
+constexpr std::size_t chunk = 256;               // cells whose matrices are kept at a time
+constexpr double fewest_per_cell = 8;            // particles, or the sums over them are no integrals
+constexpr double most_cells_per_particle = 100;  // or some of them have flown away
 constexpr double largest_residual = 1e-10;
 constexpr int most_corrections = 4;
 
@@ -69,6 +70,14 @@ void SplineSpace::place(mechanics::Interval when, std::span<const double> x, std
   local_ = static_cast<std::size_t>((lattice.x.degree() + 1) * (lattice.x.degree() + 1));
   full_mass_ = settings_.density * lattice.x.cell() * lattice.y.cell();
   require_particles(mass);
+  const double extent = static_cast<double>(lattice.x.cells()) * static_cast<double>(lattice.y.cells());
+  if (extent > most_cells_per_particle * static_cast<double>(particles_) + 1e6) {
+    throw mechanics::Infeasible(
+        fmt::format(
+            "particles from ({:g}, {:g}) to ({:g}, {:g}): a lattice of {:.3g} cells; allowed: {:g} per particle",
+            bounds.left, bounds.low, bounds.right, bounds.high, extent, most_cells_per_particle),
+        bounds.left);
+  }
   cells_.sort(lattice, x, mass, settings_.margin);
   functions_.choose(lattice, cells_, full_mass_, settings_.inner_fraction);
   if (functions_.inner_cells() == 0) {
@@ -218,6 +227,32 @@ void SplineSpace::evaluate() {
   });
 }
 
+/// What impulses on single particles add to the load, function by function.
+void SplineSpace::take_impulses(std::span<const double> impulse_x, std::span<const double> impulse_y) {
+  impulse_load_.assign(functions_.functions(), 0.0);
+  if (impulse_x.empty()) return;
+  const std::span<const std::size_t> particle = cells_.particle();
+  dx_.assign(particle.size(), 0.0);
+  dy_.assign(particle.size(), 0.0);
+  ones_.assign(particle.size(), 1.0);
+  for (std::size_t k = 0; k < particle.size(); ++k) {
+    if (particle[k] == OccupiedCells::nobody) continue;
+    dx_[k] = impulse_x[particle[k]];
+    dy_[k] = impulse_y[particle[k]];
+  }
+  std::array<std::size_t, CellKernels::most_functions> functions{};
+  std::array<double, CellKernels::most_functions> load{};
+  for (std::size_t c = 0; c < cells_.cells().size(); ++c) {
+    if (functions_.free(c)) continue;
+    const std::size_t begin = cells_.cells()[c].begin;
+    CellParticles at = particles(c);
+    at.mass = ones_.data() + begin;
+    kernels_->load(at, splines(c), dx_.data() + begin, dy_.data() + begin, load.data());
+    local_functions(c, functions.data());
+    for (std::size_t a = 0; a < local_; ++a) impulse_load_[functions[a]] += load[a];
+  }
+}
+
 void SplineSpace::residual(std::span<double> r) {
   const std::size_t count = cells_.cells().size();
   loads_.resize(count * local_);
@@ -231,7 +266,7 @@ void SplineSpace::residual(std::span<double> r) {
     kernels_->load(particles(c), splines(c), dx_.data() + cell.begin, dy_.data() + cell.begin,
                    loads_.data() + c * local_);
   });
-  function_load_.assign(functions_.functions(), 0.0);
+  function_load_ = impulse_load_;
   std::array<std::size_t, CellKernels::most_functions> functions{};
   for (std::size_t c = 0; c < count; ++c) {
     if (functions_.free(c)) continue;
@@ -271,7 +306,9 @@ double SplineSpace::penalty_form() {
   return total;
 }
 
-void SplineSpace::project(std::span<double> u, std::span<double> v) {
+void SplineSpace::project(std::span<double> u, std::span<double> v, std::span<const double> impulse_x,
+                          std::span<const double> impulse_y) {
+  take_impulses(impulse_x, impulse_y);
   const std::span<const std::size_t> particle = cells_.particle();
   for (std::vector<double>* const w : {&wx_, &wy_, &ux_, &uy_, &dx_, &dy_}) w->assign(particle.size(), 0.0);
   double square = 0;
@@ -281,12 +318,13 @@ void SplineSpace::project(std::span<double> u, std::span<double> v) {
     wy_[k] = v[particle[k]];
     square += cells_.mass()[k] * (wx_[k] * wx_[k] + wy_[k] * wy_[k]);
   }
-  const double norm = std::sqrt(square);
   z_.assign(functions_.unknowns(), 0.0);
   r_.resize(z_.size());
   coefficients_.assign(functions_.functions(), 0.0);
   residual(r_);
   double last = system_.correct(r_, z_);
+  // Of the velocities, or where these are small of what the impulses make of them.
+  const double norm = std::max(std::sqrt(square), last);
   evaluate();
   for (int k = 0; k < most_corrections && norm > 0; ++k) {
     residual(r_);

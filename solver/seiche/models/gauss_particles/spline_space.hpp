@@ -33,7 +33,9 @@ class SplineSpace final : public FieldSpace {
 
   void place(mechanics::Interval when, std::span<const double> x, std::span<const double> y,
              std::span<const double> mass, double penalty) override;
-  void project(std::span<double> u, std::span<double> v) override;
+  using FieldSpace::project;
+  void project(std::span<double> u, std::span<double> v, std::span<const double> impulse_x,
+               std::span<const double> impulse_y) override;
   [[nodiscard]] std::span<const std::uint8_t> free() const override { return free_; }
   [[nodiscard]] const SpaceFacts& facts() const override { return facts_; }
   [[nodiscard]] double resolution() const override;
@@ -55,6 +57,7 @@ class SplineSpace final : public FieldSpace {
   [[nodiscard]] CellSplines splines(std::size_t c) const;
   void local_functions(std::size_t c, std::size_t* functions) const;
   double penalty_weight(std::size_t c) const;
+  void take_impulses(std::span<const double> impulse_x, std::span<const double> impulse_y);
   /// Loads of w - field - penalty, restricted to the unknowns.
   void residual(std::span<double> r);
   void evaluate();
@@ -81,10 +84,10 @@ class SplineSpace final : public FieldSpace {
   std::vector<double> matrices_;                    // of a chunk of cells
   std::vector<double> extension_, half_, reduced_;  // of one continued cell
   std::vector<std::size_t> involved_;
-  std::vector<std::size_t> column_of_;               // of unknowns, in a continued cell
-  std::vector<double> wx_, wy_, ux_, uy_, dx_, dy_;  // by places of the cells
-  std::vector<double> loads_;                        // of all cells
-  std::vector<double> function_load_, coefficients_;
+  std::vector<std::size_t> column_of_;                      // of unknowns, in a continued cell
+  std::vector<double> wx_, wy_, ux_, uy_, dx_, dy_, ones_;  // by places of the cells
+  std::vector<double> loads_;                               // of all cells
+  std::vector<double> function_load_, impulse_load_, coefficients_;
   std::vector<double> z_, r_;
 };
 
