@@ -146,8 +146,8 @@ void claims(const Values& values, const Claims<Results>& all) {
                                   "the crest is a jet two cells thick",
                         .expected = expected});
   };
-  crest("crest-6.2", 4, 3.781, 0.003);
-  crest("crest-7.2", 6, 3.753, 0.018);
+  crest("crest-steep", 4, 3.781, 0.003);
+  crest("crest-jet", 6, 3.753, 0.018);
   claims.check({.id = "energy",
                 .text = "The energy changes by the work of the pressure and by what the penalty takes, to round-off.",
                 .quantity = "largest defect",

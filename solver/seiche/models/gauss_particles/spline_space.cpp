@@ -47,7 +47,7 @@ void SplineSpace::for_cells(Work&& work) const {
   for (std::ptrdiff_t c = 0; c < count; ++c) work(static_cast<std::size_t>(c));
 }
 
-void SplineSpace::require_particles(std::span<const double> mass) {
+double SplineSpace::particles_per_cell(std::span<const double> mass) const {
   double total = 0;
   std::size_t count = 0;
   for (const double m : mass) {
@@ -59,6 +59,7 @@ void SplineSpace::require_particles(std::span<const double> mass) {
     throw mechanics::Infeasible(
         fmt::format("a full cell holds {:.3g} particles; allowed: at least {:g}", per_cell, fewest_per_cell), 0);
   }
+  return per_cell;
 }
 
 void SplineSpace::place(mechanics::Interval when, std::span<const double> x, std::span<const double> y,
@@ -69,7 +70,7 @@ void SplineSpace::place(mechanics::Interval when, std::span<const double> x, std
   particles_ = x.size();
   local_ = static_cast<std::size_t>((lattice.x.degree() + 1) * (lattice.x.degree() + 1));
   full_mass_ = settings_.density * lattice.x.cell() * lattice.y.cell();
-  require_particles(mass);
+  const double per_cell = particles_per_cell(mass);
   const double extent = static_cast<double>(lattice.x.cells()) * static_cast<double>(lattice.y.cells());
   if (extent > most_cells_per_particle * static_cast<double>(particles_) + 1e6) {
     throw mechanics::Infeasible(
@@ -89,6 +90,7 @@ void SplineSpace::place(mechanics::Interval when, std::span<const double> x, std
   if (penalty_factor_ != 0) penalty_.prepare(lattice);
   facts_ = {.unknowns = functions_.unknowns(),
             .inner_cells = functions_.inner_cells(),
+            .particles_per_cell = per_cell,
             .beyond_walls = cells_.beyond_walls()};
   free_.clear();
   for (std::size_t c = 0; c < cells_.cells().size(); ++c) {

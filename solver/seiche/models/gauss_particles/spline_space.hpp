@@ -49,7 +49,7 @@ class SplineSpace final : public FieldSpace {
   [[nodiscard]] long analyses() const { return system_.analyses(); }
 
  private:
-  void require_particles(std::span<const double> mass);
+  [[nodiscard]] double particles_per_cell(std::span<const double> mass) const;
   void assemble();
   void add_cell(std::size_t c, const double* matrix);
   void add_continued_cell(std::size_t c, const double* matrix);
