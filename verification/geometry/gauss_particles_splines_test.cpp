@@ -1,6 +1,7 @@
 // Splines of free particles: polynomials are reproduced, and continued, to round-off on every kind of axis.
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -70,7 +71,7 @@ Defects defects(int degree, Ends ends) {
         for (long i0 = 0; i0 + static_cast<long>(side) <= axis.functions() && i0 < cells; ++i0) {
           const double away = std::abs(static_cast<double>(i - i0));
           if (away > 7) continue;
-          const double middle = static_cast<double>(i0);
+          const auto middle = static_cast<double>(i0);
           axis.extend(i, i0, weights);
           double sum = 0;
           double size = 1;
@@ -98,7 +99,9 @@ TEST_CASE("splines reproduce and continue polynomials to round-off", "[geometry]
   const std::vector<std::pair<Ends, std::string>> all{
       {Ends::free, "free"}, {Ends::wall_below, "wall_below"}, {Ends::walls, "walls"}, {Ends::periodic, "periodic"}};
   for (int degree = lowest_degree; degree <= highest_degree; ++degree) {
-    for (const auto& [ends, name] : all) {
+    for (const std::pair<Ends, std::string>& axis : all) {
+      const Ends ends = axis.first;
+      const std::string& name = axis.second;
       const Defects d = defects(degree, ends);
       const auto claim = [&](const std::string& what, double value, const std::string& reason, double operations) {
         check.that({.id = fmt::format("{}-{}-{}", what, degree, name),

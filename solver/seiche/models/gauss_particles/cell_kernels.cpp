@@ -1,6 +1,6 @@
 #include "seiche/models/gauss_particles/cell_kernels.hpp"
 
-#include <algorithm>
+#include <array>
 
 #include "seiche/models/gauss_particles/occupied_cells.hpp"
 #include "seiche/simd_clones.hpp"
@@ -10,6 +10,9 @@ namespace seiche::gauss_particles {
 namespace {
 
 constexpr std::size_t lanes = OccupiedCells::lanes;
+
+// Plain arrays: the compiler keeps them in registers.
+// NOLINTBEGIN(modernize-avoid-c-arrays)
 
 /// Powers 0 ... N - 1 of a block's numbers, times a weight, lane by lane.
 template <std::size_t N>
@@ -282,16 +285,18 @@ SEICHE_CELL_KERNELS(4, true, uneven_4)
 
 #undef SEICHE_CELL_KERNELS
 
+// NOLINTEND(modernize-avoid-c-arrays)
+
 }  // namespace
 
 const CellKernels& cell_kernels(int degree, bool uneven) {
-  static const CellKernels all[2][3] = {{{mass_matrix_level_2, load_level_2, velocity_level_2},
-                                         {mass_matrix_level_3, load_level_3, velocity_level_3},
-                                         {mass_matrix_level_4, load_level_4, velocity_level_4}},
-                                        {{mass_matrix_uneven_2, load_uneven_2, velocity_uneven_2},
-                                         {mass_matrix_uneven_3, load_uneven_3, velocity_uneven_3},
-                                         {mass_matrix_uneven_4, load_uneven_4, velocity_uneven_4}}};
-  return all[uneven ? 1 : 0][degree - lowest_degree];
+  static const std::array<CellKernels, 6> all{{{mass_matrix_level_2, load_level_2, velocity_level_2},
+                                               {mass_matrix_level_3, load_level_3, velocity_level_3},
+                                               {mass_matrix_level_4, load_level_4, velocity_level_4},
+                                               {mass_matrix_uneven_2, load_uneven_2, velocity_uneven_2},
+                                               {mass_matrix_uneven_3, load_uneven_3, velocity_uneven_3},
+                                               {mass_matrix_uneven_4, load_uneven_4, velocity_uneven_4}}};
+  return all[static_cast<std::size_t>(degree - lowest_degree) + (uneven ? 3 : 0)];
 }
 
 }  // namespace seiche::gauss_particles

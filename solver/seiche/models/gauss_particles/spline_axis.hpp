@@ -62,7 +62,9 @@ class SplineAxis {
   }
   /// Cells of one kind have the same polynomials.
   [[nodiscard]] std::size_t kind(long cell) const;
-  [[nodiscard]] std::size_t kinds() const { return static_cast<std::size_t>(degree_ * degree_); }
+  [[nodiscard]] std::size_t kinds() const {
+    return static_cast<std::size_t>(degree_) * static_cast<std::size_t>(degree_);
+  }
 
   /// Weights of the functions i0 ... i0 + q, q = weights.size() - 1 <= degree, in function i.
   void extend(long i, long i0, std::span<double> weights) const;

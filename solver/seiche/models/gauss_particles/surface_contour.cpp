@@ -80,8 +80,10 @@ Point crossing(const Grid& grid, std::size_t edge) {
   const bool up = edge % 2 == 1;
   const std::size_t to = up ? p + 1 : p + grid.rows;
   const double part = (level - grid.value[p]) / (grid.value[to] - grid.value[p]);
-  const double i = static_cast<double>(p / grid.rows) + (up ? 0 : part);
-  const double j = static_cast<double>(p % grid.rows) + (up ? part : 0);
+  const std::size_t column = p / grid.rows;
+  const std::size_t row = p % grid.rows;
+  const double i = static_cast<double>(column) + (up ? 0 : part);
+  const double j = static_cast<double>(row) + (up ? part : 0);
   return {grid.left + grid.cell * i, grid.low + grid.cell * j};
 }
 
