@@ -74,6 +74,18 @@ class Kept:
         part.replace(self.file)
 
 
+def remove_stale(evidence, kept, checks):
+    """Records of tests that are no longer there: they are no evidence of anything."""
+    rooms = {pathlib.PurePath(check).parts[1] for check in checks}
+    current = {record for check in checks for record in kept.entries.get(check, {}).get("records", [])}
+    for file in sorted(evidence.glob("*.json")):
+        record = json.loads(file.read_text())
+        if record["kind"] == "verification" and record["group"] in rooms and file.name not in current:
+            for name in filter(None, (file.name, record["data"], record["fields"])):
+                (evidence / name).unlink(missing_ok=True)
+            print(f"verification: {file.name} removed, no test writes it any more", flush=True)
+
+
 def left(seconds, jobs):
     return f"about {max(1, round(seconds / jobs))} s left"
 
@@ -110,6 +122,8 @@ def main():
             if found["status"] != 0:
                 failed.append(name)
                 print(found["output"], flush=True)
+    if not options.rooms:
+        remove_stale(options.evidence, kept, wanted)
     if failed:
         print(f"verification: {len(failed)} test files failed: {', '.join(sorted(failed))}")
     return 1 if failed else 0

@@ -77,6 +77,73 @@ class Command(unittest.TestCase):
         self.assertTrue((self.out / "junit.xml").exists())
         self.assertEqual([p.name for p in self.out.glob(".*")], [])
 
+    def test_a_published_set_has_a_record_of_its_own(self):
+        cases = json.loads(seiche("list", "--json").stdout)["cases"]
+        runs = [(case["name"], set_["tiles"][0]) for case in cases for set_ in case["published"]]
+        self.assertIn(("dry_dam_break", "bzz-fig-6"), runs)
+        listed = seiche("list", "--published").stdout
+        for name, tile in runs:
+            self.assertIn(f"seiche run {name} --as {tile}", listed)
+        # What equals the tier's defaults is the tier's own run; one of its tiles names the set as well as another.
+        self.assertEqual(seiche("run", "dry_dam_break", "--as", "bzz-fig-7", "--out", self.out).returncode, 0)
+        record = self.record("dry_dam_break")
+        self.assertEqual(record["set"], "")
+        here = [set_ for set_ in record["published"] if set_["here"]]
+        self.assertEqual([set_["tiles"][0] for set_ in here], ["bzz-fig-6"])
+        self.assertEqual(here[0]["values"], {name: p["value"] for name, p in record["parameters"].items()})
+        self.assertEqual(seiche("run", "dry_dam_break", "--set", "particles=20", "--out", self.out).returncode, 0)
+        self.assertEqual([set_["here"] for set_ in self.record("dry_dam_break")["published"]], [False])
+
+    def test_a_published_set_cannot_be_changed(self):
+        run = ["run", "dry_dam_break", "--as"]
+        self.refused(seiche(*run, "bzz-fig-12", "--out", self.out), "bzz-fig-12", "must be one of bzz-fig-6")
+        self.refused(seiche(*run, "bzz-fig-6", "--set", "particles=20", "--out", self.out), "--set", "bzz-fig-6")
+        self.refused(seiche(*run, "bzz-fig-6", "--tier", "full", "--out", self.out), "bzz-fig-6", "quick")
+        self.refused(seiche("run", "dry_dam_break", "riemann", "--as", "bzz-fig-6", "--out", self.out), "--as", "one case")
+        self.refused(seiche("run", "riemann", "--as", "bzz-fig-6", "--out", self.out), "riemann", "has none")
+        self.assertEqual(seiche(*run, "bzz-fig-6", "--set", "particles=10", "--out", self.out).returncode, 0)
+
+    def test_evidence_is_compared_with_a_record(self):
+        self.assertEqual(seiche("run", "bore_reflection", "--out", self.out).returncode, 0)
+        refused = seiche("record", self.out, "--out", self.out / "quick.csv")
+        self.assertEqual(refused.returncode, 3)
+        self.assertIn("dry_dam_break: no finished record", refused.stderr)
+        self.assertFalse((self.out / "quick.csv").exists())
+        # The table of one record, from the command's own comparison with an empty one.
+        table = self.out / "one.csv"
+        header = "case,set,claim,kind,measured,uncertainty,expected,limit,band,verdict\n"
+        table.write_text(header)
+        claims = self.record("bore_reflection")["claims"]
+        told = seiche("compare", self.out, "--record", table)
+        self.assertEqual(told.returncode, 1)
+        self.assertEqual(told.stdout.count("new, "), len(claims))
+        # Claims of a case that did not run.
+        other = "riemann,,depth,bound,0.1,,0,1,,pass\n"
+
+        def row(claim, **changes):
+            c = {"measured": claim["measured"], "verdict": ("declared " if claim["declared"] == "fail" else "")
+                 + claim["verdict"], **changes}
+            text = [c["measured"], claim["uncertainty"], claim["expected"], claim["criterion"]["limit"],
+                    (claim["declared_band"] or [None, None])[1]]
+            numbers = ",".join("" if number is None else repr(number) for number in text)
+            return f"bore_reflection,bzz-fig-15,{claim['id']},{claim['criterion']['kind']},{numbers},{c['verdict']}\n"
+
+        table.write_text(header + "".join(map(row, claims)) + other)
+        same = seiche("compare", self.out, "--record", table)
+        self.assertEqual(same.returncode, 0, same.stdout)
+        self.assertIn("1 claims of other runs not compared", same.stdout)
+        whole = seiche("compare", self.out, "--record", table, "--whole")
+        self.assertEqual(whole.returncode, 1)
+        self.assertIn("riemann depth: no longer there", whole.stdout)
+        table.write_text(header + row(claims[0], measured=1e3) + row(claims[1], verdict="fail") + "".join(map(row, claims[3:]))
+                         + row(claims[3]).replace(claims[3]["id"], "old"))
+        told = seiche("compare", self.out, "--record", table)
+        self.assertEqual(told.returncode, 1)
+        for words in (f"{claims[0]['id']}: measured 1000 -> ", f"{claims[1]['id']}: verdict fail -> pass",
+                      f"{claims[2]['id']}: new, ", "old: no longer there"):
+            self.assertIn(words, told.stdout)
+        self.assertEqual(seiche("compare", self.out, "--record", self.out / "none.csv").returncode, 2)
+
     def test_arrays_describe_themselves(self):
         import h5py
 
@@ -185,6 +252,60 @@ class Command(unittest.TestCase):
         # Another value is another run.
         seiche("run", "riemann", "--set", "particles=44", "--resume", "--out", self.out)
         self.assertNotEqual((self.out / "riemann.json").stat().st_mtime_ns, stamp)
+
+    def killed_when(self, kept, *words):
+        """Kills a run once `kept(files)` holds of its checkpoints, and returns their names."""
+        run = subprocess.Popen([SEICHE, "run", *words, "--checkpoint-every", "0", "--out", str(self.out)],
+                               stdout=subprocess.DEVNULL)
+        files = []
+        for _ in range(6000):
+            files = sorted(p.name for p in self.out.glob(".checkpoints/*/*.checkpoint"))
+            if kept(files) or run.poll() is not None:
+                break
+            time.sleep(0.01)
+        self.assertIsNone(run.poll(), "the run ended before it could be killed")
+        children = children_of(run)
+        run.kill()
+        run.wait()
+        for _ in range(500):  # children die with their parent
+            if not any(pathlib.Path(f"/proc/{child}").exists() for child in children):
+                break
+            time.sleep(0.01)
+        self.assertEqual(list(self.out.glob("*.json")), [])
+        return files
+
+    def goes_on_after_a_kill(self, kept, *words):
+        """A run that is killed and resumed writes the same arrays as one that is left alone."""
+        whole = seiche("run", *words, "--out", self.out.parent / "whole")
+        self.assertIn(whole.returncode, (0, 1), whole.stdout + whole.stderr)
+        files = self.killed_when(kept, *words)
+        resumed = seiche("run", *words, "--resume", "--out", self.out)
+        self.assertEqual(resumed.returncode, whole.returncode, resumed.stdout + resumed.stderr)
+        for array in (self.out.parent / "whole").glob("*.h5"):
+            self.assertEqual(array.read_bytes(), (self.out / array.name).read_bytes(), files)
+        # Nothing is left beside the records.
+        self.assertEqual([p.name for p in self.out.glob(".*")], [])
+        return resumed.stdout
+
+    SWEEP = ["mach_reflection_curves", "--set", "h=1.2", "--set", "time=500"]
+    BREAKER = ["overturning_sph", "--set", "columns=60"]
+
+    def test_a_sweep_goes_on_after_the_parts_that_were_finished(self):
+        self.goes_on_after_a_kill(lambda files: len(files) >= 2, *self.SWEEP)
+
+    def test_particles_go_on_in_the_midst_of_a_run_to_the_last_bit(self):
+        self.goes_on_after_a_kill(lambda files: len(files) >= 3 and any("unfinished" in name for name in files),
+                                  *self.BREAKER)
+
+    def test_checkpoints_that_are_damaged_are_ignored_with_a_note(self):
+        self.killed_when(lambda files: len(files) >= 2, *self.SWEEP)
+        for path in self.out.glob(".checkpoints/*/*.checkpoint"):
+            path.write_bytes(path.read_bytes()[:-1])
+        # What reads the whole folder does not stumble over them.
+        self.assertEqual(seiche("run", "thacker", "--out", self.out).returncode, 0)
+        self.assertEqual(seiche("compare", self.out, self.out).returncode, 0)
+        self.assertIn("damaged checkpoints", seiche("run", *self.SWEEP, "--resume", "--out", self.out).stdout)
+        self.assertEqual([p.name for p in self.out.glob(".*")], [])
 
     def test_a_folder_that_cannot_be_written_is_status_3(self):
         self.out.parent.mkdir(exist_ok=True)

@@ -22,6 +22,7 @@ DOCUMENTS = [path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md",
 DOCS = "ctest ci.docs runs it"
 WHOLE_BUILD = "sets up and builds everything; CI runs it (.ci/run, .github/workflows/ci.yml)"
 LONG = "a tier of an hour or more"
+DEFECTS = "builds first; ctest ci.defects does the same"
 PETSC = "needs PETSc and MPI"
 PATTERN = "a pattern, its words are to be replaced"
 INSTALLS = "installs packages"
@@ -34,6 +35,7 @@ NOT_RUN = {
         "ci/report": WHOLE_BUILD,
         "ci/test": WHOLE_BUILD,
         "ci/setup": INSTALLS,
+        "ci/defects": LONG,
         "ci/long full": LONG,
         "ci/long paper": LONG,
         "ctest -L full": LONG,
@@ -59,10 +61,16 @@ NOT_RUN = {
         "ci/test": WHOLE_BUILD,
         "ci/tidy": WHOLE_BUILD,
         "ci/docs": DOCS,
+        "ci/defects linear/periodic_schur_one_neighbour": DEFECTS,
+        "ci/defects --random 6 --seed 1": DEFECTS,
         "ci/sanitize": WHOLE_BUILD,
         "ci/setup": INSTALLS,
         "ci/setup clang-format": INSTALLS,
-        "ci/long full": LONG,
+        "seiche compare EVIDENCE --record": PATTERN,
+        "seiche run CASE --as sph-fig-6": PATTERN,
+        "ci/record quick": WHOLE_BUILD,
+        "ci/record full": LONG,
+        "ci/record paper": LONG,
         "ctest --preset release -R '^bore.moving_bore'": CTEST,
         "ctest --preset release -R '^evidence:'": CTEST,
         "ctest --preset release -R 'every reference table'": CTEST,

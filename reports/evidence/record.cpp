@@ -93,7 +93,11 @@ bool Record::as_declared() const {
 }
 
 std::string Record::stem() const {
-  return name + (tier == "quick" ? "" : "@" + tier) + (solver == "seiche" ? "" : "." + solver);
+  return name +
+         (!set.empty()      ? "@" + set
+          : tier == "quick" ? ""
+                            : "@" + tier) +
+         (solver == "seiche" ? "" : "." + solver);
 }
 
 }  // namespace seiche::evidence

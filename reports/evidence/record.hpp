@@ -17,12 +17,23 @@
 
 namespace seiche::evidence {
 
+using Scalar = std::variant<double, long, bool, std::string>;
+
 /// A parameter as it was used.
 struct ParameterValue {
-  std::variant<double, long, bool, std::string> value;
-  std::variant<double, long, bool, std::string> standard;  ///< the case's default
+  Scalar value;
+  Scalar standard;  ///< the case's default
   std::string unit;
   std::string meaning;
+};
+
+/// The parameters with which a source computed what tiles of the atlas show.
+struct PublishedSet {
+  std::vector<std::string> tiles;
+  std::string tier;  ///< in which it is run
+  std::map<std::string, Scalar> values;
+  std::string differs;  ///< where they still are not the source's, and why
+  bool here = false;    ///< they are those of this record
 };
 
 struct JudgedClaim {
@@ -114,6 +125,8 @@ class Record : public Exhibit {
   std::string article;             ///< Markdown with $formulas$
   std::vector<std::string> atlas;  ///< tiles filled by the record as a whole
   std::map<std::string, ParameterValue> parameters;
+  std::string set;                      ///< the published set that it ran with, where that is not the tier's defaults
+  std::vector<PublishedSet> published;  ///< of the case
   double wall_time = 0;
   std::string fingerprint;  ///< of code, toolchain, tier and parameters: equal means it need not run again
   std::map<std::string, std::string> reference_data;  ///< path of every reference table read -> SHA-256
@@ -136,8 +149,9 @@ class Record : public Exhibit {
 
   /// The run finished and every claim came out as declared.
   [[nodiscard]] bool as_declared() const;
-  /// The name without extension of the record's files: the name, the tier where it is not the quick one ("bore@full"),
-  /// and the solver's where it is not ours ("bore.mine"). What one tier found does not overwrite what another did.
+  /// The name without extension of the record's files: the name, the published set ("bore@bzz-fig-6") or else the tier
+  /// where it is not the quick one ("bore@full"), and the solver's where it is not ours ("bore.mine"). What one of them
+  /// found does not overwrite what another did.
   [[nodiscard]] std::string stem() const;
 
  private:

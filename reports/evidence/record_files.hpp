@@ -22,6 +22,7 @@ struct Summary {
     std::string text;
     std::string unit;
     std::string resolution;
+    std::string kind;  ///< of the criterion
     std::string verdict;
     std::string declared;
     std::string declared_reason;
@@ -31,11 +32,15 @@ struct Summary {
     double uncertainty = 0;  ///< NaN: not estimated
     double limit = 0;
     double expected = 0;
+    double band = 0;  ///< half-width of the band in which a failure is declared; NaN where none is
   };
   std::string name;
   std::string kind;
   std::string group;
   std::string tier;
+  std::string set;        ///< the published set that it ran with, where that is not the tier's defaults
+  std::string shows;      ///< a published set that it is equal to, empty if none
+  bool standard = false;  ///< the parameters are the tier's defaults or those of `set`
   std::string solver;
   std::string error;
   std::string fingerprint;

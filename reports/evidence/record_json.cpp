@@ -138,6 +138,13 @@ std::string to_json(const Record& record) {
     parameters[name_of] = {
         {"value", any(p.value)}, {"unit", p.unit}, {"default", any(p.standard)}, {"meaning", p.meaning}};
   }
+  Json published = Json::array();
+  for (const PublishedSet& set : record.published) {
+    Json values = Json::object();
+    for (const auto& [name_of, value] : set.values) values[name_of] = any(value);
+    published.push_back(
+        {{"tiles", set.tiles}, {"tier", set.tier}, {"values", values}, {"differs", set.differs}, {"here", set.here}});
+  }
   Json claims = Json::array();
   for (const JudgedClaim& judged : record.claims()) claims.push_back(describe(judged));
   Json left_out = Json::array();
@@ -155,7 +162,7 @@ std::string to_json(const Record& record) {
   for (const Table& t : record.tables()) tables.push_back(describe(t));
   const bool has_data = !(record.figures().empty() && record.arrays().empty() && record.snapshots().empty());
 
-  const Json json = {{"schema", 2},
+  const Json json = {{"schema", 3},
                      {"case", record.name},
                      {"kind", record.kind},
                      {"group", record.group},
@@ -167,6 +174,8 @@ std::string to_json(const Record& record) {
                      {"status", record.error.empty() ? "finished" : "error"},
                      {"error", record.error},
                      {"parameters", parameters},
+                     {"set", record.set},
+                     {"published", published},
                      {"claims", claims},
                      {"left_out", left_out},
                      {"measurements", measurements},

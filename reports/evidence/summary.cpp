@@ -20,6 +20,7 @@ Summary::Outcome outcome_from(const nlohmann::json& claim) {
           .text = claim.at("text"),
           .unit = claim.at("unit"),
           .resolution = claim.at("resolution"),
+          .kind = claim.at("criterion").at("kind"),
           .verdict = claim.at("verdict"),
           .declared = claim.at("declared"),
           .declared_reason = claim.at("declared_reason"),
@@ -29,7 +30,24 @@ Summary::Outcome outcome_from(const nlohmann::json& claim) {
           .measured = number(claim.at("measured")),
           .uncertainty = number(claim.at("uncertainty")),
           .limit = number(claim.at("criterion").at("limit")),
-          .expected = number(claim.at("expected"))};
+          .expected = number(claim.at("expected")),
+          .band = claim.value("declared_band", nlohmann::json()).is_array() ? number(claim["declared_band"].at(1))
+                                                                            : number(nullptr)};
+}
+
+/// The first tile of a published set that the parameters are equal to.
+std::string shown_set(const nlohmann::json& record) {
+  std::string shown = record.value("set", "");
+  for (const auto& set : record.value("published", nlohmann::json::array())) {
+    if (shown.empty() && set.at("here").get<bool>()) shown = set.at("tiles").at(0);
+  }
+  return shown;
+}
+
+bool has_defaults(const nlohmann::json& record) {
+  const auto& parameters = record.at("parameters");
+  return std::all_of(parameters.begin(), parameters.end(),
+                     [](const auto& p) { return p.at("value") == p.at("default"); });
 }
 
 }  // namespace
@@ -46,6 +64,9 @@ Summary read_summary(const std::filesystem::path& json_file) {
     s.kind = json.at("kind");
     s.group = json.at("group");
     s.tier = json.at("tier");
+    s.set = json.value("set", "");  // absent before sets were published
+    s.shows = shown_set(json);
+    s.standard = !s.set.empty() || has_defaults(json);
     s.solver = json.at("solver");
     s.error = json.at("error");
     s.fingerprint = json.at("fingerprint");

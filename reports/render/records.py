@@ -65,13 +65,23 @@ class Record:
 
     @property
     def by(self):
-        """Whose it is, where a page shows several: the solver, and the tier where it is not the quick one."""
-        return self.raw["solver"] + (f", {self.raw['tier']}" if self.raw["tier"] != TIERS[0] else "")
+        """Whose it is, where a page shows several: the solver, and the published set or the tier if not the quick one."""
+        which = self.raw["set"] or (self.raw["tier"] if self.raw["tier"] != TIERS[0] else "")
+        return self.raw["solver"] + (f", {which}" if which else "")
 
     @property
     def standard(self):
-        """Every parameter has the tier's default."""
-        return all(p["value"] == p["default"] for p in self.raw["parameters"].values())
+        """Every parameter has the tier's default, or a published set's value."""
+        return bool(self.raw["set"]) or all(p["value"] == p["default"] for p in self.raw["parameters"].values())
+
+    def published_set(self, tile):
+        """The parameters of the source for a tile, as the record names them; None where it names none."""
+        return next((one for one in self.raw["published"] if tile in one["tiles"]), None)
+
+    @property
+    def at_source(self):
+        """It ran with the parameters of a source."""
+        return any(one["here"] for one in self.raw["published"])
 
     @property
     def tiles(self):
@@ -95,7 +105,8 @@ class Record:
 
 @dataclasses.dataclass
 class Case:
-    """All records of one case: the suite's own first, of the longest tier before others, then other solvers by name."""
+    """All records of one case: the suite's own first, the best of them before others (with the parameters of a source,
+    of the longest tier), then other solvers by name."""
     name: str
     records: list
 
@@ -168,9 +179,9 @@ def load(directory, memo):
             broken.append(Broken(path.name, [f"{type(error).__name__}: {error}"]))
             continue
         if not reasons:
-            owner = taken.setdefault((raw["case"], raw["solver"], raw["tier"]), path.name)
+            owner = taken.setdefault((raw["case"], raw["solver"], raw["tier"], raw["set"]), path.name)
             if owner != path.name:
-                reasons = [f"{owner} is already the {raw['tier']} record of case {raw['case']} by "
+                reasons = [f"{owner} is already the {raw['set'] or raw['tier']} record of case {raw['case']} by "
                            f"solver {raw['solver']}"]
         if reasons:
             broken.append(Broken(path.name, reasons))
@@ -192,5 +203,5 @@ def cases(records):
     result = []
     for name, members in gathered.items():
         result.append(Case(name, sorted(members, key=lambda record: (
-            not record.own, record.solver, -TIERS.index(record.tier)))))
+            not record.own, record.solver, not record.at_source, -TIERS.index(record.tier), record.set))))
     return sorted(result, key=lambda case: (case.first.kind, case.first.group, case.name))

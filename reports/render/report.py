@@ -4,7 +4,7 @@ import os
 import pathlib
 import shutil
 
-from render import atlas, badge, gallery, pages, records, sharpness
+from render import atlas, badge, defects, gallery, pages, records, sharpness
 from render.formulas import Formulas
 from render.records import Broken
 from render.store import MARKER, Store
@@ -23,7 +23,7 @@ def build(evidence, stage, out, options):
     typesetter = Typesetter(store.memo, Formulas(store.memo).html)
 
     sources = atlas.read()
-    unknown = atlas.fill(sources, loaded, drawn)
+    unknown = atlas.fill(sources, loaded, drawn, atlas.kept_sets())
     titles = {tile.id: (source, tile) for source, members in sources for tile in members}
     cases = records.cases(loaded)
     problems = _problems(loaded, surveys, drawn, unknown, evidence)
@@ -46,14 +46,16 @@ def build(evidence, stage, out, options):
             broken += [Broken(record.file, [f"page not made: {reason}"]) for record in case.records]
     cases = [case for case in cases if case.name in views]
     summary = pages.overview(cases, broken, problems)
-    filled = sum(1 for _, tile in titles.values() if tile.reproduced)
-    whole = {"summary": summary, "kinds": pages.grouped(cases), "sources": sources, "filled": filled,
-             "tiles": len(titles), "has_junit": (evidence / "junit.xml").is_file(),
+    counts = atlas.count(sources)
+    whole = {"summary": summary, "kinds": pages.grouped(cases), "sources": sources, "counts": counts,
+             "counts_in_words": atlas.in_words(counts), "has_junit": (evidence / "junit.xml").is_file(),
              "sharpness": sharpness.survey([record for case in cases for record in case.records if record.own]),
+             "defects": defects.survey(defects.read(), loaded),
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
     write("index.html.j2", "index.html", "", **whole)
     write("atlas.html.j2", "atlas.html", "", **whole)
     write("sharpness.html.j2", "sharpness.html", "", **whole)
+    write("defects.html.j2", "defects.html", "", **whole)
     write("reading.html.j2", "reading.html", "", **whole)
     if options.pdf:
         write("print.html.j2", "print.html", "", views=views, **whole)
@@ -67,7 +69,7 @@ def build(evidence, stage, out, options):
     store.save()
     return (f"{pages.plural(summary['claims'], 'claim')} in {pages.plural(len(cases), 'case')}, "
             f"{summary['unexpected_count']} unexpected, {pages.plural(len(broken), 'broken record')}, "
-            f"{filled} of {len(titles)} tiles")
+            f"{counts['reproduced']} of {counts['all']} tiles reproduced, {counts['reduced']} at reduced size")
 
 
 class _Writer:

@@ -214,7 +214,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
               .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});
 
   const io::Table printed = values.table("bogomolov_zakharov_zerkal");
-  const auto published = claims.only_if(values.as_published(), "the paper prints it for its own parameters");
+  const auto published =
+      claims.only_if(values.as_published("bzz-fig-12"), "the paper prints it for its own parameters");
   published.check(
       {.id = "printed-speed",
        .text = "The speed that the paper prints follows from the jump conditions.",
@@ -278,6 +279,7 @@ Case moving_bore() {
       real("still_depth", 1.0, "m", {1e-3, 1e3}, "depth of the still water ahead"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
+  c.published = {{.tiles = {"bzz-fig-12", "bzz-fig-9", "bzz-fig-10", "bzz-fig-11"}}};
   c.study = Study(claims, compute, show);
   return c;
 }

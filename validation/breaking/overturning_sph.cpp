@@ -152,15 +152,20 @@ Results compute(const Run& run) {
     return std::lround(static_cast<double>(run.integer("columns")) *
                        std::pow(0.5, 0.5 * static_cast<double>(lattices - 1 - lattice)));
   };
+  const auto turned = [&](const SphOverturning& setup, const std::vector<double>& at, long watched,
+                          const std::string& name) {
+    return run.part(name).result<SphOverturned>([&] { return overturn(setup, at, overhang, watched, run.part(name)); });
+  };
   climb(run, lattices + variants.size(), [&](std::size_t k) {
     if (k >= variants.size()) {
       const std::size_t lattice = k - variants.size();
-      r.runs[lattice] = overturn({.wave = wave, .columns = columns(lattice), .settings = settings_of(run)},
-                                 until_landed, overhang, 150);
+      r.runs[lattice] = turned({.wave = wave, .columns = columns(lattice), .settings = settings_of(run)}, until_landed,
+                               150, fmt::format("L/{}", columns(lattice)));
     } else {
       wcsph::Settings changed = settings_of(run);
       variants[k].change(changed);
-      r.others[k] = overturn({.wave = wave, .columns = columns(halved), .settings = changed}, times, overhang, 100);
+      r.others[k] =
+          turned({.wave = wave, .columns = columns(halved), .settings = changed}, times, 100, variants[k].name);
     }
   });
   measure_distances(r);

@@ -11,6 +11,7 @@
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/sph_steep_wave.hpp"
+#include "validation/studies/wcsph/kept_flow.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -84,7 +85,17 @@ wcsph::Scene scene_of(const SphOverturning& setup) {
 
 }  // namespace
 
-SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched) {
+void exchange(Tape& tape, Polyline& line) {
+  tape(line.x, line.y);
+}
+
+void exchange(Tape& tape, SphOverturned& r) {
+  tape(r.spacing, r.smoothing_length, r.particles, r.steps, r.times, r.surfaces, r.speed, r.snapshots, r.kinetic,
+       r.energy, r.level, r.hangs_over, r.touches, r.extremes);
+}
+
+SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched,
+                       Part part) {
   const wcsph::Scene scene = scene_of(setup);
   wcsph::Settings settings = setup.settings;
   settings.period = scene.period;
@@ -104,7 +115,10 @@ SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& t
     return curves;
   };
   std::size_t next = 0;
-  for (long n = 0; n <= watched; ++n) {
+  long n = 0;
+  const auto state = [&](Tape& tape) { tape(n, next, result, flow); };
+  for (part.resume(state); n <= watched; ++n) {
+    part.keep(state);
     const double watch = static_cast<double>(n) * interval;
     for (; next < times.size() && times[next] <= watch + 1e-9 * interval; ++next) {
       flow.advance_to(times[next]);

@@ -9,6 +9,7 @@
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/free_surface.hpp"
 #include "seiche/models/wcsph/lattice.hpp"
+#include "validation/case/checkpoints.hpp"
 #include "validation/instruments/polyline_distance.hpp"
 
 namespace seiche::validation {
@@ -47,7 +48,10 @@ struct SphOverturned {
 /// @param times     ascending; the run ends at the last one
 /// @param overhang  [m] by which the front must hang over to count
 /// @param watched   instants in between at which overhang and cavity are looked for
-SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched);
+/// @param part      of the case's run that this is
+SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched,
+                       Part part);
+void exchange(Tape& tape, SphOverturned& result);
 
 /// The exact surface at a time as one curve of the box [0, L].
 Polylines exact_surface(const exact::OverturningWave& wave, double time, std::size_t points = 1601);

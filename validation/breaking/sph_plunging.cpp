@@ -6,6 +6,7 @@
 
 #include "seiche/models/wcsph/free_surface.hpp"
 #include "seiche/models/wcsph/front.hpp"
+#include "validation/studies/wcsph/kept_flow.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -58,13 +59,21 @@ void watch(SphPlunged& result, const wcsph::Flow& flow, const SphPlunging& setup
 
 }  // namespace
 
-SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames) {
+void exchange(Tape& tape, SphPlunged& r) {
+  tape(r.spacing, r.particles, r.steps, r.lost, r.frames, r.crest, r.speed, r.hangs_over, r.touches, r.cavity,
+       r.jet_time, r.jet_x, r.jet_z, r.extremes);
+}
+
+SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames, Part part) {
   const wcsph::Scene scene = scene_of(setup);
   wcsph::Flow flow(scene.particles, scene.spacing, setup.settings, scene.paddles);
   SphPlunged result{.spacing = scene.spacing, .particles = scene.particles.size()};
   constexpr double per_period = 100;
   std::size_t next = 0;
-  for (long n = std::lround(per_period); next < frames.size(); ++n) {
+  long n = std::lround(per_period);
+  const auto state = [&](Tape& tape) { tape(n, next, result, flow); };
+  for (part.resume(state); next < frames.size(); ++n) {
+    part.keep(state);
     const double phase = static_cast<double>(n) / per_period;
     flow.advance_to(setup.period * phase);
     watch(result, flow, setup, scene);

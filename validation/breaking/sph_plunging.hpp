@@ -7,6 +7,7 @@
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"
+#include "validation/case/checkpoints.hpp"
 
 namespace seiche::validation {
 
@@ -35,6 +36,8 @@ struct SphPlunged {
 
 /// The second wave is looked for after one period, a hundred times per period, behind the first one.
 /// @param frames  t/T, ascending, whole hundredths above 1; the run ends at the last one
-SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames);
+/// @param part    of the case's run that this is
+SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames, Part part);
+void exchange(Tape& tape, SphPlunged& result);
 
 }  // namespace seiche::validation

@@ -253,7 +253,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
              Bound{.limit = 0,
                    .reason = "the forces vanish without rounding: the surface is at y = 0, and the bottom does not "
                              "enter the potential energy"});
-  claim_band(given.at(s.mesh.name(s.berm)), values.as_published());
+  claim_band(given.at(s.mesh.name(s.berm)), values.as_published("frank-breakwater"));
   const double shortest_wavenumber = 2 * std::numbers::pi / shortest;
   const double fastest = std::sqrt(shortest_wavenumber * std::tanh(shortest_wavenumber));
   claims.at(fmt::format("{}, tau = {:g}", s.mesh.name(s.berm), s.tau))
@@ -450,6 +450,7 @@ Case breakwater() {
       real("tau", 0.02, "sqrt(depth/g)", {1e-3, 0.2}, "time step"),
       real("hourglass", 0.1, "1", {0, 2}, "kappa_0 of the hourglass potential of the high wave"),
   };
+  c.published = {{.tiles = {"frank-breakwater"}, .differs = "the thesis gives no geometry: this one is made up"}};
   c.study = Study(claims, compute, show);
   return c;
 }

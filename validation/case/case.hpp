@@ -8,6 +8,7 @@
 #include <chrono>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reports/evidence/record.hpp"
@@ -24,6 +25,7 @@ struct Case {
   std::vector<std::string> atlas;           ///< tiles that the case fills as a whole
   std::vector<Tier> tiers = {Tier::quick};  ///< tiers in which it does something of its own
   std::vector<Parameter> parameters;
+  std::vector<Published> published;  ///< the sources' own parameters, a set for every tile that the case fills
   ByTier<std::chrono::seconds> time_limit = {std::chrono::minutes(5), std::chrono::hours(1), std::chrono::hours(24)};
   Study study;                            ///< what it claims, computes and shows
   std::vector<std::string> former_names;  ///< which `seiche run` still understands
@@ -34,6 +36,18 @@ struct Case {
   std::string phenomenon;   ///< the folder's name
   std::string article;      ///< the file's opening comment
   std::string fingerprint;  ///< of the code that decides its numbers, and of the toolchain
+
+  /// The defaults of a tier.
+  [[nodiscard]] Values values(Tier tier) const;
+  /// The values of a published set.
+  [[nodiscard]] Values values(const Published& set) const;
+  /// The set that shows a tile. @throws std::invalid_argument listing the sets
+  [[nodiscard]] const Published& published_set(std::string_view tile) const;
+  /// Different values of all runs of a tier: its defaults, where the case does something of its own in it, and the
+  /// published sets that run in it.
+  [[nodiscard]] std::vector<Values> runs_of(Tier tier) const;
+  /// @throws std::logic_error where a published set names no tile, a tile twice, or values that cannot be set
+  void check_published() const;
 };
 
 }  // namespace seiche::validation

@@ -28,7 +28,7 @@ void say(int pipe, char kind, const std::string& text) {
   if (write(pipe, line.data(), line.size()) < 0) return;
 }
 
-[[noreturn]] void live(const Job& job, const std::filesystem::path& directory, int pipe) {
+[[noreturn]] void live(const Job& job, const std::filesystem::path& directory, const Keeping& keeping, int pipe) {
   // Cases run side by side, one on a core; records say so (evidence/provenance.cpp).
   omp_set_num_threads(1);
   double said = -1;
@@ -37,14 +37,14 @@ void say(int pipe, char kind, const std::string& text) {
     said = fraction;
     say(pipe, 'p', fmt::format("{:.4f}", fraction));
   };
-  const Ending ending = run_job(job, directory, progress);
+  const Ending ending = run_job(job, directory, keeping, progress);
   say(pipe, 'm', ending.message);
   _exit(exit_status(ending.outcome));
 }
 
 }  // namespace
 
-Child::Child(const Job& job, const std::filesystem::path& directory)
+Child::Child(const Job& job, const std::filesystem::path& directory, const Keeping& keeping)
     : job_(job), directory_(directory), begin_(std::chrono::steady_clock::now()) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe for a child process");
@@ -60,7 +60,7 @@ Child::Child(const Job& job, const std::filesystem::path& directory)
     if (getppid() != parent) _exit(3);  // the parent died before the request above
     std::signal(SIGINT, SIG_IGN);       // the parent decides what an interrupt means
     close(ends[0]);
-    live(job, directory, ends[1]);
+    live(job, directory, keeping, ends[1]);
   }
   close(ends[1]);
   pipe_ = ends[0];

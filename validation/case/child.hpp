@@ -13,7 +13,7 @@ namespace seiche::validation {
 class Child {
  public:
   /// Starts the job. The child dies with its parent.
-  Child(const Job& job, const std::filesystem::path& directory);
+  Child(const Job& job, const std::filesystem::path& directory, const Keeping& keeping);
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   Child(Child&&) = delete;

@@ -56,8 +56,7 @@ void Display::running(const std::vector<std::unique_ptr<Child>>& children) {
   if (!terminal_) return;
   erase_bars();
   for (const auto& child : children) {
-    fmt::print("          {:<34} {} {:5.1f} s\n", child->job().definition->name, bar(child->progress(), 30),
-               child->seconds());
+    fmt::print("          {:<34} {} {:5.1f} s\n", child->job().stem(), bar(child->progress(), 30), child->seconds());
   }
   bars_ = children.size();
   std::fflush(stdout);

@@ -1,9 +1,11 @@
 #include "validation/case/job.hpp"
 
 #include <chrono>
+#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "reports/evidence/provenance.hpp"
 #include "reports/evidence/record_files.hpp"
@@ -16,6 +18,29 @@ std::string in_words(const evidence::JudgedClaim& claim) {
   if (j.verdict == evidence::Verdict::error) return fmt::format("{}: error, {}", claim.claim.id, j.note);
   return fmt::format("{}: {}, measured {:.6g}, expected {:.6g} within {:.3g}{}{}", claim.claim.id,
                      evidence::name(j.verdict), j.measured, j.expected, j.limit, j.note.empty() ? "" : ", ", j.note);
+}
+
+/// Every tile that a record fills has the parameters of its source, and with them all tiles of the set are filled.
+/// @throws std::logic_error
+void check_tiles(const evidence::Record& record) {
+  std::set<std::string> shown(record.atlas.begin(), record.atlas.end());
+  for (const auto& figure : record.figures()) shown.insert(figure.atlas.begin(), figure.atlas.end());
+  for (const auto& table : record.tables()) shown.insert(table.atlas.begin(), table.atlas.end());
+  std::set<std::string> published;
+  for (const evidence::PublishedSet& set : record.published) {
+    published.insert(set.tiles.begin(), set.tiles.end());
+    if (!set.here) continue;
+    for (const std::string& tile : set.tiles) {
+      if (shown.count(tile) == 0) {
+        throw std::logic_error(
+            fmt::format("published set {} is to show tile {}: no figure or table does", set.tiles.front(), tile));
+      }
+    }
+  }
+  for (const std::string& tile : shown) {
+    if (published.count(tile) == 0)
+      throw std::logic_error(fmt::format("tile {} is shown without a published set", tile));
+  }
 }
 
 }  // namespace
@@ -39,6 +64,10 @@ std::string Job::fingerprint() const {
                                       values.canonical()));
 }
 
+std::string Job::stem() const {
+  return blank_record().stem();
+}
+
 evidence::Record Job::blank_record() const {
   evidence::Record record;
   record.name = definition->name;
@@ -49,6 +78,16 @@ evidence::Record Job::blank_record() const {
   record.source = definition->source;
   record.article = definition->article;
   record.atlas = definition->atlas;
+  record.set = values.set_name();
+  for (const Published& set : values.sets()) {
+    const Values as = definition->values(set);
+    std::map<std::string, evidence::Scalar> chosen(as.all().begin(), as.all().end());
+    record.published.push_back({.tiles = set.tiles,
+                                .tier = std::string(name(set.tier)),
+                                .values = std::move(chosen),
+                                .differs = set.differs,
+                                .here = values.are(set)});
+  }
   record.fingerprint = fingerprint();
   for (const Parameter& p : values.declared()) {
     record.parameters[p.name] = {.value = values.all().at(p.name),
@@ -59,12 +98,16 @@ evidence::Record Job::blank_record() const {
   return record;
 }
 
-Ending run_job(const Job& job, const std::filesystem::path& directory, const Run::Progress& progress) {
-  const Run run(job.values, progress);
+Ending run_job(const Job& job, const std::filesystem::path& directory, const Keeping& keeping,
+               const Run::Progress& progress) {
   evidence::Record record = job.blank_record();
+  const auto checkpoints =
+      std::make_shared<Checkpoints>(directory / ".checkpoints" / record.stem(), record.fingerprint, keeping);
+  const Run run(job.values, progress, checkpoints);
   const auto begin = std::chrono::steady_clock::now();
   try {
     job.definition->study.run(run, record);
+    check_tiles(record);
   } catch (const std::invalid_argument& refused) {
     // A case that refuses its own parameters is broken, and an older record must not stand for it.
     if (!run.standard()) return {Outcome::wrong_input, fmt::format("{}: {}", job.definition->name, refused.what())};
@@ -80,8 +123,10 @@ Ending run_job(const Job& job, const std::filesystem::path& directory, const Run
     return {Outcome::unfinished, failure.what()};
   }
   if (!record.error.empty()) return {Outcome::unfinished, record.error};
-  if (record.as_declared()) return {Outcome::as_declared, {}};
-  std::string undeclared;
+  checkpoints->remove_all();
+  const std::string notes = fmt::format("{}", fmt::join(checkpoints->notes(), "; "));
+  if (record.as_declared()) return {Outcome::as_declared, notes};
+  std::string undeclared = notes;
   for (const evidence::JudgedClaim& claim : record.claims()) {
     if (!claim.as_declared()) undeclared += (undeclared.empty() ? "" : "; ") + in_words(claim);
   }
@@ -98,7 +143,7 @@ void write_error_record(const Job& job, const std::filesystem::path& directory, 
 }
 
 bool is_done(const Job& job, const std::filesystem::path& directory) {
-  const std::filesystem::path file = directory / (job.blank_record().stem() + ".json");
+  const std::filesystem::path file = directory / (job.stem() + ".json");
   if (!std::filesystem::exists(file)) return false;
   try {
     const evidence::Summary old = evidence::read_summary(file);

@@ -26,6 +26,8 @@ struct Job {
 
   /// Of everything that decides the numbers but the reference tables: equal means that it need not run again.
   [[nodiscard]] std::string fingerprint() const;
+  /// Names the files of the record: blank_record().stem().
+  [[nodiscard]] std::string stem() const;
   /// A record with everything that is known before the case runs.
   [[nodiscard]] evidence::Record blank_record() const;
 };
@@ -35,8 +37,9 @@ struct Ending {
   std::string message;
 };
 
-/// Runs a job in this process and writes its record.
-Ending run_job(const Job& job, const std::filesystem::path& directory, const Run::Progress& progress);
+/// Runs a job in this process and writes its record. Checkpoints lie beside the records until it is written.
+Ending run_job(const Job& job, const std::filesystem::path& directory, const Keeping& keeping,
+               const Run::Progress& progress);
 
 /// Writes the record of a job that could not write its own.
 void write_error_record(const Job& job, const std::filesystem::path& directory, const std::string& reason,

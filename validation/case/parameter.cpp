@@ -92,8 +92,20 @@ Parameter toggle(std::string name, ByTier<bool> standard, std::string meaning) {
           .choices = {}};
 }
 
-Values::Values(std::vector<Parameter> declared, Tier tier) : declared_(std::move(declared)), tier_(tier) {
+bool Published::shows(std::string_view tile) const {
+  return std::find(tiles.begin(), tiles.end(), tile) != tiles.end();
+}
+
+Values::Values(std::vector<Parameter> declared, Tier tier, Sets sets)
+    : declared_(std::move(declared)),
+      tier_(tier),
+      sets_(sets ? std::move(sets) : std::make_shared<const std::vector<Published>>()) {
   for (const Parameter& parameter : declared_) values_[parameter.name] = parameter.standard.at(tier);
+}
+
+Values::Values(std::vector<Parameter> declared, const Published& set, Sets sets)
+    : Values(std::move(declared), set.tier, std::move(sets)) {
+  for (const auto& [name, value] : set.values) this->set(name, value);
 }
 
 const Parameter& Values::find(std::string_view name) const {
@@ -156,6 +168,29 @@ std::string Values::canonical() const {
   std::string text;
   for (const auto& [name, value] : values_) text += name + "=" + to_text(value) + "\n";
   return text;
+}
+
+bool Values::are(const Published& set) const {
+  return tier_ >= set.tier && canonical() == Values(declared_, set, sets_).canonical();
+}
+
+bool Values::are(const NamedValues& settings) const {
+  Values other = *this;
+  for (const auto& [name, value] : settings) other.set(name, value);
+  return canonical() == other.canonical();
+}
+
+bool Values::as_published(std::string_view tile) const {
+  const auto found = std::find_if(sets_->begin(), sets_->end(), [&](const Published& set) { return set.shows(tile); });
+  if (found == sets_->end()) throw std::logic_error(fmt::format("no published set of the case shows tile {}", tile));
+  return are(*found);
+}
+
+std::string Values::set_name() const {
+  if (standard()) return {};
+  const auto found =
+      std::find_if(sets_->begin(), sets_->end(), [&](const Published& set) { return set.tier == tier_ && are(set); });
+  return found == sets_->end() ? "" : found->name();
 }
 
 io::Table Values::table(const std::string& source) const {

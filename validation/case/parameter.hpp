@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -39,11 +40,31 @@ Parameter integer(std::string name, ByTier<long> standard, Range range, std::str
 Parameter choice(std::string name, ByTier<std::string> standard, std::vector<std::string> choices, std::string meaning);
 Parameter toggle(std::string name, ByTier<bool> standard, std::string meaning);
 
+/// Parameters by name, with values.
+using NamedValues = std::vector<std::pair<std::string, Value>>;
+
+/// The parameters with which a source computed what a tile of the atlas shows. A tier is how much a run may cost, a
+/// published set what the source did.
+struct Published {
+  std::vector<std::string>
+      tiles;                ///< of reports/atlas.toml that a run with these values shows; the first names the set
+  NamedValues values;          ///< what differs from the defaults of the tier
+  Tier tier = Tier::quick;  ///< in which the set is run: the least one that can afford it
+  std::string differs;      ///< where it still is not what the source did, and why; empty if nowhere
+
+  [[nodiscard]] const std::string& name() const { return tiles.front(); }
+  [[nodiscard]] bool shows(std::string_view tile) const;
+};
+
 /// Values for a set of declared parameters.
 class Values {
  public:
-  /// All defaults of a tier.
-  Values(std::vector<Parameter> declared, Tier tier);
+  using Sets = std::shared_ptr<const std::vector<Published>>;
+
+  /// All defaults of a tier. @param sets  the published sets that these parameters may agree with
+  Values(std::vector<Parameter> declared, Tier tier, Sets sets = {});
+  /// The values of a published set.
+  Values(std::vector<Parameter> declared, const Published& set, Sets sets);
 
   /// Sets one from text, as on the command line. @throws std::invalid_argument naming parameter, value and range
   void set(std::string_view name, const std::string& text);
@@ -58,8 +79,17 @@ class Values {
   [[nodiscard]] const std::vector<Parameter>& declared() const { return declared_; }
   [[nodiscard]] const std::map<std::string, Value, std::less<>>& all() const { return values_; }
   [[nodiscard]] Tier tier() const { return tier_; }
-  /// Whether every parameter has its quick default, which is the publication's own where there is one.
-  [[nodiscard]] bool as_published() const { return canonical() == Values(declared_, Tier::quick).canonical(); }
+  /// Whether a run with these values shows that tile with the parameters of its source: those of the tile's set, in its
+  /// tier or a longer one. @throws std::logic_error where no published set of the case shows the tile
+  [[nodiscard]] bool as_published(std::string_view tile) const;
+  /// Whether they are those of a published set, in its tier or a longer one.
+  [[nodiscard]] bool are(const Published& set) const;
+  /// Whether these parameters have these values.
+  [[nodiscard]] bool are(const NamedValues& settings) const;
+  /// The published sets of the case.
+  [[nodiscard]] const std::vector<Published>& sets() const { return *sets_; }
+  /// The set of this tier that they are, where they are not the tier's defaults: what names the run's record.
+  [[nodiscard]] std::string set_name() const;
   /// Whether every parameter has the default of its own tier.
   [[nodiscard]] bool standard() const { return canonical() == Values(declared_, tier_).canonical(); }
   /// "name=value" per line with 17 digits: equal text means equal run.
@@ -79,6 +109,7 @@ class Values {
   std::vector<Parameter> declared_;
   std::map<std::string, Value, std::less<>> values_;
   Tier tier_;
+  Sets sets_;
   std::shared_ptr<std::map<std::string, std::string>> tables_read_ =
       std::make_shared<std::map<std::string, std::string>>();
 };

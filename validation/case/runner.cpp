@@ -54,13 +54,14 @@ Outcome run_all(const std::vector<Job>& jobs, const RunOptions& options) {
     while (next != jobs.end() && children.size() < options.jobs) {
       const Job& job = *next++;
       if (options.resume && is_done(job, options.directory)) {
-        const auto file = options.directory / (job.definition->name + ".json");
+        const auto file = options.directory / (job.stem() + ".json");
         evidence::refresh_article(file, job.definition->article);
         const auto old = evidence::read_summary(file);
         worst = worse(worst, old.as_declared() ? Outcome::as_declared : Outcome::failed);
-        display.skipped(job.definition->name);
+        display.skipped(job.stem());
       } else {
-        children.push_back(std::make_unique<Child>(job, options.directory));
+        children.push_back(
+            std::make_unique<Child>(job, options.directory, Keeping{options.resume, options.checkpoint_every}));
       }
     }
     for (auto child = children.begin(); child != children.end();) {
@@ -69,7 +70,7 @@ Outcome run_all(const std::vector<Job>& jobs, const RunOptions& options) {
         ++child;
         continue;
       }
-      display.finished((*child)->job().definition->name, *ending, (*child)->seconds());
+      display.finished((*child)->job().stem(), *ending, (*child)->seconds());
       worst = worse(worst, ending->outcome);
       child = children.erase(child);
     }

@@ -10,7 +10,8 @@ namespace seiche::validation {
 struct RunOptions {
   std::filesystem::path directory = "evidence";
   unsigned jobs = 1;
-  bool resume = false;  ///< keep what is done already
+  bool resume = false;  ///< keep what is done already, go on from checkpoints
+  std::chrono::seconds checkpoint_every = Keeping{}.every;
 };
 
 /// Runs the jobs, at most options.jobs at once, shows the progress, and writes junit.xml over all records of the

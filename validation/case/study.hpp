@@ -7,23 +7,29 @@
 #include <vector>
 
 #include "reports/evidence/record.hpp"
+#include "validation/case/checkpoints.hpp"
 #include "validation/case/claims.hpp"
 #include "validation/case/parameter.hpp"
 
 namespace seiche::validation {
 
-/// What a running case sees: its parameters, and a way to say how far it is.
+/// What a running case sees: its parameters, a way to say how far it is, and what an interrupted run has left.
 class Run : public Values {
  public:
   using Progress = std::function<void(double)>;
 
-  Run(Values values, Progress progress) : Values(std::move(values)), progress_(std::move(progress)) {}
+  Run(Values values, Progress progress,
+      std::shared_ptr<const Checkpoints> checkpoints = std::make_shared<Checkpoints>())
+      : Values(std::move(values)), progress_(std::move(progress)), checkpoints_(std::move(checkpoints)) {}
 
   /// Tells the user how much is done, 0 to 1.
   void progress(double fraction) const { progress_(fraction); }
+  /// A part whose result is kept, by a name that no other part has.
+  [[nodiscard]] Part part(std::string name) const { return {*checkpoints_, std::move(name)}; }
 
  private:
   Progress progress_;
+  std::shared_ptr<const Checkpoints> checkpoints_;
 };
 
 /// The claims are a function of the parameters; computing knows no verdict; what is shown is drawn from the results.

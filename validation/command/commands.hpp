@@ -14,6 +14,7 @@ namespace seiche::command {
 
 struct ListOptions {
   bool json = false;
+  bool published = false;
   std::string claims;  ///< name of the case
   std::string tier;
   std::vector<std::string> settings;
@@ -25,6 +26,7 @@ int list(const ListOptions& options);
 struct RunOptions {
   std::vector<std::string> cases;
   std::string tier;
+  std::string as;  ///< name of a published set
   std::vector<std::string> settings;
   std::string config;
   bool help_parameters = false;
@@ -68,9 +70,20 @@ int score(const ScoreOptions& options);
 
 struct CompareOptions {
   std::string before;
-  std::string after;
+  std::string after;  ///< folder, or with `record` the table; empty: the project's own
   double factor = 1.05;
+  bool record = false;  ///< compare with the evidence of record
+  bool whole = false;   ///< records of it that the folder has not count as changed
+  std::string tier = "quick";
 };
 int compare(const CompareOptions& options);
+int compare_with_record(const CompareOptions& options);
+
+struct RecordOptions {
+  std::string evidence = "evidence";
+  std::string tier = "quick";
+  std::string out;
+};
+int record(const RecordOptions& options);
 
 }  // namespace seiche::command

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "reports/evidence/build_facts.hpp"
 #include "seiche/exact/catalogue.hpp"
 #include "seiche/io/atomic_file.hpp"
 #include "validation/case/data_folder.hpp"
@@ -30,6 +31,13 @@ Json to_json(const validation::Value& value) {
   return std::visit([](const auto& v) { return Json(v); }, value);
 }
 
+Json to_json(const Case& one, const validation::Published& set) {
+  Json values = Json::object();
+  const validation::Values chosen = one.values(set);
+  for (const auto& [name, value] : chosen.all()) values[name] = to_json(value);
+  return {{"tiles", set.tiles}, {"tier", name(set.tier)}, {"values", values}, {"differs", set.differs}};
+}
+
 Json to_json(const Parameter& p) {
   Json json = {{"name", p.name},
                {"unit", p.unit},
@@ -48,6 +56,8 @@ void print_json() {
   for (const Case& one : validation::all_cases()) {
     Json parameters = Json::array();
     for (const Parameter& p : one.parameters) parameters.push_back(to_json(p));
+    Json published = Json::array();
+    for (const validation::Published& set : one.published) published.push_back(to_json(one, set));
     cases.push_back({{"name", one.name},
                      {"phenomenon", one.phenomenon},
                      {"title", one.title},
@@ -55,7 +65,8 @@ void print_json() {
                      {"tiers", tiers_of(one)},
                      {"atlas", one.atlas},
                      {"scores", static_cast<bool>(one.submission)},
-                     {"parameters", parameters}});
+                     {"parameters", parameters},
+                     {"published", published}});
   }
   Json solutions = Json::array();
   for (const exact::ExactSolution& s : exact::catalogue()) {
@@ -70,6 +81,9 @@ void print_table() {
     if (one.phenomenon != phenomenon) fmt::print("\n{}\n", phenomenon = one.phenomenon);
     fmt::print("  {:<28} {:<17} {}\n  {:<28} {:<17} {}\n", one.name, fmt::format("{}", fmt::join(tiers_of(one), " ")),
                one.title, "", one.submission ? "scores others" : "", one.source);
+    std::vector<std::string> sets;
+    for (const validation::Published& set : one.published) sets.push_back(set.name());
+    if (!sets.empty()) fmt::print("  {:<28} {:<17} --as {}\n", "", "", fmt::join(sets, ", "));
   }
   fmt::print("\nexact solutions (seiche exact NAME)\n");
   for (const exact::ExactSolution& s : exact::catalogue()) {
@@ -78,22 +92,61 @@ void print_table() {
   fmt::print("\n'seiche run CASE --help-parameters' shows what a case lets you set.\n");
 }
 
-/// CMake code with an add_test entry per case and tier; `seiche_tiers` is set by the file that ctest reads before.
+/// Every tile with the case, the tier and the parameters that show it as its source did.
+void print_published() {
+  for (const Case& one : validation::all_cases()) {
+    for (const validation::Published& set : one.published) {
+      fmt::print("seiche run {} --as {}\n  tier {}", one.name, fmt::join(set.tiles, ", "), name(set.tier));
+      const validation::Values chosen = one.values(set);
+      for (const auto& [name, value] : chosen.all()) {
+        fmt::print(", {} = {}", name, std::visit([](const auto& v) { return fmt::format("{}", v); }, value));
+      }
+      fmt::print("\n");
+      if (!set.differs.empty()) fmt::print("  differs from the source: {}\n", set.differs);
+    }
+  }
+}
+
+/// The comparison of a tier's evidence with that of record, after all that makes it. The record is that of a release
+/// build: others round differently.
+std::string record_tests(const std::string& program, const std::string& evidence) {
+  std::string text;
+  if (build_facts::build_type != "Release") return text;
+  for (const Tier tier : {Tier::quick, Tier::full, Tier::paper}) {
+    if (!std::filesystem::exists(validation::data_folder("record") / fmt::format("{}.csv", name(tier)))) continue;
+    text += fmt::format(
+        "if(\";${{seiche_tiers}};\" MATCHES \";{0};\")\n"
+        "  add_test([=[record.{0}]=] [=[{1}]=] compare [=[{2}]=] --record --whole --tier {0})\n"
+        "  set_tests_properties([=[record.{0}]=] PROPERTIES LABELS \"{0};project\" TIMEOUT 60\n"
+        "    FIXTURES_REQUIRED evidence.{0})\n"
+        "endif()\n",
+        name(tier), program, evidence);
+  }
+  return text;
+}
+
+/// CMake code with an add_test entry per case and run of a tier; `seiche_tiers` is set by the file that ctest reads
+/// before.
 void write_ctest(const std::string& file, const std::string& evidence) {
   const std::string program = validation::running_program().string();
   std::string text = "# Written by 'seiche list --ctest' after every build.\n";
   for (const Case& one : validation::all_cases()) {
-    for (const Tier tier : one.tiers) {
-      const std::string test = fmt::format("{}.{}.{}", one.phenomenon, one.name, name(tier));
-      text += fmt::format(
-          "if(\";${{seiche_tiers}};\" MATCHES \";{0};\")\n"
-          "  add_test([=[{1}]=] [=[{2}]=] run {3} --tier {0} --jobs 1 --out [=[{4}]=])\n"
-          "  set_tests_properties([=[{1}]=] PROPERTIES LABELS \"{0};validation;{5}\" TIMEOUT {6})\n"
-          "endif()\n",
-          name(tier), test, program, one.name, evidence, one.phenomenon, one.time_limit.at(tier).count() + 30);
+    for (const Tier tier : {Tier::quick, Tier::full, Tier::paper}) {
+      for (const validation::Values& values : one.runs_of(tier)) {
+        const std::string set = values.set_name();
+        text += fmt::format(
+            "if(\";${{seiche_tiers}};\" MATCHES \";{0};\")\n"
+            "  add_test([=[{1}]=] [=[{2}]=] run {3} {7} --jobs 1 --out [=[{4}]=])\n"
+            "  set_tests_properties([=[{1}]=] PROPERTIES LABELS \"{0};validation;{5}\" TIMEOUT {6}\n"
+            "    FIXTURES_SETUP evidence.{0})\n"
+            "endif()\n",
+            name(tier), fmt::format("{}.{}.{}", one.phenomenon, one.name, set.empty() ? name(tier) : set), program,
+            one.name, evidence, one.phenomenon, one.time_limit.at(tier).count() + 30,
+            set.empty() ? fmt::format("--tier {}", name(tier)) : fmt::format("--as {}", set));
+      }
     }
   }
-  io::write_file(file, text);
+  io::write_file(file, text + record_tests(program, evidence));
 }
 
 std::string text_of(const evidence::Amount& amount) {
@@ -158,6 +211,8 @@ int list(const ListOptions& options) {
     write_ctest(options.ctest, options.evidence);
   } else if (!options.claims.empty()) {
     print_claims(options);
+  } else if (options.published) {
+    print_published();
   } else if (options.json) {
     print_json();
   } else {

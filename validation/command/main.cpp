@@ -21,6 +21,7 @@ void add_list(CLI::App& app, Action& action) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* command = app.add_subcommand("list", "Show the cases and the exact solutions");
   command->add_flag("--json", options->json, "as JSON, with every parameter");
+  command->add_flag("--published", options->published, "the parameters that the sources used, tile by tile");
   command->add_option("--claims", options->claims, "all that this case claims, with limits and reasons");
   command->add_option("--tier", options->tier, "with --claims: quick (default), full or paper");
   command->add_option("--set", options->settings, "with --claims: parameter of the case, as name=value")
@@ -35,14 +36,25 @@ void add_run(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("run", "Run cases and write their records");
   command->add_option("CASE", options->cases, "names of cases, see 'seiche list'");
   command->add_option("--tier", options->tier, "quick (default), full or paper; without CASE: every case of the tier");
+  command->add_option("--as", options->as, "with the parameters that a source used, see 'seiche list --published'");
   command->add_option("--set", options->settings, "parameter of the case, as name=value; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--config", options->config, "TOML file with parameters; tables [CASE] for single cases");
   command->add_option("--jobs,-j", options->run.jobs, "how many cases run at once")->check(CLI::Range(1U, 1024U));
   command->add_option("--out", options->run.directory, "folder for the records")->capture_default_str();
-  command->add_flag("--resume", options->run.resume, "keep what an earlier run of the same program finished");
+  command->add_flag("--resume", options->run.resume,
+                    "keep what an earlier run of the same program finished, go on from its checkpoints");
+  command
+      ->add_option_function<long>(
+          "--checkpoint-every",
+          [options](long seconds) { options->run.checkpoint_every = std::chrono::seconds(seconds); },
+          "seconds after which a long computation keeps its state again (120)")
+      ->check(CLI::Range(0L, 86400L));
   command->add_flag("--help-parameters", options->help_parameters, "show what the cases let you set, and stop");
-  command->footer("Example:\n  seiche run riemann --set right_depth=0.1 --set scheme=M2 --out evidence");
+  command->footer(
+      "Examples:\n"
+      "  seiche run riemann --set right_depth=0.1 --set scheme=M2 --out evidence\n"
+      "  seiche run dry_dam_break --as bzz-fig-6");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
@@ -121,13 +133,32 @@ void add_compare(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "compare",
       "What changed between two sets of records: verdicts, errors, times (status 1 if anything got worse);\n"
-      "of one set: the solvers of each case side by side (status 1 unless all are as declared)");
+      "of one set: the solvers of each case side by side (status 1 unless all are as declared);\n"
+      "with --record, against the evidence of record (status 1 if anything changed beyond uncertainty)");
   command->add_option("A", options->before, "folder with records, the earlier ones of two")->required();
-  command->add_option("B", options->after, "folder with the later records");
+  command->add_option("B", options->after, "folder with the later records; with --record a table");
   command->add_option("--factor", options->factor, "smallest change of an error that is shown")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 1e6));
-  command->callback([options, &action] { action = [options] { return compare(*options); }; });
+  CLI::Option* record = command->add_flag(
+      "--record", options->record, "compare A with the evidence of record: with table B, or that of this version");
+  command->add_flag("--whole", options->whole, "with --record: what A has not counts as changed")->needs(record);
+  command->add_option("--tier", options->tier, "with --record: quick, full or paper")
+      ->capture_default_str()
+      ->needs(record);
+  command->callback([options, &action] {
+    action = [options] { return options->record ? compare_with_record(*options) : compare(*options); };
+  });
+}
+
+void add_record(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RecordOptions>();
+  CLI::App* command = app.add_subcommand(
+      "record", "Write the evidence of record of a tier: a table of claims, measured values, verdicts");
+  command->add_option("DIR", options->evidence, "folder with the records of the whole tier")->capture_default_str();
+  command->add_option("--tier", options->tier, "quick, full or paper")->capture_default_str();
+  command->add_option("--out", options->out, "file to write; reports/record/TIER.csv of the project if not given");
+  command->callback([options, &action] { action = [options] { return record(*options); }; });
 }
 
 int parse_and_call(int argc, char** argv) {
@@ -147,6 +178,7 @@ int parse_and_call(int argc, char** argv) {
   add_exact(app, action);
   add_score(app, action);
   add_compare(app, action);
+  add_record(app, action);
 
   try {
     app.parse(argc, argv);

@@ -1,3 +1,4 @@
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -13,16 +14,36 @@ using validation::Case;
 using validation::Job;
 using validation::Tier;
 
-/// The cases named, or all that have something to do in the tier.
-std::vector<const Case*> chosen(const RunOptions& options, Tier tier) {
+std::vector<const Case*> named(const RunOptions& options) {
   std::vector<const Case*> cases;
   for (const std::string& name_of : options.cases) cases.push_back(&validation::find_case(name_of));
-  if (!cases.empty()) return cases;
-  if (options.tier.empty()) throw std::invalid_argument("run: name a case, or a tier with --tier");
-  for (const Case& one : validation::all_cases()) {
-    if (std::find(one.tiers.begin(), one.tiers.end(), tier) != one.tiers.end()) cases.push_back(&one);
-  }
   return cases;
+}
+
+/// All runs of a tier. Settings are for its defaults: what the sources did is not to be changed.
+std::vector<Job> jobs_of(Tier tier, const RunOptions& options) {
+  const bool as_given = options.config.empty() && options.settings.empty();
+  std::vector<Job> jobs;
+  for (const Case& one : validation::all_cases()) {
+    if (as_given) {
+      for (validation::Values& values : one.runs_of(tier)) jobs.push_back({&one, std::move(values)});
+    } else if (std::find(one.tiers.begin(), one.tiers.end(), tier) != one.tiers.end()) {
+      jobs.push_back({&one, values_for(one, tier, options.config, options.settings)});
+    }
+  }
+  return jobs;
+}
+
+/// The one case that --as is about, with its set.
+Job published_job(const std::vector<const Case*>& cases, const RunOptions& options) {
+  if (cases.size() != 1) throw std::invalid_argument("run: --as needs one case, whose set it names");
+  if (!options.config.empty()) throw std::invalid_argument("run: --as and --config: leave one of the two out");
+  Job job{cases.front(), published_values(*cases.front(), options.as, options.settings)};
+  if (!options.tier.empty() && tier_from(options.tier) != job.values.tier()) {
+    throw std::invalid_argument(fmt::format("run: the published set {} runs in the tier {}, not --tier {}", options.as,
+                                            name(job.values.tier()), options.tier));
+  }
+  return job;
 }
 
 void print_parameters(const Case& one) {
@@ -37,14 +58,20 @@ void print_parameters(const Case& one) {
 
 int run(const RunOptions& options) {
   const Tier tier = tier_from(options.tier.empty() ? "quick" : options.tier);
-  const std::vector<const Case*> cases = chosen(options, tier);
+  const std::vector<const Case*> cases = named(options);
   if (options.help_parameters) {
     for (const Case* one : cases) print_parameters(*one);
     return 0;
   }
   std::vector<Job> jobs;
-  for (const Case* one : cases) {
-    jobs.push_back({one, values_for(*one, tier, options.config, options.settings)});
+  if (!options.as.empty()) {
+    jobs.push_back(published_job(cases, options));
+  } else if (!cases.empty()) {
+    for (const Case* one : cases) jobs.push_back({one, values_for(*one, tier, options.config, options.settings)});
+  } else if (!options.tier.empty()) {
+    jobs = jobs_of(tier, options);
+  } else {
+    throw std::invalid_argument("run: name a case, or a tier with --tier");
   }
   return exit_status(run_all(jobs, options.run));
 }

@@ -4,6 +4,7 @@ _seiche() {
   local words
   case $previous in
     --tier) words="quick full paper" ;;
+    --as) words=$("$program" list --published 2>/dev/null | sed -n 's/^seiche run .* --as //p' | tr -d ,) ;;
     --format) words="csv json hdf5" ;;
     --config | --data | --out | --pdf) COMPREPLY=($(compgen -f -- "$word")); return ;;
     *)
@@ -14,7 +15,7 @@ _seiche() {
       else
         case ${COMP_WORDS[1]} in
           run | score | exact) words=$("$program" list 2>/dev/null | awk '/^  [a-z]/ {print $1}') ;;
-          report | compare) COMPREPLY=($(compgen -d -- "$word")); return ;;
+          report | compare | record) COMPREPLY=($(compgen -d -- "$word")); return ;;
         esac
       fi
       ;;

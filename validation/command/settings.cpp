@@ -45,7 +45,7 @@ std::vector<std::pair<std::string, std::string>> split_settings(const std::strin
 
 validation::Values values_for(const validation::Case& one, validation::Tier tier, const std::filesystem::path& config,
                               const std::vector<std::string>& settings) {
-  validation::Values values(one.parameters, tier);
+  validation::Values values = one.values(tier);
   try {
     if (!config.empty()) {
       if (!std::filesystem::is_regular_file(config)) {
@@ -56,6 +56,22 @@ validation::Values values_for(const validation::Case& one, validation::Tier tier
     for (const auto& [name, value] : split_settings("--set", settings)) values.set(name, value);
   } catch (const std::invalid_argument& wrong) {
     throw std::invalid_argument(fmt::format("{}: {}", one.name, wrong.what()));
+  }
+  return values;
+}
+
+validation::Values published_values(const validation::Case& one, const std::string& set,
+                                    const std::vector<std::string>& settings) {
+  const validation::Published& published = one.published_set(set);
+  validation::Values values = one.values(published);
+  try {
+    for (const auto& [name, value] : split_settings("--set", settings)) values.set(name, value);
+  } catch (const std::invalid_argument& wrong) {
+    throw std::invalid_argument(fmt::format("{}: {}", one.name, wrong.what()));
+  }
+  if (!values.are(published)) {
+    throw std::invalid_argument(
+        fmt::format("{}: --set changes the published set {} of --as: leave one of the two out", one.name, set));
   }
   return values;
 }

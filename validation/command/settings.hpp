@@ -26,4 +26,8 @@ std::vector<std::pair<std::string, std::string>> split_settings(const std::strin
 validation::Values values_for(const validation::Case& one, validation::Tier tier, const std::filesystem::path& config,
                               const std::vector<std::string>& settings);
 
+/// Values of a published set. @throws std::invalid_argument listing the sets, and where the settings change it
+validation::Values published_values(const validation::Case& one, const std::string& set,
+                                    const std::vector<std::string>& settings);
+
 }  // namespace seiche::command

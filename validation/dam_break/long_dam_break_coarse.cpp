@@ -29,6 +29,7 @@ Case long_dam_break_coarse() {
   c.title = "Dam break in a long channel by 22 particles";
   c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 26";
   c.parameters = wet_dam_break_parameters(22L, 0.1);
+  c.published = {{.tiles = {"bzz-fig-26"}, .differs = "the paper does not state the depth behind the dam: 1 m"}};
   c.study = wet_dam_break<setup>();
   return c;
 }

@@ -28,6 +28,7 @@ Case long_dam_break_fine() {
   c.title = "Dam break in a long channel by 200 particles";
   c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 25";
   c.parameters = wet_dam_break_parameters(200L, 0.05);
+  c.published = {{.tiles = {"bzz-fig-25"}, .differs = "the paper does not state the depth behind the dam: 1 m"}};
   c.study = wet_dam_break<setup>();
   return c;
 }

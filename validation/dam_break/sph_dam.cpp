@@ -21,12 +21,14 @@ Curve SphCollapse::free_front() const {
   return {std::span(T).first(count), std::span(front).first(count)};
 }
 
-SphCollapse collapse(const SphDam& dam, double unit, double last, long samples, const std::vector<double>& frames,
+SphCollapse collapse(const SphDam& dam, const Watch& watch, const std::vector<double>& frames,
                      const std::function<void(std::size_t, const wcsph::Flow&)>& on_frame,
                      const std::function<void(double)>& progress) {
   const wcsph::Scene scene = wcsph::dam_break(dam.geometry, dam.settings);
   wcsph::Flow flow(scene.particles, scene.spacing, dam.settings);
+  const auto [unit, last, samples] = watch;
   SphCollapse result{.spacing = scene.spacing,
+                     .sound_speed = dam.settings.sound_speed,
                      .particles = scene.particles.size(),
                      .reaches_wall = std::numeric_limits<double>::quiet_NaN()};
   const double a = dam.geometry.width;
@@ -56,6 +58,11 @@ SphCollapse collapse(const SphDam& dam, double unit, double last, long samples, 
   result.extremes = flow.extremes();
   result.roundings = scene.warnings;
   return result;
+}
+
+void exchange(Tape& tape, SphCollapse& s) {
+  tape(s.spacing, s.sound_speed, s.particles, s.T, s.front, s.height, s.energy, s.reaches_wall, s.lost, s.steps,
+       s.extremes, s.roundings);
 }
 
 void measure_run(evidence::Exhibit& exhibit, const SphCollapse& run) {

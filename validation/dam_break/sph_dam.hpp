@@ -23,6 +23,7 @@ struct SphDam {
 /// Against t sqrt(2 g/a) (tall columns) or t sqrt(g/a), as the measurements are scaled.
 struct SphCollapse {
   double spacing = 0;
+  double sound_speed = 0;     ///< [m/s]
   std::size_t particles = 0;  ///< walls included
   std::vector<double> T;
   std::vector<double> front;   ///< X/a, from the effective rear wall
@@ -37,15 +38,23 @@ struct SphCollapse {
   [[nodiscard]] Curve front_curve() const { return {T, front}; }
   /// Before the far wall is felt.
   [[nodiscard]] Curve free_front() const;
+  /// Of any particle of water at any time [m/s].
+  [[nodiscard]] double largest_speed() const { return extremes.mach * sound_speed; }
 };
 
-/// @param unit     [1/s], T = unit t
-/// @param last     T at the end
-/// @param samples  of the series, equally spaced
-/// @param frames   T of frames, ascending; on_frame(k, flow) is called there
-SphCollapse collapse(const SphDam& dam, double unit, double last, long samples, const std::vector<double>& frames = {},
+/// How long, and when, a collapse is looked at.
+struct Watch {
+  double unit;   ///< [1/s], T = unit t
+  double last;   ///< T at the end
+  long samples;  ///< of the series, equally spaced
+};
+
+/// @param frames  T of frames, ascending; on_frame(k, flow) is called there
+SphCollapse collapse(const SphDam& dam, const Watch& watch, const std::vector<double>& frames = {},
                      const std::function<void(std::size_t, const wcsph::Flow&)>& on_frame = {},
                      const std::function<void(double)>& progress = {});
+
+void exchange(Tape& tape, SphCollapse& series);
 
 /// Mach number, densities, rebuilds, lost particles: what a reader of the record wants to know of any run.
 void measure_run(evidence::Exhibit& exhibit, const SphCollapse& run);

@@ -120,6 +120,7 @@ Case stationary_jump() {
       real("deep_depth", 2.0, "m", {1e-3, 1e3}, "depth downstream"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
+  c.published = {{.tiles = {"bzz-fig-18", "bzz-fig-16", "bzz-fig-17"}}};
   c.study = Study(claims, compute, show);
   return c;
 }

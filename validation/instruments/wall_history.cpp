@@ -117,8 +117,11 @@ Approach algebraic_approach(std::span<const double> time, std::span<const double
   return algebraic({time, amplitude});
 }
 
-WallLimit wall_limit(std::span<const double> time, std::span<const double> amplitude) {
+WallLimit wall_limit(std::span<const double> time, std::span<const double> amplitude, std::optional<double> rate) {
   require_series(time, amplitude, fewest_values);
+  if (rate && !(*rate >= 0)) {
+    throw std::invalid_argument(fmt::format("wall history: rate = {} is out of range: must be >= 0", *rate));
+  }
   const Series series{time, amplitude};
   WallLimit result;
   result.growth = growth_of_last_fifth(time, amplitude);
@@ -132,8 +135,12 @@ WallLimit wall_limit(std::span<const double> time, std::span<const double> ampli
   differs(exponential(series.since(2.0 / 3)).limit);
   if (result.algebraic.misfit <= 3 * result.exponential.misfit) differs(result.algebraic.limit);
   if (!result.exponential.bends) differs(amplitude.back());
-  result.amplitude = {
-      .value = limit, .uncertainty = uncertainty.value(), .resolution = fmt::format("until t = {:g}", time.back())};
+  if (rate) {
+    differs(amplitude.back());
+    differs(amplitude.back() / -std::expm1(-*rate * time.back()));
+  }
+  result.amplitude = {.value = limit, .resolution = fmt::format("until t = {:g}", time.back())};
+  if (rate != 0.0) result.amplitude.uncertainty = uncertainty.value();
   return result;
 }
 

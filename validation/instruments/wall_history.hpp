@@ -9,13 +9,20 @@
 /// on the last third, and of a_inf - C t^-p on the last half wherever that fits a third as well or better; at least
 /// what the fit leaves, and the whole rest of the way where the series hardly bends.
 ///
-/// When not to use it: on runs shorter than several 1/r (at kappa = 0.98 an exact stem halts near t = 1/r, growing by
-/// less than 1 % in a fifth of the time, a sixth below its limit: it passes for steady, and its limit for known); on
-/// series that oscillate as a whole; as a proof that there is a limit.
+/// All that presumes that the series has shown what it approaches. A stem next to kappa = 1 has not: at kappa = 0.98 an
+/// exact one halts near t = 1/r, growing by less than 1 % in a fifth of the time, a sixth below its limit. So the
+/// interval is widened by what the theory's rate r still allows: what is missing is never more than a_inf exp(-r t),
+/// and
+///
+///     a_w(t) <= a_inf <= a_w(t)/(1 - exp(-r t)).
+///
+/// When not to use it: on runs shorter than several 1/r, where the interval is as wide as the number; on series that
+/// oscillate as a whole; as a proof that there is a limit.
 ///
 /// Reference: Kodama and Yeh, The KP theory and Mach reflection, J. Fluid Mech. 800 (2016) 766.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "reports/evidence/claim.hpp"
@@ -53,8 +60,11 @@ struct WallLimit {
 
 /// @param time       increasing, from the moment the wave met the wall; at least 20
 /// @param amplitude  a_w
+/// @param rate       r, the slowest rate at which a part of the way may still be made, per time; 0: not at all known,
+/// nor
+///                   is the limit then (no uncertainty is stated); none: the series has shown its slowest part
 /// Throws std::invalid_argument.
-WallLimit wall_limit(std::span<const double> time, std::span<const double> amplitude);
+WallLimit wall_limit(std::span<const double> time, std::span<const double> amplitude, std::optional<double> rate = {});
 
 /// Angle chi between the wall and the path of the stem's end [rad], from the crest's places on the wall and the lengths
 /// of the stem at two times or more; negative where the stem shrinks.

@@ -14,8 +14,9 @@ Kodama 2011). With what Frank, Tanaka (1993) and others state. With an earlier p
 
 **What to look at.** The amplitude at the wall peaks just below $\kappa = 1$ for finite angles, at 3.3 to 3.6 times the
 incident one for $a_i$ = 0.3 and 0.097, not at 4. There it grows for thousands of time units: such runs are marked, and
-their limits are those of a fitted exponential, with an uncertainty, which for $a_i$ = 0.186 and 0.05 does not
-exclude 4. The transition from irregular to regular reflection follows
+their limits are those of a fitted exponential, with an uncertainty that reaches as far as the rate of growth of the
+theory allows; for $a_i$ = 0.186 and 0.05 it does not exclude 4. The transition from irregular to regular reflection
+follows
 $\tan\psi_i/\cos\psi_i = \sqrt{3a_i}$, far below Miles's $\psi_i = \sqrt{3a_i}$: the dash-dotted curve of Frank's figure
 8. The angle of reflection is not monotonic.
 
@@ -31,7 +32,6 @@ $a_i = 0.3$) the plateau is lower; 0.99 of it is the criterion there, and no cla
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
-#include "validation/case/on_threads.hpp"
 #include "validation/mach_reflection/reflection_comparison.hpp"
 #include "validation/mach_reflection/reflection_figures.hpp"
 #include "validation/mach_reflection/reflection_reference.hpp"
@@ -304,8 +304,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const ReflectionSeries& series = all[k];
     const auto one =
         claims.at(lattice_of(series)).of([k](const Results& r) -> const ReflectionSeries& { return r.at(k); });
-    claim_theory(one, series);
-    claim_peak(one, series);
+    const auto settled =
+        one.only_if(values.real("time") == 0, "the limits of runs that do not wait for their stems are not known");
+    claim_theory(settled, series);
+    claim_peak(settled, series);
     claim_angles(one, series);
     if (series.amplitude == 0.3) claim_law(one);
     if (!plan_of(series.amplitude)) continue;
@@ -320,7 +322,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 
 Results compute(const Run& run) {
   Results all = series_of(run);
-  sweep(all, run.real("time"), workers_of(run.tier()), [&](double done) { run.progress(done); });
+  sweep(run, all, run.real("time"));
   return all;
 }
 
@@ -370,6 +372,9 @@ Case mach_reflection_curves() {
       real("h", {1, 0.5, 0.35}, "depth", {0.2, 1.2}, "spacing at a = 0.3; 1.2, 1.8 and 2.5 times that at the others"),
       real("time", 0.0, "sqrt(depth/g)", {0, 20000}, "of each run; 0 for until the stem should have settled"),
   };
+  c.published = {{.tiles = {"frank-fig-7", "frank-fig-8", "frank-ar-law"},
+                  .tier = Tier::full,
+                  .differs = "the thesis states neither the spacing nor all of the angles"}};
   c.study = Study(claims, compute, show);
   return c;
 }

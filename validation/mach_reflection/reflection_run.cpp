@@ -79,7 +79,7 @@ Reflection follow(Flow& flow, const ReflectionRun& run, const std::function<void
   }
   const double infinity = std::numeric_limits<double>::infinity();
   result.surface = part_of(surface_of(flow), {-infinity, infinity, infinity}, result.pattern.wall.x);
-  result.limit = wall_limit(result.time, result.wall);
+  result.limit = wall_limit(result.time, result.wall, run.settling_rate());
   result.stem = stem_angle(wall_x, stem_length);
   result.worst_corner = flow.worst_corner().shape;
   result.cells = flow.model().constraints();
@@ -117,6 +117,11 @@ double ReflectionRun::kappa() const {
 
 double ReflectionRun::kappa_finite_angle() const {
   return MachReflection(amplitude, angle, MachReflection::Theory::kodama_yeh).kappa();
+}
+
+double ReflectionRun::settling_rate() const {
+  const double kappa = kappa_finite_angle();
+  return std::pow(3 * amplitude, 1.5) / 3 * kappa * std::abs(1 - kappa);
 }
 
 double ReflectionRun::settled_time() const {

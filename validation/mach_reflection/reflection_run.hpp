@@ -5,7 +5,8 @@
 ///     t_s = 3/(S^3 kappa |1 - kappa|),   S = sqrt(3a),   kappa = tan(psi)/(S cos(psi)),
 ///
 /// which has no end at kappa = 1. A run of 250 sqrt(0.3/a) + 4 t_s, with |1 - kappa| no less than 0.03, forms the
-/// pattern and shows the approach to its limit.
+/// pattern and shows the approach to its limit; how well the limit is known follows from the run's length times 1/t_s,
+/// without that 0.03 (wall_history.hpp).
 #pragma once
 
 #include <functional>
@@ -45,6 +46,7 @@ struct ReflectionRun {
   [[nodiscard]] double tau() const { return step * spacing; }
   [[nodiscard]] double kappa() const;               ///< psi/sqrt(3a)
   [[nodiscard]] double kappa_finite_angle() const;  ///< tan(psi)/(sqrt(3a) cos(psi))
+  [[nodiscard]] double settling_rate() const;       ///< 1/t_s
   [[nodiscard]] double settled_time() const;
   /// The time that will be run.
   [[nodiscard]] double duration() const { return time > 0 ? time : settled_time(); }

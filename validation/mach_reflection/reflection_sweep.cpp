@@ -10,6 +10,7 @@
 
 #include "seiche/samples.hpp"
 #include "validation/case/on_threads.hpp"
+#include "validation/mach_reflection/kept_reflection.hpp"
 
 namespace seiche::validation {
 
@@ -78,8 +79,7 @@ AngleLaw angle_law(const ReflectionSeries& series, double last) {
   return law;
 }
 
-void sweep(std::vector<ReflectionSeries>& series, double time, std::size_t workers,
-           const std::function<void(double)>& progress) {
+void sweep(const Run& run, std::vector<ReflectionSeries>& series, double time) {
   struct Task {
     std::size_t series, angle;
     double cost;
@@ -90,24 +90,24 @@ void sweep(std::vector<ReflectionSeries>& series, double time, std::size_t worke
     ReflectionSeries& one = series[s];
     one.reflections.assign(one.angles.size(), Reflection{});
     for (std::size_t k = 0; k < one.angles.size(); ++k) {
-      ReflectionRun& run = one.reflections[k].run;
-      run = {.amplitude = one.amplitude, .angle = radians(one.angles[k]), .spacing = one.spacing, .time = time};
+      ReflectionRun& what = one.reflections[k].run;
+      what = {.amplitude = one.amplitude, .angle = radians(one.angles[k]), .spacing = one.spacing, .time = time};
       // Cells in a window of so many width units across go like 1/(a h^2).
-      tasks.push_back({s, k, run.duration() / run.tau() / (one.amplitude * one.spacing * one.spacing)});
+      tasks.push_back({s, k, what.duration() / what.tau() / (one.amplitude * one.spacing * one.spacing)});
       all += tasks.back().cost;
     }
   }
   std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.cost > b.cost; });
   on_threads(
-      tasks.size(), workers,
+      tasks.size(), workers_of(run.tier()),
       [&](std::size_t k) {
         Reflection& reflection = series[tasks[k].series].reflections[tasks[k].angle];
-        reflection = reflect(ReflectionRun(reflection.run));
+        reflection = reflect_as_part(run, ReflectionRun(reflection.run));
       },
       [&](std::size_t finished) {
         double done = 0;
         for (std::size_t k = 0; k < finished; ++k) done += tasks[k].cost / all;
-        progress(done);
+        run.progress(done);
       });
 }
 

@@ -1,10 +1,10 @@
 /// Solitary waves of several amplitudes that meet a wall at many angles.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "validation/case/study.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 
 namespace seiche::validation {
@@ -51,7 +51,6 @@ AngleLaw angle_law(const ReflectionSeries& series, double last);
 
 /// Computes all reflections of the angles of the series, the costly ones first.
 /// @param time  how long; 0 for ReflectionRun::settled_time()
-void sweep(std::vector<ReflectionSeries>& series, double time, std::size_t workers,
-           const std::function<void(double)>& progress);
+void sweep(const Run& run, std::vector<ReflectionSeries>& series, double time);
 
 }  // namespace seiche::validation

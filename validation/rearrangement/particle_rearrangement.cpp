@@ -191,6 +191,8 @@ Case particle_rearrangement() {
       integer("particles", 10L, {4, 10000}, "rectangles under the parabola"),
       real("time_step", 0.12, "s", {1e-6, 0.2}, "time step of the rearrangement"),
   };
+  c.published = {
+      {.tiles = {"bzz-fig-1", "bzz-fig-2", "bzz-fig-3", "bzz-fig-4"}, .differs = "the sketches state no numbers"}};
   c.study = Study(claims, compute, show);
   return c;
 }

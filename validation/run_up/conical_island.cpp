@@ -4,26 +4,26 @@ an island is Babi, where the tsunami of Flores (1992) destroyed the villages in 
 
 **Set-up.** The island is 7.2 m wide at the base, 2.2 m at the top, 0.625 m high, with slopes of 1:4; the water is
 0.32 m deep. Waves of 0.045, 0.096 and 0.181 depths (cases A, B, C) come along $x$. Half the basin is computed. The
-lattice goes around the island; its first row of markers is the shoreline, which slides on the bottom. No condition is
-set there and nothing is tuned: no friction, no breaking. The bottom is a bicubic spline through elevations on a raster
-of 0.1 m, as for a surveyed coast. Walls are reflecting; they stand where their echo comes too late to matter.
+lattice goes around the island; its first row of markers is the shoreline, which slides on the bottom. The bottom is a
+bicubic spline through elevations on a raster of 0.1 m, as for a surveyed coast, and as rough as smooth concrete,
+Manning's $n$ = 0.012 s/m$^{1/3}$, a handbook's value and not fitted. A force between the shoreline and the next row,
+which keeps momentum, takes differences of their speeds along the shore away within a tenth of a second. There is no
+model of breaking. Walls are reflecting; they stand where their echo comes too late to matter.
 
 **What is compared.** The largest run-up $R/A$ by the angle from the front of the island with the measurements, and with
-the shallow-water model of Liu et al. (1995).
+the shallow-water model of Liu et al. (1995). All measured angles count; where the lattice folds before the water has
+been highest, what it has reached by then.
 
 **What to look at.** The crest bends around the island, and its two ends meet behind it: there the water climbs nearly
-as high as in front, though the sides saw much less. In case A the whole course is computed. In cases B and C the
-lattice folds before the ends meet: the thin edge of the water runs along the shore faster than the water beside it, and
-a lattice that moves with the water cannot be sheared without end. What is shown of them is the run-up until then, and
-nothing is claimed of what follows. Finer lattices fold earlier; with columns 0.25 m apart case A does too, after the
-wave has passed the sides. In front the run-up converges with the first order of the spacing: $R/A$ = 2.65, 2.60, 2.57
-in case A with 0.5, 0.35, 0.25 m. The higher the wave, the more the model climbs above the laboratory: it has neither
-friction nor breaking.
+as high as in front, though the sides saw much less. Cases A and B are computed until the run-up is over all around; in
+B the lattice folds in the backwash behind the island, where the model has climbed a fifth to a third above the
+measurement. In case C the wave breaks at the sides: the edge of the water piles up there, the lattice folds, and what
+is behind the island is not reached. With columns 0.5 m apart and without friction the run-up in front of cases B and C
+is 6 and 30 % higher, and without the force along the shore B folds before its ends meet.
 */
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -43,15 +43,13 @@ using evidence::Uncertainty;
 
 const std::string source = "Briggs, Synolakis, Harkins and Green (1995)";
 constexpr double after_passage = 6;  // [s], until the water behind the island runs down
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A wave of the experiment.
 struct Wave {
   std::string name;
   double height;  ///< over the depth
-  double seen;    ///< angle from the front up to which the run-up is over before the lattice folds
 };
-const std::vector<Wave> waves{{"A", 0.045, 180}, {"B", 0.096, 67.5}, {"C", 0.181, 67.5}};
+const std::vector<Wave> waves{{"A", 0.045}, {"B", 0.096}, {"C", 0.181}};
 
 /// Measured run-up of one wave.
 struct Measured {
@@ -74,10 +72,10 @@ struct Passed {
   double height = 0;  // [m]
   double spacing = 0;
   std::vector<double> time, front, back;  // elevation of the shoreline over the height
-  Worst energy_defect;
-  Worst volume_defect;           // relative, of the worst cell
-  std::optional<double> folded;  // when [s]
-  RunupEnvelope envelope;        // run-up of the markers
+  Worst energy_defect;                    // what friction takes
+  Worst volume_defect;                    // relative, of the worst cell
+  std::optional<double> folded;           // when [s]
+  RunupEnvelope envelope;                 // run-up of the markers
 
   /// Run-up over the height.
   [[nodiscard]] double at(double place) const { return envelope.at(place) / height; }
@@ -120,13 +118,11 @@ Passed pass(const ConicalIsland& island, double spacing, const std::function<voi
   return passed;
 }
 
-/// Root mean square of the relative difference from the measurements up to an angle; nothing unless the run saw it all.
-double deviation(const Passed& passed, const Measured& data, double up_to) {
+/// Root mean square of the relative difference from the measurements; where the lattice folded too early, of what had
+/// been reached.
+double deviation(const Passed& passed, const Measured& data) {
   Mean off;
-  for (std::size_t k = 0; k < data.angle.size(); ++k) {
-    const double place = data.angle[k];
-    if (place <= up_to) off.add(passed.saw(place) ? passed.at(place) / data.runup[k] - 1 : nothing);
-  }
+  for (std::size_t k = 0; k < data.angle.size(); ++k) off.add(passed.at(data.angle[k]) / data.runup[k] - 1);
   return off.rms();
 }
 
@@ -145,27 +141,26 @@ struct Results {
 };
 
 double finest_spacing(const Values& values) {
-  return values.tier() == Tier::quick ? 0.5 : 0.35;
+  return values.tier() == Tier::quick ? 0.35 : 0.25;
 }
 
-Measurement deviation_of(const std::vector<Passed>& spacings, const Wave& wave, const Measured& data) {
+Measurement deviation_of(const std::vector<Passed>& spacings, const Measured& data) {
   std::vector<double> size;
   std::vector<double> rms;
   for (const Passed& passed : spacings) {
     size.push_back(passed.spacing);
-    rms.push_back(deviation(passed, data, wave.seen));
+    rms.push_back(deviation(passed, data));
   }
   return {.value = rms.front(), .uncertainty = fine_limit(size, rms, 1).uncertainty};
 }
 
-void claim_wave(const Claims<std::vector<Passed>>& claims, const Wave& wave, const Measured& data, double spacing) {
+/// Of the highest wave the lattice folds at the sides, and of the middle one in the backwash.
+void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, const Measured& data, double spacing) {
+  const bool breaks = wave.name == "C";
   const evidence::Claim runup{
       .id = "runup-" + wave.name,
-      .text = wave.seen == 180
-                  ? fmt::format("Case {}: the run-up all around the island is the measured one.", wave.name)
-                  : fmt::format("Case {}: up to {:g} degrees from the front the run-up is the measured one.", wave.name,
-                                wave.seen),
-      .quantity = "rms of R/R_measured - 1",
+      .text = fmt::format("Case {}: the run-up all around the island is the measured one.", wave.name),
+      .quantity = "rms of R/R_measured - 1, of all nine angles",
       .source = source};
   const Uncertainty criterion{
       .data = reference_source("conical_island_runup").standard_uncertainty.at("R_over_A").value,
@@ -173,10 +168,38 @@ void claim_wave(const Claims<std::vector<Passed>>& claims, const Wave& wave, con
       .reason =
           "10 % of the measurements (assumed): whether they are given in nominal or in measured wave heights "
           "makes up to 11 %; the model's own from two spacings, of first order"};
-  const auto off = [wave, data](const std::vector<Passed>& spacings) { return deviation_of(spacings, wave, data); };
-  // At 0.5 m first order leaves 16 % of the highest wave's run-up open, and with the data's 20 % nothing can be told.
-  claims.only_if(wave.name != "C" || spacing < 0.5, "lattices with columns 0.5 m apart are too coarse to tell")
-      .check(runup, off, criterion);
+  const auto off = [data](const std::vector<Passed>& spacings) { return deviation_of(spacings, data); };
+  const evidence::Claim over{
+      .id = "climbed-" + wave.name,
+      .text = fmt::format("Case {}: all around the island the run-up is over before the lattice folds.", wave.name),
+      .quantity = "measured angles where it is not",
+      .source = source};
+  const auto missed = [data](const std::vector<Passed>& spacings) {
+    return static_cast<double>(
+        std::ranges::count_if(data.angle, [&](double angle) { return !spacings.front().saw(angle); }));
+  };
+  const evidence::Bound none{.limit = 0, .reason = "none"};
+  const std::string reason =
+      "the wave breaks at the sides of the island: its edge piles up there and folds the lattice, with which what is "
+      "behind the island is not reached";
+  if (breaks) {
+    claims.known_failure(runup, off, criterion, {.value = 0.66, .width = 0.1, .reason = reason});
+    claims.known_failure(over, missed, none, {.value = 4.5, .width = 0.5, .reason = reason});
+  } else {
+    claims.check(runup, off, criterion);
+    if (wave.name == "B" && spacing < 0.3) {
+      claims.known_failure(over, missed, none,
+                           {.value = 1,
+                            .width = 0,
+                            .reason = "behind the island the lattice folds within a quarter of a second of the largest "
+                                      "run-up, where the waves meet ever higher as columns become narrower"});
+    } else {
+      claims.check(over, missed, none);
+    }
+  }
+}
+
+void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave) {
   const evidence::Claim whole{.id = "whole-" + wave.name,
                               .text = fmt::format("Case {}: the wave passes the island entirely.", wave.name),
                               .quantity = "wave fronts met behind the island, lattice sound",
@@ -191,7 +214,9 @@ void claim_wave(const Claims<std::vector<Passed>>& claims, const Wave& wave, con
         whole, reached, sound,
         {.value = 0,
          .width = 0,
-         .reason = "the edge of the water outruns along the shore what is beside it, and shears the lattice"});
+         .reason = wave.name == "B"
+                       ? "the thin sheet that runs down behind the island crumples; its run-up is over by then"
+                       : "the breaking edge of the water at the sides folds the lattice"});
   }
 }
 
@@ -212,8 +237,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < waves.size(); ++k) {
     const double step = ConicalIsland({.height = waves[k].height, .spacing = spacing}).step();
     const auto wave = claims.at(resolution(spacing, step));
-    claim_wave(wave.of([k](const Results& r) -> const std::vector<Passed>& { return r.passed.at(k); }), waves[k],
-               measured(table, waves[k].height), spacing);
+    const auto spacings = wave.of([k](const Results& r) -> const std::vector<Passed>& { return r.passed.at(k); });
+    claim_runup(spacings, waves[k], measured(table, waves[k].height), spacing);
+    claim_whole(spacings, waves[k]);
     if (waves[k].name == "A") {
       claim_lee(wave.of([k](const Results& r) -> const Passed& { return r.passed.at(k).front(); }));
     }

@@ -83,7 +83,12 @@ Flow ConicalIsland::flow() const {
   const double rows = std::ceil((side_wall - shore) / settings_.spacing * 1.4);
   Lattice lattice{.shape = {outer.size() - 1, static_cast<std::size_t>(rows)}, .x = {}, .y = {}, .z = {}};
   std::vector<Point> inner;
-  for (const Point place : outer) inner.push_back(shore_on_ray(*bottom_, place, shore));
+  for (std::size_t i = 0; i < outer.size(); ++i) {
+    // Evenly around the shore: columns that crowd towards the basin's corners shear first.
+    const double angle = std::numbers::pi * (1 - static_cast<double>(i) / static_cast<double>(outer.size() - 1));
+    const bool symmetric = i == 0 || i + 1 == outer.size();
+    inner.push_back(shore_on_ray(*bottom_, {std::cos(angle), symmetric ? 0.0 : std::sin(angle)}, shore));
+  }
   for (double j = 0; j <= rows; ++j) {
     const double share = graded(j / rows);
     for (std::size_t i = 0; i < outer.size(); ++i) {
@@ -103,7 +108,7 @@ Flow ConicalIsland::flow() const {
         .u = along, .v = 0, .w = eta > 0 ? (along - wave_.speed()) * wave_.elevation_slope(x - crest()) : 0.0};
   };
   return Flow(std::move(lattice), velocity, settings_.scheme,
-              {.gravity = gravity, .solver = linear::NinePointMethod::banded}, {}, {}, false);
+              {.gravity = gravity, .solver = linear::NinePointMethod::banded, .drag = settings_.drag}, {}, {}, false);
 }
 
 RunupEnvelope::RunupEnvelope(const Flow& flow) {

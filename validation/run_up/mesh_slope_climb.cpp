@@ -21,7 +21,7 @@ Flow MeshSlopeClimb::start() const {
                                                          .columns = columns,
                                                          .rows = static_cast<std::size_t>(rows),
                                                          .elevation = elevation},
-                                                        tan_slope, blend);
+                                                        tan_slope, blend, rounding * spacing);
   // Sheared columns reach above the surface where it falls.
   const auto velocity = [&](Point r) {
     const exact::Velocity v = wave.velocity(r.x - crest, std::min(r.y, elevation(r.x)));
@@ -41,7 +41,7 @@ MeshSlopeRun climb_slope(const MeshSlopeClimb& climb, const std::function<void(c
   const double energy = flow.energy();
   Peak level;
   constexpr double fallen = 0.98;
-  const double latest = 3 * MeshSlopeClimb::toe;
+  const double latest = 3 * climb.toe;
   Worst defect;
   // The level is NaN before the first step.
   const auto climbs = [&] {

@@ -1,7 +1,6 @@
 /// A solitary wave of the Euler equations climbs a plane slope on the two-dimensional Lagrangian mesh.
 ///
-/// Units: depth and gravity are 1, y counts from still water. The tank begins at x = 0, the crest starts at x = 12, the
-/// toe of the slope is at x = 24.
+/// Units: depth and gravity are 1, y counts from still water. The tank begins at x = 0.
 #pragma once
 
 #include <functional>
@@ -16,17 +15,18 @@
 namespace seiche::validation {
 
 struct MeshSlopeClimb {
-  static constexpr double crest = 12;
-  static constexpr double toe = 24;
-
   exact::SolitaryWave wave;
   double tan_slope = 1;
+  double crest = 12;  ///< at the start
+  double toe = 24;
   double spacing = 0.25;  ///< of columns
   long rows = 8;
   double tau = 0.025;
   mechanics::Scheme scheme = {};
   double hourglass = 0;
   double blend = 0;  ///< over which columns are sheared, before the toe; 0: max(4, 4 cot)
+  /// Length of bottom and of slope that an arc at the toe replaces, over the columns' width; 0: the toe's node stays.
+  double rounding = 0;
   /// Go on when cells fold: their areas stay right, and the bottom's nodes may pass the toe.
   bool beyond_folds = true;
 

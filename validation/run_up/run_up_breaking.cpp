@@ -4,13 +4,11 @@ solitary wave above which that happens, $A > 0.479 (\cot\beta)^{-10/9}$. Frank's
 cannot carry a bore, which loses some. This case shows where the model ends, and how.
 
 **Set-up.** As in `run_up_1d`. Every run goes on through the run-down until the reflected wave has left, or until
-markers cross or the water under one is gone: then the program stops with time, step and place of the failure. A switch
-that the thesis does not have lets a compressed cell resist with the force $c_q V |\Delta u|/\Delta x$ times the
-difference of velocities; it loses energy and keeps momentum.
+markers cross or the water under one is gone: then the program stops with time, step and place of the failure.
 
 **What is compared.** Nothing measured: waves above the limit are outside the model's validity, and their run-down is
 not to be used. Claimed is that waves below the limit run through, that no run ends otherwise than with a stated
-failure, and what the switch does.
+failure.
 
 **What to look at.** The map of slopes and heights, with the limit. Above it some waves run through with one spacing and
 stop with another; with some the tip, a marker of almost no mass, shoots up when the bore reaches it. The first run-up
@@ -52,27 +50,23 @@ const std::vector<Wave> told{{19.85, 0.0185}, {10, 0.03},     {10, 0.05}, {3.732
 struct Told {
   Wave wave;
   double spacing = 0;
-  double breaking = 0;
   RunDown fate;
 };
 
-SolitaryClimb climb_of(const Values& values, Wave wave, double spacing, double breaking) {
+SolitaryClimb climb_of(const Values& values, Wave wave, double spacing) {
   SolitaryClimb climb = climb_from(values, wave.cot_slope, wave.amplitude);
   climb.spacing = spacing;
-  climb.breaking = breaking;
   return climb;
 }
 
-/// All without the switch, with two spacings, then the same with it.
+/// All with two spacings.
 std::vector<Told> tell(const Run& run) {
   std::vector<Told> all;
   const double spacing = run.real("h");
-  for (const double breaking : {0.0, run.real("breaking")}) {
-    for (const double h : {spacing, spacing / 2}) {
-      for (const Wave& wave : told) {
-        all.push_back({wave, h, breaking, run_down(climb_of(run, wave, h, breaking))});
-        run.progress(0.6 * static_cast<double>(all.size()) / static_cast<double>(4 * told.size()));
-      }
+  for (const double h : {spacing, spacing / 2}) {
+    for (const Wave& wave : told) {
+      all.push_back({wave, h, run_down(climb_of(run, wave, h))});
+      run.progress(0.6 * static_cast<double>(all.size()) / static_cast<double>(2 * told.size()));
     }
   }
   return all;
@@ -96,7 +90,7 @@ std::vector<Mapped> map_fates(const Run& run) {
       const Wave wave{cot_slope, ratio * backwash_limit(cot_slope)};
       run.progress(0.6 + 0.4 * ++done / static_cast<double>(mapped_slopes.size() * ratios.size()));
       if (wave.amplitude > highest) continue;
-      all.push_back({wave, run_down(climb_of(run, wave, run.real("h"), 0))});
+      all.push_back({wave, run_down(climb_of(run, wave, run.real("h")))});
     }
   }
   return all;
@@ -119,7 +113,6 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
                   {"A", "depth"},
                   {"A/limit", "1"},
                   {"h", "depth"},
-                  {"switch", "1"},
                   {"run-up", "depth"},
                   {"lowest", "depth"},
                   {"later", "depth"},
@@ -135,9 +128,8 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
   for (const Told& one : all) {
     const RunDown& fate = one.fate;
     table.rows.push_back({one.wave.cot_slope, one.wave.amplitude, std::round(one.wave.over_limit() * 100) / 100,
-                          one.spacing, one.breaking, rounded(fate.fell ? fate.runup : none),
-                          rounded(fate.fell ? fate.lowest : none), rounded(fate.fell ? fate.later : none),
-                          rounded(fate.energy),
+                          one.spacing, rounded(fate.fell ? fate.runup : none), rounded(fate.fell ? fate.lowest : none),
+                          rounded(fate.fell ? fate.later : none), rounded(fate.energy),
                           fate.through() ? std::string("through")
                                          : fmt::format("stops at t = {:+.1f}, x = {:.2f}",
                                                        fate.failure_time - fate.runup_time, fate.failure_place)});
@@ -145,9 +137,6 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
   exhibit.table(std::move(table));
 }
 
-bool plain(const Told& one) {
-  return one.breaking == 0;
-}
 bool below(const Wave& wave) {
   return wave.over_limit() < 1;
 }
@@ -163,33 +152,16 @@ double all_are(const std::vector<Told>& all, const Which& which, const Is& is) {
   return std::ranges::all_of(all, [&](const Told& one) { return !which(one) || is(one); }) ? 1.0 : 0.0;
 }
 
-/// Later heights of the shoreline over the run-up, without the switch, of waves that climb.
+/// Later heights of the shoreline over the run-up, of waves that climb.
 template <class Samples, class... Property>
 Samples later_heights(const std::vector<Told>& all, bool under, const Property&... property) {
   Samples samples;
   for (const Told& one : all) {
-    if (plain(one) && one.wave.climbs() && below(one.wave) == under) {
+    if (one.wave.climbs() && below(one.wave) == under) {
       samples.add(one.fate.later / one.fate.runup, property...);
     }
   }
   return samples;
-}
-
-/// How much the switch changes the run-up of waves that climb, run by run against the same without it.
-Worst change_by_switch(const std::vector<Told>& all, bool under) {
-  const std::size_t half = all.size() / 2;
-  Worst change;
-  for (std::size_t k = 0; k < half; ++k) {
-    const Wave& wave = all[k].wave;
-    if (!wave.climbs() || below(wave) != under) continue;
-    change.add(all[half + k].fate.runup / all[k].fate.runup - 1, wave.cot_slope);
-  }
-  return change;
-}
-
-/// How many runs there are of one strength of the switch.
-std::size_t runs() {
-  return 2 * told.size();
 }
 
 void claim_fates(const Claims<Results>& claims, bool quick) {
@@ -200,7 +172,7 @@ void claim_fates(const Claims<Results>& claims, bool quick) {
        .source = source},
       [](const Results& r) {
         return all_are(
-            r.told, [](const Told& one) { return plain(one) && below(one.wave); },
+            r.told, [](const Told& one) { return below(one.wave); },
             [](const Told& one) { return one.fate.through(); });
       },
       evidence::Qualitative{.detector = "no failure until the reflected wave has left",
@@ -241,75 +213,10 @@ void claim_fates(const Claims<Results>& claims, bool quick) {
                  "finer markers more of them stop before"});
 }
 
-/// What the switch does and what it does not.
-void claim_switch(const Claims<Results>& claims, bool quick) {
-  const std::string own = "the switch is not in the thesis";
-  const auto with = [](const Told& one) { return !plain(one); };
-  claims.check(
-      {.id = "switch",
-       .text = "With the switch the waves A = 0.05 at cotangent 10 and A = 0.2 at 3.732 run through.",
-       .quantity = "both do, with both spacings",
-       .source = own},
-      [with](const Results& r) {
-        const auto is = [](const Wave& wave, double cot_slope, double amplitude) {
-          return wave.cot_slope == cot_slope && wave.amplitude == amplitude;
-        };
-        return all_are(
-            r.told, [&](const Told& one) { return with(one) && (is(one.wave, 10, 0.05) || is(one.wave, 3.732, 0.2)); },
-            [](const Told& one) { return one.fate.through(); });
-      },
-      evidence::Qualitative{.detector = "no failure until the reflected wave has left",
-                            .reason = "the bore's energy goes where it should: it is lost"});
-  claims.check(
-      {.id = "switch-energy",
-       .text = "The switch takes energy and never gives any.",
-       .quantity = "largest energy at the end over that of the start, less 1",
-       .source = own},
-      [with](const Results& r) {
-        Worst gain;
-        for (const Told& one : r.told) {
-          if (with(one)) gain.add(one.fate.energy <= 1 ? 0 : one.fate.energy - 1, one.wave.cot_slope);
-        }
-        return gain;
-      },
-      evidence::Bound{.limit = 0, .reason = "its forces oppose the rate of compression", .expected = 0});
-  claims.known_failure(
-      {.id = "switch-all",
-       .text = "With the switch every wave runs through, and none returns higher than it came.",
-       .quantity = fmt::format("runs, of {}, that stop or return higher", runs()),
-       .source = own},
-      [with](const Results& r) {
-        return static_cast<double>(
-            std::ranges::count_if(r.told, [&](const Told& one) { return with(one) && !returns_lower(one.fate); }));
-      },
-      evidence::Bound{.limit = 0, .reason = "the wave came once"},
-      {.value = quick ? 3.0 : 8.0,
-       .width = 1,
-       .reason = "strong bores still throw the light tip up the slope (A = 0.5 at cotangent 2), or stop the run (A = "
-                 "0.3 at 19.85; where it goes through, it climbs ten times its height, which is wrong), the more the "
-                 "finer the markers"});
-  claims.known_failure({.id = "switch-neutral",
-                        .text = "The switch leaves the first run-up as it is.",
-                        .quantity = "largest relative change of the run-up",
-                        .source = own},
-                       [](const Results& r) {
-                         Worst change = change_by_switch(r.told, true);
-                         change.add(change_by_switch(r.told, false));
-                         return change;
-                       },
-                       evidence::Bound{.limit = 0.006, .reason = "to what the run-up is converged, see run_up_table"},
-                       {.value = quick ? 0.121 : 0.064,
-                        .width = 0.003,
-                        .reason = "it resists compression in the climbing front too; on the steepest slope the run-up "
-                                  "changes by several per cent, the less the finer the markers, and the switch is off "
-                                  "by default"});
-}
-
 void claims(const Values& values, const Claims<Results>& claims) {
   const double h = values.real("h");
   const bool quick = values.tier() == Tier::quick;
   claim_fates(claims.at(fmt::format("h = {0:g} and {1:g}", h, h / 2)), quick);
-  claim_switch(claims.at(fmt::format("h = {0:g} and {1:g}", h, h / 2)), quick);
   claims.at(fmt::format("h = {:g}", h))
       .check(
           {.id = "map-below",
@@ -363,14 +270,9 @@ void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   tabulate(exhibit, r.told);
-  for (const bool with : {false, true}) {
-    const auto stopped = [with](const Told& one) { return plain(one) != with && !one.fate.through(); };
-    exhibit.measure(with ? "stopped_with_switch" : "stopped",
-                    static_cast<double>(std::ranges::count_if(r.told, stopped)));
-  }
+  exhibit.measure("stopped", static_cast<double>(
+                                 std::ranges::count_if(r.told, [](const Told& one) { return !one.fate.through(); })));
   exhibit.measure("largest_later_over_runup_above_limit", later_heights<Largest>(r.told, false).value());
-  exhibit.measure("switch_changes_runup_below_limit", change_by_switch(r.told, true).value());
-  exhibit.measure("switch_changes_runup_above_limit", change_by_switch(r.told, false).value());
   draw_map(exhibit, r.map);
 }
 
@@ -383,9 +285,7 @@ Case run_up_breaking() {
       "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523; A. M. Frank, Discrete models of "
       "incompressible fluid, doctoral thesis (1994), chapter 3";
   c.tiers = {Tier::quick, Tier::full};
-  c.parameters = joined({climb_parameters({0.25, 0.125, 0.125}),
-                         slope_parameters(),
-                         {real("breaking", 2.0, "1", {0.1, 10}, "strength of the switch where it is on")}});
+  c.parameters = joined({climb_parameters({0.25, 0.125, 0.125}), slope_parameters()});
   c.study = Study(claims, compute, show);
   return c;
 }

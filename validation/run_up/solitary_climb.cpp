@@ -46,11 +46,8 @@ double SolitaryClimb::time_to(double x) const {
 Flow SolitaryClimb::start() const {
   const double wall = crest() - reach(margin);
   const double beyond = wall - 1 - reach(margin);
-  Channel channel{.left = End::wall,
-                  .right = cot_slope > 0 ? End::tip : End::wall,
-                  .kinetics = kinetics,
-                  .tip_mass = tip_mass,
-                  .breaking = breaking};
+  Channel channel{
+      .left = End::wall, .right = cot_slope > 0 ? End::tip : End::wall, .kinetics = kinetics, .tip_mass = tip_mass};
   if (cot_slope > 0) {
     channel.bottom = std::make_shared<PiecewiseLinearBottom>(
         std::vector{beyond, -cot_slope, 0.0, highest_land * cot_slope}, std::vector{-1.0, -1.0, 0.0, highest_land});

@@ -27,7 +27,6 @@ struct SolitaryClimb {
   dispersive::TipMass tip_mass = dispersive::TipMass::elementary;
   dispersive::Kinetics kinetics = dispersive::Kinetics::frank;
   dispersive::Scheme scheme = {};
-  double breaking = 0;
 
   /// Distance from the crest at which the wave has fallen to `fraction` of its height, by Boussinesq's profile
   /// sech^2(sqrt(3A/4) x), as experimenters count it.

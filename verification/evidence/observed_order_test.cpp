@@ -40,6 +40,11 @@ TEST_CASE("scatter wider than the tolerance is inconclusive", "[order]") {
   errors[1] *= 2;
   errors[3] /= 2;
   CHECK(judge(observed_order(sizes, errors), Order{2, 0.1, "test"}).verdict == Verdict::inconclusive);
+  // Scatter without a slope: the order is the expected one, and is not known.
+  errors = errors_of_order(2);
+  const std::vector<double> residuals{2, -1, -2, -1, 2};
+  for (std::size_t k = 0; k < errors.size(); ++k) errors[k] *= std::exp(0.2 * residuals[k]);
+  CHECK(judge(observed_order(sizes, errors), Order{2, 0.1, "test"}).verdict == Verdict::inconclusive);
 }
 
 TEST_CASE("points at the round-off floor are left out and named", "[order]") {
@@ -132,6 +137,8 @@ TEST_CASE("an order that cannot be trusted widens the uncertainty", "[grid-conve
   const GridConvergence odd = grid_convergence({1, 2, 4}, {1.01, 1.04, 3.0}, 2);  // observed order 6
   CHECK(odd.uncertainty > 2 * good.uncertainty);
   CHECK_FALSE(odd.note.empty());
+  // 1 + h^3 where h^2 is expected: the line through (1, 2), (4, 9), (16, 65) starts at -5 and leaves squares of 56/3.
+  CHECK(std::abs(grid_convergence({1, 2, 4}, {2, 9, 65}, 2).uncertainty - (3 * 7 + 2 * std::sqrt(56.0 / 3))) < 1e-9);
   CHECK(grid_convergence({1, 2, 4}, {5, 5, 5}, 2).uncertainty == 0);
   CHECK(std::isnan(grid_convergence({1, 2, 4}, {5, std::numeric_limits<double>::quiet_NaN(), 5}, 2).uncertainty));
   CHECK_THROWS_AS(grid_convergence({1, 2}, {1, 1}, 2), std::invalid_argument);

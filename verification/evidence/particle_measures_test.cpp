@@ -104,6 +104,12 @@ TEST_CASE("distances of curves are those of lines and circles", "[evidence]") {
   const PolylineDistance images = polyline_distance({low}, {Polyline{{2, 3}, {0, 0}}}, 2);
   check.that(named("images", "A curve a period away is the same curve.", "rms distance"), {.value = images.rms},
              Roundoff{.operations = 20, .scale = 1, .reason = "one segment"});
+  // From the part nothing is missing; from the whole, its two further pieces are half and one and a half away.
+  const PolylineDistance part = polyline_distance({low}, {Polyline{{0, 1, 2, 3}, {0, 0, 0, 0}}});
+  check.that(
+      named("part", "A curve and a part of it.", "rms distance"), {.value = part.rms},
+      Roundoff{
+          .operations = 20, .scale = 2, .reason = "four segments", .expected = std::sqrt(0.5 * (0.25 + 2.25) / 3)});
   CHECK_THROWS_AS(polyline_distance({}, {low}), std::invalid_argument);
 }
 

@@ -203,6 +203,13 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
              evidence::Bound{.limit = 2 * (2 + 3 * 55 / (0.14 * 80)) * error.place / waves.incident().lean / path,
                              .reason = "errors of two lengths of the stem over the path",
                              .expected = waves.triple_point(1).y / waves.wall().speed});
+  std::reverse(stem.begin(), stem.end());
+  check.that({.id = "stem-shrinks",
+              .text = "A stem that shrinks has a negative angle.",
+              .quantity = "sum of the angles of a stem and of its mirror image",
+              .source = source},
+             {.value = stem_angle(wall_x, stem).value + std::atan((stem.front() - stem.back()) / path)},
+             evidence::Roundoff{.operations = 10, .scale = 1, .reason = "a line through two points and its angle"});
 
   const double exact_height = highest_on_wall(waves, time_of(waves));
   std::vector<double> spacings;

@@ -57,7 +57,7 @@ TEST_CASE("every case that scores others passes its own reference and fails one 
       "reference times 1.5, which must fail at least one.");
   for (const Case& one : all_cases()) {
     if (!one.submission) continue;
-    const Values values(one.parameters, Tier::quick);
+    const Values values = one.values(Tier::quick);
     long claims = 0;
     const long exact = passed(one, values, 1, claims);
     check.that({.id = one.name + "-exact",

@@ -120,6 +120,25 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
               .source = source},
              evidence::observed_order(spans, jacobian_errors, 1e-13),
              evidence::Order{4, 0.2, "fourth-order differences of an analytic function"});
+  std::vector<double> accelerations;
+  for (const double span : spans) {
+    Largest largest;
+    for (const double b : {-0.2, -0.6}) {
+      const GerstnerWave::Label particle{1.1, b};
+      const auto rate = [&](double exact::Velocity::*component) {
+        return difference([&](double d) { return wave.velocity(particle, 0.7 + d).*component; }, span);
+      };
+      const auto stated = wave.acceleration(particle, 0.7);
+      largest.add(std::hypot(rate(&exact::Velocity::u) - stated.x, rate(&exact::Velocity::v) - stated.y));
+    }
+    accelerations.push_back(largest.value());
+  }
+  check.that({.id = "acceleration",
+              .text = "The acceleration of a particle is the rate of its velocity.",
+              .quantity = "order of the difference in the width of the differences",
+              .source = source},
+             evidence::observed_order(spans, accelerations, 1e-13),
+             evidence::Order{4, 0.2, "fourth-order differences of an analytic function"});
   Worst inversion;
   Worst surface;
   for (const double top : {-0.02, -0.1, -1.0}) {

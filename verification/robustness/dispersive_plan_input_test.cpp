@@ -104,6 +104,9 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
   };
   settings("gravity", "Negative gravity.", {"gravity", "-1"}, {.gravity = -1});
   settings("gravity_nan", "Gravity that is not a number.", {"gravity", "nan"}, {.gravity = not_a_number});
+  settings("manning", "Negative friction.", {"manning", "-1", "non-negative"}, {.drag = {.manning = -1}});
+  settings("shore_rate", "A force along a shore where there is none.", {"shore_rate", "shoreline", "south"},
+           {.drag = {.shore_rate = 1}});
   settings("inertia", "No vertical inertia.", {"inertia", "0", "[0.001, 1]"}, {.inertia = 0});
   settings("tolerance", "A tolerance too loose.", {"tolerance", "0.1"},
            {.solver = linear::NinePointMethod::iterative, .tolerance = 0.1});

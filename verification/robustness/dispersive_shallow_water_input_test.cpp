@@ -58,8 +58,6 @@ TEST_CASE("bad constants of a channel are refused with name, value and range", "
           [](Channel& c) { c.depth_power = not_a_number; });
   refused("reference_depth", "A reference depth of zero.", {"reference_depth", "= 0", "positive"},
           [](Channel& c) { c.reference_depth = 0; });
-  refused("breaking", "Breaking that would feed waves.", {"breaking", "= -1", "non-negative"},
-          [](Channel& c) { c.breaking = -1; });
   refused("period", "A negative period.", {"period", "= -6", "non-negative"}, [](Channel& c) { c.period = -6; });
   refused("short_period", "A period shorter than the water.", {"x[5]", "= 5", "period"},
           [](Channel& c) { c.period = 4; });

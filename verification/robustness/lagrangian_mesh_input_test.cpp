@@ -122,6 +122,8 @@ TEST_CASE("bad constants and walls are refused with name, value and range", "[ro
                    [] { layer_mesh({.columns = 4, .elevation = [](double) { return -1.5; }}); });
   refusals.refused("slope", "A wall that leans inwards.", {"tan_slope", "= -1", "positive"},
                    [] { layer_mesh_with_slope({}, -1); });
+  refusals.refused("rounding", "A toe rounded by less than nothing.", {"rounding", "= -1", "non-negative"},
+                   [] { layer_mesh_with_slope({}, 1, 0, -1); });
 }
 
 TEST_CASE("bad starts and steps of the Lagrangian mesh are refused and change nothing", "[robustness]") {

@@ -217,7 +217,7 @@ TEST_CASE("readers survive damaged files: they read or refuse in one line", "[ro
       "[riemann]\nparticles = 1_000\nright_velocity = -0.5 # m/s\n[moving_bore]\nparticles = [1, 2, {a = true}]\n",
   };
   const Tally toml = fuzz(configurations, 32'000, 0xD1B54A32D192ED03U, [&](const std::string& input) {
-    validation::Values values(one.parameters, validation::Tier::quick);
+    validation::Values values = one.values(validation::Tier::quick);
     validation::apply_configuration(input, "damaged.toml", one, values);
   });
   claim(check, "toml", toml);

@@ -22,8 +22,11 @@ sys.path.insert(0, str(REPORTS))
 import h5py  # noqa: E402
 import numpy  # noqa: E402
 
-from render import quantities, records  # noqa: E402
+from render import atlas, defects, pages, quantities, records  # noqa: E402
 from render.command import main  # noqa: E402
+from render.formulas import Formulas  # noqa: E402
+from render.store import Store  # noqa: E402
+from render.text import Typesetter  # noqa: E402
 
 HOSTILE = "<script>alert('x')</script>\"&'"
 VOID = {"meta", "link", "br", "img", "input", "hr", "rect", "path", "circle", "wbr"}
@@ -80,15 +83,23 @@ def claim(name, kind="bound", verdict="pass", **changes):
 
 
 def record(case, **changes):
-    made = {"schema": 2, "case": case, "kind": "validation", "group": "bore", "tier": "quick", "solver": "seiche",
+    made = {"schema": 3, "case": case, "kind": "validation", "group": "bore", "tier": "quick", "solver": "seiche",
             "title": f"The case {case}", "source": "A source", "article": "Text with $x^2$ and\n\n$$\\frac{a}{b}$$",
-            "status": "finished", "error": "", "parameters": {}, "claims": [claim("one")], "left_out": [], "measurements": {},
+            "status": "finished", "error": "", "parameters": {}, "set": "", "published": [], "claims": [claim("one")], "left_out": [], "measurements": {},
             "figures": [], "tables": [], "atlas": [], "data": "", "fields": "", "wall_time": 1.5, "fingerprint": "abc123",
             "provenance": {"commit": "0123456789abcdef", "dirty": False, "compiler": "g++", "flags": "-O3",
                            "build_type": "Release", "libraries": {"fmt": "9"}, "processor": "a processor", "cores": 2,
                            "threads": 1, "system": "Linux", "date": "2026-01-02T03:04:05Z", "version": "1.0",
                            "reference_data": {"a/table.csv": "ff" * 32}}}
     return {**made, **changes}
+
+
+def published(tile, here, tier="quick", differs=""):
+    return [{"tiles": [tile], "tier": tier, "values": {"particles": 12}, "differs": differs, "here": here}]
+
+
+def tile_table(tile):
+    return [{"id": "t", "title": "t", "caption": "c", "columns": [], "rows": [], "atlas": [tile]}]
 
 
 def figure(name, **changes):
@@ -126,7 +137,8 @@ def write_evidence(folder):
                    ("wall", "guide", "vertical", [0.5], []), ("cells", "water", "steps", x, x[1:]),
                    ("with gaps", "peer", "line", x, numpy.where(x > 0.5, numpy.nan, x)), (HOSTILE, "peer", "points", x, x)]
     many = [("long", "computed", "line", numpy.linspace(0, 1, 40000), numpy.random.default_rng(1).random(40000))]
-    put(record("two_solvers", data="two_solvers.h5", figures=[figure("f", atlas=["bzz-fig-12"]), figure("long")],
+    put(record("two_solvers", data="two_solvers.h5", published=published("bzz-fig-12", True, differs="ours is 1 m deep"),
+               parameters={"particles": {"value": 12, "unit": "1", "default": 12, "meaning": "how many"}}, figures=[figure("f", atlas=["bzz-fig-12"]), figure("long")],
                claims=[claim("one", "roundoff"), claim("two", "order", measured=2.04, uncertainty=0.05, expected=2.0),
                        claim("three", "uncertainty"), claim("four", "qualitative", measured=1, expected=1)]))
     write_arrays(folder / "two_solvers.h5", {"f": [every_style, every_style[:3]], "long": [many]})
@@ -150,8 +162,14 @@ def write_evidence(folder):
     put(record("sharp", left_out=[{"id": "late", "text": "Later.", "reason": "the source stops earlier"}], claims=[
         claim("marginal", measured=0.95e-12), claim("loose", measured=1e-15), claim("wide", measured=0, uncertainty=0.95e-12),
         claim("exact", measured=0.0), claim("middle", measured=0.5e-12), claim("fails", verdict="fail", measured=2e-12),
-        claim("seen", "qualitative", measured=1, expected=1)], tables=[
-        {"id": "t", "title": "t", "caption": "c", "columns": [], "rows": [], "atlas": ["frank-fig-9"]}]))
+        claim("seen", "qualitative", measured=1, expected=1)], tables=tile_table("frank-fig-9")))
+    put(record("small", parameters={"particles": {"value": 4, "unit": "1", "default": 4, "meaning": "how many"}},
+               published=published("sph-fig-6", False, "paper"), tables=tile_table("sph-fig-6")))
+    put(record("sizes", claims=[claim("reduced")], published=published("bzz-fig-6", False, "full"),
+               tables=tile_table("bzz-fig-6")))
+    put(record("sizes", tier="full", set="bzz-fig-6", claims=[claim("whole", verdict="fail")],
+               published=published("bzz-fig-6", True, "full"), tables=tile_table("bzz-fig-6")), "sizes@bzz-fig-6")
+    put(record("sketch", kind="verification", tables=tile_table("frank-fig-4")))
     put(record("tiers"))
     put(record("tiers", tier="full"), "tiers@full")
     put(record("crashed", status="error", error="killed by signal 11 <b>", claims=[], figures=[figure("f")], data="gone.h5"))
@@ -245,11 +263,58 @@ class Report(unittest.TestCase):
         for neither in ("exact", "middle", "fails", "seen"):
             self.assertNotIn(f"sharp-claim-{neither}", page)
 
-    def test_a_tile_is_reproduced_only_by_runs_that_came_out_as_declared(self):
+    def test_planted_defects_are_listed_with_the_claims_that_found_them(self):
+        rows = [{"defect": "linear/a", "of": "solver", "what": "a sign", "file": "a.cpp", "check": "a_test.cpp",
+                 "claim": "sharp: marginal", "measured": "0.5", "limit": "1e-12", "verdict": "fail", "others": "2"},
+                {"defect": "linear/b", "of": "solver", "what": "a factor", "file": "a.cpp", "check": "a_test.cpp",
+                 "claim": "gone: claim", "measured": "", "limit": "", "verdict": "not found", "others": "0"}]
+        memo = Store(self.out / ".cache").memo
+        loaded, _ = records.load(self.evidence, memo)
+        page = pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("defects.html.j2").render(
+            root="", page="defects.html", title="T", fonts=False, defects=defects.survey(rows, loaded))
+        self.assertIn("1 of 2 defects are found, by 1 different claim.", page)
+        self.assertIn("cases/sharp.html#sharp-claim-marginal", page)
+        self.assertIn("not found", page[page.index('id="linear-b'):])
+
+    def test_every_planted_defect_of_the_record_is_shown(self):
+        page = (self.out / "defects.html").read_text(encoding="utf-8")
+        rows = defects.read()
+        self.assertEqual(page.count("<tr id="), len(rows))
+        self.assertIn("defects.html", self.index)
+
+    def tile(self, name):
         atlas = (self.out / "atlas.html").read_text(encoding="utf-8")
-        self.assertIn("1 of", self.index[self.index.index("reproduces"):][:40])
-        shown = atlas[atlas.index('id="frank-fig-9"'):][:1500]
-        self.assertIn("shown, not reproduced", shown)
+        return atlas[atlas.index(f'<li id="{name}"'):].split("</li>")[0]
+
+    def test_a_tile_is_reproduced_only_with_the_parameters_of_its_source_and_as_declared(self):
+        self.assertIn("2 of", self.index[self.index.index("reproduces"):][:40])
+        self.assertIn("shows 1 at reduced size", self.index)
+        for name in ("frank-fig-9", "frank-table-celerity", "bzz-fig-6"):   # no set; a verification; a surprise
+            self.assertIn("shown, not reproduced", self.tile(name), name)
+        for name in ("bzz-fig-12", "frank-fig-4"):
+            self.assertNotIn("shown", self.tile(name).split("<h3>")[0], name)
+        self.assertIn("shown at reduced size", self.tile("sph-fig-6"))
+        self.assertIn("run in the tier paper", self.tile("sph-fig-6"))
+
+    def test_a_tile_gives_the_parameters_of_its_source_and_what_differs(self):
+        self.assertIn('<code>particles</code> <span class="n">12</span>', self.tile("bzz-fig-12"))
+        self.assertIn("ours is 1 m deep", self.tile("bzz-fig-12"))
+        self.assertNotIn("(here", self.tile("bzz-fig-12"))
+        self.assertRegex(self.tile("sph-fig-6"), "<code>particles</code> <span[^>]*>12</span> <b>.here <span[^>]*>4</span>")
+
+    def test_records_of_sets_and_tiers_stand_on_one_page_the_best_first(self):
+        page = (self.out / "cases/sizes.html").read_text(encoding="utf-8")
+        self.assertIn("seiche, bzz-fig-6", page)
+        self.assertLess(page.index("-claim-whole"), page.index('id="sizes-claim-reduced"'))
+        self.assertIn('href="#sizes-claims"', page)
+
+    def test_evidence_of_record_is_mentioned_where_the_report_has_only_less(self):
+        (self.folder / "record").mkdir(exist_ok=True)
+        header = "case,set,claim,kind,measured,uncertainty,expected,limit,band,verdict\n"
+        table = self.folder / "record/paper.csv"
+        for verdicts, expected in ((("pass", "declared fail"), {("small", "sph-fig-6"): "paper"}), (("pass", "fail"), {})):
+            table.write_text(header + "".join(f"small,sph-fig-6,c{i},bound,1,,1,1,,{v}\n" for i, v in enumerate(verdicts)))
+            self.assertEqual(atlas.kept_sets(self.folder / "record"), expected)
 
     def test_tiers_stand_side_by_side(self):
         page = (self.out / "cases/tiers.html").read_text(encoding="utf-8")
@@ -268,14 +333,14 @@ class Report(unittest.TestCase):
         self.assertIn("gone.h5 cannot be read", self.index)
 
     def test_every_tile_of_the_atlas_appears(self):
-        atlas = self.pages[self.out / "atlas.html"]
+        page = self.pages[self.out / "atlas.html"]
         sources = tomllib.loads((REPORTS / "atlas.toml").read_text(encoding="utf-8"))["source"]
         tiles = [tile["id"] for source in sources for tile in source["tile"]]
         self.assertEqual(len(tiles), len(set(tiles)))
         for tile in tiles:
-            self.assertIn(tile, atlas.ids)
+            self.assertIn(tile, page.ids)
         text = (self.out / "atlas.html").read_text(encoding="utf-8")
-        self.assertEqual(text.count("not yet"), len(tiles) - 3)
+        self.assertEqual(text.count("not yet"), len(tiles) - 6)
 
     def test_hostile_text_is_printed_not_obeyed(self):
         for path, page in self.pages.items():

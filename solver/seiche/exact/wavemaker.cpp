@@ -115,7 +115,8 @@ double Wavemaker::sum_of_modes(Weight weight, double decay, long first_omitted) 
   const auto slope = [](const auto& f, double n) { return f(n + 0.5) - f(n - 0.5); };
   const auto bend = [](const auto& f, double n) { return f(n + 1.5) - 3 * f(n + 0.5) + 3 * f(n - 0.5) - f(n - 1.5); };
   // Euler-Maclaurin from the midpoint before the first omitted mode, with dn/dk = (1 - nu/(k^2 + nu^2))/pi and
-  // k = first/u.
+  // k = first/u. With D = d/dn and the central difference delta = 2 sinh(D/2), D = delta - delta^3/24 + ...,
+  //   1/(2 sinh(D/2)) = 1/D - D/24 + 7 D^3/5760 - ... = 1/D - delta/24 + 17 delta^3/5760 - ...
   const double middle = static_cast<double>(first_omitted) - 0.5;
   const double first = scaled_wavenumber(middle);
   const double integral = boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
@@ -124,10 +125,10 @@ double Wavemaker::sum_of_modes(Weight weight, double decay, long first_omitted) 
         return smooth_part(k) * weight(k) * (1 - nu_ / (k * k + nu_ * nu_)) / pi * k / u;
       },
       0.0, 1.0, 10, 1e-10);
-  sum += integral + slope(smooth, middle) / 24 - 7.0 / 5760 * bend(smooth, middle);
-  // Boole's sum of an alternating series.
+  sum += integral + slope(smooth, middle) / 24 - 17.0 / 5760 * bend(smooth, middle);
+  // Boole's sum of an alternating series, 1/(1 + exp(D)) = 1/2 - D/4 + D^3/48 - ... = 1/2 - delta/4 + delta^3/32 - ...
   const auto n = static_cast<double>(first_omitted);
-  const double rest = 0.5 * alternating(n) - 0.25 * slope(alternating, n) + bend(alternating, n) / 48;
+  const double rest = 0.5 * alternating(n) - 0.25 * slope(alternating, n) + bend(alternating, n) / 32;
   return sum + (first_omitted % 2 == 0 ? rest : -rest);
 }
 

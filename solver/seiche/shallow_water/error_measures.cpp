@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "seiche/samples.hpp"
+
 namespace seiche::shallow_water {
 
 namespace {
@@ -38,16 +40,21 @@ std::vector<double> sorted(std::vector<double> values) {
   return values;
 }
 
-struct Accumulator {
-  Norms norms;
+class Accumulator {
+ public:
   void add(double error, double weight) {
-    norms.l1 += weight * std::abs(error);
-    norms.l2 += weight * error * error;
-    norms.linf = std::max(norms.linf, std::abs(error));
+    absolute_ += weight * std::abs(error);
+    squares_ += weight * error * error;
+    worst_.add(error);
   }
   [[nodiscard]] Norms over(double length) const {
-    return {norms.l1 / length, std::sqrt(norms.l2 / length), norms.linf};
+    return {absolute_ / length, std::sqrt(squares_ / length), worst_.value()};
   }
+
+ private:
+  double absolute_ = 0;
+  double squares_ = 0;
+  Worst worst_;
 };
 
 template <class Computed>

@@ -59,10 +59,6 @@ wcsph::Settings sph_settings(const Values& values, double gravity, double densit
           .courant = values.real("courant")};
 }
 
-bool at_defaults(const Values& values) {
-  return values.canonical() == Values(values.declared(), values.tier()).canonical();
-}
-
 std::vector<Parameter> with(std::vector<Parameter> a, std::vector<Parameter> b) {
   a.insert(a.end(), std::make_move_iterator(b.begin()), std::make_move_iterator(b.end()));
   return a;

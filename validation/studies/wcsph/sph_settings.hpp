@@ -32,9 +32,6 @@ std::vector<Parameter> sph_parameters(const SphDefaults& defaults, const std::st
 /// @param sound_unit  [m/s], what the parameter `sound` multiplies
 wcsph::Settings sph_settings(const Values& values, double gravity, double density, double sound_unit);
 
-/// Every parameter has the default of its tier: what was seen of such runs, how they fail, is said of no others.
-bool at_defaults(const Values& values);
-
 /// Appends b to a.
 std::vector<Parameter> with(std::vector<Parameter> a, std::vector<Parameter> b);
 

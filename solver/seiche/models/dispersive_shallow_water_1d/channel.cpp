@@ -14,7 +14,6 @@ void Channel::validate() const {
   require_not_negative("gamma", gamma);
   require_finite("depth_power", depth_power);
   require_positive("reference_depth", reference_depth);
-  require_not_negative("breaking", breaking);
   if (kinetics == Kinetics::green_naghdi && alpha < 0.25) {
     throw std::invalid_argument(
         "kinetics = green_naghdi needs alpha >= 1/4: the kinetic energy over steep slopes "

@@ -48,9 +48,6 @@ struct Channel {
   double depth_power = 2;      ///< s
   double reference_depth = 1;  ///< H0 [m], without effect for s = 2
 
-  /// Breaking: a compressed cell resists with force breaking V |du|/dx times the difference of velocities; 0 is off.
-  double breaking = 0;
-
   /// Throws std::invalid_argument.
   void validate() const;
   [[nodiscard]] bool periodic() const { return period > 0; }

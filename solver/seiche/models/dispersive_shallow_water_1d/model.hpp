@@ -163,7 +163,6 @@ class Model {
   void gather_forces(Interval when);
   void add_dispersion_forces(Input q0, Input q1);
   void add_pressure_forces(double time);
-  void break_up(double h, Output rates) const;
   void add_cell_forces();
 
   Channel channel_;
@@ -179,7 +178,6 @@ class Model {
       inertia_r_;                          // m and alpha m; 0 where an end allows no motion
   std::vector<double> dispersion_weight_;  // of cells, with density and gravity
   std::vector<double> along_, across_;     // body forces per unit mass
-  mutable std::vector<double> breaking_u_, breaking_v_;
   GhostedArray push_x_,
       push_y_;             // of a cell on its right marker, and reversed on its left one
   mutable Bed other_bed_;  // of configurations that are not linearised

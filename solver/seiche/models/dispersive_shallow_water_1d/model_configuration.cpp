@@ -228,7 +228,6 @@ void Model::advance(Input from, Input u, double h, Output to) const {
 }
 
 void Model::kick(double h, Output u) const {
-  if (channel_.breaking > 0) break_up(h, u);
   for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
     kick_rows(rows_, level(block), markers_of(block), h, u.data(), u.data() + n_);
   }

@@ -1,4 +1,4 @@
-// What acts on the markers: gravity, the energy of improved dispersion, surface pressure, body forces, breaking.
+// What acts on the markers: gravity, the energy of improved dispersion, surface pressure, body forces.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -90,34 +90,6 @@ void Model::add_pressure_forces(double time) {
     fy[j] -= left * dx;
     fx[k] += right * dy;
     fy[k] -= right * dx;
-  }
-}
-
-/// The velocities of a cell's two markers differ by (du, dv); if they approach, they resist with
-/// breaking V |du|/dx (du, dv). Opposite forces: momentum is kept, energy is lost.
-void Model::break_up(double h, Output rates) const {
-  std::vector<double>& u = breaking_u_;
-  std::vector<double>& v = breaking_v_;
-  u.assign(n_, 0.0);
-  v.assign(n_, 0.0);
-  for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
-    advance_rows(rows_.bed, level(block), markers_of(block), u.data(), v.data(), rates.data(), rates.data() + n_, 1,
-                 u.data(), v.data());
-  }
-  const auto kick_marker = [&](std::size_t i, double x, double y) {
-    const auto k = static_cast<std::ptrdiff_t>(i);
-    const Frame f = level(k / block_size) ? Frame{} : rows_.bed.frame(k);
-    rates[i] += h * rows_.mobility_p.row()[k] * (f.xp * x + f.yp * y);
-    rates[n_ + i] += h * rows_.mobility_r.row()[k] * (f.xr * x + f.yr * y);
-  };
-  for (std::size_t j = 0; j < cells_; ++j) {
-    const std::size_t k = j + 1 < n_ ? j + 1 : 0;
-    const double du = u[k] - u[j];
-    if (du >= 0) continue;
-    const double width = rows_.width.row()[static_cast<std::ptrdiff_t>(j)];
-    const double drag = channel_.density * channel_.breaking * rest_volume_[j] * -du / width;
-    kick_marker(j, drag * du, drag * (v[k] - v[j]));
-    kick_marker(k, -drag * du, -drag * (v[k] - v[j]));
   }
 }
 

@@ -8,7 +8,7 @@
 namespace seiche::dispersive_shallow_water_1d {
 
 bool Model::fuses_step() const {
-  return !channel_.periodic() && channel_.gamma == 0 && channel_.breaking == 0 && !forcing_.surface_pressure &&
+  return !channel_.periodic() && channel_.gamma == 0 && !forcing_.surface_pressure &&
          !forcing_.body_force;
 }
 

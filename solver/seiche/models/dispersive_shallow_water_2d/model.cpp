@@ -31,6 +31,7 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
       forcing_(std::move(forcing)),
       masses_((require_within("inertia", settings.inertia, 1e-3, 1), lattice_.shape), lattice_.sides, lattice_.x,
               lattice_.y, settings.inertia),
+      drag_(settings.drag, lattice_),
       gradients_(lattice_.shape.columns, lattice_.shape.rows),
       push_(3 * lattice_.shape.nodes(), 0.0),
       scratch_(12 * lattice_.shape.columns * static_cast<std::size_t>(omp_get_max_threads()), 0.0),
@@ -134,6 +135,7 @@ void Model::linearise(Interval when, Input q) {
     throw mechanics::Infeasible(failure.what(), failure.place());
   }
   push_bodies(when.middle());
+  if (drag_.active()) drag_.measure(lattice_, volume_, q);
   assemble_and_factor();
   sweeping_ = false;
 }
@@ -159,6 +161,7 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
     throw mechanics::Infeasible(failure.what(), failure.place());
   }
   push_bodies(when.middle());
+  if (drag_.active()) drag_.measure(lattice_, volume_, middle_);
   if (sweep == 0) assemble_and_factor();
   sweeping_ = true;
 }
@@ -270,6 +273,7 @@ void Model::kick(double h, Output u) const {
     kick_row(count, k, masses_.full(j), h, {push_.data() + k, push_.data() + n + k, push_.data() + 2 * n + k},
              masses_.inverse(), {u.data() + k, u.data() + n + k, u.data() + 2 * n + k});
   }
+  if (drag_.active()) drag_.slow(masses_.mass(), masses_.inverse(), settings_.gravity, h, u);
 }
 
 void Model::carry(Input q, bool onto, Output u) const {

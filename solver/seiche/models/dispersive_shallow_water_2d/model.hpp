@@ -23,8 +23,9 @@
 /// see flow.hpp.
 ///
 /// Conserves to round-off: mass and momentum (no walls, level bottom) with every scheme, angular momentum about the
-/// vertical with OneStep, energy and volumes with ConservativeStep, also over uneven bottoms: volumes and potential are
-/// polynomials, and Simpson's mean of their gradients is exact. Dispersion in closed form: exact/plan_dispersion.hpp.
+/// vertical with OneStep (all without drag, drag.hpp), energy and volumes with ConservativeStep, also over uneven
+/// bottoms: volumes and potential are polynomials, and Simpson's mean of their gradients is exact. Dispersion in closed
+/// form: exact/plan_dispersion.hpp.
 ///
 /// When not to use it: waves shorter than about two depths; lattices that shear for long, as in steady eddies;
 /// overturning.
@@ -44,6 +45,7 @@
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/bottom_volume.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/drag.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/node_masses.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
@@ -60,6 +62,7 @@ struct Settings {
   double inertia = 1.0 / 3;  ///< alpha, of the motion normal to the bottom
   linear::NinePointMethod solver = linear::NinePointMethod::automatic;
   double tolerance = 1e-10;  ///< relative residual of iterative solvers; 1e-13 where conservation is measured
+  DragSettings drag = {};    ///< takes energy; none in Frank's own model
 };
 
 struct Forcing {
@@ -168,6 +171,7 @@ class Model {
   double east_width_ = 0;
   std::optional<BottomVolume> bottom_;
   std::optional<Shoreline> shoreline_;
+  Drag drag_;
 
   CellGradients gradients_;
   std::vector<double> push_;  // forces on nodes along x, y, z

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 
+#include "seiche/geometry/bent_line.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
@@ -85,6 +86,19 @@ void require_layer(const Layer& layer) {
   require_positive("depth", layer.depth);
 }
 
+/// Puts the bottom and the slope on one curve, along which the toe slides too.
+void round_toe(Mesh& mesh, Point toe, double tan_slope, double rounding) {
+  const auto curve = std::make_shared<BentLine>(toe, Point{1, 0}, Point{1, tan_slope}, rounding);
+  const auto put = [&](std::size_t node) {
+    const Point place = curve->position(curve->arc_length_at({mesh.x[node], mesh.y[node]}));
+    mesh.x[node] = place.x;
+    mesh.y[node] = place.y;
+  };
+  for (std::size_t i = 0; i <= mesh.columns; ++i) put(mesh.node(i, 0));
+  for (std::size_t j = 1; j <= mesh.rows; ++j) put(mesh.node(mesh.columns, j));
+  mesh.sides.bottom = mesh.sides.right = Wall{curve};
+}
+
 }  // namespace
 
 Mesh free_patch(std::size_t columns, std::size_t rows, Point lower_left, Point upper_right) {
@@ -110,9 +124,10 @@ Mesh layer_mesh(const Layer& layer) {
   return mesh;
 }
 
-Mesh layer_mesh_with_slope(const Layer& layer, double tan_slope, double blend) {
+Mesh layer_mesh_with_slope(const Layer& layer, double tan_slope, double blend, double rounding) {
   require_positive("tan_slope", tan_slope);
   require_not_negative("blend", blend);
+  require_not_negative("rounding", rounding);
   Mesh mesh = layer_mesh(layer);
   const double cot = 1 / tan_slope;
   if (blend == 0) blend = std::max(4 * cot, 4.0) * layer.depth;
@@ -127,6 +142,7 @@ Mesh layer_mesh_with_slope(const Layer& layer, double tan_slope, double blend) {
   // Counted from the still-water contact point, whose level is then 0 to the last bit.
   const Point contact{toe.x + layer.depth * cot, 0};
   mesh.sides.right = Wall{std::make_shared<Line>(contact, Point{1, tan_slope})};
+  if (rounding > 0) round_toe(mesh, toe, tan_slope, rounding);
   return mesh;
 }
 

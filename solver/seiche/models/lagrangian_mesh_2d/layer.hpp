@@ -27,7 +27,9 @@ Mesh layer_mesh(const Layer& layer);
 /// The same with the right wall inclined outwards through the toe (end, -depth), its tangent `tan_slope`: columns are
 /// sheared over the last `blend` before the toe, from nothing to the wall's slope.
 /// @param blend  [m]; 0: the larger of 4 and 4 cot depths
-Mesh layer_mesh_with_slope(const Layer& layer, double tan_slope, double blend = 0);
+/// @param rounding  length of bottom and of slope that an arc at the toe replaces [m]: the toe's node slides then, and
+///                  the bottom's nodes follow it up the slope; 0: a corner, whose node stays
+Mesh layer_mesh_with_slope(const Layer& layer, double tan_slope, double blend = 0, double rounding = 0);
 
 /// Water over a curved bottom, along which the nodes slide, between vertical walls at its ends. Columns are vertical
 /// and of equal width, rows of equal height in each.

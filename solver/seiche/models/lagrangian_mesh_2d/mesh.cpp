@@ -65,6 +65,24 @@ void require_side(std::string_view name, const Side& side, const Mesh& mesh, dou
 
 }  // namespace
 
+bool joined(const Side& one, const Side& other) {
+  const auto* wall = std::get_if<Wall>(&one);
+  const auto* next = std::get_if<Wall>(&other);
+  return wall != nullptr && next != nullptr && wall->curve == next->curve;
+}
+
+bool Mesh::on_joined_sides(std::size_t cell, std::size_t corner) const {
+  const std::size_t i = cell % columns + (corner == 1 || corner == 2 ? 1 : 0);
+  const std::size_t j = cell / columns + (corner >= 2 ? 1 : 0);
+  if ((i != 0 && i != columns) || (j != 0 && j != rows)) return false;
+  return joined(i == 0 ? sides.left : sides.right, j == 0 ? sides.bottom : sides.top);
+}
+
+bool Mesh::has_joined_sides() const {
+  return joined(sides.left, sides.bottom) || joined(sides.bottom, sides.right) || joined(sides.right, sides.top) ||
+         joined(sides.top, sides.left);
+}
+
 Wall vertical_wall(double place) {
   return {std::make_shared<Line>(Point{place, 0}, Point{0, 1})};
 }
@@ -118,7 +136,10 @@ Corner worst_corner(const Mesh& mesh, std::span<const double> x, std::span<const
                     std::span<const double> first_areas) {
   Corner worst{std::numeric_limits<double>::infinity(), 0};
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-    const auto triangles = corner_triangles(points(mesh, x, y, cell));
+    auto triangles = corner_triangles(points(mesh, x, y, cell));
+    for (std::size_t c = 0; c < triangles.size(); ++c) {
+      if (mesh.on_joined_sides(cell, c)) triangles[c] = std::numeric_limits<double>::infinity();
+    }
     const double shape = *std::min_element(triangles.begin(), triangles.end()) / first_areas[cell];
     if (shape < worst.shape) worst = {shape, cell};
   }

@@ -50,6 +50,9 @@ struct Sides {
   Side top = FreeSide{};
 };
 
+/// Whether two sides are one wall, along a common curve: nodes then slide from one to the other.
+bool joined(const Side& one, const Side& other);
+
 /// Walls x = place and y = level.
 Wall vertical_wall(double place);
 Wall level_wall(double level);
@@ -66,6 +69,10 @@ struct Mesh {
   /// Corners r0, r1, r2, r3 of a cell.
   [[nodiscard]] std::array<std::size_t, 4> corners(std::size_t cell) const;
 
+  /// Whether a corner of a cell is one of the mesh, between joined sides.
+  [[nodiscard]] bool on_joined_sides(std::size_t cell, std::size_t corner) const;
+  [[nodiscard]] bool has_joined_sides() const;
+
   /// Throws std::invalid_argument: no cells, arrays of other lengths, values that are not finite, a corner that is not
   /// convex (by cell), a node that is off its wall by more than 1e-12 of the mesh's size, missing functions.
   void require_valid() const;
@@ -75,7 +82,8 @@ struct Mesh {
 double cell_area(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell);
 
 /// The worst corner of a mesh: twice the area of the triangle at the corner over the cell's first area. 1 for a
-/// rectangle; 0 where a corner is about to fold.
+/// rectangle; 0 where a corner is about to fold. A corner of the mesh between joined sides is left out: it is flat
+/// where the wall is straight; should its node pass one of its neighbours, that one's corner folds.
 struct Corner {
   double shape = 1;
   std::size_t cell = 0;

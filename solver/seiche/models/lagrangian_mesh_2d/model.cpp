@@ -190,7 +190,14 @@ void Model::measure(Places at) {
     worst = std::min(worst, measure_row(columns, j * columns, {at.x + k, at.x + k + stride},
                                         {at.y + k, at.y + k + stride}, diagonals_));
   }
-  if (!(worst > lowest_triangle_)) throw_folded(at);
+  if (!(worst > lowest_triangle_) && folded(at)) throw_folded(at);
+}
+
+bool Model::folded(Places at) const {
+  if (!mesh_.has_joined_sides()) return true;
+  const std::size_t n = nodes_.size();
+  const Corner worst = seiche::lagrangian_mesh_2d::worst_corner(mesh_, {at.x, n}, {at.y, n}, area_);
+  return !(worst.shape > settings_.lowest_corner);
 }
 
 void Model::throw_folded(Places at) const {

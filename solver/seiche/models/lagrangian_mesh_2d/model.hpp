@@ -158,6 +158,8 @@ class Model {
   [[nodiscard]] Point gradient(std::size_t cell, std::size_t corner) const;
   [[nodiscard]] Places places(Interval when, Input q);
   void measure(Places at);
+  /// Whether a corner that counts has folded, when some triangle is not above the lowest.
+  [[nodiscard]] bool folded(Places at) const;
   [[noreturn]] void throw_folded(Places at) const;
   void assemble_and_factor();
   void gather_forces(Interval when, Places at, double weight);

@@ -92,9 +92,9 @@ void Nodes::hold(const Mesh& mesh, std::size_t node, const std::vector<const Sid
     wx_[node] = 0;
     if (!walls.empty()) wy_[node] = 0;
     driven_.push_back({node, moving, nullptr});
-  } else if (walls.size() == 2) {
+  } else if (walls.size() == 2 && !joined(*sides[0], *sides[1])) {
     wx_[node] = wy_[node] = 0;
-  } else if (walls.size() == 1) {
+  } else if (!walls.empty()) {
     if (vertical(*walls.front())) {
       wx_[node] = 0;
     } else if (level(*walls.front())) {

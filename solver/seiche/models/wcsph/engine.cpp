@@ -94,6 +94,7 @@ void Flow::Engine::sort(double reserve) {
   stage_.adopt(particles_, neighbours_.images());
   used_ = stage_.fill(StateView(particles_));
   neighbours_.list(stage_.records());
+  listed_ = {particles_.x, particles_.z, particles_.density, reserve};
   ++extremes_.rebuilds;
 
   const double usual = std::numbers::pi * std::pow(support * smoothing_ / mean_spacing_, 2);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "seiche/models/wcsph/flow.hpp"
+#include "seiche/models/wcsph/flow_state.hpp"
 #include "seiche/models/wcsph/neighbours.hpp"
 #include "seiche/models/wcsph/particle_shifting.hpp"
 #include "seiche/models/wcsph/right_hand_side.hpp"
@@ -21,6 +22,8 @@ class Flow::Engine {
   /// One step of the rule's length, at most `longest`; returns it.
   double advance_at_most(double longest);
   void set_time(double time) { time_ = time; }
+  [[nodiscard]] FlowState state() const;
+  void resume(const FlowState& state);
   /// Rates at level n.
   [[nodiscard]] Rates rates();
 
@@ -61,10 +64,11 @@ class Flow::Engine {
   ParticleShifting shifting_;
   Stage stage_;
   Neighbours neighbours_;
-  State next_;              ///< what the step is moving to
-  double reserve_;          ///< of the lists [m]
-  double used_ = 0;         ///< of it, at level n
-  double half_travel_ = 0;  ///< what half a step is going to use, by the last one
+  State next_;                ///< what the step is moving to
+  double reserve_;            ///< of the lists [m]
+  FlowState::Listed listed_;  ///< what the present lists were made of
+  double used_ = 0;           ///< of it, at level n
+  double half_travel_ = 0;    ///< what half a step is going to use, by the last one
   Extremes extremes_;
   double time_ = 0;
   long steps_ = 0;

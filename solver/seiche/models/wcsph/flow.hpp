@@ -71,6 +71,8 @@ struct Rates {
   std::vector<double> dx, dz, du, dw, ddensity;
 };
 
+struct FlowState;
+
 class Flow {
  public:
   /// @param particles  fluid and walls, at time 0; order is free
@@ -92,6 +94,12 @@ class Flow {
   double advance(double tau);
   /// Steps of the rule until `time`, which is hit exactly; after_step is called after each.
   void advance_to(double time, const std::function<void()>& after_step = {});
+
+  /// Everything that decides how it goes on; see flow_state.hpp.
+  [[nodiscard]] FlowState state() const;
+  /// Goes on from the state of a Flow that was made of the same particles, settings and paddles: the same bytes as
+  /// that one would have given. Throws std::invalid_argument where it was of others, as far as that shows.
+  void resume(const FlowState& state);
 
   [[nodiscard]] double time() const;
   [[nodiscard]] long steps() const;

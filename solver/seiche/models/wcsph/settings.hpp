@@ -66,8 +66,8 @@ struct Settings {
   double skin = 0.15;
 };
 
-/// The rule of the SPHysics generator: coefficient sqrt(g H). A dam break needs sqrt(2 g H) for H to keep |u|/c_0 near
-/// a tenth.
+/// The rule of the SPHysics generator: coefficient sqrt(g H). The front of a dam break moves at up to 2 sqrt(g H), and
+/// spray where it strikes a wall faster still: Extremes::mach says how much of the sound speed that was.
 double sound_speed_for(double gravity, double height, double coefficient = 10);
 
 /// Throws std::invalid_argument naming the parameter, its value and range.

@@ -1,0 +1,91 @@
+#include "seiche/models/dispersive_shallow_water_2d/drag.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <variant>
+
+#include "seiche/require.hpp"
+
+namespace seiche::dispersive_shallow_water_2d {
+
+namespace {
+
+struct Force {
+  double x, y;
+};
+
+/// u += W force.
+void push(const InverseMasses& inverse, std::size_t k, Force force, mechanics::Output u) {
+  const std::size_t n = inverse.xx.size();
+  u[k] += inverse.xx[k] * force.x + inverse.xy[k] * force.y;
+  u[n + k] += inverse.xy[k] * force.x + inverse.yy[k] * force.y;
+  u[2 * n + k] += inverse.xz[k] * force.x + inverse.yz[k] * force.y;
+}
+
+/// Inverse mass of a node along a horizontal direction.
+double inverse_along(const InverseMasses& inverse, std::size_t k, Point t) {
+  return inverse.xx[k] * t.x * t.x + 2 * inverse.xy[k] * t.x * t.y + inverse.yy[k] * t.y * t.y;
+}
+
+}  // namespace
+
+Drag::Drag(DragSettings settings, const Lattice& lattice) : settings_(settings), columns_(lattice.shape.columns) {
+  require_not_negative("manning", settings.manning);
+  require_not_negative("shore_rate", settings.shore_rate);
+  if (settings.shore_rate > 0 && !std::holds_alternative<plan_lattice::ShoreSide>(lattice.sides.south)) {
+    throw std::invalid_argument("shore_rate without a shoreline on the south side; allowed: 0");
+  }
+}
+
+void Drag::measure(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q) {
+  const std::size_t n = lattice.shape.nodes();
+  if (settings_.manning > 0) {
+    depth_.assign(n, 0.0);
+    area_.assign(n, 0.0);
+    for (std::size_t cell = 0; cell < lattice.shape.cells(); ++cell) {
+      const auto corners = lattice.shape.corners(cell);
+      const auto [c0, c1, c2, c3] = corners;
+      const double area = 0.5 * ((q[c2] - q[c0]) * (q[n + c3] - q[n + c1]) - (q[c3] - q[c1]) * (q[n + c2] - q[n + c0]));
+      for (const std::size_t k : corners) {
+        depth_[k] += volumes[cell];
+        area_[k] += area;
+      }
+    }
+    for (std::size_t k = 0; k < n; ++k) depth_[k] /= area_[k];
+  }
+  if (settings_.shore_rate > 0) {
+    along_.resize(columns_ + 1);
+    for (std::size_t i = 1; i < columns_; ++i) {
+      const Point chord{q[i + 1] - q[i - 1], q[n + i + 1] - q[n + i - 1]};
+      const double length = std::hypot(chord.x, chord.y);
+      along_[i] = {chord.x / length, chord.y / length};
+    }
+  }
+}
+
+void Drag::slow(std::span<const double> masses, const InverseMasses& inverse, double gravity, double h,
+                mechanics::Output u) const {
+  const std::size_t n = masses.size();
+  if (settings_.manning > 0) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const double rate =
+          gravity * settings_.manning * settings_.manning * std::hypot(u[k], u[n + k]) / std::pow(depth_[k], 4.0 / 3);
+      const double lost = -masses[k] * h * rate / (1 + h * rate);
+      push(inverse, k, {lost * u[k], lost * u[n + k]}, u);
+    }
+  }
+  if (settings_.shore_rate > 0) {
+    // Between the ends, which lie on walls.
+    for (std::size_t i = 1; i < columns_; ++i) {
+      const std::size_t beside = i + columns_ + 1;
+      const Point t = along_[i];
+      const double difference = (u[i] - u[beside]) * t.x + (u[n + i] - u[n + beside]) * t.y;
+      const double part = h * settings_.shore_rate / (1 + h * settings_.shore_rate);
+      const double impulse = part * difference / (inverse_along(inverse, i, t) + inverse_along(inverse, beside, t));
+      push(inverse, i, {-impulse * t.x, -impulse * t.y}, u);
+      push(inverse, beside, {impulse * t.x, impulse * t.y}, u);
+    }
+  }
+}
+
+}  // namespace seiche::dispersive_shallow_water_2d

@@ -1,0 +1,60 @@
+#include "validation/case/case.hpp"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace seiche::validation {
+
+Values Case::values(Tier tier) const {
+  return Values(parameters, tier, std::make_shared<const std::vector<Published>>(published));
+}
+
+Values Case::values(const Published& set) const {
+  return Values(parameters, set, std::make_shared<const std::vector<Published>>(published));
+}
+
+const Published& Case::published_set(std::string_view tile) const {
+  const auto found =
+      std::find_if(published.begin(), published.end(), [&](const Published& s) { return s.shows(tile); });
+  if (found != published.end()) return *found;
+  std::vector<std::string> tiles;
+  for (const Published& set : published) tiles.insert(tiles.end(), set.tiles.begin(), set.tiles.end());
+  throw std::invalid_argument(
+      tiles.empty() ? fmt::format("{} has no published set {}: it has none", name, tile)
+                    : fmt::format("{} has no published set {}: must be one of {}", name, tile, fmt::join(tiles, ", ")));
+}
+
+std::vector<Values> Case::runs_of(Tier tier) const {
+  std::vector<Values> runs;
+  const auto add = [&](Values run) {
+    const bool known = std::any_of(runs.begin(), runs.end(),
+                                   [&](const Values& other) { return other.canonical() == run.canonical(); });
+    if (!known) runs.push_back(std::move(run));
+  };
+  if (std::find(tiers.begin(), tiers.end(), tier) != tiers.end()) add(values(tier));
+  for (const Published& set : published) {
+    if (set.tier == tier) add(values(set));
+  }
+  return runs;
+}
+
+void Case::check_published() const {
+  std::set<std::string> tiles;
+  for (const Published& set : published) {
+    if (set.tiles.empty()) throw std::logic_error(fmt::format("{}: a published set names no tile", name));
+    for (const std::string& tile : set.tiles) {
+      if (!tiles.insert(tile).second) throw std::logic_error(fmt::format("{}: tile {} has two sets", name, tile));
+    }
+    try {
+      static_cast<void>(values(set));
+    } catch (const std::invalid_argument& wrong) {
+      throw std::logic_error(fmt::format("{}: published set {}: {}", name, set.name(), wrong.what()));
+    }
+  }
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,120 @@
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "reports/evidence/evidence_of_record.hpp"
+#include "seiche/io/atomic_file.hpp"
+#include "validation/case/data_folder.hpp"
+#include "validation/case/registry.hpp"
+#include "validation/command/commands.hpp"
+#include "validation/command/settings.hpp"
+
+namespace seiche::command {
+namespace {
+
+using evidence::Summary;
+using validation::Tier;
+
+/// Our own records of a tier in a folder, without those that only an optional library makes.
+std::vector<Summary> records_of(Tier tier, const std::string& directory) {
+  std::vector<Summary> chosen;
+  for (Summary& one : evidence::read_summaries(directory)) {
+    if (one.tier == name(tier) && one.solver == "seiche" && one.group != "distributed")
+      chosen.push_back(std::move(one));
+  }
+  return chosen;
+}
+
+std::string stem(const Summary& record) {
+  return record.set.empty() ? record.name : record.name + "@" + record.set;
+}
+
+/// Sentences about what the tier needs and the folder has not, or has with other parameters.
+std::vector<std::string> gaps(Tier tier, const std::string& directory, const std::vector<Summary>& records) {
+  std::vector<std::string> found;
+  for (const Summary& one : records) {
+    if (!one.standard) found.push_back(fmt::format("{}: ran with parameters that are not the tier's", stem(one)));
+  }
+  for (const validation::Case& one : validation::all_cases()) {
+    for (const validation::Values& values : one.runs_of(tier)) {
+      const validation::Job job{&one, values};
+      if (!validation::is_done(job, directory)) {
+        found.push_back(fmt::format("{}: no finished record of this program", job.stem()));
+      }
+    }
+  }
+  return found;
+}
+
+/// Without what no run of the tier makes any more.
+std::vector<Summary> current(Tier tier, std::vector<Summary> records) {
+  std::set<std::string> stems;
+  for (const validation::Case& one : validation::all_cases()) {
+    for (const validation::Values& values : one.runs_of(tier)) {
+      const std::string set = values.set_name();
+      stems.insert(set.empty() ? one.name : one.name + "@" + set);
+    }
+  }
+  std::erase_if(records, [&](const Summary& one) { return one.kind == "validation" && stems.count(stem(one)) == 0; });
+  return records;
+}
+
+/// Drops the claims of runs that `now` has not; returns how many.
+std::size_t drop_others(std::vector<evidence::RecordedClaim>& before, const std::vector<evidence::RecordedClaim>& now) {
+  std::set<std::pair<std::string, std::string>> runs;
+  for (const evidence::RecordedClaim& one : now) runs.emplace(one.name, one.set);
+  return std::erase_if(before, [&](const evidence::RecordedClaim& one) { return !runs.contains({one.name, one.set}); });
+}
+
+std::filesystem::path file_of(Tier tier, const std::string& chosen) {
+  return chosen.empty() ? validation::data_folder("record") / fmt::format("{}.csv", name(tier))
+                        : std::filesystem::path(chosen);
+}
+
+}  // namespace
+
+int record(const RecordOptions& options) {
+  const Tier tier = tier_from(options.tier);
+  const std::vector<Summary> records = current(tier, records_of(tier, options.evidence));
+  const std::vector<std::string> missing = gaps(tier, options.evidence, records);
+  if (!missing.empty()) {
+    for (const std::string& one : missing) fmt::print(stderr, "  {}\n", one);
+    throw std::runtime_error(
+        fmt::format("record: {} is not the whole tier {}: 'seiche run --tier {} --resume --out {}'", options.evidence,
+                    options.tier, options.tier, options.evidence));
+  }
+  const auto claims = evidence::recorded_claims(records);
+  const std::filesystem::path file = file_of(tier, options.out);
+  io::write_file(file, evidence::to_csv(claims));
+  fmt::print("{}: {} claims of {} records\n", file.string(), claims.size(), records.size());
+  return 0;
+}
+
+int compare_with_record(const CompareOptions& options) {
+  const Tier tier = tier_from(options.tier);
+  const std::filesystem::path file = file_of(tier, options.after);
+  if (!std::filesystem::is_regular_file(file)) {
+    throw std::invalid_argument(fmt::format("compare: there is no evidence of record {}", file.string()));
+  }
+  const std::vector<Summary> records = records_of(tier, options.before);
+  std::vector<std::string> changed;
+  for (const Summary& one : records) {
+    if (!one.standard) changed.push_back(fmt::format("{}: ran with parameters that are not the tier's", stem(one)));
+  }
+  const auto now = evidence::recorded_claims(records);
+  std::vector<evidence::RecordedClaim> before = evidence::read_recorded_claims(file);
+  const std::size_t left_out = options.whole ? 0 : drop_others(before, now);
+  for (std::string& change : evidence::changes(before, now)) {
+    changed.push_back(std::move(change));
+  }
+  for (const std::string& change : changed) fmt::print("  {}\n", change);
+  fmt::print("{} claims, {} changed from {}\n", now.size(), changed.size(), file.string());
+  if (left_out > 0) fmt::print("{} claims of other runs not compared; --whole asks for them\n", left_out);
+  if (!changed.empty())
+    fmt::print("where the changes are meant, 'ci/record {}' makes them the new record\n", options.tier);
+  return changed.empty() ? 0 : 1;
+}
+
+}  // namespace seiche::command

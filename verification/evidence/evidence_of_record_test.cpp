@@ -1,0 +1,97 @@
+#include <fstream>
+
+#include "reports/evidence/evidence_of_record.hpp"
+#include "verification/check.hpp"
+
+using namespace seiche;
+using Catch::Matchers::Contains;
+using evidence::RecordedClaim;
+
+namespace {
+
+RecordedClaim bound(double measured) {
+  return {.name = "bore",
+          .set = "bzz-fig-12",
+          .claim = "front",
+          .kind = "bound",
+          .measured = measured,
+          .uncertainty = 0.003,
+          .expected = 1,
+          .limit = 0.1,
+          .verdict = "pass"};
+}
+
+RecordedClaim roundoff(double measured) {
+  return {.name = "bore",
+          .claim = "mass",
+          .kind = "roundoff",
+          .measured = measured,
+          .expected = 0,
+          .limit = 1e-12,
+          .verdict = "pass"};
+}
+
+std::size_t changed(const RecordedClaim& before, const RecordedClaim& after) {
+  return evidence::changes({before}, {after}).size();
+}
+
+}  // namespace
+
+TEST_CASE("the evidence of record is read as it was written", "[evidence]") {
+  RecordedClaim lost = bound(RecordedClaim::none);
+  lost.claim = "lost";
+  lost.verdict = "error";
+  RecordedClaim known = bound(0.5);
+  known.claim = "known";
+  known.band = 0.2;
+  known.verdict = "declared fail";
+  RecordedClaim place = roundoff(29.544312345678912);
+  place.claim = "place";
+  place.expected = place.measured;
+  const std::vector<RecordedClaim> claims{bound(1.0123456789), known, lost, roundoff(3.8412e-15), place};
+  const std::string csv = evidence::to_csv(claims);
+  const auto file = std::filesystem::temp_directory_path() / "seiche_evidence_of_record.csv";
+  std::ofstream(file) << csv;
+  const auto read = evidence::read_recorded_claims(file);
+  CHECK(evidence::to_csv(read) == csv);
+  CHECK(evidence::changes(claims, read).empty());
+  std::ofstream(file, std::ios::app) << "bore,,x,bound,one,,1,1,,pass\n";
+  CHECK_THROWS_WITH(evidence::read_recorded_claims(file), Contains("line 7: 'one'"));
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("digits tell a thousandth of the limit, and no more of a round-off", "[evidence]") {
+  CHECK_THAT(evidence::to_csv({roundoff(3.8412e-15)}), Contains(",3.84e-15,"));
+  RecordedClaim sharp = bound(1.00000000123456);
+  sharp.limit = 1e-9;
+  CHECK_THAT(evidence::to_csv({sharp}), Contains(",1.000000001235,"));
+}
+
+TEST_CASE("a measured value has moved beyond combined uncertainty and its share of the limit", "[evidence]") {
+  const double allowed = std::hypot(0.003, 0.003) + evidence::moved_share * 0.1;
+  CHECK(changed(bound(1), bound(1 + 0.99 * allowed)) == 0);
+  CHECK(changed(bound(1), bound(1 - 1.01 * allowed)) == 1);
+  CHECK(changed(roundoff(1e-14), roundoff(9e-13)) == 0);
+  CHECK(changed(roundoff(1e-14), roundoff(2e-12)) == 1);
+  RecordedClaim known = bound(0.5);
+  known.band = 2;
+  RecordedClaim moved = known;
+  moved.measured = 0.69;
+  CHECK(changed(known, moved) == 0);
+  moved.measured = 0.71;
+  CHECK(changed(known, moved) == 1);
+}
+
+TEST_CASE("what cannot be compared has changed", "[evidence]") {
+  CHECK(changed(bound(RecordedClaim::none), bound(RecordedClaim::none)) == 0);
+  CHECK(changed(bound(1), bound(RecordedClaim::none)) == 1);
+  CHECK(evidence::changes({bound(1)}, {}).size() == 1);
+  CHECK(evidence::changes({}, {bound(1)}).size() == 1);
+  for (const auto& change : {+[](RecordedClaim& c) { c.verdict = "fail"; }, +[](RecordedClaim& c) { c.kind = "order"; },
+                             +[](RecordedClaim& c) { c.limit = 0.11; }, +[](RecordedClaim& c) { c.expected = 1.1; },
+                             +[](RecordedClaim& c) { c.band = 0.1; }}) {
+    RecordedClaim after = bound(1);
+    change(after);
+    CHECK(changed(bound(1), after) == 1);
+  }
+}

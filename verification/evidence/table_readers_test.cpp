@@ -1,0 +1,162 @@
+// What the readers make of files that are as they should be: every number in its own place, with its own unit.
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/io/csv_table.hpp"
+#include "seiche/io/hdf5_file.hpp"
+#include "seiche/io/table.hpp"
+#include "seiche/samples.hpp"
+#include "validation/case/submitted.hpp"
+#include "verification/check.hpp"
+#include "verification/scratch_folder.hpp"
+
+namespace {
+
+using namespace seiche;
+using verification::Check;
+
+/// Entries that differ from those expected; what is missing or too much counts as well.
+double wrong_entries(const std::vector<std::vector<double>>& found, const std::vector<std::vector<double>>& expected) {
+  double wrong = 0;
+  for (std::size_t k = 0; k < std::max(found.size(), expected.size()); ++k) {
+    const std::vector<double> none;
+    const std::vector<double>& a = k < found.size() ? found[k] : none;
+    const std::vector<double>& b = k < expected.size() ? expected[k] : none;
+    for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+      if (i >= a.size() || i >= b.size() || a[i] != b[i]) ++wrong;
+    }
+  }
+  return wrong;
+}
+
+double wrong_words(const std::vector<std::string>& found, const std::vector<std::string>& expected) {
+  if (found.size() != expected.size()) return static_cast<double>(std::max(found.size(), expected.size()));
+  double wrong = 0;
+  for (std::size_t k = 0; k < found.size(); ++k) wrong += found[k] == expected[k] ? 0 : 1;
+  return wrong;
+}
+
+/// 1 if the table is refused.
+double refused(const std::string& text) {
+  std::istringstream in(text);
+  try {
+    io::read_csv(in, "table.csv");
+  } catch (const std::invalid_argument&) {
+    return 1;
+  }
+  return 0;
+}
+
+class ReaderClaims {
+ public:
+  explicit ReaderClaims(Check& check) : check_(check) {}
+  void none_wrong(const std::string& id, const std::string& text, double wrong) const {
+    check_.that({.id = id, .text = text, .quantity = "entries that are not what the file says", .source = source},
+                {.value = wrong}, evidence::Bound{.limit = 0, .reason = "numbers are read to their last bit"});
+  }
+  void is_refused(const std::string& id, const std::string& text, double value) const {
+    check_.that({.id = id, .text = text, .quantity = "refused", .source = source}, {.value = value},
+                evidence::Qualitative{"std::invalid_argument", "nothing is made up for what cannot be read"});
+  }
+
+ private:
+  static constexpr const char* source = "interface of the readers";
+  Check& check_;
+};
+
+}  // namespace
+
+TEST_CASE("a table has every number where the file has it", "[evidence]") {
+  Check check("table_readers", "Tables as they are read",
+              "CSV as people and programs write it (comments, blanks, quotes, a byte order mark, line ends of three "
+              "kinds, no end after the last line), HDF5 of doubles and integers, and the columns of a submission under "
+              "other names and in another order.");
+  const ReaderClaims claims(check);
+  // Every entry of its own: neither two rows nor two columns can be taken for each other.
+  const std::vector<std::vector<double>> numbers = {{0, 0.1, 2e-3}, {-1.5, 1234567.25, 1. / 3}, {7, 8, 9}};
+  const std::string text =
+      "\xEF\xBB\xBF# a comment\r\n t [s] ,\"h [m]\", u \r\n0,-1.5,7\r\n\n0.1 , 1234567.25 ,+8\r# another\n"
+      "\"2e-3\",0.33333333333333331,9";
+  std::istringstream in(text);
+  const io::Table csv = io::read_csv(in, "table.csv");
+  claims.none_wrong("csv-numbers", "The numbers of a CSV file are read in their places.",
+                    wrong_entries(csv.columns, numbers));
+  claims.none_wrong("csv-names", "So are the names of its columns.", wrong_words(csv.names, {"t", "h", "u"}));
+  claims.none_wrong("csv-units", "So are its units; where none is stated there is none.",
+                    wrong_words(csv.units, {"s", "m", ""}));
+  claims.none_wrong("csv-lines", "Each row knows its line.",
+                    wrong_entries({{csv.lines.begin(), csv.lines.end()}}, {{3, 5, 7}}));
+  claims.is_refused("comma", "Decimal commas are refused.", refused("t,h\n0,5,1,5\n"));
+  claims.is_refused("missing", "An entry that is missing is refused, it does not become 0.", refused("t,h\n0,\n1,2\n"));
+  claims.is_refused("trailing", "So is what follows a number.", refused("t,h\n0,1.5m\n"));
+  claims.is_refused("nan", "So is what is not a finite number.", refused("t,h\n0,nan\n"));
+  claims.is_refused("twice", "So is a column that is there twice.", refused("t,t\n0,1\n"));
+
+  const verification::ScratchFolder scratch("seiche_table_readers");
+  const auto file = scratch.path() / "table";
+  {
+    io::Hdf5File hdf5(file);
+    hdf5.array("t", numbers[0], "t", "s", "time");
+    hdf5.array("h", numbers[1], "h", "m", "depth");
+    hdf5.array("u", std::vector<std::int32_t>{7, 8, 9}, "u", "", "a count");
+  }
+  const io::Table hdf5 = io::read_table(file);
+  std::vector<std::vector<double>> columns;
+  std::vector<std::string> units;
+  for (const char* name : {"t", "h", "u"}) {
+    columns.push_back(hdf5.column(name));
+    units.push_back(hdf5.unit(name));
+  }
+  claims.none_wrong("hdf5-numbers", "The numbers of an HDF5 file are read under their names.",
+                    wrong_entries(columns, numbers));
+  claims.none_wrong("hdf5-units", "With their units.", wrong_words(units, {"s", "m", ""}));
+  claims.none_wrong("hdf5-wanted", "What is not asked for is not read.",
+                    wrong_words(io::read_table(file, {"h"}).names, {"h"}));
+}
+
+TEST_CASE("a submission is read by the names and units of its columns", "[evidence]") {
+  using namespace validation;
+  Check check("submission_readers", "Submissions as they are read",
+              "Two times of a profile, columns in another order and under other names, times not quite round.");
+  const ReaderClaims claims(check);
+  const WantedTable wanted{.name = "profiles",
+                           .kind = WantedTable::Kind::profile,
+                           .group = Column{"t", "s", "time"},
+                           .abscissa = Column{"x", "m", "position"},
+                           .quantities = {{.column = {"h", "m", "depth"}, .reference = {}, .requirements = {}},
+                                          {.column = {"u", "m/s", "velocity"}, .reference = {}, .requirements = {}}},
+                           .groups = {1, 2},
+                           .points = {}};
+  const auto read = [&](const std::string& text) {
+    std::istringstream in(text);
+    return submitted_from({io::read_csv(in, "mine.csv")}, {wanted}, {{"h", "depth"}}).at("profiles");
+  };
+  const std::vector<SubmittedGroup> groups =
+      read("u [m/s],depth [m],x [m],t [s]\n9,9,-5,0.5\n5,1,0,1\n7,3,0,2\n6,2,10,1.0000001\n8,4,10,2\n");
+  claims.none_wrong("count", "Each time has its own profile.",
+                    wrong_entries({{static_cast<double>(groups.size())}}, {{2}}));
+  claims.none_wrong("first", "The first has its positions, depths and velocities.",
+                    wrong_entries({groups.at(0).abscissa, groups.at(0).values.at("h"), groups.at(0).values.at("u")},
+                                  {{0, 10}, {1, 2}, {5, 6}}));
+  claims.none_wrong("second", "So has the second, its last row as well.",
+                    wrong_entries({groups.at(1).abscissa, groups.at(1).values.at("h"), groups.at(1).values.at("u")},
+                                  {{0, 10}, {3, 4}, {7, 8}}));
+  const auto not_accepted = [&](const std::string& text) {
+    try {
+      read(text);
+    } catch (const std::invalid_argument&) {
+      return 1.0;
+    }
+    return 0.0;
+  };
+  claims.is_refused("unit", "Centimetres are not taken for metres.",
+                    not_accepted("u [m/s],depth [cm],x [m],t [s]\n5,1,0,1\n6,2,10,1\n7,3,0,2\n8,4,10,2\n"));
+  claims.is_refused("no-time", "A profile without its times is not taken for that of time 0.",
+                    not_accepted("u,depth,x\n5,1,0\n6,2,10\n"));
+  claims.is_refused("order", "Positions that go back are not put into order.",
+                    not_accepted("u,depth,x,t\n5,1,10,1\n6,2,0,1\n7,3,0,2\n8,4,10,2\n"));
+}

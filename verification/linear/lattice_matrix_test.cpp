@@ -1,0 +1,235 @@
+// Matrices of lattices beside the dense matrices that they stand for, and the sparse solvers of both.
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "seiche/linear/conjugate_gradients.hpp"
+#include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/nine_point_solver.hpp"
+#include "seiche/linear/twenty_seven_point_matrix.hpp"
+#include "seiche/linear/twenty_seven_point_solver.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::linear;
+using seiche::Worst;
+using seiche::worst;
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+using seiche::verification::Check;
+
+struct Shape {
+  std::size_t columns, rows, layers;
+  [[nodiscard]] std::size_t size() const { return columns * rows * layers; }
+};
+
+/// What lies between two cells.
+struct Offset {
+  int di, dj, dl;
+  [[nodiscard]] bool neighbours() const { return std::abs(di) <= 1 && std::abs(dj) <= 1 && std::abs(dl) <= 1; }
+};
+
+Offset between(const Shape& shape, std::size_t from, std::size_t to) {
+  const auto less = [](std::size_t a, std::size_t b) { return static_cast<int>(a) - static_cast<int>(b); };
+  return {less(to % shape.columns, from % shape.columns),
+          less(to / shape.columns % shape.rows, from / shape.columns % shape.rows),
+          less(to / shape.columns / shape.rows, from / shape.columns / shape.rows)};
+}
+
+/// Random couplings of all neighbours, of either sign, on a diagonal that exceeds their sum by one.
+Eigen::MatrixXd random_matrix(const Shape& shape, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto size = static_cast<Eigen::Index>(shape.size());
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
+  for (std::size_t p = 0; p < shape.size(); ++p) {
+    for (std::size_t q = p + 1; q < shape.size(); ++q) {
+      if (!between(shape, p, q).neighbours()) continue;
+      const auto i = static_cast<Eigen::Index>(p);
+      const auto j = static_cast<Eigen::Index>(q);
+      a(i, j) = a(j, i) = unit(random);
+    }
+  }
+  a.diagonal() = a.cwiseAbs().rowwise().sum().array() + 1;
+  return a;
+}
+
+/// action(cell, later neighbour or the cell itself, offset, value) for all couplings.
+template <class Action>
+void for_each_coupling(const Shape& shape, const Eigen::MatrixXd& a, const Action& action) {
+  for (std::size_t p = 0; p < shape.size(); ++p) {
+    for (std::size_t q = p; q < shape.size(); ++q) {
+      const Offset offset = between(shape, p, q);
+      if (offset.neighbours()) action(p, q, offset, a(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(q)));
+    }
+  }
+}
+
+NinePointMatrix nine_point(const Shape& shape, const Eigen::MatrixXd& dense) {
+  NinePointMatrix a(shape.columns, shape.rows);
+  for_each_coupling(shape, dense, [&](std::size_t p, std::size_t, Offset to, double value) {
+    LatticeArray& place = to.dj == 0 ? (to.di == 0 ? a.own : a.right)
+                                     : (to.di == 0   ? a.up
+                                        : to.di == 1 ? a.up_right
+                                                     : a.up_left);
+    place.data()[p] = value;
+  });
+  return a;
+}
+
+TwentySevenPointMatrix twenty_seven_point(const Shape& shape, const Eigen::MatrixXd& dense) {
+  TwentySevenPointMatrix a(shape.columns, shape.rows, shape.layers);
+  for_each_coupling(shape, dense, [&](std::size_t p, std::size_t q, Offset to, double value) {
+    if (p == q) {
+      a.own.data()[p] = value;
+    } else {
+      a.later.row(p / shape.columns)[later_neighbour(to.di, to.dj, to.dl)][p % shape.columns] = value;
+    }
+  });
+  return a;
+}
+
+Eigen::VectorXd random_vector(std::size_t size) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  Eigen::VectorXd result(static_cast<Eigen::Index>(size));
+  for (double& value : result) value = unit(random);
+  return result;
+}
+
+/// Largest errors of the product, of x.Ax and of single coefficients.
+struct Errors {
+  Worst product, form, coefficient;
+
+  template <class Matrix>
+  void add(const Shape& shape, const Eigen::MatrixXd& dense, Matrix matrix) {
+    LatticeArray x(shape.columns, shape.rows * shape.layers);
+    LatticeArray y = x;
+    const Eigen::VectorXd values = random_vector(shape.size());
+    std::copy(values.begin(), values.end(), x.data());
+    const double dot = matrix.multiply_and_dot(x, y);
+    const Eigen::VectorXd expected = dense * values;
+    const double scale = worst(dense.cwiseAbs() * values.cwiseAbs());
+    product.add(worst(Eigen::Map<const Eigen::VectorXd>(y.data(), values.size()) - expected) / scale);
+    form.add((dot - values.dot(expected)) / (scale * static_cast<double>(shape.size())));
+    for_each_coupling(shape, dense, [&](std::size_t p, std::size_t q, Offset, double value) {
+      coefficient.add(matrix.coefficient(p, q) - value);
+      coefficient.add(matrix.coefficient(q, p) - value);
+    });
+  }
+};
+
+/// |b - A x| over |A| |x| + |b| for two matrices factored one after the other.
+template <class Matrix, class Solver>
+double largest_residual(const Shape& shape, Matrix (*matrix_of)(const Shape&, const Eigen::MatrixXd&), Solver solver) {
+  Worst residual;
+  for (const unsigned seed : {1U, 2U}) {
+    const Eigen::MatrixXd dense = random_matrix(shape, seed);
+    const Matrix matrix = matrix_of(shape, dense);
+    const Eigen::VectorXd b = random_vector(shape.size());
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
+    solver.factor(matrix);
+    solver.solve({b.data(), shape.size()}, {x.data(), shape.size()});
+    residual.add(worst(b - dense * x) / worst(dense.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs()));
+  }
+  return residual.value();
+}
+
+}  // namespace
+
+TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[linear]") {
+  Check check("lattice_matrices", "Matrices of lattices against dense ones",
+              "Random couplings of all neighbours, filled in by their place in the lattice: products, scalar products "
+              "and single coefficients against a dense matrix, solutions of the sparse solvers by their residual.");
+  const std::string source = "the layouts stated in nine_point_matrix.hpp and twenty_seven_point_matrix.hpp";
+  const auto claim = [&](const std::string& id, const std::string& text, double value, double operations,
+                         const std::string& reason) {
+    check.that({.id = id, .text = text, .quantity = "largest relative error", .source = source}, {.value = value},
+               Roundoff{.operations = operations, .scale = 1, .reason = reason});
+  };
+  Errors nine;
+  for (const Shape& shape : {Shape{1, 1, 1}, {5, 1, 1}, {1, 6, 1}, {2, 2, 1}, {7, 5, 1}, {12, 17, 1}}) {
+    const Eigen::MatrixXd dense = random_matrix(shape, 1);
+    nine.add(shape, dense, nine_point(shape, dense));
+  }
+  claim("nine-product", "Products of nine-point matrices.", nine.product.value(), 18, "nine products and sums a row");
+  claim("nine-form", "Their scalar products x.Ax.", nine.form.value(), 18, "errors of rows are independent");
+  claim("nine-coefficient", "Their coefficients by the two cells.", nine.coefficient.value(), 0, "the same number");
+  Errors all;
+  for (const Shape& shape : {Shape{1, 1, 1}, {3, 1, 4}, {1, 4, 3}, {2, 2, 2}, {6, 5, 1}, {5, 4, 6}}) {
+    const Eigen::MatrixXd dense = random_matrix(shape, 1);
+    all.add(shape, dense, twenty_seven_point(shape, dense));
+  }
+  claim("twenty-seven-product", "Products of 27-point matrices.", all.product.value(), 54,
+        "27 products and sums a row");
+  claim("twenty-seven-form", "Their scalar products x.Ax.", all.form.value(), 54, "errors of rows are independent");
+  claim("twenty-seven-coefficient", "Their coefficients by the two cells.", all.coefficient.value(), 0,
+        "the same number");
+
+  const auto residual = [&](const std::string& id, const std::string& text, double value) {
+    check.that(
+        {.id = id, .text = text, .quantity = "largest residual relative to |A| |x| + |b|", .source = source},
+        {.value = value},
+        Bound{.limit = 200 * std::numeric_limits<double>::epsilon() / 2,
+              .reason = "one rounding per number in a row of the factor and of its transpose, at most 100 each"});
+  };
+  residual(
+      "nine-sparse", "The sparse solver of nine-point systems, of one matrix after another.",
+      largest_residual({9, 8, 1}, nine_point, NinePointSolver(9, 8, NinePointMethod::sparse, std::nullopt, 1e-10)));
+  residual(
+      "nine-banded", "The banded solver of the same.",
+      largest_residual({9, 8, 1}, nine_point, NinePointSolver(9, 8, NinePointMethod::banded, std::nullopt, 1e-10)));
+  residual("twenty-seven-sparse", "The sparse solver of 27-point systems, of one matrix after another.",
+           largest_residual({4, 5, 3}, twenty_seven_point,
+                            TwentySevenPointSolver(TwentySevenPointMethod::sparse, {{4, 5, 3}, {}}, 1e-10)));
+}
+
+TEST_CASE("conjugate gradients need as many iterations as there are eigenvalues", "[linear]") {
+  Check check("gradients_eigenvalues", "Conjugate gradients on few eigenvalues",
+              "A diagonal matrix of 9000 unknowns with the eigenvalues 1 to 5: five iterations are enough where "
+              "directions are conjugate, and where every unknown takes part in every sum.");
+  constexpr std::size_t size = 9000;
+  LatticeArray b(size, 1);
+  for (std::size_t i = 0; i < size; ++i) b.data()[i] = 1 + static_cast<double>(i % 7);
+  const auto eigenvalue = [](std::size_t i) { return static_cast<double>(1 + i % 5); };
+  LatticeArray x(size, 1);
+  ConjugateGradients<> gradients;
+  const auto multiply = [&](const LatticeArray& p, LatticeArray& q) {
+    double dot = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      q.data()[i] = eigenvalue(i) * p.data()[i];
+      dot += p.data()[i] * q.data()[i];
+    }
+    return dot;
+  };
+  const auto copy = [](std::span<const double> r, std::span<double> z, double) {
+    std::copy(r.begin(), r.end(), z.begin());
+  };
+  int iterations = 0;
+  try {
+    iterations = gradients.solve(multiply, copy, b, x, {1e-12, 100}).iterations;
+  } catch (const NotConverged&) {
+    iterations = 100;
+  }
+  check.that({.id = "iterations",
+              .text = "Five eigenvalues take five iterations.",
+              .quantity = "iterations to 1e-12",
+              .source = "Golub & Van Loan, Matrix Computations (2013), 11.3"},
+             {.value = static_cast<double>(iterations)},
+             Bound{.limit = 0, .reason = "one for each eigenvalue, of a condition of five", .expected = 5});
+  Worst error;
+  for (std::size_t i = 0; i < size; ++i) error.add(x.data()[i] * eigenvalue(i) / b.data()[i] - 1);
+  check.that({.id = "solution",
+              .text = "Every unknown is the right-hand side over its eigenvalue.",
+              .quantity = "largest relative error",
+              .source = "Golub & Van Loan, Matrix Computations (2013), 11.3"},
+             {.value = error.value()},
+             Bound{.limit = 1e-12 * 7 * std::sqrt(9000.0),
+                   .reason = "the tolerance times the norm of the right-hand side, over its smallest entry"});
+}

@@ -1,0 +1,178 @@
+// What integrators are put together from: weights of compositions, lengths of steps, tolerances.
+#include <cmath>
+#include <vector>
+
+#include "seiche/mechanics/adaptive_runge_kutta.hpp"
+#include "seiche/mechanics/composition.hpp"
+#include "seiche/mechanics/equal_steps.hpp"
+#include "seiche/mechanics/reference_integrators.hpp"
+#include "seiche/mechanics/start.hpp"
+#include "seiche/models/rigid_chain/rigid_chain.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::mechanics;
+using evidence::Bound;
+using evidence::Roundoff;
+using rigid_chain::RigidChain;
+using verification::Check;
+
+double sum_of_powers(const std::vector<double>& weights, int power) {
+  Mean mean;
+  for (const double weight : weights) mean.add(std::pow(weight, power));
+  return mean.sum();
+}
+
+/// Largest difference of the weights read forwards and backwards.
+double asymmetry(const std::vector<double>& weights) {
+  Worst worst;
+  for (std::size_t k = 0; k < weights.size(); ++k) worst.add(weights[k] - weights[weights.size() - 1 - k]);
+  return worst.value();
+}
+
+/// Error of x'' = -x after a time of 20, in tolerances per step.
+double oscillator_error(AdaptiveMethod method, double tolerance) {
+  std::vector<double> x = {1, 0};
+  const long evaluations = integrate_adaptive(
+      method,
+      [](Input at, Output slope, double) {
+        slope[0] = at[1];
+        slope[1] = -at[0];
+      },
+      x, 0, 20, tolerance);
+  const long in_a_step = method == AdaptiveMethod::dormand_prince_5 ? 6 : 13;
+  const double steps = static_cast<double>(evaluations) / static_cast<double>(in_a_step);
+  return std::hypot(x[0] - std::cos(20.0), x[1] + std::sin(20.0)) / (tolerance * steps);
+}
+
+}  // namespace
+
+TEST_CASE("weights of compositions meet the conditions of order four", "[mechanics]") {
+  Check check(
+      "composition_weights", "Weights of compositions",
+      "A symmetric composition of a symmetric step of order two is of order four when its weights add up to one "
+      "and their cubes to nothing. An error in the last digits of a weight shows in no observed order.");
+  const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
+    check.that({.id = id,
+                .text = text,
+                .quantity = "as stated",
+                .source = "Hairer, Lubich & Wanner, Geometric Numerical Integration (2006), II.4"},
+               {.value = value},
+               Roundoff{.operations = 10,
+                        .scale = 5,
+                        .reason = "at most ten rounded weights, their cubes up to 5",
+                        .expected = expected});
+  };
+  // The cubes of the halves of a pair are an eighth of the stage's each: a quarter of nothing.
+  for (const Stages stages : {Stages::single, Stages::paired}) {
+    const std::string kind = stages == Stages::single ? "" : "-paired";
+    const std::vector<double> triple = triple_jump_weights(stages);
+    claim("triple-jump-sum" + kind, "The weights of the triple jump add up to one.", sum_of_powers(triple, 1), 1);
+    claim("triple-jump-cubes" + kind, "Their cubes add up to nothing.", sum_of_powers(triple, 3), 0);
+    claim("triple-jump-symmetry" + kind, "They are symmetric.", asymmetry(triple), 0);
+    const std::vector<double> suzuki = suzuki_weights(stages);
+    claim("suzuki-sum" + kind, "The weights of Suzuki's composition add up to one.", sum_of_powers(suzuki, 1), 1);
+    claim("suzuki-cubes" + kind, "Their cubes add up to nothing.", sum_of_powers(suzuki, 3), 0);
+    claim("suzuki-symmetry" + kind, "They are symmetric.", asymmetry(suzuki), 0);
+  }
+}
+
+TEST_CASE("equal steps are no longer than asked for and end at the time", "[mechanics]") {
+  Check check("equal_step_lengths", "Steps of equal length",
+              "From 0.5 to 2 by steps of at most 0.4: four steps of 0.375.");
+  State state;
+  state.time = 0.5;
+  std::vector<double> lengths;
+  equal_steps_to(state, 2, 0.4, [&](double length) { lengths.push_back(length); }, {});
+  const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
+    check.that({.id = id, .text = text, .quantity = id, .source = "equal_steps.hpp"}, {.value = value},
+               Roundoff{.operations = 4, .scale = 2, .reason = "a rounded time per step", .expected = expected});
+  };
+  claim("count", "There are as few as fit.", static_cast<double>(lengths.size()), 4);
+  claim("longest", "The longest is the time over their number.", largest(lengths), 0.375);
+  claim("shortest", "So is the shortest.", smallest(lengths), 0.375);
+  claim("end", "They end at the time.", state.time, 2);
+  state.time = 0.5;
+  lengths.clear();
+  equal_steps_to(state, 2, 0.3, [&](double length) { lengths.push_back(length); }, {});
+  claim("whole", "A time of five whole steps takes five.", static_cast<double>(lengths.size()), 5);
+}
+
+TEST_CASE("adaptive methods keep their tolerance", "[mechanics]") {
+  Check check("adaptive_tolerances", "Tolerances of the adaptive methods",
+              "A harmonic oscillator over three periods, which carries the errors of the steps on without growth.");
+  for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
+    for (const AdaptiveMethod method : {AdaptiveMethod::dormand_prince_5, AdaptiveMethod::fehlberg_78}) {
+      const bool fifth = method == AdaptiveMethod::dormand_prince_5;
+      check.that(
+          {.id = (fifth ? "dormand-prince-" : "fehlberg-") + std::to_string(std::lround(-std::log10(tolerance))),
+           .text = fifth ? "Dormand and Prince's method." : "Fehlberg's method of order seven.",
+           .quantity = "error over the tolerance and the number of steps",
+           .source = "Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I (1993), II.4"},
+          {.value = oscillator_error(method, tolerance)},
+          Bound{.limit = 3 * std::sqrt(2.0),
+                .reason = "of each of two numbers a step errs by the tolerance times one and their magnitudes and "
+                          "changes, each at most one"});
+    }
+  }
+}
+
+TEST_CASE("RATTLE keeps positions and velocities on the constraints", "[mechanics]") {
+  Check check("rattle_constraints", "Constraints under RATTLE",
+              "Spherical double pendulum, unit links, 1000 steps of 0.01; constraints of positions and of velocities "
+              "after each step.");
+  RigidChain chain = rigid_chain::double_pendulum();
+  State state = rigid_chain::spiral_start(chain);
+  Rattle<RigidChain> rattle(chain);
+  std::vector<double> values(chain.constraints());
+  Worst positions;
+  Worst velocities;
+  for (int n = 0; n < 1000; ++n) {
+    rattle.step(state, 0.01);
+    chain.constraint_values(state.q, values);
+    positions.add(worst(values));
+    chain.linearise({state.time, 0}, state.q);
+    chain.constraint_rates(state.u, values);
+    velocities.add(worst(values));
+  }
+  const auto claim = [&](const std::string& id, const std::string& text, double value, const std::string& reason) {
+    check.that(
+        {.id = id, .text = text, .quantity = "largest defect", .source = "Andersen, J. Comput. Phys. 52 (1983) 24"},
+        {.value = value}, Roundoff{.operations = 10, .scale = 10, .reason = reason});
+  };
+  claim("positions", "Links keep their lengths to round-off, anew in each step.", positions.value(),
+        "products of coordinates up to 2 and of their differences, ten to a link; nothing accumulates");
+  claim("velocities", "Velocities along the links vanish to round-off.", velocities.value(),
+        "products of velocities up to 3 with differences up to 2, ten to a link; nothing accumulates");
+}
+
+TEST_CASE("velocities are reprojected every so many steps, and not otherwise", "[mechanics]") {
+  Check check("reprojection_intervals", "When velocities are reprojected",
+              "Every third of ten steps: a velocity put off the constraints before each is back on them after the "
+              "third, sixth and ninth.");
+  RigidChain chain = rigid_chain::double_pendulum();
+  State state = rigid_chain::spiral_start(chain);
+  Reprojection<RigidChain> reprojection(chain, 3);
+  std::vector<double> values(chain.constraints());
+  Count restored;
+  Count in_turn;
+  for (state.steps = 1; state.steps <= 10; ++state.steps) {
+    for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] = 0.1 * static_cast<double>(i + 1);
+    reprojection.after_step(state, 1e-3);
+    chain.linearise({state.time, 0}, state.q);
+    chain.constraint_rates(state.u, values);
+    // What is projected keeps J u = (tau^2/2) B, of the order of 1e-6.
+    const auto on_constraints = [](double rate) { return rate < 1e-4; };
+    restored.add(worst(values), on_constraints);
+    if (state.steps % 3 == 0) in_turn.add(worst(values), on_constraints);
+  }
+  const auto claim = [&](const std::string& id, const std::string& text, double value) {
+    check.that({.id = id, .text = text, .quantity = "steps", .source = "start.hpp"}, {.value = value},
+               Bound{.limit = 0, .reason = "a count", .expected = 3});
+  };
+  claim("restored", "Three of ten steps are followed by a reprojection.", restored.value());
+  claim("in-turn", "They are the third, the sixth and the ninth.", in_turn.value());
+}

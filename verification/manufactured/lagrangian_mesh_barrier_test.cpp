@@ -1,0 +1,55 @@
+#include <cmath>
+#include <vector>
+
+#include "seiche/models/lagrangian_mesh_2d/corner_barrier.hpp"
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+
+using namespace seiche;
+using namespace seiche::lagrangian_mesh_2d;
+
+TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
+  verification::Check check(
+      "lagrangian_mesh_barrier", "Corner barrier: force and energy",
+      "Nine cells, of which the middle node is moved until four corners are sharp: the force on every node against "
+      "differences of the energy, fourth order in their width.");
+  Mesh mesh = free_patch(3, 3, {0, 0}, {3, 3});
+  std::vector<double> areas(mesh.cells(), 1.0);
+  std::vector<double> x = mesh.x;
+  std::vector<double> y = mesh.y;
+  const std::size_t moved = mesh.node(1, 1);
+  x[moved] += 0.42;
+  y[moved] += 0.47;
+  const CornerBarrier barrier(2.5);
+  std::vector<double> push_x(mesh.nodes(), 0.0);
+  std::vector<double> push_y(mesh.nodes(), 0.0);
+  barrier.push(mesh, areas, x.data(), y.data(), 1, push_x, push_y);
+  std::vector<double> widths;
+  std::vector<double> errors;
+  for (double width = 0.008; width > 0.0004; width /= 2) {
+    Largest largest;
+    for (std::size_t k = 0; k < mesh.nodes(); ++k) {
+      const auto slope = [&](double& coordinate) {
+        const double place = coordinate;
+        const auto energy = [&](double shift) {
+          coordinate = place + shift;
+          return barrier.energy(mesh, areas, x.data(), y.data());
+        };
+        const double difference =
+            (8 * (energy(width) - energy(-width)) - (energy(2 * width) - energy(-2 * width))) / (12 * width);
+        coordinate = place;
+        return difference;
+      };
+      largest.add(std::hypot(push_x[k] + slope(x[k]), push_y[k] + slope(y[k])));
+    }
+    widths.push_back(width);
+    errors.push_back(largest.value());
+  }
+  check.that({.id = "force",
+              .text = "The forces are those of the energy.",
+              .quantity = "order of the largest difference in the width of the differences",
+              .source = "the energy of corner_barrier.hpp"},
+             evidence::observed_order(widths, errors, 1e-9),
+             evidence::Order{4, 0.3, "fourth-order differences of a smooth energy"});
+}
