@@ -64,8 +64,8 @@ std::vector<SetUp> set_ups(const Values& values) {
   const double depth = values.real("depth");
   if (values.real("height") > 0) return {{"", values.real("height"), length, depth, cells, steps}};
   return {{"", 0.8, length, depth, cells, steps},
-          {"0.6", 0.6, length, depth, cells, steps},
-          {"0.4", 0.4, length, depth, cells, steps},
+          {"h06", 0.6, length, depth, cells, steps},
+          {"h04", 0.4, length, depth, cells, steps},
           {"long", 0.3, 30, 1, cells * 5 / 2, steps * 5 / 2}};
 }
 
@@ -235,7 +235,8 @@ void claim_wave(const SetUp& s, const Values& values, const Claims<WaveRun>& cla
 void claim_momentum(const SetUp& s, const Values& values, const Claims<WaveRun>& claims) {
   const StokesWave wave = s.wave();
   const double unknowns = static_cast<double>(s.cells) * s.depth / s.cell();
-  const double stream = wave.phase_speed() * s.height / 2;
+  // Its rms over the depth, decaying as exp(k y) from the surface.
+  const double stream = wave.phase_speed() * s.height / 2 / std::sqrt(2 * wave.wavenumber() * s.depth);
   const double momentum = wave.impulse() * s.length;
   claims.check(
       {.id = s.named("momentum"),
@@ -247,7 +248,7 @@ void claim_momentum(const SetUp& s, const Values& values, const Claims<WaveRun>&
           .operations = unknowns * static_cast<double>(s.steps * values.integer("periods")),
           .scale = 4 * s.depth * stream / momentum,
           .reason = "one rounding per unknown's equation and step, of the sum of its entries' magnitudes, 4, "
-                    "times the stream function, c H/2 at the surface, times that of the uniform flow, the depth; "
+                    "times the stream function, c H/2 over sqrt(2 k d), times that of the uniform flow, the depth; "
                     "over the momentum"});
 }
 
