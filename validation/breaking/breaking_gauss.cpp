@@ -212,10 +212,10 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
                                 .y = "y",
                                 .title = fmt::format("t = {:g}", frame.time),
                                 .equal_aspect = true,
-                                .x_min = -half_length,
-                                .x_max = half_length,
-                                .y_min = -0.7,
-                                .y_max = 0.9});
+                                .x_min = -1.6,
+                                .x_max = 1.6,
+                                .y_min = -0.5,
+                                .y_max = 0.8});
     std::vector<double> x;
     for (const double place : frame.x) x.push_back(place - frame.crest_x);
     panel.line("surface", x, frame.y, Role::computed);

@@ -44,7 +44,8 @@ using gauss_particles::SplineSpace;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 6.3; Dirichlet (1860)";
 
-constexpr long pressures = 10;  ///< how many times the pressure is taken
+constexpr long pressures = 10;    ///< how many times the pressure is taken
+constexpr std::size_t drawn = 4;  ///< every such marker
 
 /// What the parameters decide.
 struct SetUp {
@@ -247,8 +248,8 @@ void claims(const Values& values, const Claims<Results>& all) {
 }
 
 void draw_frames(evidence::Exhibit& exhibit, const Results& r) {
-  auto& figure =
-      exhibit.figure("frames", "The drop", "Markers of its surface, and the exact ellipse.", {"frank-ellipse"});
+  auto& figure = exhibit.figure("frames", "The drop", "Every fourth marker of its surface, and the exact ellipse.",
+                                {"frank-ellipse"});
   for (const Frame& frame : r.frames) {
     auto& panel =
         figure.panel({.x = "x", .y = "y", .title = fmt::format("t = {:g}", frame.time), .equal_aspect = true});
@@ -261,7 +262,13 @@ void draw_frames(evidence::Exhibit& exhibit, const Results& r) {
       x.push_back(place.x());
       y.push_back(place.y());
     }
-    panel.points("markers", frame.x, frame.y, Role::computed);
+    std::vector<double> marker_x;
+    std::vector<double> marker_y;
+    for (std::size_t k = 0; k < frame.x.size(); k += drawn) {
+      marker_x.push_back(frame.x[k]);
+      marker_y.push_back(frame.y[k]);
+    }
+    panel.points("markers", marker_x, marker_y, Role::computed);
     panel.line("exact", x, y, Role::exact);
   }
 }
