@@ -12,7 +12,8 @@ step; five particles to a cell's side; the penalty on gradients of vorticity.
 overturned at 7.2; the work of the pressure with that of linear theory, in which a wave of amplitude $a$ grows by
 $\dot a = (p_0/2)\,c \sin t$; the crest's height with that on cells a third wider; the balance of energy.
 
-**What to look at.** The front steepens from 6.2 on, is vertical at about 6.8 to 7.1, and throws a jet.
+**What to look at.** The front steepens from 6.2 on, is vertical at about 6.8 to 7.1, and throws a jet. Where the jet is
+thinner than a cell its water flies freely, and the line of markers shows no more than that there is one.
 
 **When it is no test.** The amplitude of the pressure is fitted, so that the time of breaking is no prediction.
 */
