@@ -8,10 +8,30 @@
 
 #include <cholmod.h>
 #include <fmt/format.h>
+#include <omp.h>
 
 #include "seiche/linear/tridiagonal.hpp"
 
 namespace seiche::linear {
+
+namespace {
+
+/// CHOLMOD opens parallel regions of four threads, however many the program was given: small matrices then wait for
+/// threads that have no core. While an object of this class lives they stay on the calling thread.
+class OnOneThread {
+ public:
+  OnOneThread() : levels_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
+  ~OnOneThread() { omp_set_max_active_levels(levels_); }
+  OnOneThread(const OnOneThread&) = delete;
+  OnOneThread& operator=(const OnOneThread&) = delete;
+  OnOneThread(OnOneThread&&) = delete;
+  OnOneThread& operator=(OnOneThread&&) = delete;
+
+ private:
+  int levels_;
+};
+
+}  // namespace
 
 struct SparseCholesky::Cholmod {
   explicit Cholmod(Eigen::SparseMatrix<double> matrix) : pattern(std::move(matrix)) {
@@ -108,6 +128,7 @@ void SparseCholesky::factor(std::span<const double> values) {
   }
   std::copy(values.begin(), values.end(), c.pattern.valuePtr());
   cholmod_sparse a = c.view();
+  const OnOneThread guard;
   cholmod_factorize(&a, c.factor, &c.common);
   if (c.common.status == CHOLMOD_NOT_POSDEF) {
     const auto row = static_cast<std::size_t>(static_cast<const int*>(c.factor->Perm)[c.factor->minor]);
@@ -124,6 +145,7 @@ void SparseCholesky::solve(std::span<const double> right_hand_side, std::span<do
   b.x = const_cast<double*>(right_hand_side.data());  // read only
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
+  const OnOneThread guard;
   if (cholmod_solve2(CHOLMOD_A, c.factor, &b, nullptr, &c.x, nullptr, &c.y, &c.e, &c.common) == 0) {
     throw std::bad_alloc();
   }

@@ -1,0 +1,55 @@
+/// The space N of smooth solenoidal velocity fields onto which the particles' velocities are projected.
+///
+/// A space belongs to a set of places; it may be another one at every step. What the method conserves follows from what
+/// it holds: energy from nothing, a momentum from the translation, the angular momentum from the rotation.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "seiche/mechanics/constrained_model.hpp"
+
+namespace seiche::gauss_particles {
+
+/// What a space tells of its last step.
+struct SpaceFacts {
+  std::size_t unknowns = 0;
+  std::size_t inner_cells = 0;     ///< at least half full or so; 0 for spaces without a lattice
+  std::size_t free_particles = 0;  ///< with a mass, that fly freely, being spray thinner than a cell
+  double particles_per_cell = 0;   ///< of a full cell, on average: a warning below 25 for cubic splines
+  std::size_t beyond_walls = 0;    ///< that are outside by O(tau^2), and count as on the wall
+  /// Largest defect of the normal equations, each divided by the norm of its field, over the norm of the velocities.
+  double residual = 0;
+  /// Half of the kinetic energy that the penalty takes in the step [J/m].
+  double penalty = 0;
+};
+
+class FieldSpace {
+ public:
+  FieldSpace() = default;
+  FieldSpace(const FieldSpace&) = delete;
+  FieldSpace& operator=(const FieldSpace&) = delete;
+  FieldSpace(FieldSpace&&) = delete;
+  FieldSpace& operator=(FieldSpace&&) = delete;
+  virtual ~FieldSpace() = default;
+
+  /// The space for the step `when` with particles at these places; massless ones are markers.
+  /// @param penalty  C g^(1/2) tau/2 [m^(1/2)], the factor of h^(7/2) (vorticity_penalty.hpp)
+  /// Throws mechanics::Infeasible, linear::NotPositiveDefinite.
+  virtual void place(mechanics::Interval when, std::span<const double> x, std::span<const double> y,
+                     std::span<const double> mass, double penalty) = 0;
+  /// Replaces velocities by their projection, orthogonal with the masses as weights; markers get the field's.
+  /// Throws mechanics::Infeasible when the normal equations are not solved.
+  void project(std::span<double> u, std::span<double> v) { project(u, v, {}, {}); }
+  /// As project, with impulses [kg/s] on the particles, massless ones too, besides their momenta; empty: none.
+  virtual void project(std::span<double> u, std::span<double> v, std::span<const double> impulse_x,
+                       std::span<const double> impulse_y) = 0;
+  /// Of every particle of the last place: whether it flies freely. Empty: none does.
+  [[nodiscard]] virtual std::span<const std::uint8_t> free() const = 0;
+  [[nodiscard]] virtual const SpaceFacts& facts() const = 0;
+  /// The shortest length that fields of the space resolve [m]; 0: unknown.
+  [[nodiscard]] virtual double resolution() const = 0;
+};
+
+}  // namespace seiche::gauss_particles

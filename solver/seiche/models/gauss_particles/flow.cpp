@@ -1,0 +1,80 @@
+#include "seiche/models/gauss_particles/flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "seiche/mechanics/equal_steps.hpp"
+
+namespace seiche::gauss_particles {
+
+Flow::Flow(Particles particles, std::unique_ptr<FieldSpace> space, const Velocity& velocity, Settings settings,
+           Forcing forcing, Stepping stepping)
+    : model_(std::move(particles), std::move(space), settings, std::move(forcing)),
+      state_(model_.state(velocity)),
+      stepping_(stepping),
+      one_step_(model_),
+      projected_step_(model_),
+      watch_(model_, state_) {
+  mechanics::require_state(state_, model_.coordinates(), model_.rates());
+  const auto& entries = watch_.ledger().entries();
+  const auto energy = std::find_if(entries.begin(), entries.end(), [](const auto& e) { return e.name == "energy"; });
+  energy_entry_ = static_cast<std::size_t>(energy - entries.begin());
+}
+
+double Flow::stable_step() const {
+  const double h = model_.space().resolution();
+  const double gravity = model_.settings().gravity;
+  if (!(h > 0) || !(gravity > 0)) return std::numeric_limits<double>::infinity();
+  return 2 / std::sqrt(std::numbers::pi * gravity / h);
+}
+
+void Flow::advance(double tau) {
+  mechanics::require_step(tau);
+  if (tau > stable_step()) {
+    throw std::invalid_argument(
+        fmt::format("tau = {:g} is out of range: at most {:.4g} = 2/sqrt(pi g/h) on this lattice", tau, stable_step()));
+  }
+  if (stepping_ == Stepping::conservative) {
+    one_step_.step(state_, tau);
+  } else {
+    projected_step_.step(state_, tau);
+  }
+  const SpaceFacts& facts = model_.space().facts();
+  residual_.add(facts.residual, state_.time);
+  free_.add(static_cast<double>(facts.free_particles), state_.time);
+  beyond_.add(static_cast<double>(facts.beyond_walls), state_.time);
+  const double h = model_.space().resolution();
+  if (h > 0 && tau * worst(model_.projected()) > h / 2) ++too_long_;
+}
+
+void Flow::advance_to(double time, double tau, const std::function<void()>& after_step) {
+  mechanics::equal_steps_to(
+      state_, time, tau, [this](double length) { advance(length); }, after_step);
+}
+
+std::vector<Point> Flow::markers() const {
+  std::vector<Point> markers;
+  for (std::size_t k = 0; k < model_.size(); ++k) {
+    if (model_.particles().mass[k] == 0) markers.push_back({x()[k], y()[k]});
+  }
+  return markers;
+}
+
+double Flow::energy() const {
+  return model_.kinetic_energy(state_.q, state_.u) + model_.potential_energy(state_.q);
+}
+
+void Flow::observe() {
+  const double entered = model_.work() - model_.penalty_loss();
+  watch_.ledger().book(energy_entry_, entered - booked_);
+  booked_ = entered;
+  watch_.record(state_);
+}
+
+}  // namespace seiche::gauss_particles

@@ -1,0 +1,87 @@
+/// A flow of free particles under Gauss's principle: particles and a space of fields, stepped by one of the two
+/// schemes.
+///
+///     const exact::StokesWave wave(0.2, 2 * pi, pi, 1);
+///     const LatticePlan plan{.cell_x = 2 * pi / 20, .left_wall = 0, .period = 2 * pi, .bottom = true,
+///                            .ground = {.level = -pi}};
+///     Flow flow(layer({.begin = 0, .end = 2 * pi, .columns = 120, .rows = 60,
+///                      .surface = [&](double x) { return wave.elevation(x); },
+///                      .bottom = [](double) { return -pi; }, .markers = 100}),
+///               std::make_unique<SplineSpace>(plan),
+///               [&](Point r) { const auto v = wave.velocity(r.x, r.y); return Point{v.u, v.v}; });
+///     while (flow.time() < 20) flow.advance(0.06);
+///
+/// Throws std::invalid_argument for bad input, also for steps beyond the stability limit of waves of two cells' length,
+/// and Divergence with time, step and place when a particle leaves the lattice, no cell is full, or a value is not
+/// finite.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "seiche/models/gauss_particles/integrators.hpp"
+#include "seiche/models/gauss_particles/model.hpp"
+#include "seiche/samples.hpp"
+
+namespace seiche::gauss_particles {
+
+/// conservative: reflections, second order, energy to round-off. dissipative: Frank's (21) to (23), first order.
+enum class Stepping { conservative, dissipative };
+
+class Flow {
+ public:
+  using Velocity = std::function<Point(Point place)>;
+
+  /// @param velocity  at the beginning, of all particles: exact ones, not projected; empty for rest
+  Flow(Particles particles, std::unique_ptr<FieldSpace> space, const Velocity& velocity = {}, Settings settings = {},
+       Forcing forcing = {}, Stepping stepping = Stepping::conservative);
+
+  /// One step, 0 < tau <= 2/sqrt(pi g/h) with h the shortest length that the space resolves.
+  void advance(double tau);
+  /// Equal steps of at most tau until `time`, which is hit exactly; after_step is called after each.
+  void advance_to(double time, double tau, const std::function<void()>& after_step = {});
+
+  /// Longest stable step with the lattice of the last step; infinite without gravity or without a lattice.
+  [[nodiscard]] double stable_step() const;
+
+  [[nodiscard]] double time() const { return state_.time; }
+  [[nodiscard]] long steps() const { return state_.steps; }
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] const mechanics::State& state() const { return state_; }
+  [[nodiscard]] std::span<const double> x() const { return Input(state_.q).first(model_.size()); }
+  [[nodiscard]] std::span<const double> y() const { return Input(state_.q).last(model_.size()); }
+  [[nodiscard]] std::span<const double> u() const { return Input(state_.u).first(model_.size()); }
+  [[nodiscard]] std::span<const double> v() const { return Input(state_.u).last(model_.size()); }
+  /// Places of the markers, in the order in which they were given.
+  [[nodiscard]] std::vector<Point> markers() const;
+
+  /// Kinetic and potential, the latter counted from the first state [J/m].
+  [[nodiscard]] double energy() const;
+  /// Mass, momenta and energy since the beginning; work of forces and loss by the penalty are booked. Costs several
+  /// passes: `observe` takes a record.
+  void observe();
+  [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_.ledger(); }
+
+  /// Largest over all steps: the residual of the normal equations, particles in free flight, particles beyond walls.
+  [[nodiscard]] double largest_residual() const { return residual_.value(); }
+  [[nodiscard]] double most_free_particles() const { return free_.value(); }
+  [[nodiscard]] double most_beyond_walls() const { return beyond_.value(); }
+  /// Steps in which a particle moved by more than half a cell: a warning, not an error.
+  [[nodiscard]] long steps_too_long() const { return too_long_; }
+
+ private:
+  Model model_;
+  mechanics::State state_;
+  Stepping stepping_;
+  mechanics::OneStep<Model> one_step_;
+  mechanics::ProjectedStep<Model> projected_step_;
+  mechanics::InvariantsWatch<Model> watch_;
+  std::size_t energy_entry_ = 0;
+  double booked_ = 0;
+  Largest residual_, free_, beyond_;
+  long too_long_ = 0;
+};
+
+}  // namespace seiche::gauss_particles

@@ -1,0 +1,134 @@
+/// Gauss's principle of least constraint on free particles (Frank 1994, chapter 6, formulas 15 to 23).
+///
+/// Particles of constant mass carry places and velocities. At every instant the accelerations are as near to those of
+/// free particles as a space N of smooth solenoidal fields along the walls allows:
+///
+/// @f[ \sum_k m_k \left( \frac{d \mathbf{v}(\mathbf{r}_k)}{dt} - \mathbf{F}_k \right) \cdot \mathbf{w}(\mathbf{r}_k) =
+/// 0
+///     \quad \text{for all } \mathbf{w} \in N, \qquad \dot{\mathbf{r}}_k = \mathbf{v}(\mathbf{r}_k), \quad
+///     \mathbf{v} \in N \tag{20} @f]
+///
+/// The reaction, orthogonal to N, is the gradient of a pressure that vanishes on the free surface; there is no pressure
+/// among the unknowns, no mesh among the particles, and no condition at the surface.
+///
+/// The class is what mechanics::OneStep and mechanics::ProjectedStep step: q = (x of all particles, y of all), u =
+/// (velocities along x, along y). OneStep is the fully conservative scheme: the velocity is reflected at N,
+///
+/// @f[ \tilde{\mathbf{u}} = P_q \left( \mathbf{u}^n + \frac{\tau}{2} \mathbf{F} \right), \qquad
+///     \mathbf{u}^{n+1} = 2 \tilde{\mathbf{u}} - \mathbf{u}^n, \qquad
+///     \mathbf{r}^{n+1} = \mathbf{r}^n + \tau \tilde{\mathbf{u}}, \qquad
+///     q = \mathbf{r}^n + \frac{\tau}{2} \mathbf{u}^n @f]
+///
+/// and energy is exact for any N, also another one at every step, if the forces are those of gravity; else the work is.
+/// Momentum and angular momentum are exact, for all states, if and only if N holds the translation and the rotation.
+/// ProjectedStep is Frank's (21) to (23), of first order: it loses (tau/2) sum m |acceleration|^2 per unit of time.
+///
+/// Markers, which have no mass, ride on the field and are never reflected. Where water is thinner than a cell it flies
+/// freely.
+///
+/// When not to use it: under gravity for longer than a wave's period without the penalty (vorticity_penalty.hpp) or
+/// gravity on the surface (surface_gravity.hpp): sums over particles are no exact integrals, and small eddies grow.
+/// Sprays and jets thinner than a cell are not resolved.
+///
+/// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 6; Frank &
+/// Ogorodnikov, Dokl. Akad. Nauk 326 (1992) 958. The same reflection: Ferraro, Iglesias & Martin de Diego, Nonlinearity
+/// 21 (2008) 1911; Zehnder, Narain & Thomaszewski, ACM Trans. Graph. 37 (2018) 85.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "seiche/compensated_sum.hpp"
+#include "seiche/geometry/curve.hpp"
+#include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/state.hpp"
+#include "seiche/models/gauss_particles/field_space.hpp"
+#include "seiche/models/gauss_particles/particles.hpp"
+#include "seiche/models/gauss_particles/surface_gravity.hpp"
+
+namespace seiche::gauss_particles {
+
+using mechanics::Input;
+using mechanics::Interval;
+using mechanics::Output;
+
+struct Settings {
+  double gravity = 1;  ///< [m/s^2]
+  double density = 1;  ///< [kg/m^3]
+  /// C of the penalty on gradients of vorticity; 0 for none, and no loss of energy. 0.001 is too weak for long runs,
+  /// 0.1 no better than 0.01.
+  double penalty = 0.01;
+  /// Gravity acts through the surface (surface_gravity.hpp) and not on every particle.
+  std::optional<SurfaceLine> surface = {};
+};
+
+/// What acts on the water besides gravity.
+struct Forcing {
+  /// Slope of the pressure on the surface along x [Pa/m], at place x and time t; empty for none. The same at all
+  /// heights: the projection takes away the rest.
+  std::function<double(double x, double time)> surface_pressure_slope = {};
+  /// Force per unit mass at a place [m/s^2]; empty for none.
+  std::function<Point(Point place, double time)> body_force = {};
+};
+
+class Model {
+ public:
+  /// Throws std::invalid_argument (particles.hpp; no space; settings out of range; what the space finds infeasible in
+  /// the particles given).
+  Model(Particles particles, std::unique_ptr<FieldSpace> space, Settings settings = {}, Forcing forcing = {});
+
+  /// The particles as they were given, with these velocities. Not projected: exact velocities are the best start.
+  [[nodiscard]] mechanics::State state(const std::function<Point(Point place)>& velocity = {}, double time = 0) const;
+
+  // What mechanics/constrained_model.hpp asks for.
+  [[nodiscard]] std::size_t coordinates() const { return 2 * size(); }
+  [[nodiscard]] std::size_t rates() const { return 2 * size(); }
+  void linearise(Interval when, Input q);
+  void kick(double h, Output u) const;
+  void advance(Input from, Input u, double h, Output to) const;
+  void project(Output u, Input target, Output mu);
+  void settle(Interval when, Output q, Output u);
+  [[nodiscard]] double place(std::size_t rate) const;
+
+  [[nodiscard]] double mass() const { return total_mass_; }                      ///< [kg/m]
+  [[nodiscard]] std::array<double, 2> momentum(Input q, Input u) const;          ///< [kg/s]
+  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const;  ///< about the origin [kg m/s]
+  [[nodiscard]] double kinetic_energy(Input q, Input u) const;                   ///< [J/m]
+  [[nodiscard]] double potential_energy(Input q) const;                          ///< from the first state's [J/m]
+
+  /// Work done so far by forces other than gravity, and energy taken by the penalty [J/m]: the energy changes by their
+  /// difference, to round-off, with OneStep.
+  [[nodiscard]] double work() const { return work_.value(); }
+  [[nodiscard]] double penalty_loss() const { return loss_.value(); }
+
+  [[nodiscard]] std::size_t size() const { return particles_.size(); }
+  [[nodiscard]] const Particles& particles() const { return particles_; }  ///< at the beginning
+  [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] const FieldSpace& space() const { return *space_; }
+  /// Velocities before the last projection: (2/tau)(w - u~) is the gradient of the pressure over the density.
+  [[nodiscard]] std::span<const double> before_projection() const { return before_; }
+  /// The last projection, u~.
+  [[nodiscard]] std::span<const double> projected() const { return projected_; }
+  /// Places at which it was taken.
+  [[nodiscard]] std::span<const double> places() const { return places_; }
+
+ private:
+  Particles particles_;
+  std::unique_ptr<FieldSpace> space_;
+  Settings settings_;
+  Forcing forcing_;
+  double total_mass_ = 0;
+  Interval when_;
+  std::optional<SurfaceGravity> surface_;
+  double first_potential_ = 0;  // of the surface
+  double marker_lead_ = 0;
+  std::vector<double> places_, force_, before_, projected_, previous_, impulse_;
+  double step_work_ = 0;
+  CompensatedSum work_, loss_;
+};
+
+}  // namespace seiche::gauss_particles

@@ -1,0 +1,126 @@
+#include "seiche/models/gauss_particles/occupied_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/state.hpp"
+
+namespace seiche::gauss_particles {
+
+void OccupiedCells::sample(const BottomProfile& profile, std::span<const double> x) {
+  const std::size_t n = x.size();
+  order_.resize(n);
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return x[a] < x[b]; });
+  ordered_x_.resize(n);
+  ordered_ground_.resize(n);
+  ordered_slope_.resize(n);
+  ground_slope_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) ordered_x_[k] = std::clamp(x[order_[k]], profile.begin(), profile.end());
+  profile.sample(ordered_x_, ordered_ground_, ordered_slope_);
+  for (std::size_t k = 0; k < n; ++k) {
+    height_[order_[k]] -= ordered_ground_[k];
+    ground_slope_[order_[k]] = ordered_slope_[k];
+  }
+}
+
+Bounds OccupiedCells::survey(const Ground& ground, std::span<const double> x, std::span<const double> y) {
+  for (const std::span<const double> places : {x, y}) {
+    if (const std::size_t bad = mechanics::first_not_finite(places); bad < places.size()) {
+      throw mechanics::Infeasible(fmt::format("particle {} is at ({:g}, {:g})", bad, x[bad], y[bad]), x[bad]);
+    }
+  }
+  height_.assign(y.begin(), y.end());
+  if (ground.profile) {
+    sample(*ground.profile, x);
+  } else {
+    for (double& height : height_) height -= ground.level;
+  }
+  const auto [left, right] = std::minmax_element(x.begin(), x.end());
+  const auto [low, high] = std::minmax_element(height_.begin(), height_.end());
+  return {*left, *right, *low, *high};
+}
+
+void OccupiedCells::locate(const Lattice& lattice, std::span<const double> x, long margin) {
+  const std::size_t n = x.size();
+  column_place_.resize(n);
+  row_place_.resize(n);
+  cell_of_.resize(n);
+  beyond_walls_ = 0;
+  const auto along = [&](const SplineAxis& axis, double place, const char* name, double at) {
+    double s = (place - axis.begin()) / axis.cell();
+    const auto cells = static_cast<double>(axis.cells());
+    if (axis.periodic()) {
+      s -= cells * std::floor(s / cells);
+      return s < cells ? s : 0.0;
+    }
+    if ((axis.wall_below() && s < 0) || (axis.wall_above() && s > cells)) {
+      ++beyond_walls_;
+      return std::clamp(s, 0.0, cells);
+    }
+    const double low = axis.wall_below() ? 0 : static_cast<double>(margin);
+    const double high = axis.wall_above() ? cells : cells - static_cast<double>(margin);
+    if (!(s >= low && s <= high)) {
+      throw mechanics::Infeasible(
+          fmt::format("particle at {} = {:g}; the lattice with its margin is [{:g}, {:g}]", name, place,
+                      axis.begin() + low * axis.cell(), axis.begin() + high * axis.cell()),
+          at);
+    }
+    return s;
+  };
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t walls = beyond_walls_;
+    column_place_[k] = along(lattice.x, x[k], "x", x[k]);
+    row_place_[k] = along(lattice.y, height_[k], "height", x[k]);
+    if (beyond_walls_ > walls + 1) --beyond_walls_;  // in a corner, once
+    const auto cell = [](double place, const SplineAxis& axis) {
+      return std::min(static_cast<long>(place), axis.cells() - 1);
+    };
+    cell_of_[k] = static_cast<std::size_t>(cell(column_place_[k], lattice.x) * lattice.y.cells() +
+                                           cell(row_place_[k], lattice.y));
+  }
+}
+
+void OccupiedCells::sort(const Lattice& lattice, std::span<const double> x, std::span<const double> mass, long margin) {
+  locate(lattice, x, margin);
+  count_.assign(static_cast<std::size_t>(lattice.x.cells() * lattice.y.cells()), 0);
+  for (const std::size_t cell : cell_of_) ++count_[cell];
+  cells_.clear();
+  std::size_t place = 0;
+  for (std::size_t c = 0; c < count_.size(); ++c) {
+    if (count_[c] == 0) continue;
+    const auto rows = static_cast<std::size_t>(lattice.y.cells());
+    const std::size_t places = (count_[c] + lanes - 1) / lanes * lanes;
+    cells_.push_back({.x = static_cast<long>(c / rows),
+                      .y = static_cast<long>(c % rows),
+                      .begin = place,
+                      .places = places,
+                      .count = count_[c]});
+    count_[c] = place;
+    place += places;
+  }
+  across_.assign(place, 0);
+  up_.assign(place, 0);
+  mass_.assign(place, 0);
+  slope_.assign(ground_slope_.empty() ? 0 : place, 0);
+  particle_.assign(place, nobody);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const std::size_t to = count_[cell_of_[k]]++;
+    particle_[to] = k;
+    mass_[to] = mass[k];
+    if (!slope_.empty()) slope_[to] = ground_slope_[k];
+  }
+  for (Cell& cell : cells_) {
+    for (std::size_t i = cell.begin; i < cell.begin + cell.count; ++i) {
+      across_[i] = column_place_[particle_[i]] - static_cast<double>(cell.x) - 0.5;
+      up_[i] = row_place_[particle_[i]] - static_cast<double>(cell.y) - 0.5;
+      cell.mass += mass_[i];
+    }
+  }
+}
+
+}  // namespace seiche::gauss_particles

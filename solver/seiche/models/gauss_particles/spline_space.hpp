@@ -1,0 +1,94 @@
+/// Velocity fields whose stream function is a spline on a lattice, continued across cut cells.
+///
+/// Holds every linear solenoidal field, to round-off, over level ground away from walls; in a channel with a level
+/// bottom the uniform horizontal one. Fields are of class C^(degree - 1), the projection's error is O(h^degree) for any
+/// set of particles.
+///
+/// Results do not depend on the number of threads.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "seiche/models/gauss_particles/cell_kernels.hpp"
+#include "seiche/models/gauss_particles/field_space.hpp"
+#include "seiche/models/gauss_particles/gram_system.hpp"
+#include "seiche/models/gauss_particles/vorticity_penalty.hpp"
+
+namespace seiche::gauss_particles {
+
+class SplineSpace final : public FieldSpace {
+ public:
+  struct Settings {
+    double density = 1;           ///< [kg/m^3]
+    double inner_fraction = 0.5;  ///< f: mass of an inner cell, of a full one; 0.25 to 0.3 for thin tongues
+    long margin = 2;              ///< cells between particles and a free end of the lattice
+  };
+
+  /// Throws std::invalid_argument: what LatticePlan::check says, density not positive, fraction not in [0.05, 1].
+  explicit SplineSpace(const LatticePlan& plan) : SplineSpace(plan, Settings()) {}
+  SplineSpace(const LatticePlan& plan, Settings settings);
+  /// @param at  any lattices, all of them over the ground
+  SplineSpace(Ground ground, LatticeAt at, Settings settings);
+
+  void place(mechanics::Interval when, std::span<const double> x, std::span<const double> y,
+             std::span<const double> mass, double penalty) override;
+  using FieldSpace::project;
+  void project(std::span<double> u, std::span<double> v, std::span<const double> impulse_x,
+               std::span<const double> impulse_y) override;
+  [[nodiscard]] std::span<const std::uint8_t> free() const override { return free_; }
+  [[nodiscard]] const SpaceFacts& facts() const override { return facts_; }
+  [[nodiscard]] double resolution() const override;
+
+  /// Of the last step.
+  [[nodiscard]] const Lattice& lattice() const { return lattice_.front(); }
+  [[nodiscard]] const ActiveFunctions& functions() const { return functions_; }
+  /// Coefficients of the splines of the last projection, function by function.
+  [[nodiscard]] std::span<const double> coefficients() const { return coefficients_; }
+  /// Symbolic factorisations so far.
+  [[nodiscard]] long analyses() const { return system_.analyses(); }
+
+ private:
+  [[nodiscard]] double particles_per_cell(std::span<const double> mass) const;
+  void assemble();
+  void add_cell(std::size_t c, const double* matrix);
+  void add_continued_cell(std::size_t c, const double* matrix);
+  [[nodiscard]] CellParticles particles(std::size_t c) const;
+  [[nodiscard]] CellSplines splines(std::size_t c) const;
+  void local_functions(std::size_t c, std::size_t* functions) const;
+  double penalty_weight(std::size_t c) const;
+  void take_impulses(std::span<const double> impulse_x, std::span<const double> impulse_y);
+  /// Loads of w - field - penalty, restricted to the unknowns.
+  void residual(std::span<double> r);
+  void evaluate();
+  [[nodiscard]] double penalty_form();
+  template <class Work>
+  void for_cells(Work&& work) const;
+
+  Ground ground_;
+  LatticeAt at_;
+  Settings settings_;
+  std::vector<Lattice> lattice_;  // one, or none yet
+  OccupiedCells cells_;
+  ActiveFunctions functions_;
+  GramSystem system_;
+  VorticityPenalty penalty_;
+  const CellKernels* kernels_ = nullptr;
+  double penalty_factor_ = 0;
+  double full_mass_ = 0;
+  std::size_t local_ = 0;  // functions of a cell
+  std::size_t particles_ = 0;
+  SpaceFacts facts_;
+  std::vector<std::uint8_t> free_;  // of particles; empty: none
+
+  std::vector<double> matrices_;                    // of a chunk of cells
+  std::vector<double> extension_, half_, reduced_;  // of one continued cell
+  std::vector<std::size_t> involved_;
+  std::vector<std::size_t> column_of_;                      // of unknowns, in a continued cell
+  std::vector<double> wx_, wy_, ux_, uy_, dx_, dy_, ones_;  // by places of the cells
+  std::vector<double> loads_;                               // of all cells
+  std::vector<double> function_load_, impulse_load_, coefficients_;
+  std::vector<double> z_, r_;
+};
+
+}  // namespace seiche::gauss_particles

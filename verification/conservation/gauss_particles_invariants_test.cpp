@@ -1,0 +1,268 @@
+// Energy and momenta of free particles under Gauss's principle, with another space of fields at every step.
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <omp.h>
+
+#include "seiche/models/gauss_particles/integrators.hpp"
+#include "seiche/models/gauss_particles/spline_space.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::gauss_particles;
+using namespace seiche::mechanics;
+using namespace seiche::verification;
+using seiche::Largest;
+using seiche::Point;
+using seiche::Worst;
+using seiche::evidence::Roundoff;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6";
+
+/// A vortical velocity field that is no polynomial.
+Point vortical(Point r) {
+  // Stream function 0.3 sin 2x cos 1.5y + 0.2 x y^2 - 0.4 (x^2 + y^2)/2 + 0.3 y.
+  return {-0.45 * std::sin(2 * r.x) * std::sin(1.5 * r.y) + 0.4 * r.x * r.y - 0.4 * r.y + 0.3,
+          -0.6 * std::cos(2 * r.x) * std::cos(1.5 * r.y) - 0.2 * r.y * r.y + 0.4 * r.x};
+}
+
+/// Sums of magnitudes, which is what rounding works on.
+struct Scales {
+  double energy, momentum, angular_momentum;
+};
+
+Scales scales(const Model& model, const State& state) {
+  Scales sum{0, 0, 0};
+  const std::size_t n = model.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const double speed = std::hypot(state.u[k], state.u[n + k]);
+    const double mass = model.particles().mass[k];
+    sum.energy += 0.5 * mass * speed * speed;
+    sum.momentum += mass * speed;
+    sum.angular_momentum += mass * speed * std::hypot(state.q[k], state.q[n + k]);
+  }
+  return sum;
+}
+
+/// A power of two: the same tau g is added to all velocities at every step, and where it is rounded it is rounded to
+/// the same side as long as these stay between two powers of two.
+constexpr double tau = 1.0 / 2048;
+constexpr long steps = 5000;
+
+struct Defects {
+  double energy, momentum, angular_momentum;  ///< largest so far
+  Scales scales;                              ///< at the end
+};
+
+/// A drop of 768 particles; impulse and torque of gravity are booked.
+template <template <class> class Step>
+Defects run(const LatticeAt& lattice, double gravity) {
+  Model model(disc(1, 16),
+              std::make_unique<SplineSpace>(seiche::gauss_particles::Ground{}, lattice, SplineSpace::Settings{}),
+              {.gravity = gravity, .penalty = 0});
+  State state = model.state(vortical);
+  Step<Model> step(model);
+  InvariantsWatch watch(model, state);
+  const std::size_t n = model.size();
+  for (long k = 0; k < steps; ++k) {
+    step.step(state, tau);
+    // Entries: mass, momentum along x and y, angular momentum, energy.
+    double torque = 0;
+    for (std::size_t i = 0; i < n; ++i) torque -= model.particles().mass[i] * gravity * model.places()[i];
+    watch.ledger().book(2, -model.mass() * gravity * tau);
+    watch.ledger().book(3, torque * tau);
+    watch.record(state);
+  }
+  return {watch.ledger().largest_defect("energy"), watch.ledger().largest_defect("momentum"),
+          watch.ledger().largest_defect("angular"), scales(model, state)};
+}
+
+LatticeAt shifted(int degree) {
+  return LatticePlan{.degree = degree, .cell_x = 0.3, .shift = true};
+}
+
+/// Another degree, another pair of cells and another place at every step.
+LatticeAt anything() {
+  return [](Interval when, const Bounds& water) {
+    const auto step = std::lround(when.begin / tau);
+    const auto part = [&](long of) { return static_cast<double>((step * 7919 + of * 104729) % 1000) / 1000; };
+    return LatticePlan{.degree = 2 + static_cast<int>(step % 3),
+                       .cell_x = 0.24 + 0.16 * part(1),
+                       .cell_y = 0.24 + 0.16 * part(2),
+                       .shift = true}(when, water);
+  };
+}
+
+void keeps(Check& check, const std::string& id, const std::string& text, const Defects& d, double fall = 0) {
+  const std::string resolution = "768 particles, tau = 1/2048, 5000 steps";
+  const auto claim = [&](const std::string& what, double value, double scale, const std::string& reason) {
+    const seiche::evidence::Claim statement{.id = id + "-" + what,
+                                            .text = text + ": " + what + " to round-off.",
+                                            .quantity = "largest defect of the " + what,
+                                            .source = source};
+    check.that(
+        statement, {.value = value, .resolution = resolution},
+        Roundoff{.operations = steps, .scale = scale, .reason = "one rounded velocity per step; scale: " + reason});
+  };
+  if (!std::isnan(d.energy)) {
+    claim("energy", d.energy, d.scales.energy + fall, "kinetic energy, and the potential energy that was lost");
+  }
+  claim("momentum", d.momentum, d.scales.momentum, "sum of m |u| at the end");
+  claim("angular_momentum", d.angular_momentum, d.scales.angular_momentum, "sum of m |r| |u| at the end");
+}
+
+}  // namespace
+
+TEST_CASE("free particles keep energy and momenta in a space that changes at every step", "[conservation]") {
+  Check check(
+      "gauss_particles_invariants", "Free particles in changing spaces: energy and momenta",
+      "A drop of 768 particles with a nonlinear, vortical velocity moves for 5000 steps. The lattice of the stream "
+      "functions is another one at every step: shifted at random in both directions, or with another degree "
+      "(2, 3, 4) and other cells as well. Energy, momentum and angular momentum stay as they were, to round-off; "
+      "falling under gravity, they change by its work, impulse and torque. Frank's projection scheme keeps both "
+      "momenta and loses energy.");
+  keeps(check, "cubic", "Cubic splines, shifted at random", run<OneStep>(shifted(3), 0));
+  keeps(check, "quadratic", "Quadratic splines, shifted at random", run<OneStep>(shifted(2), 0));
+  keeps(check, "any", "Another degree and other cells at every step", run<OneStep>(anything(), 0));
+  const double fallen = 0.5 * std::pow(tau * steps, 2);
+  keeps(check, "falling", "Falling, shifted at random", run<OneStep>(shifted(3), 1), 3.2 * fallen);
+  Defects dissipative = run<ProjectedStep>(shifted(3), 0);
+  check.measure("energy lost by the projection scheme, of the kinetic energy",
+                dissipative.energy / dissipative.scales.energy);
+  dissipative.energy = std::nan("");
+  keeps(check, "projection-scheme", "Frank's projection scheme", dissipative);
+}
+
+TEST_CASE("the conservative scheme of free particles is its own inverse", "[conservation]") {
+  Check check(
+      "gauss_particles_reversal", "Free particles: backwards in time",
+      "A vortical drop moves 400 steps forwards and 400 backwards. The predictor of a step backwards is that of the "
+      "step forwards, so that the projection is the same one: places and velocities return to round-off.");
+  Model model(disc(1, 12), std::make_unique<SplineSpace>(LatticePlan{.cell_x = 0.3}), {.gravity = 0.5, .penalty = 0});
+  State state = model.state(vortical);
+  const State start = state;
+  OneStep<Model> step(model);
+  for (int k = 0; k < 400; ++k) step.substep(state, 2e-3);
+  Worst moved;
+  for (std::size_t i = 0; i < state.q.size(); ++i) moved.add(state.q[i] - start.q[i]);
+  for (int k = 0; k < 400; ++k) step.substep(state, -2e-3);
+  Worst places;
+  Worst rates;
+  for (std::size_t i = 0; i < state.q.size(); ++i) {
+    places.add(state.q[i] - start.q[i]);
+    rates.add(state.u[i] - start.u[i]);
+  }
+  const std::string resolution = "432 particles, tau = 0.002, 400 steps";
+  check.measure("largest displacement forwards", moved.value());
+  // Velocity gradients up to 1.5 over a time of 0.8 stretch a rounding by e^1.2, there and back; then by what the
+  // projection hands on from particle to particle.
+  const auto returns = [&](const std::string& id, const std::string& what, double value) {
+    check.that(
+        {.id = id,
+         .text = "Backwards, the " + what + " return.",
+         .quantity = "largest difference of the " + what,
+         .source = source},
+        {.value = value, .resolution = resolution},
+        Roundoff{.operations = 800,
+                 .scale = 30,
+                 .reason = "one rounding of numbers of order 1 per step, stretched by velocity gradients up to 1.5 "
+                           "over a time of 1.6: e^2.4 = 11, and numbers up to 2.5"});
+  };
+  returns("places", "places", places.value());
+  returns("velocities", "velocities", rates.value());
+}
+
+TEST_CASE("free particles give the same bytes for any number of threads", "[conservation]") {
+  Check check(
+      "gauss_particles_threads", "Free particles: threads",
+      "A vortical drop of 145200 particles, above the number from which threads share the work: three steps with "
+      "one, two and three threads.");
+  const int threads = omp_get_max_threads();
+  const auto after = [](int count) {
+    omp_set_num_threads(count);
+    Model model(disc(1, 220), std::make_unique<SplineSpace>(LatticePlan{.cell_x = 0.04}),
+                {.gravity = 1, .penalty = 0.01});
+    State state = model.state(vortical);
+    OneStep<Model> step(model);
+    for (int k = 0; k < 3; ++k) step.step(state, 2e-3);
+    return state;
+  };
+  const State one = after(1);
+  const State two = after(2);
+  const State three = after(3);
+  omp_set_num_threads(threads);
+  check.that({.id = "same",
+              .text = "The state is the same, bit by bit.",
+              .quantity = "equal places and velocities",
+              .source = "interface of the model"},
+             {.value = one.q == two.q && one.u == two.u && one.q == three.q && one.u == three.u ? 1.0 : 0.0},
+             seiche::evidence::Qualitative{"all numbers compare equal",
+                                           "cells are summed in their order, by one thread "
+                                           "each"});
+}
+
+TEST_CASE("water between two separate walls keeps its momentum along them", "[conservation]") {
+  Check check(
+      "gauss_particles_circulation", "Free particles between two walls",
+      "A periodic channel filled from its bottom to its lid, and a free block between two upright walls. The stream "
+      "function is zero on one wall and an unknown constant on the other, or there would be no flux between them: "
+      "the uniform flow is in the space, and its momentum is kept while eddies turn in it.");
+  struct Channel {
+    std::string id, text;
+    LatticePlan plan;
+    std::size_t along;  ///< 0: x, 1: y
+  };
+  const std::vector<Channel> channels{
+      {"lid",
+       "Between a bottom and a lid",
+       {.cell_x = 0.25, .left_wall = 0.0, .period = 2, .bottom = true, .lid = 1},
+       0},
+      {"upright", "Between upright walls", {.cell_x = 0.25, .left_wall = 0.0, .right_wall = 2.0}, 1}};
+  for (const Channel& channel : channels) {
+    Model model(layer({.begin = 0,
+                       .end = 2,
+                       .columns = 48,
+                       .rows = 24,
+                       .surface = [](double) { return 1.0; },
+                       .bottom = [](double) { return 0.0; },
+                       .end_corrected = false}),
+                std::make_unique<SplineSpace>(channel.plan), {.gravity = 0, .penalty = 0});
+    // An eddy of the stream function 0.2 sin(pi x) sin(pi y), on a uniform flow along the walls.
+    State state = model.state([&](Point r) {
+      const double pi = std::acos(-1.0);
+      const Point eddy{0.2 * pi * std::sin(pi * r.x) * std::cos(pi * r.y),
+                       -0.2 * pi * std::cos(pi * r.x) * std::sin(pi * r.y)};
+      return channel.along == 0 ? Point{eddy.x + 1, eddy.y} : Point{eddy.x, eddy.y + 1};
+    });
+    OneStep<Model> step(model);
+    InvariantsWatch watch(model, state);
+    constexpr int count = 500;
+    for (int k = 0; k < count; ++k) {
+      step.step(state, 2e-3);
+      watch.record(state);
+    }
+    const std::string entry = channel.along == 0 ? "momentum_x" : "momentum_y";
+    check.that({.id = channel.id,
+                .text = channel.text + ": the momentum along the walls.",
+                .quantity = "largest defect over the momentum",
+                .source = source},
+               {.value = watch.ledger().entry(entry).largest_defect / watch.ledger().entry(entry).initial,
+                .resolution = "1152 particles, 500 steps"},
+               Roundoff{.operations = count,
+                        .scale = 2,
+                        .reason = "one rounded velocity, of at most twice the mean, per "
+                                  "step"});
+    check.that({.id = channel.id + "-energy",
+                .text = channel.text + ": the energy.",
+                .quantity = "largest defect over the energy",
+                .source = source},
+               {.value = watch.ledger().largest_defect("energy") / watch.ledger().entry("energy").initial,
+                .resolution = "1152 particles, 500 steps"},
+               Roundoff{.operations = count, .scale = 1, .reason = "one rounded energy per step"});
+  }
+}

@@ -1,0 +1,204 @@
+// Which fields a space must hold for which invariant of free particles: the conditions are sharp.
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "seiche/exact/stretching_drop.hpp"
+#include "seiche/models/gauss_particles/integrators.hpp"
+#include "seiche/models/gauss_particles/polynomial_space.hpp"
+#include "seiche/models/gauss_particles/spline_space.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::gauss_particles;
+using namespace seiche::mechanics;
+using namespace seiche::verification;
+using seiche::Point;
+using seiche::Worst;
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6, proposition 4";
+
+constexpr long steps = 1000;
+constexpr double tau = 1e-3;
+
+/// The linear fields without one of them: 0, 1 the translations, 2 the rotation.
+std::vector<StreamFunction> without(std::size_t field) {
+  auto fields = linear_fields();
+  fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(field));
+  return fields;
+}
+
+struct Problem {
+  Problem(std::vector<StreamFunction> fields, const std::function<Point(Point)>& velocity)
+      : model(disc(1, 4), std::make_unique<PolynomialSpace>(std::move(fields)), {.gravity = 0, .penalty = 0}),
+        state(model.state(velocity)) {}
+
+  InvariantsLedger run() {
+    OneStep<Model> step(model);
+    InvariantsWatch watch(model, state);
+    for (long k = 0; k < steps; ++k) {
+      step.step(state, tau);
+      watch.record(state);
+    }
+    return watch.ledger();
+  }
+
+  Model model;
+  State state;
+};
+
+Point turning(Point r) {
+  return {-r.y, r.x};
+}
+
+Point mixed(Point r) {
+  return {0.3 + 0.5 * r.x - 0.9 * r.y + 0.2 * r.x * r.y, -0.2 + 0.7 * r.x - 0.5 * r.y + 0.1 * r.x * r.x};
+}
+
+}  // namespace
+
+TEST_CASE("a momentum of free particles is kept if and only if the space holds its field", "[conservation]") {
+  Check check(
+      "gauss_particles_spaces", "Free particles: what conservation asks of the space",
+      "Small spaces of polynomial fields on a disc of 48 particles. With all linear fields everything is kept. "
+      "Without the rotation a turning disc meets a space to which it is orthogonal: it is reflected as a whole, "
+      "and its angular momentum changes sign at every step; likewise the momentum without a translation. Energy "
+      "asks nothing of the space: it is kept with the single field of the stream function x^3 y^2.");
+  const std::string resolution = "48 particles, 1000 steps";
+  const double mass = std::acos(-1.0);
+  const auto kept = [&](const std::string& id, const std::string& text, const std::string& quantity, double defect,
+                        double scale) {
+    check.that({.id = id, .text = text, .quantity = quantity, .source = source},
+               {.value = defect, .resolution = resolution},
+               Roundoff{.operations = steps,
+                        .scale = scale,
+                        .reason = "one rounded velocity per step; scale: sums of "
+                                  "magnitudes, at most 3 times the mass"});
+  };
+  {
+    Problem all(linear_fields(), mixed);
+    const InvariantsLedger ledger = all.run();
+    kept("all-energy", "With all linear fields: energy.", "largest defect of the energy",
+         ledger.largest_defect("energy"), 3 * mass);
+    kept("all-momentum", "With all linear fields: momentum.", "largest defect of the momentum",
+         ledger.largest_defect("momentum"), 3 * mass);
+    kept("all-angular", "With all linear fields: angular momentum.", "largest defect of the angular momentum",
+         ledger.largest_defect("angular"), 3 * mass);
+  }
+  {
+    Problem no_rotation(without(2), mixed);
+    const InvariantsLedger ledger = no_rotation.run();
+    kept("no-rotation-energy", "Without the rotation: energy.", "largest defect of the energy",
+         ledger.largest_defect("energy"), 3 * mass);
+    kept("no-rotation-momentum", "Without the rotation: momentum.", "largest defect of the momentum",
+         ledger.largest_defect("momentum"), 3 * mass);
+  }
+  const auto reflected = [&](const std::string& id, const std::string& text, std::size_t field,
+                             const std::function<Point(Point)>& velocity, const std::string& entry) {
+    Problem problem(without(field), velocity);
+    OneStep<Model> step(problem.model);
+    // The disc is about the origin where the projection is taken.
+    for (std::size_t i = 0; i < problem.state.q.size(); ++i) problem.state.q[i] -= tau / 2 * problem.state.u[i];
+    InvariantsWatch watch(problem.model, problem.state);
+    const double first = watch.ledger().entry(entry).initial;
+    step.step(problem.state, tau);
+    watch.record(problem.state);
+    check.that({.id = id, .text = text, .quantity = "value after one step over that before", .source = source},
+               {.value = watch.ledger().entry(entry).value / first, .resolution = "48 particles, one step"},
+               Roundoff{.operations = 48, .scale = 1, .reason = "a sum over 48 particles", .expected = -1});
+  };
+  reflected("no-rotation-reflects", "Without the rotation the angular momentum changes sign.", 2, turning,
+            "angular_momentum_z");
+  reflected(
+      "no-translation-reflects", "Without the translation along x the momentum along x changes sign.", 0,
+      [](Point) {
+        return Point{1, 0};
+      },
+      "momentum_x");
+  {
+    Problem odd({{{1, 3, 2}}}, mixed);
+    kept("odd-energy", "With a single field, of the stream function x^3 y^2: energy.", "largest defect of the energy",
+         odd.run().largest_defect("energy"), 3 * mass);
+  }
+}
+
+TEST_CASE("the projection scheme loses energy at the rate of its accelerations", "[conservation]") {
+  Check check(
+      "gauss_particles_dissipation", "Free particles: the loss of Frank's projection scheme",
+      "A disc is stretched into an ellipse without gravity. The scheme (21) to (23) loses energy at the rate "
+      "$(\\tau/2)\\sum m\\,|a|^2$, for this drop $(\\tau/2)\\,4\\pi/(a^2+b^2)^3$: the loss up to t = 2 over that "
+      "prediction tends to 1 with the step, at least as a sum over steps tends to its integral.");
+  const seiche::exact::StretchingDrop drop(1, 1, 1);
+  constexpr int intervals = 400;
+  double integral = 0;
+  for (int k = 0; k <= intervals; ++k) {
+    const double t = 2.0 * k / intervals;
+    const double axes = std::pow(drop.semi_axis(t), 2) + std::pow(drop.other_axis(t), 2);
+    const double weight = k == 0 || k == intervals ? 1 : k % 2 == 1 ? 4 : 2;
+    integral += weight * 2.0 / intervals / 3 * 4 * std::acos(-1.0) / std::pow(axes, 3);
+  }
+  const double first_rate = 4 * std::acos(-1.0) / std::pow(2.0, 3);
+  for (const double length : {0.04, 0.02, 0.01, 0.005}) {
+    Model model(disc(1, 10), std::make_unique<PolynomialSpace>(), {.gravity = 0, .penalty = 0});
+    State state = model.state([](Point r) { return Point{r.x, -r.y}; });
+    const double first = model.kinetic_energy(state.q, state.u);
+    ProjectedStep<Model> step(model);
+    for (long k = 0; k < std::lround(2 / length); ++k) step.step(state, length);
+    const double loss = first - model.kinetic_energy(state.q, state.u);
+    check.that(
+        {.id = "tau-" + std::to_string(std::lround(1 / length)),
+         .text = "The loss is the predicted one: 1/tau = " + std::to_string(std::lround(1 / length)) + ".",
+         .quantity = "loss of energy up to t = 2 over the prediction",
+         .source = source},
+        {.value = loss / (length / 2 * integral), .resolution = "300 particles"},
+        Bound{.limit = length / 2 * first_rate / integral,
+              .reason = "a sum that takes |a|^2, which falls all the time, at an end of each step errs by half a step "
+                        "times its first value",
+              .expected = 1});
+  }
+}
+
+TEST_CASE("spray of free particles flies freely", "[conservation]") {
+  Check check(
+      "gauss_particles_spray", "Free particles: spray",
+      "A drop falls from rest beside three particles, thinner than a cell and out of reach of what could continue the "
+      "fields: these move on their parabolas, to round-off, and the drop does not know of them.");
+  Particles particles = disc(1, 12);
+  const std::size_t drop = particles.size();
+  for (const double place : {4.0, 4.05, 4.1}) particles.add(place, 4, 0.001);
+  Model model(particles, std::make_unique<SplineSpace>(LatticePlan{.cell_x = 0.3}), {.gravity = 1, .penalty = 0});
+  State state = model.state([](Point r) { return r.x > 3 ? Point{0.5, 1} : Point{0, 0}; });
+  OneStep<Model> step(model);
+  constexpr int count = 64;
+  for (int k = 0; k < count; ++k) step.step(state, 1.0 / count);
+  Worst spray;
+  Worst fallen;
+  for (std::size_t k = 0; k < model.size(); ++k) {
+    const bool flies = k >= drop;
+    Worst& worst = flies ? spray : fallen;
+    worst.add(state.q[k] - particles.x[k] - (flies ? 0.5 : 0));
+    worst.add(state.q[model.size() + k] - particles.y[k] - (flies ? 1 : 0) + 0.5);
+  }
+  const std::string resolution = "432 particles and 3, 64 steps";
+  check.that({.id = "spray",
+              .text = "Spray moves on its parabola.",
+              .quantity = "largest distance along an axis from the exact place",
+              .source = source},
+             {.value = spray.value(), .resolution = resolution},
+             Roundoff{.operations = count, .scale = 5, .reason = "one rounding of places up to 5 per step"});
+  check.that(
+      {.id = "drop",
+       .text = "The drop falls as a whole.",
+       .quantity = "largest distance along an axis from the exact place",
+       .source = source},
+      {.value = fallen.value(), .resolution = resolution},
+      Roundoff{.operations = count * count,
+               .scale = 1,
+               .reason = "velocities up to 1 that are rounded in each step displace the drop in all later ones"});
+}

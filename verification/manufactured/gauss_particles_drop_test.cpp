@@ -1,0 +1,185 @@
+// A disc that is stretched into an ellipse: free particles against Dirichlet's solution.
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/stretching_drop.hpp"
+#include "seiche/models/gauss_particles/integrators.hpp"
+#include "seiche/models/gauss_particles/polynomial_space.hpp"
+#include "seiche/models/gauss_particles/pressure.hpp"
+#include "seiche/models/gauss_particles/spline_space.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::gauss_particles;
+using namespace seiche::mechanics;
+using namespace seiche::verification;
+using seiche::Mean;
+using seiche::Point;
+using seiche::Worst;
+using seiche::evidence::Bound;
+using seiche::evidence::Order;
+using seiche::exact::StretchingDrop;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 6.3; Dirichlet (1860)";
+
+struct Errors {
+  double rms, largest, surface;
+};
+
+/// Distances from the exact places at t = 2; the disc has radius 1, u = (x, -y).
+template <template <class> class Step>
+Errors errors(const Particles& particles, std::unique_ptr<FieldSpace> space, double tau) {
+  const StretchingDrop drop(1, 1, 1);
+  Model model(particles, std::move(space), {.gravity = 0, .penalty = 0});
+  State state = model.state([](Point r) { return Point{r.x, -r.y}; });
+  Step<Model> step(model);
+  for (long k = 0; k < std::lround(2 / tau); ++k) step.step(state, tau);
+  Mean inside;
+  Worst largest;
+  Worst surface;
+  for (std::size_t k = 0; k < model.size(); ++k) {
+    const double distance = std::hypot(state.q[k] - drop.semi_axis(2) * particles.x[k],
+                                       state.q[model.size() + k] - drop.other_axis(2) * particles.y[k]);
+    if (particles.mass[k] > 0) {
+      inside.add(distance, particles.mass[k]);
+      largest.add(distance);
+    } else {
+      surface.add(distance);
+    }
+  }
+  return {inside.rms(), largest.value(), surface.value()};
+}
+
+Particles four() {
+  Particles particles;
+  for (int k = 0; k < 4; ++k) {
+    const double angle = 0.3 + k * std::numbers::pi / 2;
+    particles.add(std::cos(angle), std::sin(angle), 1);
+  }
+  return particles;
+}
+
+}  // namespace
+
+TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however few", "[manufactured]") {
+  Check check(
+      "gauss_particles_linear_fields", "Free particles with linear fields: Dirichlet's ellipse",
+      "With the five linear solenoidal fields and isotropic second moments the particles move on the exact paths "
+      "but for the error in time: of second order with the conservative scheme, for 300 particles and for 4, of "
+      "first order with Frank's projection scheme.");
+  const std::vector<double> lengths{0.04, 0.02, 0.01, 0.005};
+  const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& error,
+                         double theory) {
+    check.that(
+        {.id = id, .text = text, .quantity = "order of the largest distance at t = 2", .source = source},
+        seiche::evidence::observed_order(lengths, error),
+        Order{theory, 0.01,
+              "nothing else errs, and the next term is tau (projection scheme) or tau^2 of the first: 0.01 of an "
+              "order over this range"});
+  };
+  std::vector<double> many;
+  std::vector<double> few;
+  std::vector<double> first;
+  for (const double tau : lengths) {
+    many.push_back(errors<OneStep>(disc(1, 10), std::make_unique<PolynomialSpace>(), tau).largest);
+    few.push_back(errors<OneStep>(four(), std::make_unique<PolynomialSpace>(), tau).largest);
+    first.push_back(errors<ProjectedStep>(disc(1, 10), std::make_unique<PolynomialSpace>(), tau).largest);
+  }
+  order("conservative", "Conservative scheme, 300 particles: second order.", many, 2);
+  order("four-particles", "Conservative scheme, 4 particles: second order.", few, 2);
+  order("projection-scheme", "Frank's projection scheme: first order.", first, 1);
+}
+
+TEST_CASE("a stretched disc on splines with cut cells", "[manufactured]") {
+  Check check(
+      "gauss_particles_ellipse", "Free particles on splines: the stretched disc",
+      "The same disc with cubic splines on cells of 0.4 by 0.2, most of them cut by the surface. The fields are in the "
+      "space, so that the splines add nothing but the error of sums over particles: with enough of these what is left "
+      "is the error of the steps, which is that of the five linear fields. The markers stay on the surface.");
+  seiche::evidence::Table& table =
+      check.table({.id = "errors",
+                   .title = "Distances from the exact places at t = 2",
+                   .caption = "In radii of the disc, tau = 0.01. The last row: linear fields alone.",
+                   .columns = {{"rings", "1"}, {"particles", "1"}, {"rms", "1"}, {"largest", "1"}, {"surface", "1"}}});
+  constexpr double tau = 0.01;
+  const auto note = [&](std::size_t rings, const Particles& particles, const Errors& e) {
+    table.rows.push_back(
+        {static_cast<double>(rings), static_cast<double>(particles.size() - 64), e.rms, e.largest, e.surface});
+  };
+  const Particles few = disc(1, 20, 64);
+  const Errors steps = errors<OneStep>(few, std::make_unique<PolynomialSpace>(), tau);
+  for (const std::size_t rings : {20, 40, 80}) {
+    const Particles particles = disc(1, rings, 64);
+    const Errors e =
+        errors<OneStep>(particles,
+                        std::make_unique<SplineSpace>(LatticePlan{.degree = 3, .cell_x = 0.4, .cell_y = 0.2},
+                                                      SplineSpace::Settings{.inner_fraction = 0.4}),
+                        tau);
+    note(rings, particles, e);
+    const std::string resolution = fmt::format("{} particles", particles.size() - 64);
+    check.that({.id = fmt::format("rings-{}-surface", rings),
+                .text = fmt::format("{} rings: the markers stay on the surface.", rings),
+                .quantity = "largest distance of a marker from its exact place at t = 2",
+                .unit = "radius",
+                .source = source},
+               {.value = e.surface, .resolution = resolution},
+               Bound{0.01 / static_cast<double>(rings),
+                     "a hundredth of the spacing of the rings, below which particles do not tell where a surface is; "
+                     "splines that are not continued at cut cells err by a third of the spacing and more"});
+    if (rings == 20) continue;  // sums over 30 particles to a cell err by as much as the steps and more
+    check.that(
+        {.id = fmt::format("rings-{}-places", rings),
+         .text = fmt::format("{} rings: what the splines add to the error is less than that of the steps.", rings),
+         .quantity = "rms distance at t = 2 over that with linear fields alone",
+         .source = source},
+        {.value = e.rms / steps.rms, .resolution = resolution},
+        Bound{2, "as much again: an error budget of which steps and splines have equal parts"});
+  }
+  note(20, few, steps);
+}
+
+TEST_CASE("the pressure at the middle of a stretched disc", "[manufactured]") {
+  Check check(
+      "gauss_particles_pressure", "Free particles: the pressure of the stretched disc",
+      "The reactions of the step about t = 1 are fitted by (1 - x^2/a^2 - y^2/b^2) times a quadratic polynomial: the "
+      "pressure at the middle against Dirichlet's.");
+  const StretchingDrop drop(1, 1, 1);
+  for (const int degree : {3, 2}) {
+    constexpr double tau = 0.005;
+    Model model(disc(1, 20),
+                std::make_unique<SplineSpace>(LatticePlan{.degree = degree, .cell_x = 0.4, .cell_y = 0.2},
+                                              SplineSpace::Settings{.inner_fraction = 0.4}),
+                {.gravity = 0, .penalty = 0});
+    State state = model.state([](Point r) { return Point{r.x, -r.y}; });
+    OneStep<Model> step(model);
+    for (int k = 0; k < 200; ++k) step.step(state, tau);
+    const double time = state.time - tau / 2;
+    const double a = drop.semi_axis(time);
+    const double b = drop.other_axis(time);
+    const PressureFit fit(
+        model, tau,
+        [=](Point r) {
+          return Level{1 - r.x * r.x / (a * a) - r.y * r.y / (b * b), {-2 * r.x / (a * a), -2 * r.y / (b * b)}};
+        },
+        2);
+    const double exact = drop.at(time).central_pressure;
+    check.measure(fmt::format("what the fit leaves of the gradient, degree {}", degree), fit.residue());
+    check.that(
+        {.id = fmt::format("degree-{}", degree),
+         .text = fmt::format("Splines of degree {}: the pressure at the middle.", degree),
+         .quantity = "error relative to the exact pressure",
+         .source = source},
+        {.value = fit.pressure({0, 0}) / exact - 1, .resolution = "1200 particles, tau = 0.005"},
+        Bound{0.1 / std::sqrt(1200.0),
+              "what a lattice leaves in the gradients, up to a tenth of them, is of either sign: a mean over 1200 "
+              "particles"});
+  }
+}

@@ -1,0 +1,124 @@
+// Free particles at rest: over a flat bottom for ever, over an uneven one to the order of the sums over particles.
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/models/gauss_particles/flow.hpp"
+#include "seiche/models/gauss_particles/spline_space.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::gauss_particles;
+using namespace seiche::verification;
+using seiche::CosineBottom;
+using seiche::Largest;
+using seiche::Point;
+using seiche::evidence::Bound;
+using seiche::evidence::Order;
+using seiche::evidence::Roundoff;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 6";
+
+constexpr double length = 2 * std::numbers::pi;
+
+/// Still water of depth 1, over a flat bottom or over one of amplitude 0.3 and the channel's length.
+Flow still(bool uneven, int cells, int per_side, double penalty, bool shift) {
+  const double h = length / cells;
+  const auto profile = std::make_shared<CosineBottom>(1, 0.3, 1);
+  Ground ground{.level = -1};
+  if (uneven) ground.profile = profile;
+  return Flow(layer({.begin = 0,
+                     .end = length,
+                     .columns = static_cast<std::size_t>(cells * per_side),
+                     .rows = static_cast<std::size_t>(std::lround(per_side / h)),
+                     .surface = [](double) { return 0.0; },
+                     .bottom = [=](double x) { return uneven ? profile->elevation(x) : -1; },
+                     .markers = 64}),
+              std::make_unique<SplineSpace>(LatticePlan{
+                  .cell_x = h, .left_wall = 0.0, .period = length, .bottom = true, .ground = ground, .shift = shift}),
+              {}, {.penalty = penalty});
+}
+
+double highest_marker(const Flow& flow) {
+  Largest highest;
+  for (const Point& marker : flow.markers()) highest.add(std::abs(marker.y));
+  return highest.value();
+}
+
+}  // namespace
+
+TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
+  Check check(
+      "gauss_particles_rest", "Free particles at rest",
+      "Still water of depth 1 in a periodic channel, rows of particles parallel to the surface. Over a flat bottom "
+      "gravity's part in the space is zero to round-off, on a lattice that stays and on one that is shifted at "
+      "random. Over an uneven bottom the sums over particles are no exact integrals: the water is accelerated by "
+      "O(n^-4) with n particles to a cell's side, and the penalty keeps what comes of it small.");
+  for (const bool shift : {false, true}) {
+    Flow flow = still(false, 20, 6, 0.01, shift);
+    flow.advance_to(10, 0.03, [&] { flow.observe(); });
+    check.that(
+        {.id = shift ? "flat-shifted" : "flat",
+         .text = std::string("Over a flat bottom the surface stays, to round-off, on a lattice that ") +
+                 (shift ? "is shifted at random." : "stays."),
+         .quantity = "highest elevation up to t = 10",
+         .unit = "depth",
+         .source = source},
+        {.value = highest_marker(flow), .resolution = "20 cells, 6 particles to a side, 333 steps"},
+        Roundoff{.operations = 333 * 333,
+                 .scale = 1,
+                 .reason = "places of order 1; a velocity that is rounded in each of 333 steps moves the surface in "
+                           "all later ones"});
+  }
+  std::vector<double> spacing;
+  std::vector<double> acceleration;
+  for (const int per_side : {8, 12, 16, 24, 32}) {
+    Flow flow = still(true, 20, per_side, 0, false);
+    constexpr double tau = 0.03;
+    flow.advance(tau);
+    spacing.push_back(1.0 / per_side);
+    acceleration.push_back(seiche::worst(flow.model().projected()) * 2 / tau);
+  }
+  check.that(
+      {.id = "uneven-order",
+       .text = "Over an uneven bottom the first acceleration falls with the fourth power of the particles' spacing.",
+       .quantity = "order of the largest acceleration",
+       .source = source},
+      seiche::evidence::observed_order(spacing, acceleration),
+      Order{4, 0.5,
+            "end-corrected masses are of fourth order for smooth fields; where rows cross a line of the lattice, at "
+            "which second derivatives of the velocities jump, a sum errs by s^3 with a sign that changes along the "
+            "row: s^3.5 in a mean, not less"});
+  Flow flow = still(true, 20, 12, 0.01, false);
+  flow.advance(0.03);
+  const double first = seiche::worst(flow.model().projected()) * 2 / 0.03;
+  check.measure("largest acceleration, 12 particles to a side", first);
+  flow.advance_to(10, 0.03, [&] { flow.observe(); });
+  check.that(
+      {.id = "uneven-bounded",
+       .text = "Over an uneven bottom, with the penalty, the surface moves by less than a steady push of the first "
+               "acceleration would raise the longest wave.",
+       .quantity = "highest elevation up to t = 10",
+       .unit = "depth",
+       .source = source},
+      {.value = highest_marker(flow), .resolution = "20 cells, 12 particles to a side"},
+      Bound{.limit = 2 * first / std::tanh(1.0),
+            .reason = "an oscillator that is pushed with a steady acceleration a from rest swings to 2 a/omega^2; the "
+                      "longest wave, omega^2 = tanh 1, swings farthest"});
+  check.that(
+      {.id = "uneven-energy",
+       .text = "The energy changes by what the penalty takes, to round-off.",
+       .quantity = "largest defect of the energy after booking",
+       .source = source},
+      {.value = flow.ledger().largest_defect("energy"), .resolution = "20 cells, 12 particles to a side"},
+      Roundoff{.operations = 333,
+               .scale = 1e-2,
+               .reason = "one rounding per step of potential energies m g (y - y0), which are sums of terms below "
+                         "1e-2"});
+}

@@ -1,0 +1,190 @@
+// What the free-particle model refuses, and how it says so.
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "seiche/divergence.hpp"
+#include "seiche/models/gauss_particles/flow.hpp"
+#include "seiche/models/gauss_particles/polynomial_space.hpp"
+#include "seiche/models/gauss_particles/spline_space.hpp"
+#include "verification/robustness/refusals.hpp"
+
+namespace {
+
+using namespace seiche::gauss_particles;
+using seiche::Point;
+using seiche::verification::Check;
+using seiche::verification::Refusals;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+LatticePlan tank() {
+  return {.cell_x = 0.25, .left_wall = 0.0, .right_wall = 2.0, .bottom = true};
+}
+
+Layer water() {
+  return {.begin = 0,
+          .end = 2,
+          .columns = 48,
+          .rows = 24,
+          .surface = [](double) { return 1.0; },
+          .bottom = [](double) { return 0.0; }};
+}
+
+std::unique_ptr<FieldSpace> splines(const LatticePlan& plan = tank(), SplineSpace::Settings settings = {}) {
+  return std::make_unique<SplineSpace>(plan, settings);
+}
+
+/// What a Divergence says, with its time and step; empty when nothing was thrown.
+std::string breakdown(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const seiche::Divergence& failure) {
+    return failure.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("bad particles, lattices and settings of free particles are refused", "[robustness]") {
+  Check check("gauss_particles_bad_input", "Bad input of the free-particle model",
+              "Water in a tank with one thing wrong at a time.");
+  Refusals refusals(check);
+  const auto with_particles = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
+                                  auto change) {
+    refusals.refused(id, text, words, [&] {
+      Particles particles = layer(water());
+      change(particles);
+      Flow flow(std::move(particles), splines());
+    });
+  };
+  with_particles("negative-mass", "A negative mass.", {"mass of particle 3", "-1", "non-negative"},
+                 [](Particles& p) { p.mass[3] = -1; });
+  with_particles("nan-mass", "A mass that is not a number.", {"mass of particle 0", "nan"},
+                 [](Particles& p) { p.mass[0] = not_a_number; });
+  with_particles("nan-place", "A place that is not a number.", {"particle 7", "nan", "finite"},
+                 [](Particles& p) { p.y[7] = not_a_number; });
+  with_particles("lengths", "Arrays of different lengths.", {"1152 x", "1151 y"}, [](Particles& p) { p.y.pop_back(); });
+  with_particles("markers", "Nothing but markers.", {"none of them with a mass"},
+                 [](Particles& p) { p.mass.assign(p.size(), 0); });
+  with_particles("nobody", "No particles.", {"0 particles"}, [](Particles& p) { p = {}; });
+  with_particles("sparse", "Too few particles for the cells.", {"particles", "at least 8"}, [](Particles& p) {
+    Layer coarse = water();
+    coarse.columns = 16;
+    coarse.rows = 8;
+    p = layer(coarse);
+  });
+  with_particles("spray", "Water that fills no cell.", {"no cell", "full enough"}, [](Particles& p) {
+    for (double& m : p.mass) m *= 1e-3;
+  });
+
+  const auto with_plan = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
+                             auto change) {
+    refusals.refused(id, text, words, [&] {
+      LatticePlan plan = tank();
+      change(plan);
+      Flow flow(layer(water()), splines(plan));
+    });
+  };
+  with_plan("degree-1", "Linear splines.", {"degree", "= 1", "[2, 4]"}, [](LatticePlan& p) { p.degree = 1; });
+  with_plan("degree-5", "Splines of degree 5.", {"degree", "= 5", "[2, 4]"}, [](LatticePlan& p) { p.degree = 5; });
+  with_plan("cell", "Cells without a width.", {"cell_x", "= 0", "positive"}, [](LatticePlan& p) { p.cell_x = 0; });
+  with_plan("walls", "Walls that are not a whole number of cells apart.",
+            {"right_wall - left_wall", "multiple", "0.25"}, [](LatticePlan& p) { p.right_wall = 2.1; });
+  with_plan("period", "A period of two and a half cells more.", {"period", "multiple"}, [](LatticePlan& p) {
+    p.right_wall.reset();
+    p.period = 2.1;
+  });
+  with_plan("short-period", "A channel with fewer cells than a spline spans twice.",
+            {"cells of a periodic lattice", "7"}, [](LatticePlan& p) {
+              p.right_wall.reset();
+              p.cell_x = 0.5;
+              p.period = 2;
+            });
+  with_plan("two-sides", "A periodic channel with a wall at its end.", {"right_wall", "periodic"},
+            [](LatticePlan& p) { p.period = 2; });
+  with_plan("margin", "A lattice without a margin.", {"margin", "at least 2"}, [](LatticePlan& p) { p.margin = 1; });
+  with_plan("lid", "A lid without a bottom.", {"lid", "bottom"}, [](LatticePlan& p) {
+    p.bottom = false;
+    p.lid = 2;
+  });
+  with_plan("corner", "A bottom with a corner.", {"slope jumps", "x = 1"}, [](LatticePlan& p) {
+    p.ground.profile =
+        std::make_shared<seiche::PiecewiseLinearBottom>(std::vector<double>{-1, 1, 4}, std::vector<double>{0, 0, 0.3});
+  });
+
+  const auto with_settings = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
+                                 Settings settings) {
+    refusals.refused(id, text, words, [&] { Flow flow(layer(water()), splines(), {}, settings); });
+  };
+  with_settings("gravity", "Gravity upwards.", {"gravity", "= -1", "non-negative"}, {.gravity = -1});
+  with_settings("penalty", "A negative penalty.", {"penalty", "= -0.01", "non-negative"}, {.penalty = -0.01});
+  with_settings("density", "Water without a density.", {"density", "= 0", "positive"}, {.density = 0});
+  refusals.refused("fraction", "Inner cells that must hold more than they can.", {"inner_fraction", "= 1.5"},
+                   [] { splines(tank(), {.inner_fraction = 1.5}); });
+  refusals.refused("no-space", "No space of fields.", {"no space"}, [] { Flow flow(layer(water()), nullptr); });
+  refusals.refused("no-field", "A space without fields.", {"no stream function"},
+                   [] { PolynomialSpace space(std::vector<StreamFunction>{}); });
+  refusals.refused("dry", "A layer whose surface is below its bottom.", {"depth", "positive"}, [] {
+    Layer dry = water();
+    dry.surface = [](double) { return -1.0; };
+    layer(dry);
+  });
+  refusals.refused("few-rows", "End-corrected masses in five rows.", {"rows", "at least 6"}, [] {
+    Layer flat = water();
+    flat.rows = 5;
+    layer(flat);
+  });
+  refusals.refused("velocity", "A velocity that is not a number.", {"nan"}, [] {
+    Flow flow(layer(water()), splines(), [](Point) { return Point{not_a_number, 0}; });
+  });
+  const auto with_step = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
+                             double tau) {
+    refusals.refused(id, text, words, [=] {
+      Flow flow(layer(water()), splines());
+      flow.advance(tau);
+    });
+  };
+  with_step("no-step", "A step of no length.", {"tau", "= 0"}, 0);
+  with_step("backwards", "A step backwards.", {"tau", "-0.1"}, -0.1);
+  with_step("unstable", "A step beyond the stability limit.", {"tau", "= 0.6", "2/sqrt(pi g/h)"}, 0.6);
+}
+
+TEST_CASE("free particles that leave their lattice are a divergence with time and place", "[robustness]") {
+  Check check(
+      "gauss_particles_breakdown", "Free particles that leave their lattice",
+      "A drop flies through a lattice that does not follow it: the run stops before the step in which a particle "
+      "comes within two cells of its end, and the state is that before the step.");
+  const LatticeAt fixed = [](seiche::mechanics::Interval, const Bounds&) {
+    return Lattice{SplineAxis(3, -2, 0.25, 16, Ends::free), SplineAxis(3, -2, 0.25, 16, Ends::free)};
+  };
+  Flow flow(disc(1, 12), std::make_unique<SplineSpace>(Ground{}, fixed, SplineSpace::Settings{}),
+            [](Point) {
+              return Point{1, 0};
+            },
+            {.gravity = 0, .penalty = 0});
+  const std::string message = breakdown([&] { flow.advance_to(5, 0.05); });
+  INFO(message);
+  const bool named = message.find("lattice with its margin is [-1.5, 1.5]") != std::string::npos;
+  check.that({.id = "left",
+              .text = "It says which place, and what the lattice covers.",
+              .quantity = "said so",
+              .source = "interface of the model"},
+             {.value = named ? 1.0 : 0.0},
+             seiche::evidence::Qualitative{"Divergence that names the lattice's ends",
+                                           "a run that breaks down must say where"});
+  // The disc's outermost ring has radius 0.96; its rightmost particle passes 1.5 at t = 0.54 and more.
+  check.that({.id = "time",
+              .text = "It stops when the drop arrives, not later.",
+              .quantity = "time of the last state",
+              .source = "uniform motion"},
+             {.value = flow.time(), .resolution = "tau = 0.05"},
+             seiche::evidence::Bound{.limit = 0.05,
+                                     .reason = "one step; the outermost ring's radius is sqrt((11^2 + 12^2)/2)/12",
+                                     .expected = 1.5 - std::sqrt((121.0 + 144.0) / 2) / 12});
+}
