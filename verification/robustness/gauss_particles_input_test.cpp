@@ -83,6 +83,14 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
     for (double& m : p.mass) m *= 1e-3;
   });
 
+  refusals.refused("surface-dissipative", "Gravity on the surface in the dissipative scheme.",
+                   {"surface", "dissipative", "conservative stepping"}, [] {
+                     Layer with_markers = water();
+                     with_markers.markers = 20;
+                     Flow flow(layer(with_markers), splines(), {}, {.surface = SurfaceLine{}}, {},
+                               Stepping::dissipative);
+                   });
+
   const auto with_plan = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
                              auto change) {
     refusals.refused(id, text, words, [&] {
