@@ -201,9 +201,9 @@ TEST_CASE("energy and momenta of a drop in space are kept to round-off", "[manuf
            .source = source},
           {.value = defect / kinetic, .resolution = "546 particles, tau = 0.01"},
           Roundoff{.operations = steps * 11,
-                   .scale = 5,
+                   .scale = 2,
                    .reason = "in each step the residuals of eleven fields, each a rounding of sums of magnitudes "
-                             "of up to 5 times the kinetic energy (units of radius and time)"});
+                             "of up to twice the kinetic energy (units of radius and time)"});
     };
     kept("energy", watch.ledger().largest_defect("energy"));
     kept("momentum-x", watch.ledger().largest_defect("momentum_x"));
