@@ -21,6 +21,9 @@ Flow::Flow(Particles particles, std::unique_ptr<FieldSpace> space, const Velocit
       one_step_(model_),
       projected_step_(model_),
       watch_(model_, state_) {
+  if (settings.surface && stepping == Stepping::dissipative) {
+    throw std::invalid_argument("gravity on the surface with dissipative stepping; allowed: conservative stepping");
+  }
   mechanics::require_state(state_, model_.coordinates(), model_.rates());
   const auto& entries = watch_.ledger().entries();
   const auto energy = std::find_if(entries.begin(), entries.end(), [](const auto& e) { return e.name == "energy"; });

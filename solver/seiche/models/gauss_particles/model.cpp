@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "seiche/require.hpp"
 
@@ -15,6 +18,7 @@ namespace {
 /// last change. The force that meets the water then is, to third order in tau, even in time, and the energy does not
 /// drift.
 constexpr double surface_lead = 1.0 / 3;
+constexpr int most_sweeps = 200;
 
 }  // namespace
 
@@ -80,6 +84,10 @@ void Model::linearise(Interval when, Input q) {
   }
 }
 
+void Model::enter(Input q, Output) {
+  if (surface_ && settings_.surface->exact_energy) start_.assign(q.begin(), q.end());
+}
+
 void Model::kick(double h, Output u) const {
   if (!surface_) {
     for (std::size_t k = size(); k < 2 * size(); ++k) u[k] -= h * settings_.gravity;
@@ -91,17 +99,60 @@ void Model::advance(Input from, Input u, double h, Output to) const {
   for (std::size_t k = 0; k < from.size(); ++k) to[k] = from[k] + h * u[k];
 }
 
+void Model::push_and_project(Output u) {
+  space_->project(u.first(size()), u.last(size()), Input(impulse_).first(size()), Input(impulse_).last(size()));
+  // What flies freely has its own weight.
+  const std::span<const std::uint8_t> free = space_->free();
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    if (free[k] != 0) u[size() + k] -= when_.length / 2 * settings_.gravity;
+  }
+}
+
+/// The force is the mean over the way of the markers, which it makes itself: a fixed point, which contracts like
+/// (omega tau)^2/4.
+void Model::project_under_surface(Output u) {
+  impulse_.assign(rates(), 0.0);
+  if (!settings_.surface->exact_energy) {
+    surface_->push(places_, when_.length / 2, impulse_);
+    push_and_project(u);
+    return;
+  }
+  end_.resize(places_.size());
+  for (std::size_t i = 0; i < end_.size(); ++i) end_[i] = 2 * places_[i] - start_[i];
+  double last = std::numeric_limits<double>::infinity();
+  for (int sweep = 0;; ++sweep) {
+    std::fill(impulse_.begin(), impulse_.end(), 0.0);
+    surface_->push_between(start_, end_, when_.length / 2, impulse_);
+    std::copy(before_.begin(), before_.end(), u.begin());
+    push_and_project(u);
+    double change = 0;
+    double largest = 0;
+    for (const std::size_t k : surface_->markers()) {
+      for (const std::size_t i : {k, size() + k}) {
+        const double to = start_[i] + when_.length * u[i];
+        const double moved = std::abs(to - end_[i]);
+        if (!(moved <= change)) change = moved;
+        if (!(std::abs(to) <= largest)) largest = std::abs(to);
+        end_[i] = to;
+      }
+    }
+    const double roundoff = std::numeric_limits<double>::epsilon() * largest;
+    if (change <= roundoff || (change <= 100 * roundoff && change >= last)) return;
+    if (sweep == most_sweeps) {
+      throw mechanics::Infeasible(
+          fmt::format("markers under gravity not found in {} iterations: they still move by {:.2g} m; take a shorter "
+                      "step",
+                      most_sweeps, change),
+          places_[surface_->markers().front()]);
+    }
+    last = change;
+  }
+}
+
 void Model::project(Output u, Input, Output) {
   before_.assign(u.begin(), u.end());
   if (surface_) {
-    impulse_.assign(rates(), 0.0);
-    surface_->push(places_, when_.length / 2, impulse_);
-    space_->project(u.first(size()), u.last(size()), Input(impulse_).first(size()), Input(impulse_).last(size()));
-    // What flies freely has its own weight.
-    const std::span<const std::uint8_t> free = space_->free();
-    for (std::size_t k = 0; k < free.size(); ++k) {
-      if (free[k] != 0) u[size() + k] -= when_.length / 2 * settings_.gravity;
-    }
+    project_under_surface(u);
   } else {
     space_->project(u.first(size()), u.last(size()));
   }

@@ -62,7 +62,7 @@ struct Settings {
   /// C of the penalty on gradients of vorticity; 0 for none, and no loss of energy. 0.001 is too weak for long runs,
   /// 0.1 no better than 0.01.
   double penalty = 0.01;
-  /// Gravity acts through the surface (surface_gravity.hpp) and not on every particle.
+  /// Gravity acts through the surface (surface_gravity.hpp) and not on every particle; conservative stepping only.
   std::optional<SurfaceLine> surface = {};
 };
 
@@ -88,6 +88,7 @@ class Model {
   [[nodiscard]] std::size_t coordinates() const { return 2 * size(); }
   [[nodiscard]] std::size_t rates() const { return 2 * size(); }
   void linearise(Interval when, Input q);
+  void enter(Input q, Output u);
   void kick(double h, Output u) const;
   void advance(Input from, Input u, double h, Output to) const;
   void project(Output u, Input target, Output mu);
@@ -117,6 +118,9 @@ class Model {
   [[nodiscard]] std::span<const double> places() const { return places_; }
 
  private:
+  void project_under_surface(Output u);
+  void push_and_project(Output u);
+
   Particles particles_;
   std::unique_ptr<FieldSpace> space_;
   Settings settings_;
@@ -127,6 +131,7 @@ class Model {
   double first_potential_ = 0;  // of the surface
   double marker_lead_ = 0;
   std::vector<double> places_, force_, before_, projected_, previous_, impulse_;
+  std::vector<double> start_, end_;  // of the step's way, for an exact energy of the surface
   double step_work_ = 0;
   CompensatedSum work_, loss_;
 };

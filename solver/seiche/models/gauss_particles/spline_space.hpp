@@ -20,9 +20,12 @@ namespace seiche::gauss_particles {
 class SplineSpace final : public FieldSpace {
  public:
   struct Settings {
-    double density = 1;           ///< [kg/m^3]
-    double inner_fraction = 0.5;  ///< f: mass of an inner cell, of a full one; 0.25 to 0.3 for thin tongues
-    long margin = 2;              ///< cells between particles and a free end of the lattice
+    double density = 1;  ///< [kg/m^3]
+    /// f: mass of an inner cell, of a full one; 0.25 to 0.3 for thin tongues, 0.9 with gravity on the surface
+    double inner_fraction = 0.5;
+    /// Of the normal equations: with more unknowns conjugate gradients solve them, and no factors are kept.
+    std::size_t iterate_above = 50000;
+    long margin = 2;  ///< cells between particles and a free end of the lattice
   };
 
   /// Throws std::invalid_argument: what LatticePlan::check says, density not positive, fraction not in [0.05, 1].
@@ -45,6 +48,8 @@ class SplineSpace final : public FieldSpace {
   [[nodiscard]] const ActiveFunctions& functions() const { return functions_; }
   /// Coefficients of the splines of the last projection, function by function.
   [[nodiscard]] std::span<const double> coefficients() const { return coefficients_; }
+  /// Iterations of conjugate gradients so far.
+  [[nodiscard]] long iterations() const { return system_.iterations(); }
   /// Symbolic factorisations so far.
   [[nodiscard]] long analyses() const { return system_.analyses(); }
 

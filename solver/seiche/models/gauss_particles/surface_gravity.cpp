@@ -57,4 +57,14 @@ void SurfaceGravity::push(std::span<const double> q, double h, std::span<double>
   });
 }
 
+/// Simpson's rule: dPi/dq is quadratic.
+void SurfaceGravity::push_between(std::span<const double> q0, std::span<const double> q1, double h,
+                                  std::span<double> impulse) {
+  middle_.resize(q0.size());
+  for (std::size_t i = 0; i < q0.size(); ++i) middle_[i] = 0.5 * (q0[i] + q1[i]);
+  push(q0, h / 6, impulse);
+  push(middle_, 4 * h / 6, impulse);
+  push(q1, h / 6, impulse);
+}
+
 }  // namespace seiche::gauss_particles
