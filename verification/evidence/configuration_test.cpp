@@ -21,8 +21,8 @@ Values configured(const std::string& text, const std::string& name = "riemann") 
 TEST_CASE("a configuration sets what it names, and a case's own table goes before the top", "[evidence]") {
   const Values plain = configured("");
   CHECK(plain.standard());
-  const Values set = configured("particles = 50\nright_depth = 1\n[riemann]\nright_depth = 0.5\n");
-  CHECK(set.integer("particles") == 50);
+  const Values set = configured("particles = 77\nright_depth = 1\n[riemann]\nright_depth = 0.5\n");
+  CHECK(set.integer("particles") == 77);
   CHECK(set.real("right_depth") == 0.5);
   CHECK(set.real("left_depth") == plain.real("left_depth"));
   CHECK(configured("right_velocity = -0.25").real("right_velocity") == -0.25);
@@ -30,7 +30,7 @@ TEST_CASE("a configuration sets what it names, and a case's own table goes befor
 }
 
 TEST_CASE("another case's table is none of a case's business", "[evidence]") {
-  CHECK(configured("[moving_bore]\nparticles = 50\n").standard());
+  CHECK(configured("[moving_bore]\nparticles = 77\nright_depth = 0.37\n").standard());
 }
 
 TEST_CASE("a whole number serves as a real one, a real one not as a whole", "[evidence]") {
