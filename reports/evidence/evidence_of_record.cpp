@@ -62,18 +62,28 @@ double number(std::string_view cell, const std::filesystem::path& file, std::siz
   return value;
 }
 
+/// What rounding on another machine may move, of the limit or the band.
+double share_of_limit(const RecordedClaim& before, const RecordedClaim& after) {
+  return (after.kind == "roundoff" ? 1 : moved_share) * std::max(scale(before), scale(after));
+}
+
 /// Which values are as good as the one before.
 double allowance(const RecordedClaim& before, const RecordedClaim& after) {
   const auto known = [](double uncertainty) { return std::isnan(uncertainty) ? 0 : uncertainty; };
-  const double share = after.kind == "roundoff" ? 1 : moved_share;
-  return std::hypot(known(before.uncertainty), known(after.uncertainty)) +
-         share * std::max(scale(before), scale(after));
+  return std::hypot(known(before.uncertainty), known(after.uncertainty)) + share_of_limit(before, after);
 }
 
 /// Neither is the same NaN as the other.
 bool apart(double a, double b, double allowed) {
   if (std::isnan(a) || std::isnan(b)) return std::isnan(a) != std::isnan(b);
   return !(std::abs(a - b) <= allowed);
+}
+
+/// Whether an uncertainty came, went, or is another than before: a value could move behind it unseen.
+bool is_another_uncertainty(const RecordedClaim& before, const RecordedClaim& after) {
+  const auto [less, more] = std::minmax(before.uncertainty, after.uncertainty);
+  return apart(before.uncertainty, after.uncertainty, share_of_limit(before, after)) &&
+         (std::isnan(less) || std::isnan(more) || more > uncertainty_grown * less);
 }
 
 void add_changes(const RecordedClaim& before, const RecordedClaim& after, std::vector<std::string>& found) {
@@ -86,6 +96,10 @@ void add_changes(const RecordedClaim& before, const RecordedClaim& after, std::v
   }
   if (apart(before.band, after.band, noticed * before.band)) {
     add(fmt::format("band {:.6g} -> {:.6g}", before.band, after.band));
+  }
+  if (is_another_uncertainty(before, after)) {
+    const auto known = [](double value) { return std::isnan(value) ? "none" : fmt::format("{:.3g}", value); };
+    add(fmt::format("uncertainty {} -> {}", known(before.uncertainty), known(after.uncertainty)));
   }
   const double allowed = allowance(before, after);
   for (const auto& [what, from, to] : {std::tuple("measured", before.measured, after.measured),

@@ -42,11 +42,16 @@ std::vector<RecordedClaim> read_recorded_claims(const std::filesystem::path& csv
 ///     sqrt(u1^2 + u2^2) + s limit,
 ///
 /// with the uncertainties u of both; s = 1 for a claim of round-off, whose limit says how far rounding can move it, and
-/// otherwise s = `moved_share`. Of a declared failure the band stands in place of the limit.
+/// otherwise s = `moved_share`. Of a declared failure the band stands in place of the limit. An uncertainty that
+/// appears or vanishes has changed; one that grew or shrank, when by more than a factor `uncertainty_grown` and by more
+/// than s limit: an inflated one would hide that the value moved.
 std::vector<std::string> changes(const std::vector<RecordedClaim>& before, const std::vector<RecordedClaim>& after);
 
 /// Another processor rounds differently, and flows that amplify roundings (particles in a breaking wave) then end
 /// elsewhere within their scatter. A limit has to be several times that scatter, or its verdict would be chance.
 inline constexpr double moved_share = 0.1;
+
+/// Estimates of uncertainty rest on few points and scatter by some ten percent: this is another estimate.
+inline constexpr double uncertainty_grown = 1.5;
 
 }  // namespace seiche::evidence

@@ -82,6 +82,29 @@ TEST_CASE("a measured value has moved beyond combined uncertainty and its share 
   CHECK(changed(known, moved) == 1);
 }
 
+TEST_CASE("an uncertainty that came, went, or grew behind a limit has changed", "[evidence]") {
+  const auto stated = [](double uncertainty, double limit = 0.1) {
+    RecordedClaim claim = bound(1);
+    claim.uncertainty = uncertainty;
+    claim.limit = limit;
+    return claim;
+  };
+  const double none = RecordedClaim::none;
+  CHECK(changed(stated(none), stated(none)) == 0);
+  CHECK(changed(stated(none), stated(1e-9)) == 1);
+  CHECK(changed(stated(1e-9), stated(none)) == 1);
+  // A tenth of the limit, 0.01, and a factor 1.5.
+  CHECK(changed(stated(0.03), stated(0.0449)) == 0);
+  CHECK(changed(stated(0.03), stated(0.0451)) == 1);
+  CHECK(changed(stated(0.0451), stated(0.03)) == 1);
+  CHECK(changed(stated(0.003), stated(0.0129)) == 0);
+  CHECK(changed(stated(0.003), stated(0.0131)) == 1);
+  CHECK(changed(stated(0), stated(0.011)) == 1);
+  const auto appeared = evidence::changes({stated(none)}, {stated(0.5)});
+  REQUIRE(appeared.size() == 1);
+  CHECK_THAT(appeared.front(), Contains("uncertainty none -> 0.5"));
+}
+
 TEST_CASE("what cannot be compared has changed", "[evidence]") {
   CHECK(changed(bound(RecordedClaim::none), bound(RecordedClaim::none)) == 0);
   CHECK(changed(bound(1), bound(RecordedClaim::none)) == 1);

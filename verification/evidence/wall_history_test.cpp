@@ -97,11 +97,8 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
   verification::Check check(
       "wall_history", "The limit of the wall amplitude",
       "A Mach stem next to resonance grows for thousands of $h/c_0$. The limit from an exponential through the last "
-      "half "
-      "of its history, and the uncertainty from the fits to other parts and by a power of time, and from the rate of "
-      "the "
-      "theory, on exact stems of the "
-      "Kadomtsev-Petviashvili equation and on other series that are known.");
+      "half of its history, and the uncertainty from the fits to other parts and by a power of time, and from the rate "
+      "of the theory, on exact stems of the Kadomtsev-Petviashvili equation and on other series that are known.");
   const auto claim = [&](const std::string& id, const std::string& text, const History& history, double limit,
                          const std::string& why, std::optional<double> rate = {}) {
     const WallLimit found = wall_limit(history.time, history.amplitude, rate);

@@ -162,7 +162,6 @@ void NodeMasses::carry_along_side(const plan_lattice::BoundNode& bound, const No
                                   std::span<double> u) const {
   const std::size_t n = mass_.size();
   const std::size_t k = bound.node;
-  const double less = 1 - inertia_;
   if (bound.shore) {
     const Vector before = along_wall_and_bottom(bound.normal[0], from.x[k], from.y[k], from.z[k]);
     const Vector after = along_wall_and_bottom(bound.normal[0], to.x[k], to.y[k], to.z[k]);
@@ -172,10 +171,7 @@ void NodeMasses::carry_along_side(const plan_lattice::BoundNode& bound, const No
     u[2 * n + k] = rate * after.z;
     return;
   }
-  if (bound.directions == 2) {
-    u[2 * n + k] *= std::sqrt((1 - less * from.z[k] * from.z[k]) / (1 - less * to.z[k] * to.z[k]));
-    return;
-  }
+  if (bound.directions == 2) return;  // rises and falls above one place, whose normal stays
   const Point t{-bound.normal[0].y, bound.normal[0].x};
   const Point before{from.x[k] * t.x + from.y[k] * t.y, from.z[k]};
   const Point after{to.x[k] * t.x + to.y[k] * t.y, to.z[k]};
@@ -183,6 +179,7 @@ void NodeMasses::carry_along_side(const plan_lattice::BoundNode& bound, const No
   const double square_after = after.x * after.x + after.y * after.y;
   const Point a{u[k] * t.x + u[n + k] * t.y, u[2 * n + k]};
   const double scale = 1 / std::sqrt(square_before * square_after);
+  const double less = 1 - inertia_;
   const double normal =
       scale * (a.x * before.x + a.y * before.y) * std::sqrt((1 - less * square_before) / (1 - less * square_after));
   const double tangential = scale * (a.x * before.y - a.y * before.x);

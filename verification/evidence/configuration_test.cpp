@@ -1,0 +1,48 @@
+// What a configuration file sets: every value in its place, and what it may not say.
+#include "validation/case/configuration.hpp"
+
+#include "validation/case/registry.hpp"
+#include "verification/check.hpp"
+
+using namespace seiche::validation;
+using Catch::Matchers::Contains;
+
+namespace {
+
+Values configured(const std::string& text, const std::string& name = "riemann") {
+  const Case& one = find_case(name);
+  Values values = one.values(Tier::quick);
+  apply_configuration(text, "waves.toml", one, values);
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("a configuration sets what it names, and a case's own table goes before the top", "[evidence]") {
+  const Values plain = configured("");
+  CHECK(plain.standard());
+  const Values set = configured("particles = 77\nright_depth = 1\n[riemann]\nright_depth = 0.5\n");
+  CHECK(set.integer("particles") == 77);
+  CHECK(set.real("right_depth") == 0.5);
+  CHECK(set.real("left_depth") == plain.real("left_depth"));
+  CHECK(configured("right_velocity = -0.25").real("right_velocity") == -0.25);
+  CHECK(configured("scheme = 'M2'").text("scheme") == "M2");
+}
+
+TEST_CASE("another case's table is none of a case's business", "[evidence]") {
+  CHECK(configured("[moving_bore]\nparticles = 77\nright_depth = 0.37\n").standard());
+}
+
+TEST_CASE("a whole number serves as a real one, a real one not as a whole", "[evidence]") {
+  CHECK(configured("time = 2").real("time") == 2.0);
+  CHECK_THROWS_WITH(configured("particles = 50.5"), Contains("particles"));
+}
+
+TEST_CASE("a configuration's mistake is named by file, line and parameter, in one line", "[evidence]") {
+  CHECK_THROWS_WITH(configured("time = 2\n\nparticles = -1\n"), Contains("waves.toml: line 3: parameter particles"));
+  CHECK_THROWS_WITH(configured("time = 2\n[riemann]\ndepht = 1\n"), Contains("line 3") && Contains("depht"));
+  CHECK_THROWS_WITH(configured("time = 2\n[riemnan]\n"), Contains("line 2") && Contains("riemnan"));
+  CHECK_THROWS_WITH(configured("time =\n"), Contains("waves.toml: line 1"));
+  CHECK_THROWS_WITH(configured("particles = [1, 2]\n"), Contains("parameter particles must be a number"));
+  CHECK_THROWS_WITH(configured("\"a\\nb\" = 1\n"), !Contains("\n"));
+}

@@ -1,0 +1,256 @@
+// Parts of the particle method that are known in closed form: mirrors at walls, fixed sections, jumps that leave their
+// particle, the waves of a first moment, the profile of a front.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include "seiche/models/shallow_water_particles/initial.hpp"
+#include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::shallow_water_particles;
+using evidence::Order;
+using evidence::Roundoff;
+using verification::Check;
+
+constexpr double g = 9.81;
+const std::string source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method";
+
+/// Largest differences of edges and velocities of a row and the right half of another.
+double difference_from_half(const Particles& row, const Particles& whole) {
+  const std::size_t shift = whole.size() - row.size();
+  Worst worst;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    worst.add(row.edge[i + 1] - whole.edge[shift + i + 1]);
+    worst.add(row.velocity[i] - whole.velocity[shift + i]);
+  }
+  return worst.value();
+}
+
+/// Ritter's fan c = (2 c0 - x/t)/3, u = 2 (c0 + x/t)/3 from time 1 on, between the water that was at `begin` then and
+/// the fixed section x = 6, which it passes faster than its waves. What has left by time 1.5; `mirrored`: the other
+/// way.
+struct Outflow {
+  double mass, momentum;
+};
+
+Outflow fan_through_section(std::size_t count, bool mirrored) {
+  constexpr double begin = 0, end = 6;
+  const double c0 = std::sqrt(g);
+  const double sign = mirrored ? -1 : 1;
+  const auto depth = [=](double x) { return std::pow((2 * c0 - sign * x) / 3, 2) / g; };
+  const auto velocity = [=](double x) { return sign * 2 * (c0 + sign * x) / 3; };
+  // A water column at x = 2 c0 t + K t^(2/3).
+  const Piston follow{[=](double t) { return sign * (2 * c0 + 2 * (begin - 2 * c0) / (3 * std::cbrt(1 + t))); }};
+  ParticleFlow flow(mirrored ? particles_from_profile(equal_width_edges(-end, -begin, count), depth, velocity)
+                             : particles_from_profile(equal_width_edges(begin, end, count), depth, velocity),
+                    mirrored ? Ends{Open{}, follow} : Ends{follow, Open{}}, {.gravity = g});
+  for (std::size_t k = 0; k < 6 * count; ++k) flow.advance(0.5 / static_cast<double>(6 * count));
+  const Ledger& ledger = flow.ledger();
+  return {-(mirrored ? ledger.left_mass : ledger.right_mass).value(),
+          -sign * (mirrored ? ledger.left_impulse : ledger.right_impulse).value()};
+}
+
+}  // namespace
+
+TEST_CASE("a wall is a mirror", "[manufactured]") {
+  Check check("particles_mirror", "A wall and its mirror image",
+              "Half a basin with a wall in the middle, and the whole, whose flow is symmetric: 200 steps of a smooth "
+              "slosh over a level bed and over one with a hump. The two agree to round-off at all levels of the "
+              "method, for slopes and edge states at the wall are those of the mirror image. So does the half basin "
+              "that is carried along: its walls are pistons at 0.7 m/s, and everything but its motion is the same.");
+  const Bed hump{[](double x) { return 0.2 * std::cos(x); }, [](double x) { return 0.2 * std::sin(x); }};
+  constexpr int steps = 200;
+  constexpr double tau = 0.01;
+  const Roundoff rounding{.operations = 100 * steps,
+                          .scale = std::sqrt(g),
+                          .reason = "a hundred rounded operations per particle and step; scale is the celerity"};
+  for (const bool uneven : {false, true}) {
+    for (const Level level : {Level::godunov, Level::muscl}) {
+      const auto slosh = [&](double left, std::size_t count, double carried) {
+        Forcing forcing{.gravity = g};
+        if (uneven) forcing.bed = hump;
+        const auto depth = [&](double x) { return 1 + 0.1 * std::cos(x) - (uneven ? hump.elevation(x) : 0.0); };
+        const auto velocity = [&](double x) { return carried + 0.1 * x * (9 - x * x); };
+        const Piston wall{[carried](double) { return carried; }};
+        ParticleFlow flow(particles_from_profile(equal_width_edges(left, 3, count), depth, velocity),
+                          carried == 0 ? Ends{} : Ends{wall, wall}, forcing, {.level = level});
+        for (int k = 0; k < steps; ++k) flow.advance(tau);
+        return flow.particles();
+      };
+      const std::string name =
+          fmt::format("{}-{}", uneven ? "hump" : "level", level == Level::muscl ? "muscl" : "godunov");
+      const auto claim = [&](const std::string& id, const std::string& text, double value) {
+        check.that({.id = id,
+                    .text = text,
+                    .quantity = "largest difference of an edge [m] or a velocity [m/s]",
+                    .source = source},
+                   {.value = value}, rounding);
+      };
+      const Particles half = slosh(0, 20, 0);
+      claim(name, "Half a basin behaves as half of the whole.", difference_from_half(half, slosh(-3, 40, 0)));
+      if (uneven) continue;
+      constexpr double speed = 0.7;
+      Particles carried = slosh(0, 20, speed);
+      for (double& x : carried.edge) x -= speed * tau * steps;
+      for (double& u : carried.velocity) u -= speed;
+      claim(name + "-carried", "A basin that is carried along behaves as one at rest.",
+            difference_from_half(carried, half));
+    }
+  }
+}
+
+TEST_CASE("water that leaves through a section takes its mass and momentum along", "[manufactured]") {
+  Check check(
+      "particles_outflow", "A fan through a fixed section",
+      "Ritter's fan passes the section $x = 6$ at supercritical speed for half a second; its other end follows the "
+      "water. Mass $\\int h u\\,dt$ and momentum $\\int (h u^2 + g h^2/2)\\,dt$ that have passed, against "
+      "their integrals. To the left the same, bit by bit but for the order of sums.");
+  const double c0 = std::sqrt(g);
+  using Gauss = boost::math::quadrature::gauss<double, 30>;
+  const auto passed = [&](int power) {
+    return Gauss::integrate(
+        [&](double t) {
+          const double c = (2 * c0 - 6 / t) / 3;
+          const double u = 2 * (c0 + 6 / t) / 3;
+          const double h = c * c / g;
+          return power == 1 ? h * u : h * u * u + g * h * h / 2;
+        },
+        1.0, 1.5);
+  };
+  std::vector<double> widths, mass, momentum;
+  Worst asymmetry;
+  for (std::size_t count = 40; count <= 640; count *= 2) {
+    const Outflow right = fan_through_section(count, false);
+    const Outflow left = fan_through_section(count, true);
+    widths.push_back(6 / static_cast<double>(count));
+    mass.push_back(std::abs(right.mass - passed(1)));
+    momentum.push_back(std::abs(right.momentum - passed(2)));
+    asymmetry.add(right.mass - left.mass);
+    asymmetry.add(right.momentum - left.momentum);
+  }
+  const auto order = [&](const std::string& id, const std::string& text, const std::vector<double>& errors) {
+    check.that({.id = id, .text = text, .quantity = "observed order", .source = "Ritter (1892)"},
+               evidence::observed_order(widths, errors, 1e-12),
+               Order{2, 0.3, "second order in width and step: the state at a section is that of the middle of a step"});
+  };
+  order("mass", "The mass that has left is of second order.", mass);
+  order("momentum", "So is the momentum.", momentum);
+  check.that({.id = "mirrored",
+              .text = "To the left the same passes as to the right.",
+              .quantity = "largest difference of mass or momentum",
+              .source = source},
+             {.value = asymmetry.value()},
+             Roundoff{.operations = 100.0 * 6 * 640,
+                      .scale = passed(2),
+                      .reason = "a hundred rounded operations per step near the section, of numbers up to the "
+                                "momentum that has passed"});
+}
+
+TEST_CASE("a particle that a jump has left is in the state behind it", "[manufactured]") {
+  Check check("particles_hand_over", "A jump that leaves its particle",
+              "A particle of mass 0.7 holds a jump between two given states; its depth and its velocity are off those "
+              "of a single place of the jump, as between particles that are not uniform. The edge behind moves with "
+              "the water behind and bears its thrust; the one ahead gets the averages of the step in which the jump "
+              "leaves. After it the particle has the depth behind, by its volume, and the velocity behind, by its "
+              "momentum. For jumps to the right and to the left.");
+  const State behind{2, shallow_water::velocity_change(g, 2, 1)};
+  const State ahead{1, 0};
+  const double mass = 0.7;
+  for (const bool right : {true, false}) {
+    const double sign = right ? 1 : -1;
+    const State back{behind.depth, sign * behind.velocity};
+    // A third of the mass is behind by volume, two fifths by momentum.
+    const State mean{1 / (1.0 / 3 / behind.depth + 2.0 / 3 / ahead.depth), 0.4 * back.velocity};
+    const auto jump = right ? jump_between(g, back, mean, ahead, 0.02) : jump_between(g, ahead, mean, back, 0.02);
+    REQUIRE(jump.has_value());
+    const double tau = 0.95 * mass / jump->mass_flux;
+    double velocity = ahead.velocity;
+    double thrust = shallow_water::thrust(g, ahead.depth);
+    hand_over(g, *jump, mass, tau, velocity, thrust);
+    const double width = mass / mean.depth + sign * tau * (velocity - back.velocity);
+    const double momentum = mass * mean.velocity + sign * tau * (shallow_water::thrust(g, back.depth) - thrust);
+    const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
+      check.that({.id = (right ? "right-" : "left-") + id, .text = text, .quantity = id, .source = source},
+                 {.value = value},
+                 Roundoff{.operations = 60,
+                          .scale = std::abs(expected) + 5,
+                          .reason = "some sixty operations on numbers up to the celerity",
+                          .expected = expected});
+    };
+    claim("depth", "By its volume the particle has the depth behind.", mass / width, back.depth);
+    claim("velocity", "By its momentum it has the velocity behind.", momentum / mass, back.velocity);
+  }
+}
+
+TEST_CASE("edges in a fan bear the thrust of the exact wave", "[manufactured]") {
+  Check check("particles_fan", "First moments of a dam break: averages in the fan",
+              "Depth 1 over a dry bed: at the mass $m$ behind the front $c^3 = g m/t$ inside the fan, and $u = 2 (c_0 "
+              "- c)$. Velocity and thrust $c^4/(2 g)$ of edges, averaged from 0.2 to 0.3, by Gauss's rule of 30 "
+              "points, of water that is at rest until the fan arrives, and of water inside all the time.");
+  const double c0 = std::sqrt(g);
+  constexpr std::size_t count = 40;
+  const Array mass(count, 0.05);
+  Array velocity(count + 1, 0.0), thrust(count + 1, shallow_water::thrust(g, 1));
+  // The dry bed is on the right of the last edge.
+  const SelfSimilarStart start(g, State{1, 0}, std::nullopt, count, 0, count);
+  constexpr double from = 0.2, to = 0.3;
+  start.replace(mass, from, to - from, velocity, thrust);
+  using Gauss = boost::math::quadrature::gauss<double, 30>;
+  Worst velocities, thrusts;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double swept = 0.05 * static_cast<double>(count - k);
+    const double arrival = std::clamp(swept / c0, from, to);
+    const auto mean = [&](double still, const auto& inside) {
+      return ((arrival - from) * still + Gauss::integrate(inside, arrival, to)) / (to - from);
+    };
+    const auto celerity = [&](double t) { return std::cbrt(g * swept / t); };
+    velocities.add(velocity[k] - mean(0, [&](double t) { return 2 * (c0 - celerity(t)); }));
+    thrusts.add(thrust[k] - mean(g / 2, [&](double t) { return std::pow(celerity(t), 4) / (2 * g); }));
+  }
+  const auto claim = [&](const std::string& id, const std::string& text, double value) {
+    check.that(
+        {.id = id, .text = text, .quantity = "largest difference", .source = "Stoker, Water Waves (1957), ch. 10"},
+        {.value = value},
+        Roundoff{.operations = 100,
+                 .scale = 2 * c0 / (to - from) * to,
+                 .reason = "closed forms are differences of primitives of size 2 c0 t over the step, sums over "
+                           "30 points and 40 masses"});
+  };
+  claim("velocity", "Velocities are those of the exact wave.", velocities.value());
+  claim("thrust", "Thrusts are those of the exact wave.", thrusts.value());
+}
+
+TEST_CASE("the profile of a front has the mass and momentum of its particle", "[manufactured]") {
+  Check check("particles_tip_profile", "The profile of a front particle",
+              "Depth $h_e s^\\pi$ and velocity $u_f - 2 \\sqrt{g h}$ for $0 < s < 1$, integrated in closed form: the "
+              "mean depth is $h_e/(\\pi + 1)$, the momentum $h_e u_f/(\\pi + 1) - 2 \\sqrt{g} h_e^{3/2}/(1.5 \\pi + "
+              "1)$. Fronts from that of a rectangle to that of a parabola.");
+  const State mean{0.3, 1.2};
+  const double c = shallow_water::celerity(g, mean.depth);
+  Worst masses, momenta;
+  for (const double ratio : {1.0, 1.02, 1.1, 1.2, 1.29}) {
+    const TipProfile tip = tip_profile(g, mean, mean.velocity + 2 * ratio * c, 10);
+    const double e = tip.exponent;
+    masses.add(tip.edge_depth / (e + 1) - mean.depth);
+    momenta.add(tip.edge_depth * tip.front_velocity / (e + 1) -
+                2 * std::sqrt(g) * std::pow(tip.edge_depth, 1.5) / (1.5 * e + 1) - mean.depth * mean.velocity);
+  }
+  const auto claim = [&](const std::string& id, const std::string& text, double value) {
+    check.that({.id = id, .text = text, .quantity = "largest difference", .source = source}, {.value = value},
+               Roundoff{.operations = 100,
+                        .scale = 2,
+                        .reason = "the exponent is found to a rounding by halving; momenta up to 2, in some thirty "
+                                  "operations"});
+  };
+  claim("mass", "The mass is the particle's.", masses.value());
+  claim("momentum", "So is the momentum.", momenta.value());
+}

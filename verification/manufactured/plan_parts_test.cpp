@@ -1,0 +1,258 @@
+// Parts of the plan model that are known in closed form: volumes over a bottom, motion carried to another tangent
+// plane, masses on a shore, the column that a moving window appends.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <boost/math/quadrature/gauss.hpp>
+
+#include "seiche/models/dispersive_shallow_water_2d/model.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+#include "verification/conservation/dispersive_plan_problems.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::dispersive_shallow_water_2d;
+using namespace seiche::verification;
+using evidence::Roundoff;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 3 and 4";
+
+/// int (z - b) dA over a cell with straight sides and the bilinear surface, by Gauss's rule of 7 x 7 points: exact for
+/// polynomials of degree 13 along each side.
+double water_in_cell(const Lattice& lattice, std::size_t cell) {
+  using Gauss = boost::math::quadrature::gauss<double, 7>;
+  const auto corners = lattice.shape.corners(cell);
+  const auto mapped = [&](const std::vector<double>& v, double s, double t) {
+    return (1 - s) * (1 - t) * v[corners[0]] + s * (1 - t) * v[corners[1]] + s * t * v[corners[2]] +
+           (1 - s) * t * v[corners[3]];
+  };
+  const auto along_s = [&](const std::vector<double>& v, double t) {
+    return (1 - t) * (v[corners[1]] - v[corners[0]]) + t * (v[corners[2]] - v[corners[3]]);
+  };
+  const auto along_t = [&](const std::vector<double>& v, double s) {
+    return (1 - s) * (v[corners[3]] - v[corners[0]]) + s * (v[corners[2]] - v[corners[1]]);
+  };
+  const auto integrand = [&](double s, double t) {
+    const double area = along_s(lattice.x, t) * along_t(lattice.y, s) - along_s(lattice.y, t) * along_t(lattice.x, s);
+    const double bed = lattice.bottom->slope(mapped(lattice.x, s, t), mapped(lattice.y, s, t)).elevation;
+    return area * (mapped(lattice.z, s, t) - bed);
+  };
+  return Gauss::integrate(
+      [&](double t) { return Gauss::integrate([&](double s) { return integrand(s, t); }, 0.0, 1.0); }, 0.0, 1.0);
+}
+
+/// A bowl -1 + (x/10)^2 + (y/12)^2 - x y/200.
+std::shared_ptr<const PlanBottom> bowl() {
+  return std::make_shared<PolynomialBottom>(
+      std::vector<PolynomialBottom::Term>{{.coefficient = -1},
+                                          {.coefficient = 0.01, .x_power = 2},
+                                          {.coefficient = 1.0 / 144, .y_power = 2},
+                                          {.coefficient = -0.005, .x_power = 1, .y_power = 1}});
+}
+
+/// A sheared lattice, 4 x 3 cells, its south side a slanted wall, the others free.
+Lattice slanted_lattice() {
+  using plan_lattice::FreeSide;
+  Lattice lattice = rectangular_lattice({.begin = 0,
+                                         .end = 4,
+                                         .south = 0,
+                                         .north = 3,
+                                         .columns = 4,
+                                         .rows = 3,
+                                         .sides = {.west = FreeSide{}, .east = FreeSide{}, .north = FreeSide{}},
+                                         .bottom = bowl()});
+  for (std::size_t k = 0; k < lattice.x.size(); ++k) lattice.y[k] += 0.5 * lattice.x[k];
+  return lattice;
+}
+
+/// The unit normal of the bottom below node k.
+std::array<double, 3> normal_at(const PlanBottom& bottom, std::span<const double> q, std::size_t k) {
+  const auto b = bottom.slope(q[k], q[q.size() / 3 + k]);
+  const double length = std::sqrt(1 + b.along_x * b.along_x + b.along_y * b.along_y);
+  return {-b.along_x / length, -b.along_y / length, 1 / length};
+}
+
+double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+}  // namespace
+
+TEST_CASE("cells of the plan model hold the water between surface and bottom", "[manufactured]") {
+  Check check("plan_volumes", "Plan model: volumes over a bottom of degree four",
+              "Volumes are integrals around the cells, by Gauss's rule of three points on each side, exact for bottoms "
+              "of degree four. They are compared with integrals over the cells, by products of rules of seven points. "
+              "8 x 8 cells off a rectangle at random.");
+  Lattice lattice = jittered(rectangular_lattice({.begin = 0,
+                                                  .end = 8,
+                                                  .south = 0,
+                                                  .north = 8,
+                                                  .columns = 8,
+                                                  .rows = 8,
+                                                  .elevation = [](double x, double y) { return 0.1 * std::sin(x + y); },
+                                                  .bottom = quartic_bottom()}),
+                             0.2, 3);
+  const Model model(lattice);
+  Worst worst;
+  for (std::size_t cell = 0; cell < lattice.shape.cells(); ++cell) {
+    worst.add(model.first_volumes()[cell] - water_in_cell(lattice, cell));
+  }
+  check.that({.id = "volume",
+              .text = "The volume of every cell is the integral of the depth.",
+              .quantity = "largest difference of a volume",
+              .unit = "m^3",
+              .source = source},
+             {.value = worst.value()},
+             Roundoff{.operations = 40,
+                      .scale = 10,
+                      .reason = "four sides of three points, each the bottom's integral along x, up to 8 deep and 8 "
+                                "long, times a side of about one"});
+}
+
+TEST_CASE("a step over an uneven bottom carries velocities without a change of energy", "[manufactured]") {
+  Check check("plan_carried_velocities", "Plan model: velocities carried to another tangent plane",
+              "The bottom's normal under a marker changes in a step by 0.1 to 0.4, much more than in a run. Free "
+              "markers are turned by the smallest rotation that takes one normal to the other: the parts along both, "
+              "and along the axis of the rotation, are kept. Markers at a slanted wall keep their energy.");
+  Model model(slanted_lattice());
+  mechanics::State state = model.state();
+  const std::size_t n = model.nodes();
+  const std::size_t columns = model.shape().columns;
+  std::minstd_rand random(2);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (double& u : state.u) u = uniform(random);
+  // The wall: y = x/2.
+  for (std::size_t k = 0; k <= columns; ++k) state.u[n + k] = 0.5 * state.u[k];
+  const std::vector<double> before = state.u;
+  std::vector<double> moved = state.q;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double way = 4 + uniform(random);
+    moved[k] += way;
+    moved[n + k] += 0.5 * way;
+    moved[2 * n + k] = 2;
+  }
+  model.linearise({0, 0}, state.q);
+  std::vector<double> after = before;
+  model.settle({0, 0}, moved, after);
+  const PlanBottom& bottom = *model.lattice().bottom;
+  Worst normal_part, axis_part, length, wall_energy, through_wall;
+  Smallest turned;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto from = normal_at(bottom, state.q, k);
+    const auto to = normal_at(bottom, moved, k);
+    const std::array u{before[k], before[n + k], before[2 * n + k]};
+    const std::array v{after[k], after[n + k], after[2 * n + k]};
+    if (k > columns) {
+      const auto axis = cross(from, to);
+      turned.add(std::sqrt(dot(axis, axis)));
+      normal_part.add(dot(v, to) - dot(u, from));
+      axis_part.add(dot(v, axis) - dot(u, axis));
+      length.add(dot(v, v) - dot(u, u));
+    } else {
+      const double less = 1 - model.settings().inertia;
+      const auto energy = [&](const std::array<double, 3>& w, const std::array<double, 3>& normal) {
+        return dot(w, w) - less * dot(w, normal) * dot(w, normal);
+      };
+      wall_energy.add(energy(v, to) - energy(u, from));
+      through_wall.add(v[1] - 0.5 * v[0]);
+    }
+  }
+  check.measure("smallest sine of the angle by which a free marker's velocity is turned", turned.value());
+  const auto claim = [&](const std::string& id, const std::string& text, double value) {
+    check.that({.id = id, .text = text, .quantity = "largest difference", .source = source}, {.value = value},
+               Roundoff{.operations = 60, .scale = 3, .reason = "some sixty operations on squares that add up to 3"});
+  };
+  claim("normal", "The velocity normal to the bottom is kept.", normal_part.value());
+  claim("axis", "The velocity along the axis of the rotation is kept.", axis_part.value());
+  claim("length", "The magnitude is kept.", length.value());
+  claim("wall-energy", "At a slanted wall the energy is kept.", wall_energy.value());
+  claim("wall", "No velocity through the wall.", through_wall.value());
+}
+
+TEST_CASE("markers on a shore have a sixth of their cells", "[manufactured]") {
+  Check check("plan_shore_masses", "Plan model: masses on a shore",
+              "A marker on the shoreline has the mass that linear elements give it, a sixth of each of its cells; all "
+              "others have a quarter. A canal between walls, 6 x 2 cells, shores at both ends.");
+  Lattice lattice = rectangular_lattice({.begin = -10, .end = 10, .south = 0, .north = 2, .columns = 6, .rows = 2});
+  lattice.bottom = std::make_shared<PolynomialBottom>(
+      std::vector<PolynomialBottom::Term>{{.coefficient = -1}, {.coefficient = 0.01, .x_power = 2}});
+  lattice.sides.west = lattice.sides.east = plan_lattice::ShoreSide{};
+  const Model model(lattice);
+  Worst worst;
+  for (std::size_t j = 0; j <= 2; ++j) {
+    for (std::size_t i = 0; i <= 6; ++i) {
+      double mass = 0;
+      for (std::size_t cell = 0; cell < lattice.shape.cells(); ++cell) {
+        const auto corners = lattice.shape.corners(cell);
+        const bool has = std::find(corners.begin(), corners.end(), lattice.shape.node(i, j)) != corners.end();
+        if (has) mass += model.first_volumes()[cell] * (i == 0 || i == 6 ? 1.0 / 6 : 1.0 / 4);
+      }
+      worst.add(model.node_masses()[lattice.shape.node(i, j)] - mass);
+    }
+  }
+  check.that({.id = "share",
+              .text = "Masses are the shares of the cells around.",
+              .quantity = "largest difference of a mass",
+              .source = "linear elements; shoreline.hpp"},
+             {.value = worst.value()},
+             Roundoff{.operations = 8, .scale = 4, .reason = "four products added, of volumes up to 4"});
+}
+
+TEST_CASE("a moving window appends still water of its own depth", "[manufactured]") {
+  Check check("plan_window_cells", "Plan model: the column that a window appends",
+              "A lattice whose columns widen to the east, over a level bottom 2 deep and over an inclined one, is "
+              "shifted by one column. The new cells hold still water as wide as the last column was, at rest; "
+              "constraints are met, and masses are those of the cells. Over a level bottom a new cell is the copy of "
+              "its neighbour: only the inclined one tells them apart.");
+  for (const bool inclined : {false, true}) {
+    Lattice lattice = rectangular_lattice({.begin = 0,
+                                           .end = 4,
+                                           .south = 0,
+                                           .north = 3,
+                                           .columns = 4,
+                                           .rows = 3,
+                                           .sides = {.west = plan_lattice::HeldSide{}},
+                                           .depth = 2});
+    for (double& x : lattice.x) x *= 1 + 0.1 * x;
+    if (inclined) {
+      lattice.bottom = std::make_shared<PolynomialBottom>(
+          std::vector<PolynomialBottom::Term>{{.coefficient = -2}, {.coefficient = 0.1, .x_power = 1}});
+    }
+    const double east = lattice.x[4];
+    const double width = lattice.x[4] - lattice.x[3];
+    const double depth = inclined ? 2 - 0.1 * (east + 0.5 * width) : 2;
+    Model model(std::move(lattice));
+    mechanics::State state = model.state();
+    model.shift_east(state);
+    Worst volume, defect;
+    std::vector<double> values(model.constraints());
+    model.constraint_values(state.q, values);
+    for (std::size_t j = 0; j < 3; ++j) volume.add(model.first_volumes()[4 * j + 3] - width * depth);
+    for (const double value : values) defect.add(value);
+    double water = 0;
+    for (const double v : model.first_volumes()) water += v;
+    const std::string where = inclined ? "inclined" : "level";
+    const auto claim = [&](const std::string& id, const std::string& text, double value) {
+      check.that({.id = where + "-" + id, .text = text, .quantity = "largest difference", .source = source},
+                 {.value = value},
+                 Roundoff{.operations = 60,
+                          .scale = 20,
+                          .reason = "volumes from places up to 7 deep and wide, in some "
+                                    "sixty operations"});
+    };
+    claim("volume", "A new cell holds its width times the depth in its middle.", volume.value());
+    claim("constraints", "The shifted state meets its constraints.", defect.value());
+    claim("mass", "The masses of the nodes are the water of the cells.", model.mass() - water);
+  }
+}
