@@ -120,7 +120,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const Claims<Results> claims =
       all.at(fmt::format("{} rings, tau = {:g}", values.integer("rings"), values.real("time_step")));
   const auto published =
-      claims.only_if(values.as_published(), "the independent program ran with the default parameters");
+      claims.only_if(values.as_published("frank-ellipse"), "the independent program ran with the default parameters");
   published.check(
       {.id = "places",
        .text = "The particles err by little more than the steps make them err.",
@@ -193,6 +193,7 @@ Case ellipse_gauss() {
       real("time_step", 0.01, "1", {1e-5, 0.5}, "time step"),
       real("time", 2.0, "1", {0.01, 10}, "end of the run"),
   };
+  c.published = {{.tiles = {"frank-ellipse"}}};
   c.study = Study(claims, compute, show);
   return c;
 }
