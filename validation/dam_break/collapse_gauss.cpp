@@ -14,7 +14,8 @@ shallow water, $X = 1 + 2T$ (Ritter), has no vertical acceleration to overcome, 
 
 **What to look at.** As it stands the front is ahead of the measured one from the first point on: nothing holds the
 water, and nothing rubs. The tall column's front, shifted, goes through the points. That of the square column gains
-on them: it grows thin sooner, and friction on bed and side walls of the experiment holds it back.
+on them, on every lattice: it is thin sooner, and there is no friction on bed and side walls to hold it back. The claim
+`rms` is therefore declared to fail with `aspect=1`.
 
 **When it is no test.** The front becomes thinner than a cell; what it does there is the free flight of particles.
 */
@@ -270,14 +271,23 @@ void claim_front(const Claims<Results>& claims, const ColumnFront& data) {
             .reason = "0.05 to 0.35: the diaphragm takes 0.05 to 0.3 to melt, by other computations, known to "
                       "0.05 by the points",
             .expected = 0.2});
-  claims.check(
-      {.id = "rms",
-       .text = "With this one shift the front goes through the measured points.",
-       .quantity = "rms difference of X/a",
-       .source = experiment},
-      [](const Results& r) { return r.fit.rms; },
-      Bound{.limit = 2 * data.uncertainty * std::sqrt(2.0),
-            .reason = "two standard uncertainties of a point, in X and in T, along which X runs as fast"});
+  const evidence::Claim rms{.id = "rms",
+                            .text = "With this one shift the front goes through the measured points.",
+                            .quantity = "rms difference of X/a",
+                            .source = experiment};
+  const Bound points{.limit = 2 * data.uncertainty * std::sqrt(2.0),
+                     .reason = "two standard uncertainties of a point, in X and in T, along which X runs as fast"};
+  const auto found = [](const Results& r) { return r.fit.rms; };
+  if (data.tall) {
+    claims.check(rms, found, points);
+  } else {
+    claims.known_failure(
+        rms, found, points,
+        {.value = 0.153,
+         .width = 0.015,
+         .reason = "without friction the front of the square column gains on the measured one, on "
+                   "every lattice: between T = 2 and 3 it makes 2 sqrt(g a) where the points say 1.4"});
+  }
 }
 
 /// Of the height at the wall of a square column, later by the front's shift.
@@ -306,7 +316,8 @@ void claims(const Values& values, const Claims<Results>& all) {
            .quantity = "rms difference of H/a",
            .source = experiment},
           [heights](const Results& r) { return height_off(r, heights); },
-          Bound{.limit = 0.06, .reason = "two standard uncertainties of a point"});
+          Bound{.limit = 2 * std::hypot(0.03, 0.03 * 0.25),
+                .reason = "two standard uncertainties of a point, in H and in T, along which H falls by 0.25 a unit"});
 }
 
 Results compute(const Run& run) {
@@ -354,11 +365,10 @@ void draw(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     const io::Table table = values.table("martin_moyce_1952_square_height");
     heights.points("Martin and Moyce", table.column("Tg"), table.column("H_over_a"), Role::data);
   }
-  auto& water = exhibit.figure("water", "The water", "Particles, and markers of its surface.");
+  auto& water = exhibit.figure("water", "The water", "Markers of its surface.");
   for (const Frame& frame : run.frames) {
     auto& shape =
         water.panel({.x = "x/a", .y = "y/a", .title = fmt::format("T = {:.2f}", frame.T), .equal_aspect = true});
-    shape.points("particles", frame.x, frame.y, Role::water);
     shape.line("markers", frame.line_x, frame.line_y, Role::computed);
   }
 }

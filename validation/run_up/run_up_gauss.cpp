@@ -209,7 +209,7 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
         evenly(frame->line_x.front(), r.climb.toe() + r.climb.cot_slope * (1 + run.highest), 201);
     for (const double at : x) ground.push_back(r.climb.bottom(at));
     panel.line("bottom", x, ground, Role::bed);
-    panel.points("markers", frame->line_x, frame->line_y, Role::computed);
+    panel.line("surface", frame->line_x, frame->line_y, Role::computed);
   }
   auto& history = exhibit.figure("history", "Level at the shore", "Highest marker beyond the toe, or at the wall.")
                       .panel({.x = "t [sqrt(depth/g)]", .y = "level [depth]"});
