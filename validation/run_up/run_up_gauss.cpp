@@ -16,11 +16,11 @@ measurements of Hall and Watts (1953). It knows no friction and has to lie above
 
 **What to look at.** The run-up converges from above, with an order near 3 while cells and particles are refined
 together. With six particles to a side and ever finer cells, an error of 0.7 % is left at $A = 0.3$, and one of 3 % at
-$A = 0.1$, where the same noise meets less energy. On slopes of cotangent 1 and 2 the extrapolated run-up is some 6 %
-higher than the measured one.
+$A = 0.1$, where the same noise meets less energy. On slopes of cotangent 1 and 2 it is some 6 % higher than the
+measured one (`cot_slope=2 amplitude=0.29`).
 
-**When it is no test.** The tongue of water on a slope is thinner than a cell where it ends; there the run-up converges
-with the first order only.
+**When it is no test.** The tongue of water on a slope is thinner than a cell where it ends: there the run-up converges
+more slowly than at a wall.
 */
 #include <cmath>
 #include <optional>
