@@ -81,16 +81,17 @@ TEST_CASE("with gravity on its surface a wave needs no penalty", "[dispersion]")
        .source = source},
       {.value = squares.rms(), .resolution = resolution},
       Bound{1.5 * height / 2 / std::sqrt(2.0) * turn * periods * lead,
-            "the phase leads by (omega tau)^2/12, so much of an amplitude of 0.2 over five periods; half as much "
-            "again for the lattice"});
+            "the linear law of markers that lead by a third of their last change has the phase lead by "
+            "(omega tau)^2/12: so much of an amplitude of 0.2 over five periods; the lattice may add half as much, or "
+            "it and not the steps would be the larger error"});
   check.that({.id = "energy",
               .text = "The energy errs by less than the square of the step.",
               .quantity = "largest defect over the kinetic energy",
               .source = source},
              {.value = flow.ledger().largest_defect("energy") / kinetic, .resolution = resolution},
-             Bound{turn / steps * turn / steps,
-                   "(omega tau)^2; a force that lags by a part of the step takes as much per "
-                   "period and more"});
+             Bound{lead,
+                   "(omega tau)^2/12, by which the energy that the steps keep differs from the exact one; a force that "
+                   "lags by a part of the step takes ten times as much in each period"});
   check.that(
       {.id = "momentum",
        .text = "The momentum is kept to round-off: the potential energy does not depend on where the water is.",

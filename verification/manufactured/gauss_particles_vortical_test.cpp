@@ -102,8 +102,8 @@ TEST_CASE("an unsteady vortical flow with a free surface is met to second order"
               .source = source},
              seiche::evidence::observed_order(sizes, errors),
              Order{2, 0.25,
-                   "second order in time; third order in space and the error of sums over particles, each some per "
-                   "cent of it, change with how the circle cuts the cells of a lattice"});
+                   "second order in time; the splines add a term of third order, up to h of the first with fields of "
+                   "order 1: 0.3 on the coarsest lattice, 0.075 on the finest"});
   check.that(
       {.id = "work",
        .text = "The energy changes by the force's work.",

@@ -35,7 +35,7 @@ std::vector<Lake> lakes() {
 
 }  // namespace
 
-TEST_CASE("a lake at rest on a random hexahedral mesh stays at rest bit by bit", "[conservation]") {
+TEST_CASE("a lake at rest on a random hexahedral mesh stays at rest bit by bit", "[rest]") {
   Check check(
       "lagrangian_mesh_3d_rest", "Still water on random hexahedral meshes",
       "12 x 8 x 3 cells, inner nodes moved at random by up to a tenth of a cell. The potential energy counts from "

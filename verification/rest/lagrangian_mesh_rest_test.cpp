@@ -69,7 +69,7 @@ std::vector<Lake> lakes() {
 
 }  // namespace
 
-TEST_CASE("a lake at rest on a random mesh stays at rest bit by bit", "[conservation]") {
+TEST_CASE("a lake at rest on a random mesh stays at rest bit by bit", "[rest]") {
   Check check(
       "lagrangian_mesh_rest", "Still water on random meshes",
       "12 x 5 cells, nodes moved at random by up to 10 % of a cell: interior ones anywhere, those at walls along "

@@ -76,7 +76,7 @@ double largest_speed(const State& state) {
 
 }  // namespace
 
-TEST_CASE("a lake at rest in plan stays at rest bit by bit", "[conservation]") {
+TEST_CASE("a lake at rest in plan stays at rest bit by bit", "[rest]") {
   Check check(
       "dispersive_plan_rest", "Still water in plan",
       "20 x 20 cells, inner nodes moved at random by up to 0.15 of a cell, over any bottom and between any straight "
@@ -98,7 +98,7 @@ TEST_CASE("a lake at rest in plan stays at rest bit by bit", "[conservation]") {
   }
 }
 
-TEST_CASE("raised water at rest in plan stays at rest to round-off", "[conservation]") {
+TEST_CASE("raised water at rest in plan stays at rest to round-off", "[rest]") {
   Check check(
       "dispersive_plan_raised_rest", "Raised water at rest in plan",
       "The same lakes with the surface 0.2 above the level from which elevations count: gravity and pressure balance "

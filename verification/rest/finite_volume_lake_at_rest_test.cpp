@@ -9,7 +9,7 @@
 using namespace seiche;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 
-TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and without an island", "[conservation]") {
+TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and without an island", "[rest]") {
   verification::Check check(
       "finite_volume_lake_at_rest", "Finite volumes: a lake at rest",
       "Bed $z = b\\,e^{-(x-5)^2} + 0.05 \\sin 3x$, surface at 0.8 m, 200 cells, 10 000 steps. With "
