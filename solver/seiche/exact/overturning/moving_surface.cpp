@@ -131,6 +131,10 @@ MovingSurface::Extremes MovingSurface::extremes(double t) const {
   return {length_ * shape.highest(), length_ * shape.lowest()};
 }
 
+double MovingSurface::largest_curvature(double t) const {
+  return curve(evolution_->at(scaled_time(t))).largest_curvature() / length_;
+}
+
 std::optional<MovingSurface::Jet> MovingSurface::jet(double t) const {
   const auto overhang = curve(evolution_->at(scaled_time(t))).overhang();
   if (!overhang) return {};

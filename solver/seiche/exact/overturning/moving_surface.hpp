@@ -38,6 +38,9 @@ class MovingSurface {
   };
   [[nodiscard]] Extremes extremes(double t) const;
 
+  /// Largest magnitude of the surface's curvature [1/m].
+  [[nodiscard]] double largest_curvature(double t) const;
+
   /// Nose of the jet and throat of the cavity below it, where the surface is vertical [m], and the least distance
   /// between the outer half of the jet and the water ahead [m]; none while the surface is a graph.
   struct Jet {
