@@ -21,6 +21,17 @@ constexpr double below_waves = -1;
 const std::string source =
     "Longuet-Higgins & Cokelet, Proc. R. Soc. A 350 (1976) 1: potential flow, computed by Cauchy's integral";
 
+/// Whether the water is outside the closed line, which has it on its left: where particles have been drawn apart
+/// within.
+bool is_hole(const std::vector<Point>& line) {
+  double area = 0;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const Point& next = line[(k + 1) % line.size()];
+    area += line[k].x * next.y - next.x * line[k].y;
+  }
+  return area < 0;
+}
+
 /// The outline of the particles' water over one wavelength, without what closes it along the bottom.
 Polylines outline_of(const gauss_particles::Flow& flow, double spacing) {
   const std::vector<double>& masses = flow.model().particles().mass;
@@ -38,21 +49,20 @@ Polylines outline_of(const gauss_particles::Flow& flow, double spacing) {
   }
   Polylines pieces;
   for (const auto& line : gauss_particles::surface_contours(x, y, mass, 1, spacing)) {
+    if (is_hole(line)) continue;
     Polyline piece;
-    const auto cut = [&] {
-      if (piece.x.size() > 1) pieces.push_back(std::exchange(piece, {}));
-      piece = {};
-    };
     for (std::size_t k = 0; k <= line.size(); ++k) {
       const Point& point = line[k % line.size()];
-      if (point.y > below_waves && std::abs(point.x) <= wavelength / 2) {
+      const bool on_surface = point.y > below_waves && std::abs(point.x) <= wavelength / 2;
+      if (on_surface) {
         piece.x.push_back(point.x);
         piece.y.push_back(point.y);
-      } else {
-        cut();
+      }
+      if ((!on_surface || k == line.size()) && !piece.x.empty()) {
+        Polyline complete = std::exchange(piece, {});
+        if (complete.x.size() > 1) pieces.push_back(std::move(complete));
       }
     }
-    cut();
   }
   return pieces;
 }
