@@ -15,8 +15,9 @@ height and the pressure of the figure the surface of every frame, the time at wh
 work are compared with potential flow under the same pressure, which Cauchy's integral gives to many digits
 (`seiche exact pressure_forced_wave`): on the lattice, on cells a third wider and on cells twice as wide.
 
-**What to look at.** The front steepens from 6.2 on, is vertical at 7.01 in potential flow, and throws a jet that is
-thinner than a cell: there markers have no particles about them and fly on their own.
+**What to look at.** The front steepens from 6.2 on, is vertical at 7.01 in potential flow, and throws a jet. Where the
+jet is thinner than a cell, markers have no particles about them and fly on their own: their line shows no more than
+that there is one, and the outline of the particles is compared instead.
 
 **When it is no test.** The amplitude of the pressure is fitted, so that the time of breaking is no prediction of
 Frank's figure; against potential flow it is one.

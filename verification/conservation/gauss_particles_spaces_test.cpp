@@ -8,6 +8,7 @@
 #include "seiche/exact/stretching_drop.hpp"
 #include "seiche/models/gauss_particles/integrators.hpp"
 #include "seiche/models/gauss_particles/polynomial_space.hpp"
+#include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
@@ -161,4 +162,43 @@ TEST_CASE("the projection scheme loses energy at the rate of its accelerations",
                         "times its first value",
               .expected = 1});
   }
+}
+
+TEST_CASE("spray of free particles flies freely", "[conservation]") {
+  Check check(
+      "gauss_particles_spray", "Free particles: spray",
+      "A drop falls from rest beside three particles, thinner than a cell and out of reach of what could continue the "
+      "fields: these move on their parabolas, to round-off, and the drop does not know of them.");
+  Particles particles = disc(1, 12);
+  const std::size_t drop = particles.size();
+  for (const double place : {4.0, 4.05, 4.1}) particles.add(place, 4, 0.001);
+  Model model(particles, std::make_unique<SplineSpace>(LatticePlan{.cell_x = 0.3}), {.gravity = 1, .penalty = 0});
+  State state = model.state([](Point r) { return r.x > 3 ? Point{0.5, 1} : Point{0, 0}; });
+  OneStep<Model> step(model);
+  constexpr int count = 64;
+  for (int k = 0; k < count; ++k) step.step(state, 1.0 / count);
+  Worst spray;
+  Worst fallen;
+  for (std::size_t k = 0; k < model.size(); ++k) {
+    const bool flies = k >= drop;
+    Worst& worst = flies ? spray : fallen;
+    worst.add(state.q[k] - particles.x[k] - (flies ? 0.5 : 0));
+    worst.add(state.q[model.size() + k] - particles.y[k] - (flies ? 1 : 0) + 0.5);
+  }
+  const std::string resolution = "432 particles and 3, 64 steps";
+  check.that({.id = "spray",
+              .text = "Spray moves on its parabola.",
+              .quantity = "largest distance along an axis from the exact place",
+              .source = source},
+             {.value = spray.value(), .resolution = resolution},
+             Roundoff{.operations = count, .scale = 5, .reason = "one rounding of places up to 5 per step"});
+  check.that(
+      {.id = "drop",
+       .text = "The drop falls as a whole.",
+       .quantity = "largest distance along an axis from the exact place",
+       .source = source},
+      {.value = fallen.value(), .resolution = resolution},
+      Roundoff{.operations = count * count,
+               .scale = 1,
+               .reason = "velocities up to 1 that are rounded in each step displace the drop in all later ones"});
 }

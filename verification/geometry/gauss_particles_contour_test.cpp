@@ -65,3 +65,33 @@ TEST_CASE("the outline of particles encloses their water", "[geometry]") {
             "the kernel moves the line by its second moment times the curvature; the grid of half a spacing adds as "
             "much at most, which changes with where it lies: a factor of 2 over three octaves is 0.33 of an order"});
 }
+
+TEST_CASE("a disc of particles has the mass and the moments of inertia of a disc", "[geometry]") {
+  Check check("gauss_particles_disc", "Free particles: a disc",
+              "Rings of particles on a disc of radius 2 and density 3: mass and second moments are those of the disc.");
+  const Particles particles = disc(2, 20, 16, 3);
+  double mass = 0;
+  double along = 0;
+  double up = 0;
+  double mixed = 0;
+  for (std::size_t k = 0; k < particles.size(); ++k) {
+    const double m = particles.mass[k];
+    mass += m;
+    along += m * particles.x[k] * particles.x[k];
+    up += m * particles.y[k] * particles.y[k];
+    mixed += m * particles.x[k] * particles.y[k];
+  }
+  const double expected = 3 * std::numbers::pi * 4;
+  const auto claim = [&](const std::string& id, const std::string& what, double value, double exact) {
+    check.that({.id = id, .text = "The " + what + ".", .quantity = what, .source = "geometry"},
+               {.value = value, .resolution = "1200 particles"},
+               seiche::evidence::Roundoff{.operations = 1200,
+                                          .scale = expected,
+                                          .reason = "a sum over 1200 particles, of the size of the mass",
+                                          .expected = exact});
+  };
+  claim("mass", "mass", mass, expected);
+  claim("moment-x", "second moment along x", along, expected);
+  claim("moment-y", "second moment along y", up, expected);
+  claim("moment-xy", "mixed second moment", mixed, 0);
+}

@@ -1,11 +1,13 @@
 // The projection of free particles' velocities: exact fields to the order of the splines, gradients to zero.
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "seiche/geometry/curve.hpp"
 #include "seiche/models/gauss_particles/particles.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "verification/check.hpp"
@@ -162,5 +164,65 @@ TEST_CASE("a pressure gradient is projected to zero as the particles' sums becom
                    : Order{theory, 0.1,
                            "the midpoint rule, by its ends; what lines of the lattice add is s^1.5 of it: 0.04 at the "
                            "largest spacing s = 1/8 and 0.002 at the smallest, or 0.02 of an order"});
+  }
+}
+
+TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactured]") {
+  Check check(
+      "gauss_particles_penalty", "Free particles: the penalty on gradients of vorticity",
+      "Cubic splines hold the stream functions of these flows on a block of 2 by 1, whose cells are full: the penalty "
+      "is the integral of the squared gradient of their vorticity, times h^(7/2), and zero for an irrotational flow.");
+  struct Flow {
+    std::string id, text;
+    std::function<seiche::Point(double x, double y)> velocity;
+    double gradient;  ///< of the vorticity
+  };
+  const std::vector<Flow> flows{{"shear", "Stream function y^3/6",
+                                 [](double, double y) {
+                                   return seiche::Point{y * y / 2, 0};
+                                 },
+                                 1},
+                                {"crossed", "Stream function x^2 y/2",
+                                 [](double x, double y) {
+                                   return seiche::Point{x * x / 2, -x * y};
+                                 },
+                                 1},
+                                {"irrotational", "Stream function x^3 - 3 x y^2",
+                                 [](double x, double y) {
+                                   return seiche::Point{-6 * x * y, 3 * (y * y - x * x)};
+                                 },
+                                 0}};
+  constexpr double factor = 1e-13;  // small enough to change nothing
+  for (const Flow& flow : flows) {
+    for (const int cells : {4, 8}) {
+      const double h = 1.0 / cells;
+      const Particles at = layer({.begin = 0,
+                                  .end = 2,
+                                  .columns = static_cast<std::size_t>(12 * cells),
+                                  .rows = static_cast<std::size_t>(6 * cells),
+                                  .surface = [](double) { return 1.0; },
+                                  .bottom = [](double) { return 0.0; },
+                                  .end_corrected = false});
+      SplineSpace space(LatticePlan{.cell_x = h});
+      space.place({}, at.x, at.y, at.mass, factor);
+      Velocities w;
+      for (std::size_t k = 0; k < at.size(); ++k) {
+        const seiche::Point v = flow.velocity(at.x[k], at.y[k]);
+        w.u.push_back(v.x);
+        w.v.push_back(v.y);
+      }
+      space.project(w.u, w.v);
+      check.that(
+          {.id = flow.id + "-" + std::to_string(cells),
+           .text = flow.text + ", h = 1/" + std::to_string(cells) + ".",
+           .quantity = "penalty over its factor, h^(7/2) and the area",
+           .source = "definition of the penalty"},
+          {.value = space.facts().penalty / (factor * std::pow(h, 3.5) * 2)},
+          seiche::evidence::Bound{
+              .limit = 1e-7,
+              .reason = "the penalty itself, 1e-13 of the velocities, and roundings of 1e-15 of stream functions "
+                        "up to 8, whose third derivatives magnify them by h^-3 = 512 and a few differences",
+              .expected = flow.gradient * flow.gradient});
+    }
   }
 }
