@@ -10,23 +10,30 @@ step; five particles to a cell's side; the penalty on gradients of vorticity.
 
 **What is compared.** The time at which the surface first overturns with the frames, on which it is smooth at 5.4 and
 overturned at 7.2; the work of the pressure with that of linear theory, in which a wave of amplitude $a$ grows by
-$\dot a = (p_0/2)\,c \sin t$; the crest's height with that on cells a third wider; the balance of energy.
+$\dot a = (p_0/2)\,c \sin t$; the crest's height with that on cells a third wider; the balance of energy. With the
+height and the pressure of the figure the surface of every frame, the time at which the front is first vertical and the
+work are compared with potential flow under the same pressure, which Cauchy's integral gives to many digits
+(`seiche exact pressure_forced_wave`): on the lattice, on cells a third wider and on cells twice as wide.
 
-**What to look at.** The front steepens from 6.2 on, is vertical at about 6.8 to 7.1, and throws a jet. Where the jet is
-thinner than a cell its water flies freely, and the line of markers shows no more than that there is one.
+**What to look at.** The front steepens from 6.2 on, is vertical at 7.01 in potential flow, and throws a jet. Where the
+jet is thinner than a cell, markers have no particles about them and fly on their own: their line shows no more than
+that there is one, and the outline of the particles is compared instead.
 
-**When it is no test.** The amplitude of the pressure is fitted, so that the time of breaking is no prediction.
+**When it is no test.** The amplitude of the pressure is fitted, so that the time of breaking is no prediction of
+Frank's figure; against potential flow it is one.
 */
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "seiche/exact/stokes_wave.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
+#include "validation/breaking/pressure_breaking_reference.hpp"
 #include "validation/case/case.hpp"
 
 namespace seiche::validation::cases {
@@ -45,21 +52,27 @@ constexpr double half_length = std::numbers::pi;
 constexpr double depth = std::numbers::pi;
 const std::vector<double> frame_times{0, 3.2, 5.0, 5.4, 6.2, 6.8, 7.2, 7.4};
 
+/// The last frame whose curvature every lattice resolves.
+constexpr std::size_t steepest = 4;
+
 struct Frame {
   double time = 0;
   std::vector<double> x, y;  ///< markers of three wavelengths
   double crest_x = 0;
+  Polyline exact;     ///< of three wavelengths too, where potential flow is compared
+  Polylines outline;  ///< of the particles where markers do not tell
 };
 
 struct Results {
   std::vector<Frame> frames;
-  double crest = 0;         ///< above the bottom, at the time `at`
-  double coarse_crest = 0;  ///< on the wider cells
+  double crest = std::numeric_limits<double>::quiet_NaN();         ///< above the bottom, at the time `at`
+  double coarse_crest = std::numeric_limits<double>::quiet_NaN();  ///< on the wider cells
   /// First time at which the line of markers goes backwards; NaN: never.
   double overturned = std::numeric_limits<double>::quiet_NaN();
   double work = 0;     ///< of the pressure
   double balance = 0;  ///< largest defect of energy, work and loss
   double loss = 0;     ///< by the penalty
+  BreakingComparison comparison;
   [[nodiscard]] double crest_change() const { return crest - coarse_crest; }
 };
 
@@ -101,8 +114,21 @@ Flow flow_of(const Values& values, long cells) {
               }});
 }
 
-long wider(const Values& values) {
-  return values.integer("cells") * 3 / 4;
+/// Whether the wave is that of the frames, of which is known when it overturns.
+bool compared(const Values& values) {
+  return values.real("height") == 0.6 && values.real("pressure") == 0.1;
+}
+
+/// Cells to a wavelength, coarsest first.
+std::vector<long> lattices(const Values& values) {
+  const long cells = values.integer("cells");
+  if (!compared(values)) return {cells * 3 / 4, cells};
+  return {cells / 2, cells * 3 / 4, cells};
+}
+
+BreakingLattice lattice(const Values& values, long cells) {
+  return {.cell = 2 * half_length / static_cast<double>(cells),
+          .tau = values.real("tau") * static_cast<double>(values.integer("cells")) / static_cast<double>(cells)};
 }
 
 Point highest(const std::vector<Point>& line) {
@@ -121,34 +147,72 @@ Frame frame_of(const Flow& flow) {
   return frame;
 }
 
-Results compute(const Run& run) {
-  Results r;
-  const double at = run.real("at");
-  Flow coarse = flow_of(run, wider(run));
-  coarse.advance_to(at, run.real("tau"));
-  r.coarse_crest = depth + highest(coarse.markers()).y;
-  run.progress(0.25);
+Frame frame_of(const Flow& flow, const PressureBreakingReference& reference, const ComparedSurface& surface) {
+  Frame frame = frame_of(flow);
+  const Polyline exact = reference.surface(flow.time());
+  for (const int period : {-1, 0, 1}) {
+    for (std::size_t k = 0; k < exact.x.size(); ++k) {
+      frame.exact.x.push_back(exact.x[k] + 2 * half_length * period);
+      frame.exact.y.push_back(exact.y[k]);
+    }
+  }
+  frame.outline = surface.outline;
+  return frame;
+}
 
-  Flow flow = flow_of(run, run.integer("cells"));
-  std::vector<double> times = frame_times;
-  times.push_back(at);
+/// One lattice up to the last of the frames, or without a reference to the time at which its crest is wanted.
+Results break_on(const Run& run, long cells, const PressureBreakingReference* reference) {
+  Results r;
+  Flow flow = flow_of(run, cells);
+  const auto [cell, tau] = lattice(run, cells);
+  const double at = run.real("at");
+  const bool finest = cells == run.integer("cells");
+  ComparedLattice exactly{.cell = cell};
+  std::vector<double> times{at};
+  if (finest || reference) times.insert(times.end(), frame_times.begin(), frame_times.end());
   std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   for (const double time : times) {
-    flow.advance_to(time, run.real("tau"), [&] {
+    flow.advance_to(time, tau, [&] {
       flow.observe();
       if (std::isnan(r.overturned) && goes_backwards(flow.markers())) r.overturned = flow.time();
     });
     if (time == at) r.crest = depth + highest(flow.markers()).y;
-    if (std::find(frame_times.begin(), frame_times.end(), time) != frame_times.end() &&
-        (r.frames.empty() || r.frames.back().time < time)) {
+    if (std::find(frame_times.begin(), frame_times.end(), time) == frame_times.end()) continue;
+    if (reference) {
+      exactly.frames.push_back(compare(*reference, flow, cell, cell / static_cast<double>(run.integer("per_cell"))));
+      r.frames.push_back(frame_of(flow, *reference, exactly.frames.back()));
+    } else {
       r.frames.push_back(frame_of(flow));
     }
-    run.progress(0.25 + 0.75 * time / frame_times.back());
+    if (finest) run.progress(0.4 + 0.6 * time / frame_times.back());
   }
   r.work = flow.model().work();
   r.balance = flow.ledger().largest_defect("energy");
   r.loss = flow.model().penalty_loss();
+  exactly.overturned = r.overturned;
+  exactly.work = r.work;
+  r.comparison.lattices.push_back(std::move(exactly));
   return r;
+}
+
+Results compute(const Run& run) {
+  std::optional<PressureBreakingReference> reference;
+  if (compared(run)) reference.emplace(run.real("height"), run.real("pressure"));
+  std::vector<Results> ladder;
+  for (const long cells : lattices(run)) {
+    ladder.push_back(break_on(run, cells, reference ? &*reference : nullptr));
+    run.progress(cells == run.integer("cells") ? 1 : 0.2 * static_cast<double>(ladder.size()));
+  }
+  Results finest = ladder.back();
+  finest.coarse_crest = ladder[ladder.size() - 2].crest;
+  finest.comparison.lattices.clear();
+  for (const Results& r : ladder) finest.comparison.lattices.push_back(r.comparison.lattices.front());
+  if (reference) {
+    finest.comparison.vertical_tangent = reference->vertical_tangent();
+    finest.comparison.work = reference->wave().action(frame_times.back()).work;
+  }
+  return finest;
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
@@ -171,6 +235,10 @@ void claims(const Values& values, const Claims<Results>& all) {
                                     "a jet",
                           .expected = 6.7});
   const exact::StokesWave wave = wave_of(values);
+  claim_potential_flow(
+      claims.only_if(compared(values), "potential flow is compared for a height of 0.6 and a pressure of 0.1")
+          .of(&Results::comparison),
+      frame_times, steepest, lattice(values, values.integer("cells")), wave.phase_speed());
   const double first = wave.amplitude();
   const double last = first + pressure * wave.phase_speed();
   claims.only_if(pressure > 0, "without a pressure there is no work")
@@ -220,6 +288,23 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     std::vector<double> x;
     for (const double place : frame.x) x.push_back(place - frame.crest_x);
     panel.line("surface", x, frame.y, Role::computed);
+    const auto from_crest = [&](Polyline line) {
+      for (double& place : line.x) place -= frame.crest_x;
+      return line;
+    };
+    if (!frame.exact.x.empty()) {
+      const Polyline exact = from_crest(frame.exact);
+      panel.line("potential flow", exact.x, exact.y, Role::exact);
+    }
+    for (const Polyline& piece : frame.outline) {
+      const Polyline outline = from_crest(piece);
+      panel.line(&piece == &frame.outline.front() ? "outline of the particles" : "", outline.x, outline.y, Role::peer);
+    }
+  }
+  if (r.comparison.vertical_tangent > 0) {
+    exhibit.table(distance_table(r.comparison));
+    exhibit.measure("exact_vertical_tangent_time", r.comparison.vertical_tangent);
+    exhibit.measure("exact_work", r.comparison.work);
   }
   if (std::isfinite(r.overturned)) exhibit.measure("overturning_time", r.overturned);
   exhibit.measure("crest", r.crest);

@@ -14,8 +14,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Relative change of the energy, or relative size of the upper half of the spectrum, at which the surface is no longer
-/// resolved.
+/// Relative change of the energy beyond the work of a pressure, or relative size of the upper half of the spectrum, at
+/// which the surface is no longer resolved.
 constexpr double resolution_lost = 3e-3;
 /// Differences of the two orders below this are rounding errors, which shorter steps do not lower.
 constexpr double roundoff_of_step = 2e-13;
@@ -31,12 +31,13 @@ double damping(double wavenumber, std::size_t markers) {
 
 }  // namespace
 
-Evolution::Evolution(State initial, double depth, double tolerance)
+Evolution::Evolution(State initial, double depth, double tolerance, SurfacePressure pressure)
     : depth_(depth),
       tolerance_(std::max(tolerance, roundoff_of_step)),
-      stepper_(initial.size() / 3, depth),
-      fourier_(initial.size() / 3),
-      coefficients_(initial.size() / 3) {
+      pressure_(std::move(pressure)),
+      stepper_(marker_count(initial), depth, pressure_),
+      fourier_(marker_count(initial)),
+      coefficients_(marker_count(initial)) {
   require_positive("tolerance", tolerance);
   moments_.push_back(stepper_.begin(0, std::move(initial)));
 }
@@ -70,7 +71,6 @@ void Evolution::filter(State& state) {
 }
 
 void Evolution::advance_to(double time) {
-  const double start = moments_.front().invariants.energy();
   while (now().time < time && ending_ == Ending::none) {
     const double left = time - now().time;
     // The last two steps are made equal rather than leaving a sliver.
@@ -81,7 +81,7 @@ void Evolution::advance_to(double time) {
     if (accepted) {
       if (duration == left) next.time = time;
       filter(next.state);
-      energy_error_ = std::abs(next.invariants.energy() / start - 1);
+      energy_error_ = energy_error(moments_.front(), next);
       if (!(energy_error_ <= resolution_lost)) ending_ = Ending::energy;
       if (tail_ > resolution_lost) ending_ = Ending::spectral_tail;
       moments_.push_back(std::move(next));
@@ -131,7 +131,7 @@ Moment Evolution::at(double time) const {
   const auto next = std::ranges::upper_bound(moments_, time, {}, &Moment::time);
   const std::span<const Moment> past(moments_.begin(), next);
   if (past.back().time == time) return past.back();
-  return Stepper(view(now().state).size(), depth_).step(past, time - past.back().time).moment;
+  return Stepper(marker_count(now().state), depth_, pressure_).step(past, time - past.back().time).moment;
 }
 
 std::optional<double> Evolution::first_zero(const std::function<double(const Moment&)>& g, double accuracy) const {

@@ -27,13 +27,15 @@ class Evolution {
  public:
   /// @param depth      k h, may be infinite
   /// @param tolerance  of one step, absolute
-  Evolution(State initial, double depth, double tolerance);
+  /// @param pressure   on the surface; where it is not smooth in time, advance_to that time first
+  Evolution(State initial, double depth, double tolerance, SurfacePressure pressure = {});
 
   /// Steps until `time` is reached exactly, or something ends the motion before.
   void advance_to(double time);
 
   [[nodiscard]] const std::vector<Moment>& moments() const { return moments_; }
   [[nodiscard]] const Moment& now() const { return moments_.back(); }
+  [[nodiscard]] bool forced() const { return static_cast<bool>(pressure_); }
   [[nodiscard]] Ending ending() const { return ending_; }
   /// Why the motion ended, where.
   [[nodiscard]] std::string ending_reason() const;
@@ -50,6 +52,7 @@ class Evolution {
 
   double depth_;
   double tolerance_;
+  SurfacePressure pressure_;
   Stepper stepper_;
   linear::Fourier fourier_;
   std::vector<std::complex<double>> coefficients_;

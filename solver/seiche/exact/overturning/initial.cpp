@@ -6,7 +6,7 @@ namespace seiche::exact::overturning {
 
 State from_functions(std::size_t markers, const std::function<double(double)>& elevation,
                      const std::function<double(double)>& potential) {
-  State state(3 * markers, 0.0);
+  State state = still_water(markers);
   const auto surface = view(state);
   for (std::size_t j = 0; j < markers; ++j) {
     surface.y[j] = elevation(label(j, markers));

@@ -29,7 +29,14 @@ void extrapolate(std::span<const Moment> past, double time, Eigen::VectorXd& psi
 
 }  // namespace
 
-void Stepper::rate(const State& state, State& rate, Eigen::VectorXd& psi_s) {
+double energy_error(const Moment& start, const Moment& now) {
+  const double before = start.invariants.energy();
+  const double after = now.invariants.energy();
+  const double defect = after - before - by_pressure(now.state).work;
+  return defect == 0 ? 0 : std::abs(defect) / std::max(before, after);
+}
+
+void Stepper::rate(const State& state, double time, State& rate, Eigen::VectorXd& psi_s) {
   const auto surface = view(state);
   velocity_.solve(surface, psi_s);
   const auto change = view(rate);
@@ -39,15 +46,34 @@ void Stepper::rate(const State& state, State& rate, Eigen::VectorXd& psi_s) {
     change.y[i] = -f.imag();
     change.potential[i] = 0.5 * std::norm(f) - surface.y[i];
   }
+  by_pressure(rate).work = 0;
+  by_pressure(rate).thrust = 0;
+  if (pressure_) add_pressure(state, time, rate, psi_s);
+}
+
+void Stepper::add_pressure(const State& state, double time, State& rate, const Eigen::VectorXd& psi_s) const {
+  const auto surface = view(state);
+  const auto change = view(rate);
+  const std::size_t n = surface.size();
+  double power = 0;
+  double force = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double p = pressure_(label(i, n) + surface.displacement[i], time);
+    change.potential[i] -= p;
+    power += p * psi_s[static_cast<Eigen::Index>(i)];
+    force += p * velocity_.tangent(i).imag();
+  }
+  by_pressure(rate).work = label(1, n) * power;
+  by_pressure(rate).thrust = label(1, n) * force;
 }
 
 Moment Stepper::begin(double time, State state) {
   Moment moment{.time = time, .state = std::move(state), .rate = {}, .psi_s = {}, .invariants = {}};
   moment.rate.resize(moment.state.size());
-  moment.psi_s.setZero(static_cast<Eigen::Index>(moment.state.size() / 3));
+  moment.psi_s.setZero(static_cast<Eigen::Index>(marker_count(moment.state)));
   // Nothing is known of psi_s yet, and the invariants of this moment are what later ones are compared with.
   velocity_.solve(view(std::as_const(moment.state)), moment.psi_s, 1e-15);
-  rate(moment.state, moment.rate, moment.psi_s);
+  rate(moment.state, time, moment.rate, moment.psi_s);
   moment.invariants = velocity_.invariants(view(std::as_const(moment.state)), moment.psi_s);
   return moment;
 }
@@ -65,7 +91,7 @@ Stepper::Result Stepper::step(std::span<const Moment> past, double duration) {
     Eigen::VectorXd& departure = departures_[stage];
     to.psi_s = extrapolated;
     if (last_duration_ > 0) to.psi_s += std::pow(duration / last_duration_, stage_order[stage]) * departure;
-    rate(state, change, to.psi_s);
+    rate(state, time, change, to.psi_s);
     departure = to.psi_s - extrapolated;
     ++stage;
   };

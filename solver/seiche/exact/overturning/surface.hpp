@@ -12,8 +12,26 @@
 
 namespace seiche::exact::overturning {
 
-/// x - s, y and phi of every marker, one after the other: the form the time integrator wants.
+/// x - s, y and phi of every marker, one after the other, then the work and the thrust of a pressure on the surface
+/// since the start: the form the time integrator wants.
 using State = std::vector<double>;
+
+/// What a pressure on the surface has done to the water, per period.
+template <class Number>
+struct PressureSums {
+  Number& work;    ///< -int int p u.n ds dt
+  Number& thrust;  ///< horizontal, -int int p n_x ds dt
+};
+
+inline constexpr std::size_t pressure_sums = 2;
+
+inline std::size_t marker_count(const State& state) {
+  return (state.size() - pressure_sums) / 3;
+}
+
+inline State still_water(std::size_t markers) {
+  return State(3 * markers + pressure_sums, 0.0);
+}
 
 template <class Number>
 struct SurfaceView {
@@ -26,14 +44,22 @@ struct SurfaceView {
 
 inline SurfaceView<const double> view(const State& state) {
   const std::span all(state);
-  const std::size_t n = state.size() / 3;
-  return {all.first(n), all.subspan(n, n), all.last(n)};
+  const std::size_t n = marker_count(state);
+  return {all.first(n), all.subspan(n, n), all.subspan(2 * n, n)};
 }
 
 inline SurfaceView<double> view(State& state) {
   const std::span all(state);
-  const std::size_t n = state.size() / 3;
-  return {all.first(n), all.subspan(n, n), all.last(n)};
+  const std::size_t n = marker_count(state);
+  return {all.first(n), all.subspan(n, n), all.subspan(2 * n, n)};
+}
+
+inline PressureSums<const double> by_pressure(const State& state) {
+  return {state[state.size() - 2], state[state.size() - 1]};
+}
+
+inline PressureSums<double> by_pressure(State& state) {
+  return {state[state.size() - 2], state[state.size() - 1]};
 }
 
 /// Label of marker j out of n.
@@ -41,7 +67,7 @@ inline double label(std::size_t j, std::size_t n) {
   return 2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n);
 }
 
-/// What the exact motion keeps, per period.
+/// What the exact motion keeps, per period, where no pressure acts on the surface.
 struct Invariants {
   double volume = 0;            ///< int y dx, above the level at rest
   double kinetic_energy = 0;    ///< -1/2 int phi dpsi

@@ -49,6 +49,13 @@ double SurfaceCurve::least_advance() const {
   return -maximum(tangents_.size(), [&](std::size_t i) { return -tangents_[i].real(); });
 }
 
+double SurfaceCurve::largest_curvature() const {
+  const auto second = periodic_.derivative().derivative().refined(nodes_per_marker);
+  return maximum(tangents_.size(), [&](std::size_t i) {
+    return std::abs((std::conj(tangents_[i]) * second[i]).imag()) / std::pow(std::abs(tangents_[i]), 3);
+  });
+}
+
 double SurfaceCurve::highest() const {
   return maximum(nodes_.size(), [&](std::size_t i) { return nodes_[i].imag(); });
 }

@@ -17,6 +17,8 @@ class SurfaceCurve {
   [[nodiscard]] std::complex<double> point(double s) const { return periodic_(s) + s; }
   /// Smallest x_s: zero when the surface first has a vertical tangent, negative where it overhangs.
   [[nodiscard]] double least_advance() const;
+  /// Largest magnitude of the curvature.
+  [[nodiscard]] double largest_curvature() const;
   [[nodiscard]] double highest() const;
   [[nodiscard]] double lowest() const;
 

@@ -1,0 +1,218 @@
+#include "validation/breaking/pressure_breaking_reference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "seiche/models/gauss_particles/surface_contour.hpp"
+#include "seiche/samples.hpp"
+
+namespace seiche::validation {
+namespace {
+
+constexpr double wavelength = 2 * std::numbers::pi;
+constexpr double depth = std::numbers::pi;
+/// Below it an outline is the bottom's.
+constexpr double below_waves = -1;
+
+const std::string source =
+    "Longuet-Higgins & Cokelet, Proc. R. Soc. A 350 (1976) 1: potential flow, computed by Cauchy's integral";
+
+/// Whether the water is outside the closed line, which has it on its left: where particles have been drawn apart
+/// within.
+bool is_hole(const std::vector<Point>& line) {
+  double area = 0;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const Point& next = line[(k + 1) % line.size()];
+    area += line[k].x * next.y - next.x * line[k].y;
+  }
+  return area < 0;
+}
+
+/// The outline of the particles' water over one wavelength, without what closes it along the bottom.
+Polylines outline_of(const gauss_particles::Flow& flow, double spacing) {
+  const std::vector<double>& masses = flow.model().particles().mass;
+  constexpr double margin = 0.5;
+  std::vector<double> x, y, mass;
+  for (std::size_t k = 0; k < masses.size(); ++k) {
+    const double place = flow.x()[k] - wavelength * std::round(flow.x()[k] / wavelength);
+    for (const int image : {-1, 0, 1}) {
+      const double at = place + image * wavelength;
+      if (std::abs(at) > wavelength / 2 + margin) continue;
+      x.push_back(at);
+      y.push_back(flow.y()[k]);
+      mass.push_back(masses[k]);
+    }
+  }
+  Polylines pieces;
+  for (const auto& line : gauss_particles::surface_contours(x, y, mass, 1, spacing)) {
+    if (is_hole(line)) continue;
+    Polyline piece;
+    for (std::size_t k = 0; k <= line.size(); ++k) {
+      const Point& point = line[k % line.size()];
+      const bool on_surface = point.y > below_waves && std::abs(point.x) <= wavelength / 2;
+      if (on_surface) {
+        piece.x.push_back(point.x);
+        piece.y.push_back(point.y);
+      }
+      if ((!on_surface || k == line.size()) && !piece.x.empty()) {
+        Polyline complete = std::exchange(piece, {});
+        if (complete.x.size() > 1) pieces.push_back(std::move(complete));
+      }
+    }
+  }
+  return pieces;
+}
+
+Polyline marker_line(const gauss_particles::Flow& flow) {
+  Polyline line;
+  const std::vector<Point> markers = flow.markers();
+  for (const Point& marker : markers) {
+    line.x.push_back(marker.x);
+    line.y.push_back(marker.y);
+  }
+  line.x.push_back(markers.front().x + wavelength);
+  line.y.push_back(markers.front().y);
+  return line;
+}
+
+}  // namespace
+
+PressureBreakingReference::PressureBreakingReference(double height, double pressure)
+    : wave_({.amplitude = height / 2, .wavelength = wavelength, .depth = depth, .gravity = 1, .pressure = pressure}) {}
+
+Polyline PressureBreakingReference::surface(double time) const {
+  auto profile = wave_.profile(time, 1601);
+  return {std::move(profile.x), std::move(profile.y)};
+}
+
+double PressureBreakingReference::vertical_tangent() const {
+  return wave_.vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+double PressureBreakingReference::largest_distance(double time, double cell) const {
+  if (has_jet(time)) return cell / 2 + thin_part(surface(time), cell);
+  return std::min(wave_.largest_curvature(time) * cell * cell / 8, cell / 2);
+}
+
+double thin_part(const Polyline& surface, double diameter) {
+  const std::size_t n = surface.x.size() - 1;
+  const auto distance = [&](Point from, std::size_t to) {
+    const double dx = from.x - surface.x[to];
+    return std::hypot(dx - wavelength * std::round(dx / wavelength), from.y - surface.y[to]);
+  };
+  // A disc that touches the surface from within at point k has its centre here, and fits where no other point is
+  // nearer.
+  const double radius = diameter / 2;
+  std::vector<Point> centres;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t before = (k + n - 1) % n;
+    double dx = surface.x[k + 1] - surface.x[before];
+    dx -= wavelength * std::round(dx / wavelength);
+    const double dy = surface.y[k + 1] - surface.y[before];
+    const double length = std::hypot(dx, dy);
+    const Point centre{surface.x[k] + radius * dy / length, surface.y[k] - radius * dx / length};
+    Smallest nearest;
+    for (std::size_t j = 0; j < n; ++j) nearest.add(distance(centre, j));
+    if (nearest.value() > 0.999 * radius) centres.push_back(centre);
+  }
+  Largest out;
+  for (std::size_t j = 0; j < n; ++j) {
+    Smallest nearest;
+    for (const Point& centre : centres) nearest.add(distance(centre, j));
+    out.add(nearest.value() - radius);
+  }
+  return out.value();
+}
+
+ComparedSurface compare(const PressureBreakingReference& reference, const gauss_particles::Flow& flow, double cell,
+                        double spacing) {
+  ComparedSurface result{.time = flow.time(), .limit = reference.largest_distance(flow.time(), cell)};
+  const Polylines truth{reference.surface(flow.time())};
+  if (reference.has_jet(flow.time())) result.outline = outline_of(flow, spacing);
+  result.distance =
+      polyline_distance(result.outline.empty() ? Polylines{marker_line(flow)} : result.outline, truth, wavelength);
+  return result;
+}
+
+void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::vector<double>& times,
+                          std::size_t steepest, BreakingLattice finest, double speed) {
+  for (std::size_t frame = 0; frame < times.size(); ++frame) {
+    claims.check(
+        {.id = fmt::format("potential-flow-{:.0f}", 10 * times[frame]),
+         .text = fmt::format("At t = {:g} the surface is that of potential flow, as far as the lattice resolves it.",
+                             times[frame]),
+         .quantity = "largest distance of the two surfaces",
+         .unit = "1/k",
+         .source = source},
+        [frame](const BreakingComparison& c) -> Measurement {
+          const ComparedSurface& surface = c.finest().frames.at(frame);
+          return {.value = surface.distance.largest, .told = {.limit = surface.limit}};
+        },
+        evidence::Bound{.limit = evidence::Amount::told_by_run(2 * finest.cell),
+                        .reason =
+                            "what a curve of the exact surface's largest curvature bends within a cell, K h^2/8, "
+                            "half a cell at most; of a jet, half a cell and what of the exact one is thinner than "
+                            "a cell"});
+  }
+  claims.check(
+      {.id = "vertical-tangent",
+       .text = "The front is first vertical when it is in potential flow.",
+       .quantity = "time at which the line of markers first goes backwards, less the exact one",
+       .unit = "(g k)^(-1/2)",
+       .source = source},
+      [](const BreakingComparison& c) { return c.finest().overturned - c.vertical_tangent; },
+      evidence::Bound{.limit = finest.cell / (2 * speed) + finest.tau,
+                      .reason = "the front is known to half a cell, which the wave travels in that time, and "
+                                "looked at after every step"});
+  claims.check(
+      {.id = "convergence",
+       .text = fmt::format("At t = {:g} cells half as wide bring the surface nearer to potential flow.",
+                           times.at(steepest)),
+       .quantity = "rms distance, finest lattice over coarsest",
+       .source = source},
+      [steepest](const BreakingComparison& c) {
+        return c.finest().frames.at(steepest).distance.rms / c.lattices.front().frames.at(steepest).distance.rms;
+      },
+      evidence::Bound{.limit = std::pow(0.5, 1.5),
+                      .reason = "second order in the cells' width, of which half an order is left to their "
+                                "random shifts"});
+  const double phase = finest.tau * finest.tau / 24;
+  const double interpolation = std::pow(finest.cell, 3) / 24;
+  claims.check(
+      {.id = "exact-work",
+       .text = "The pressure does the work that it does on potential flow.",
+       .quantity = "work, relative difference",
+       .source = source},
+      [](const BreakingComparison& c) { return c.finest().work / c.work - 1; },
+      evidence::Bound{.limit = phase + interpolation,
+                      .reason = "(omega tau)^2/24, by which the steps make the wave lead, and (k h)^3/24, the "
+                                "error of velocities of cubic splines"});
+}
+
+evidence::Table distance_table(const BreakingComparison& comparison) {
+  evidence::Table table{.id = "potential-flow",
+                        .title = "Distance from potential flow",
+                        .caption = "Markers until the exact front is vertical, then the outline of the particles.",
+                        .columns = {{"t", "(g k)^(-1/2)"}},
+                        .rows = {}};
+  for (const ComparedLattice& lattice : comparison.lattices) {
+    const std::string cells = fmt::format("{:.0f} cells", wavelength / lattice.cell);
+    table.columns.emplace_back("rms, " + cells, "1/k");
+    table.columns.emplace_back("largest, " + cells, "1/k");
+  }
+  for (std::size_t frame = 0; frame < comparison.finest().frames.size(); ++frame) {
+    auto& row = table.rows.emplace_back();
+    row.emplace_back(comparison.finest().frames[frame].time);
+    for (const ComparedLattice& lattice : comparison.lattices) {
+      row.emplace_back(lattice.frames.at(frame).distance.rms);
+      row.emplace_back(lattice.frames.at(frame).distance.largest);
+    }
+  }
+  return table;
+}
+
+}  // namespace seiche::validation

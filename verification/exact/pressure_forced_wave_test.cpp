@@ -1,0 +1,352 @@
+#include "seiche/exact/pressure_forced_wave.hpp"
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <boost/math/quadrature/gauss.hpp>
+
+#include "seiche/exact/overturning/initial.hpp"
+#include "seiche/exact/overturning/interpolant.hpp"
+#include "seiche/exact/overturning/stepper.hpp"
+#include "seiche/exact/stokes_wave.hpp"
+#include "seiche/samples.hpp"
+#include "verification/self_test_claims.hpp"
+
+using namespace seiche;
+using exact::PressureForcedWave;
+using verification::Role;
+
+namespace {
+
+using Complex = std::complex<double>;
+
+const std::string source =
+    "Longuet-Higgins & Cokelet, The deformation of steep surface waves on water I, Proc. R. Soc. Lond. A 350 (1976) 1";
+const std::string linear_theory =
+    "linear response of one Fourier mode, N'' + T N = -T P, to p = -p0 sin t sin(x - t); derived in "
+    "pressure_forced_wave.hpp";
+
+constexpr double period = 2 * std::numbers::pi;
+constexpr double last_frame = 7.4;
+constexpr double tolerance = 2e-11;
+
+/// Of the surface after `steps` steps of fifth order whose errors of fourth are kept at the tolerance, that change the
+/// velocity and therefore act for the whole time.
+double error_of_steps(double steps, double time) {
+  return steps * std::pow(tolerance, 1.2) * (1 + time);
+}
+
+void claim_stokes_wave_stays(verification::Check& check) {
+  const PressureForcedWave wave({.pressure = 0, .markers = 128});
+  const exact::StokesWave stokes(0.3, period, std::numbers::pi, 1);
+  Worst difference;
+  for (const double t : {2.0, 4.0, last_frame}) {
+    const auto profile = wave.profile(t);
+    for (std::size_t j = 0; j < profile.x.size(); ++j) {
+      difference.add(profile.y[j] - stokes.elevation(profile.x[j], t), t);
+    }
+  }
+  check.that({.id = "stokes-wave",
+              .text = "Without pressure the Stokes wave travels unchanged for more than a period.",
+              .quantity = "largest difference from the Stokes wave",
+              .unit = "1/k",
+              .source = source},
+             {.value = difference.value(), .resolution = "128 markers, tolerance 2e-11"},
+             evidence::Bound{.limit = error_of_steps(500, last_frame),
+                             .reason = "no more than 500 steps whose errors of fourth order are kept at the "
+                                       "tolerance, of fifth order at its power 1.2, and act for the whole time"});
+}
+
+struct LinearErrors {
+  std::vector<double> forced, free;
+};
+
+LinearErrors linear_errors(const std::vector<double>& pressures) {
+  LinearErrors errors;
+  for (const double p0 : pressures) {
+    const PressureForcedWave wave({.amplitude = 0, .pressure = p0, .markers = 64, .last_time = 5});
+    const auto error = [&](double t) {
+      const auto profile = wave.profile(t);
+      Worst worst;
+      for (std::size_t j = 0; j < profile.x.size(); ++j) {
+        worst.add(profile.y[j] - wave.linear_response(profile.x[j], t));
+      }
+      return worst.value();
+    };
+    errors.forced.push_back(error(2));
+    errors.free.push_back(error(5));
+  }
+  return errors;
+}
+
+void claim_linear_theory(verification::Check& check) {
+  const std::vector<double> pressures{0.04, 0.02, 0.01, 0.005};
+  const LinearErrors errors = linear_errors(pressures);
+  const evidence::Order second{.theory = 2,
+                               .tolerance = 0.1,
+                               .reason =
+                                   "what linear theory leaves out is of second order in the amplitude; the third "
+                                   "order is at most 3 per cent of it, 0.04 of the order at its largest"};
+  check.that({.id = "linear-forced",
+              .text = "Water at rest answers the pressure as linear theory says, while it acts.",
+              .quantity = "order in p0 of the largest difference at t = 2",
+              .source = linear_theory},
+             evidence::observed_order(pressures, errors.forced), second);
+  check.that({.id = "linear-free",
+              .text = "The wave that the pressure leaves is that of linear theory.",
+              .quantity = "order in p0 of the largest difference at t = 5",
+              .source = linear_theory},
+             evidence::observed_order(pressures, errors.free), second);
+}
+
+/// The state at t = 2 after equal steps of the wave that the pressure pushes.
+exact::overturning::State after_steps(int steps) {
+  namespace ow = exact::overturning;
+  constexpr double end = 2;
+  ow::Stepper stepper(64, std::numbers::pi, [](double x, double t) { return -0.1 * std::sin(t) * std::sin(x - t); });
+  std::vector<ow::Moment> moments{stepper.begin(0, ow::still_water(64))};
+  for (int k = 0; k < steps; ++k) moments.push_back(stepper.step(moments, end / steps).moment);
+  return moments.back().state;
+}
+
+void claim_order_in_time(verification::Check& check) {
+  const auto finest = after_steps(320);
+  std::vector<double> sizes;
+  std::vector<double> errors;
+  for (const int steps : {10, 14, 20, 28, 40}) {
+    const auto state = after_steps(steps);
+    Worst worst;
+    for (std::size_t k = 0; k < state.size(); ++k) worst.add(state[k] - finest[k]);
+    sizes.push_back(2.0 / steps);
+    errors.push_back(worst.value());
+  }
+  check.that(
+      {.id = "order-in-time",
+       .text = "Surface, work and thrust converge with the order of the step, also under a pressure that changes.",
+       .quantity = "order in the time step at t = 2, against 320 steps",
+       .source = "Dormand & Prince, J. Comput. Appl. Math. 6 (1980) 19: order five"},
+      evidence::observed_order(sizes, errors, 1e-12),
+      evidence::Order{.theory = 5,
+                      .tolerance = 0.3,
+                      .reason = "steps of 0.2 to 0.05 of a wave whose period is 6.3: the next order is a fifth "
+                                "of this one at the longest"});
+}
+
+/// -int p u.n ds, n the outward normal, from a profile alone.
+double power(const PressureForcedWave& wave, double t) {
+  const auto profile = wave.profile(t);
+  const std::size_t n = profile.x.size();
+  std::vector<Complex> periodic(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    periodic[j] = {profile.x[j] - period * static_cast<double>(j) / static_cast<double>(n), profile.y[j]};
+  }
+  const auto tangents = exact::overturning::TrigonometricInterpolant(periodic).derivative().refined(1);
+  double sum = 0;
+  for (std::size_t j = 0; j < n; ++j) {
+    const double outward = profile.v[j] * (1 + tangents[j].real()) - profile.u[j] * tangents[j].imag();
+    sum -= wave.pressure(profile.x[j], t) * outward;
+  }
+  return sum * period / static_cast<double>(n);
+}
+
+void claim_work(verification::Check& check, const PressureForcedWave& wave) {
+  const double work = boost::math::quadrature::gauss<double, 20>::integrate([&](double t) { return power(wave, t); },
+                                                                            0.0, std::numbers::pi);
+  check.that(
+      {.id = "work",
+       .text = "The work of the pressure is the integral of pressure times inward normal velocity along the "
+               "surface, over time.",
+       .quantity = "difference from the work by quadrature of 20 profiles",
+       .unit = "rho g/k^3",
+       .source = source},
+      {.value = wave.action(last_frame).work - work, .resolution = "256 markers, 20 Gauss points"},
+      evidence::Bound{.limit = 200 * std::pow(tolerance, 1.2),
+                      .reason = "the work is stepped with the surface: some 200 steps to t = pi whose errors of fourth "
+                                "order are kept at the tolerance, of fifth order at its power 1.2"});
+}
+
+void claim_balance(verification::Check& check, const PressureForcedWave& wave) {
+  const auto start = wave.integrals(0);
+  Worst energy;
+  Worst impulse;
+  Worst volume;
+  std::vector<double> times, energies, books;
+  for (int i = 1; i <= 37; ++i) {
+    const double t = last_frame * i / 37;
+    const auto now = wave.integrals(t);
+    const auto action = wave.action(t);
+    energy.add(now.kinetic_energy + now.potential_energy - start.kinetic_energy - start.potential_energy - action.work);
+    impulse.add(now.impulse - start.impulse - action.thrust);
+    volume.add(now.volume - start.volume);
+    times.push_back(t);
+    energies.push_back(now.kinetic_energy + now.potential_energy - start.kinetic_energy - start.potential_energy);
+    books.push_back(action.work);
+  }
+  const double limit = 400 * std::pow(tolerance / 0.3, 1.2);
+  const std::string reason =
+      "some 400 steps whose errors of fourth order are kept at 2e-11, over the amplitude; the solution of fifth order "
+      "that is carried on errs less by a step, the fifth root of that";
+  check.that({.id = "energy",
+              .text = "The energy changes by the work of the pressure, up to the jet.",
+              .quantity = "largest |E(t) - E(0) - W(t)| at 37 times",
+              .unit = "rho g/k^3",
+              .source = source},
+             {.value = energy.value()},
+             evidence::Bound{.limit = 2 * limit, .reason = reason + "; twice as much of a square"});
+  check.that({.id = "impulse",
+              .text = "The horizontal impulse changes by the thrust of the pressure, up to the jet.",
+              .quantity = "largest |I(t) - I(0) - thrust(t)| at 37 times",
+              .unit = "rho g^(1/2) k^(-5/2)",
+              .source = source},
+             {.value = impulse.value()},
+             evidence::Bound{.limit = 2 * limit, .reason = reason + "; twice as much of a square"});
+  check.that({.id = "volume",
+              .text = "Volume is conserved up to the jet.",
+              .quantity = "largest change at 37 times",
+              .unit = "1/k^2",
+              .source = source},
+             {.value = volume.value()}, evidence::Bound{.limit = limit, .reason = reason});
+  auto& panel = check.figure("energy", "Energy against work", "The pressure acts up to t = pi.")
+                    .panel({.x = "t sqrt(g k)", .y = "k^3/(rho g)"});
+  panel.line("energy gained", times, energies, Role::computed);
+  panel.points("work of the pressure", times, books, Role::exact);
+}
+
+double tangent_of(const PressureForcedWave& wave) {
+  return wave.vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+void claim_convergence(verification::Check& check, const PressureForcedWave& wave) {
+  struct Resolution {
+    std::size_t markers;
+    double tolerance;
+  };
+  constexpr std::array coarser{Resolution{128, 1e-8}, Resolution{192, 1e-9}};
+  evidence::Table table{.id = "convergence",
+                        .title = "Distance of the surface from that of 256 markers and tolerance 2e-11",
+                        .caption = "Hausdorff distances; the time of the first vertical tangent.",
+                        .columns = {{"markers", "1"},
+                                    {"tolerance", "1/k"},
+                                    {"vertical tangent", "1/sqrt(g k)"},
+                                    {"t = 5.4", "1/k"},
+                                    {"t = 6.8", "1/k"},
+                                    {"t = 7.2", "1/k"},
+                                    {"t = 7.4", "1/k"}},
+                        .rows = {}};
+  std::vector<double> tangents, distances;
+  for (const auto& [markers, step_tolerance] : coarser) {
+    const PressureForcedWave other({.markers = markers, .tolerance = step_tolerance});
+    tangents.push_back(tangent_of(other));
+    std::vector<std::variant<double, std::string>> row{static_cast<double>(markers), step_tolerance, tangents.back()};
+    for (const double t : {5.4, 6.8, 7.2, 7.4}) row.emplace_back(wave.distance_from(other, t));
+    distances.push_back(wave.distance_from(other, 7.4));
+    table.rows.push_back(row);
+  }
+  const double tangent = tangent_of(wave);
+  check.table(table);
+  const std::string use =
+      "a ten-thousandth of half a cell of the finest lattice of particles that is judged by this surface";
+  check.that({.id = "self-convergence",
+              .text = "At the last frame, with a jet, the surface does not depend on markers and tolerance.",
+              .quantity = "Hausdorff distance of 256 markers, tolerance 2e-11, and 192, 1e-9",
+              .unit = "1/k",
+              .source = source},
+             {.value = distances[1]}, evidence::Bound{.limit = 4e-6, .reason = use});
+  check.that({.id = "convergence",
+              .text = "The surface converges at least with the tolerance.",
+              .quantity = "distance from the third resolution at 7.4, second over first resolution",
+              .source = source},
+             {.value = distances[1] / distances[0]},
+             evidence::Bound{.limit = 0.2,
+                             .reason = "a tolerance ten times smaller lets errors of fifth order be ten times smaller; "
+                                       "steps are at most cut in five, which shifts them by less than two"});
+  check.that({.id = "vertical-tangent",
+              .text = "The time at which the front is first vertical does not depend on markers and tolerance.",
+              .quantity = "time by 192 markers, tolerance 1e-9, less that by 256, 2e-11",
+              .unit = "1/sqrt(g k)",
+              .source = source},
+             {.value = tangents[1] - tangent},
+             evidence::Bound{.limit = 4e-6, .reason = use + ", which the crest travels in that time"});
+  check.measure("vertical_tangent_time", tangent);
+}
+
+}  // namespace
+
+TEST_CASE("a pressure moves water as linear theory says and without one the Stokes wave stays itself", "[exact]") {
+  verification::Check check(
+      "exact_pressure_response", "Water at rest and a Stokes wave under a small pressure, or none",
+      "Water at rest under $p_s = -p_0 \\sin t \\sin(x - t)$, $0 \\le t \\le \\pi$, must answer as linear theory says, "
+      "up to "
+      "what is of second order in $p_0$: the error is measured for four amplitudes. Without pressure a Stokes wave of "
+      "height 0.6 must travel unchanged.");
+  claim_stokes_wave_stays(check);
+  claim_linear_theory(check);
+}
+
+TEST_CASE("the surface under a pressure converges with the order of the step", "[exact]") {
+  verification::Check check("exact_pressure_steps", "Equal steps of a surface under a changing pressure",
+                            "Water at rest under the pressure of 0.1, by equal steps of a pair of order five.");
+  claim_order_in_time(check);
+}
+
+TEST_CASE("a Stokes wave pushed by a pressure keeps its balances and converges up to the jet", "[exact]") {
+  verification::Check check(
+      "exact_pressure_forced_wave", "Stokes wave pushed by a surface pressure until it overturns",
+      "A Stokes wave of height 0.6, $L = 2\\pi$, depth $\\pi$ is pushed by $p_s = -p_0 \\sin t \\sin(x - t)$, $0 \\le "
+      "t "
+      "\\le \\pi$. Energy and impulse must change by the pressure's work and thrust. Three resolutions tell the "
+      "numerical error of surface and time of the vertical tangent. $p_0 = 0.1$ is a fit to the times of Frank's "
+      "figure "
+      "10, not his number.");
+  const PressureForcedWave wave({});
+  claim_work(check, wave);
+  claim_balance(check, wave);
+  claim_convergence(check, wave);
+  verification::claim_self_test(check, "figure-10", wave, source);
+  auto& figure = check.figure("frames", "The wave that is pushed", "Times of Frank's figure 10; p0 = 0.1.");
+  for (const double t : {0.0, 3.2, 5.0, 5.4, 6.2, 6.8, 7.2, 7.4}) {
+    const auto profile = wave.profile(t, 401);
+    figure.panel({.x = "k x", .y = "k y", .title = fmt::format("t = {:g}", t), .equal_aspect = true})
+        .line("surface", profile.x, profile.y, Role::computed);
+  }
+}
+
+TEST_CASE("a wave pushed by a pressure scales with wavelength and gravity and refuses what it is not for", "[exact]") {
+  const PressureForcedWave unit({.markers = 64, .last_time = 3.5});
+  const double length = 3;
+  const double gravity = 9.81;
+  const double time = std::sqrt(length / gravity);
+  const PressureForcedWave scaled({.amplitude = 0.3 * length,
+                                   .wavelength = period * length,
+                                   .depth = std::numbers::pi * length,
+                                   .gravity = gravity,
+                                   .pressure = 0.1 * gravity * length,
+                                   .markers = 64,
+                                   .last_time = 3.5 * time});
+  const auto a = unit.profile(3.5);
+  const auto b = scaled.profile(3.5 * time);
+  Worst difference;
+  for (std::size_t j = 0; j < a.x.size(); ++j) {
+    difference.add(b.x[j] / length - a.x[j]);
+    difference.add(b.y[j] / length - a.y[j]);
+    difference.add(b.u[j] * time / length - a.u[j]);
+  }
+  const double energy = std::pow(length, 3) * gravity;
+  difference.add(scaled.action(3.5 * time).work / energy - unit.action(3.5).work);
+  difference.add(scaled.pressure(length, time) / (gravity * length) - unit.pressure(1, 1));
+  CHECK(difference.value() < 1e-12);  // round-off of the scales shifts the choice of steps
+  CHECK(unit.pressure(1, 3.2) == 0);
+  CHECK(unit.pressure(1, 1) == 0);
+  CHECK(std::abs(unit.pressure(0, std::numbers::pi / 2) - 0.1) < 1e-15);
+  CHECK_THROWS_AS(PressureForcedWave({.amplitude = -0.1}), std::invalid_argument);
+  CHECK_THROWS_AS(PressureForcedWave({.amplitude = 0, .pressure = 0}), std::invalid_argument);
+  CHECK_THROWS_AS(PressureForcedWave({.depth = std::nan("")}), std::invalid_argument);
+  CHECK_THROWS_AS(PressureForcedWave({.pressure = 2}), std::invalid_argument);
+  CHECK_THROWS_AS(PressureForcedWave({.pressure = std::nan("")}), std::invalid_argument);
+  CHECK_THROWS_AS(PressureForcedWave({.markers = 65}), std::invalid_argument);
+  CHECK_THROWS_AS(unit.action(4), std::invalid_argument);
+}
