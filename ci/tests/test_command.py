@@ -1,5 +1,6 @@
 """The `seiche` command as a user meets it: exit statuses, error messages, records, what survives a kill."""
 
+import datetime
 import json
 import os
 import pathlib
@@ -323,6 +324,53 @@ class Command(unittest.TestCase):
         self.assertEqual(seiche("compare", self.out / "a", self.out / "b").returncode, 1)
         self.assertEqual(seiche("compare", self.out / "a", self.out / "none").returncode, 2)
 
+    def test_compare_names_an_error_that_grew_within_its_limit(self):
+        seiche("run", "riemann", "--set", "particles=40", "--out", self.out)
+        later = self.out.parent / "later"
+        later.mkdir()
+        record = self.record("riemann")
+        (later / "riemann.json").write_text(json.dumps(record))
+        self.assertEqual(seiche("compare", self.out, later).returncode, 0)
+        grown = next(claim for claim in record["claims"]
+                     if claim["criterion"]["kind"] == "bound" and claim["measured"] and claim["verdict"] == "pass")
+        grown["measured"] = grown["expected"] + 1.5 * (grown["measured"] - grown["expected"])
+        (later / "riemann.json").write_text(json.dumps(record))
+        result = seiche("compare", self.out, later)
+        self.assertEqual(result.returncode, 1, result.stdout)
+        self.assertIn(", worse", result.stdout)
+        self.assertIn("something got worse", result.stdout)
+        self.assertEqual(seiche("compare", self.out, later, "--factor", 2).returncode, 0)
+        for factor in ("nan", "0.5", "inf", "x"):
+            result = seiche("compare", later, later, "--factor", factor)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(factor, result.stderr)
+
+    def test_output_that_cannot_be_written_is_status_3(self):
+        for words in (["list"], ["run", "riemann", "--out", str(self.out)], ["score", "riemann", "--template"],
+                      ["exact", "riemann"], ["compare", str(self.out), str(self.out)]):
+            with open("/dev/full", "w") as full:
+                result = subprocess.run([SEICHE, *words], stdout=full, stderr=subprocess.PIPE, text=True, timeout=120)
+            self.assertEqual(result.returncode, 3, f"{words}: {result.stderr}")
+            self.assertRegex(result.stderr, "No space left|cannot be written")
+
+    def test_the_date_of_a_record_is_universal_time(self):
+        before = time.time()
+        seiche("run", "riemann", "--out", self.out, env={**os.environ, "TZ": "America/New_York"})
+        date = datetime.datetime.fromisoformat(self.record("riemann")["provenance"]["date"].replace("Z", "+00:00"))
+        self.assertLess(abs(date.timestamp() - before), 600)
+
+    def test_a_case_without_a_quick_tier_runs_in_its_own(self):
+        with subprocess.Popen([SEICHE, "run", "mach_reflection_convergence", "--out", str(self.out)],
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+            first = process.stderr.readline()
+            process.terminate()
+        self.assertIn("no quick tier", first)
+
+    def test_a_mesh_that_folds_at_once_is_a_verdict(self):
+        result = seiche("run", "wall_run_up_mesh", "--set", "h1=2", "--set", "rows=1", "--set", "tau=0.5",
+                        "--set", "scheme=conservative", "--set", "hourglass=2", "--out", self.out)
+        self.assertNotIn("signal", result.stdout + result.stderr)
+
     def test_score_round_trip(self):
         template = seiche("score", "riemann", "--template", "--set", "particles=100").stdout
         header = next(line for line in template.splitlines() if not line.startswith("#"))
@@ -397,6 +445,11 @@ class Command(unittest.TestCase):
             self.assertIn(f"\n{name}: ", "\n" + listing)
         result = seiche("exact", "solitary", "--self-test")
         self.assertEqual(result.returncode, 0, result.stdout)
+        for dry in ("left_depth=0", "right_depth=0"):
+            result = seiche("exact", "riemann", "--set", dry, "--self-test")
+            self.assertEqual(result.returncode, 0, result.stdout)
+            self.assertRegex(result.stdout, "2c is constant")
+        result = seiche("exact", "solitary", "--self-test")
         self.assertRegex(result.stdout, r"3 V = \(F\^2 - 1\) M: defect \S+, accuracy \S+ ")
 
 

@@ -1,6 +1,6 @@
 #include "reports/evidence/provenance.hpp"
 
-#include <chrono>
+#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -59,8 +59,7 @@ Provenance provenance() {
   p.cores = static_cast<int>(std::thread::hardware_concurrency());
   p.threads = 1;
   p.system = system_name();
-  p.date =
-      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
+  p.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   return p;
 }
 

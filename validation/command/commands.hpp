@@ -71,7 +71,7 @@ int score(const ScoreOptions& options);
 struct CompareOptions {
   std::string before;
   std::string after;  ///< folder, or with `record` the table; empty: the project's own
-  double factor = 1.05;
+  double factor = 1.2;
   bool record = false;  ///< compare with the evidence of record
   bool whole = false;   ///< records of it that the folder has not count as changed
   std::string tier = "quick";

@@ -20,7 +20,7 @@ std::vector<Summary> records_in(const std::string& directory) {
   return evidence::read_summaries(directory);
 }
 
-/// By case and solver, and by tier where a folder has several of them of one case.
+/// By case and solver, and by published set or tier where a folder has several of them of one case.
 std::map<std::string, Summary> by_name(const std::string& directory) {
   std::vector<Summary> all = records_in(directory);
   std::map<std::string, int> found;
@@ -28,7 +28,7 @@ std::map<std::string, Summary> by_name(const std::string& directory) {
   for (const Summary& s : all) ++found[name_of(s)];
   std::map<std::string, Summary> records;
   for (Summary& s : all) {
-    const std::string key = found[name_of(s)] > 1 ? name_of(s) + "@" + s.tier : name_of(s);
+    const std::string key = found[name_of(s)] > 1 ? name_of(s) + "@" + (s.set.empty() ? s.tier : s.set) : name_of(s);
     records[key] = std::move(s);
   }
   return records;
@@ -39,7 +39,18 @@ double error_of(const Summary::Outcome& claim) {
   return std::abs(claim.measured - claim.expected);
 }
 
-/// Prints what changed in one record; returns whether a verdict got worse than declared.
+/// An error grew by more than the factor, and by more than its uncertainty and a hundredth of its limit: below that it
+/// is noise. Of a claim to round-off the verdict alone tells.
+bool degraded(const Summary::Outcome& before, const Summary::Outcome& after, double factor) {
+  constexpr double noise = 0.01;
+  if (after.kind == "roundoff" || after.kind == "qualitative") return false;
+  const auto known = [](double uncertainty) { return std::isnan(uncertainty) ? 0 : uncertainty; };
+  const double growth = error_of(after) - error_of(before);
+  return error_of(after) > factor * error_of(before) && growth > noise * std::abs(after.limit) &&
+         growth > std::hypot(known(before.uncertainty), known(after.uncertainty));
+}
+
+/// Prints what changed in one record; returns whether anything got worse: a verdict than declared, or an error.
 bool compare_record(const std::string& key, const Summary& before, const Summary& after, double factor) {
   bool worse = false;
   const auto line = [&](const std::string& id, const std::string& what) {
@@ -68,8 +79,11 @@ bool compare_record(const std::string& key, const Summary& before, const Summary
     const double from = error_of(was);
     const double to = error_of(claim);
     const bool vanished = std::isnan(from) != std::isnan(to);
-    if (vanished || to > factor * from || from > factor * to)
-      line(claim.id, fmt::format("error {:.3g} -> {:.3g}", from, to));
+    const bool grown = degraded(was, claim, factor);
+    if (vanished || grown || to > factor * from || from > factor * to) {
+      line(claim.id, fmt::format("error {:.3g} -> {:.3g}{}", from, to, grown ? ", worse" : ""));
+    }
+    worse = worse || grown || (vanished && std::isnan(to));
     old.erase(found);
   }
   for (const auto& [id, claim] : old) {

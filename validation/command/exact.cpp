@@ -59,11 +59,16 @@ std::vector<std::vector<double>> rows_of(const exact::Evaluator& evaluator, cons
   return rows;
 }
 
-void print_self_test(const exact::Evaluator& evaluator) {
+/// Returns whether every identity holds.
+bool print_self_test(const exact::Evaluator& evaluator) {
+  bool all = true;
   for (const exact::Identity& identity : evaluator.self_test()) {
-    fmt::print("{}: defect {:.2g}, accuracy {:.2g} ({})\n", identity.name, identity.defect, identity.accuracy,
-               identity.reason);
+    const bool holds = identity.defect <= identity.accuracy;  // NaN does not
+    all = all && holds;
+    fmt::print("{}{}: defect {:.2g}, accuracy {:.2g} ({})\n", holds ? "" : "FAILS: ", identity.name, identity.defect,
+               identity.accuracy, identity.reason);
   }
+  return all;
 }
 
 }  // namespace
@@ -82,8 +87,7 @@ int exact_command(const ExactOptions& options) {
   }
   const exact::Evaluator evaluator = solution.evaluator(result.parameters);
   if (options.self_test) {
-    print_self_test(evaluator);
-    return 0;
+    return print_self_test(evaluator) ? 0 : 1;
   }
   // Without points the scalars are what is left to print; a solution without scalars is evaluated at the defaults.
   if (points.empty() && (solution.inputs.empty() || solution.scalars.empty())) {

@@ -1,7 +1,11 @@
 /// The command line, option by option. All in one file: the parser's header takes longer to compile than all
 /// commands together.
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 #include <functional>
+#include <iostream>
 #include <memory>
 #include <stdexcept>
 
@@ -132,14 +136,21 @@ void add_compare(CLI::App& app, Action& action) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand(
       "compare",
-      "What changed between two sets of records: verdicts, errors, times (status 1 if anything got worse);\n"
+      "What changed between two sets of records: verdicts, errors, times (status 1 if a verdict or an error got "
+      "worse);\n"
       "of one set: the solvers of each case side by side (status 1 unless all are as declared);\n"
       "with --record, against the evidence of record (status 1 if anything changed beyond uncertainty)");
   command->add_option("A", options->before, "folder with records, the earlier ones of two")->required();
   command->add_option("B", options->after, "folder with the later records; with --record a table");
-  command->add_option("--factor", options->factor, "smallest change of an error that is shown")
+  command
+      ->add_option("--factor", options->factor,
+                   "smallest growth of an error, beyond its uncertainty, that is worse; smaller ones are not shown")
       ->capture_default_str()
-      ->check(CLI::Range(1.0, 1e6));
+      ->check([](const std::string& text) {
+        double factor = 0;
+        const bool number = CLI::detail::lexical_cast(text, factor) && factor >= 1 && factor <= 1e6;  // NaN is neither
+        return number ? std::string() : fmt::format("factor = {} is out of range: must be in [1, 1e6]", text);
+      });
   CLI::Option* record = command->add_flag(
       "--record", options->record, "compare A with the evidence of record: with table B, or that of this version");
   command->add_flag("--whole", options->whole, "with --record: what A has not counts as changed")->needs(record);
@@ -200,7 +211,15 @@ int parse_and_call(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return seiche::command::parse_and_call(argc, argv);
+    const int status = seiche::command::parse_and_call(argc, argv);
+    std::cout.flush();
+    const bool flushed = std::fflush(stdout) == 0;
+    if (!flushed || std::ferror(stdout) != 0 || !std::cout) {  // an earlier flush may have failed, and forgotten why
+      fmt::print(stderr, "seiche: standard output cannot be written{}\n",
+                 flushed ? "" : fmt::format(": {}", std::strerror(errno)));
+      return 3;
+    }
+    return status;
   } catch (const std::invalid_argument& wrong) {
     fmt::print(stderr, "seiche: {}\n", wrong.what());
     return 2;

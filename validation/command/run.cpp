@@ -34,6 +34,13 @@ std::vector<Job> jobs_of(Tier tier, const RunOptions& options) {
   return jobs;
 }
 
+/// The tier to run a case in where none is asked for: the quick one, or the first that it has.
+Tier usual_tier(const Case& one) {
+  const Tier usual = one.tiers.empty() ? Tier::quick : one.tiers.front();
+  if (usual != Tier::quick) fmt::print(stderr, "{} has no quick tier: runs in the tier {}\n", one.name, name(usual));
+  return usual;
+}
+
 /// The one case that --as is about, with its set.
 Job published_job(const std::vector<const Case*>& cases, const RunOptions& options) {
   if (cases.size() != 1) throw std::invalid_argument("run: --as needs one case, whose set it names");
@@ -67,7 +74,10 @@ int run(const RunOptions& options) {
   if (!options.as.empty()) {
     jobs.push_back(published_job(cases, options));
   } else if (!cases.empty()) {
-    for (const Case* one : cases) jobs.push_back({one, values_for(*one, tier, options.config, options.settings)});
+    for (const Case* one : cases) {
+      const Tier of_case = options.tier.empty() ? usual_tier(*one) : tier;
+      jobs.push_back({one, values_for(*one, of_case, options.config, options.settings)});
+    }
   } else if (!options.tier.empty()) {
     jobs = jobs_of(tier, options);
   } else {

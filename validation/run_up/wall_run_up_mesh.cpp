@@ -237,6 +237,7 @@ Results compute(const Run& run) {
 
 void draw_wall(const Results& r, evidence::Exhibit& exhibit) {
   const History& all = r.history;
+  if (all.time.empty()) return;  // folded in its first step
   auto& histories = exhibit.figure("wall", "Water level and load at the wall",
                                    fmt::format("A = {:g}; {}.", r.climb.wave.amplitude(), r.climb.resolution()));
   histories.panel({.x = "t [sqrt(depth/g)]", .y = "contact point [depth]"}).line("mesh", all.time, all.contact);
