@@ -7,6 +7,7 @@ import csv
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -94,8 +95,8 @@ def fill_in_template(folder):
 
 
 def other_evidence(folder):
-    subprocess.run([SEICHE, "run", "riemann", "--set", "particles=100", "--out", "other_evidence"], cwd=folder,
-                   check=True, capture_output=True)
+    """As if from another day: the same records."""
+    shutil.copytree(folder / "evidence", folder / "other_evidence", dirs_exist_ok=True)
 
 
 def textbook_result(folder):
