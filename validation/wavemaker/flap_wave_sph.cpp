@@ -30,6 +30,7 @@ for this stroke, 1.08 m high.
 
 #include <fmt/format.h>
 
+#include "seiche/divergence.hpp"
 #include "seiche/exact/wavemaker_transient.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
@@ -103,7 +104,8 @@ struct Waves {
   std::size_t particles = 0;
   std::vector<double> time;
   Elevations elevation;
-  long behind = 0;  ///< particles outside the flume at the end
+  long behind = 0;                                                ///< particles outside the flume at the end
+  double breaks_down = std::numeric_limits<double>::quiet_NaN();  ///< when [s]; NaN where it does not
   wcsph::Extremes extremes;
   long steps = 0;
 
@@ -113,11 +115,12 @@ struct Waves {
 };
 
 void exchange(Tape& tape, Waves& w) {
-  tape(w.scheme, w.neighbours, w.spacing, w.layers, w.particles, w.time, w.behind, w.extremes, w.steps);
+  tape(w.scheme, w.neighbours, w.spacing, w.layers, w.particles, w.time, w.behind, w.breaks_down, w.extremes, w.steps);
   for (std::vector<double>& elevation : w.elevation) tape(elevation);
 }
 
-Waves make_waves(const Run& run, const Design& design, long layers, const Scheme& scheme, Part part) {
+/// @param may_break  that it breaks down is a result too
+Waves make_waves(const Run& run, const Design& design, long layers, const Scheme& scheme, bool may_break, Part part) {
   const double spacing = design.depth / static_cast<double>(layers);
   const double length = spacing * std::round(run.real("flume") * design.gauge / spacing);
   wcsph::Settings settings = sph_settings(run, gravity, 1000, std::sqrt(gravity * design.depth));
@@ -140,16 +143,22 @@ Waves make_waves(const Run& run, const Design& design, long layers, const Scheme
   basin.right = scene.far_wall;
   long n = 0;
   const auto state = [&](Tape& tape) { tape(n, waves, flow); };
-  for (part.resume(state); n <= samples; ++n) {
-    part.keep(state);
-    flow.advance_to(design.period * static_cast<double>(n) / samples_per_period);
-    const wcsph::VolumeFraction fraction(flow.particles(), flow.smoothing_length(), basin, settings.kernel);
-    waves.time.push_back(flow.time());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      waves.elevation[k].push_back(
-          fraction.elevation(places[k] * design.gauge).value_or(std::numeric_limits<double>::quiet_NaN()) -
-          scene.still_water);
+  try {
+    for (part.resume(state); n <= samples; ++n) {
+      part.keep(state);
+      flow.advance_to(design.period * static_cast<double>(n) / samples_per_period);
+      const wcsph::VolumeFraction fraction(flow.particles(), flow.smoothing_length(), basin, settings.kernel);
+      waves.time.push_back(flow.time());
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        waves.elevation[k].push_back(
+            fraction.elevation(places[k] * design.gauge).value_or(std::numeric_limits<double>::quiet_NaN()) -
+            scene.still_water);
+      }
     }
+  } catch (const Divergence& failure) {
+    if (!may_break) throw;
+    waves.breaks_down = failure.time();
+    return waves;
   }
   waves.behind = flow.outside(scene.extents.left, scene.extents.right, scene.extents.bottom, 2 * scene.extents.top);
   waves.extremes = flow.extremes();
@@ -245,20 +254,20 @@ Results compute(const Run& run) {
             .runs = std::vector<Waves>(sizes),
             .wide = std::vector<Waves>(sizes),
             .suspects = std::vector<Waves>(changed)};
-  const auto waves = [&](long layers, const Scheme& scheme) {
+  const auto waves = [&](long layers, const Scheme& scheme, bool may_break) {
     const Part part = run.part(fmt::format("{} layers, {}", layers, scheme.name));
-    return part.result<Waves>([&] { return make_waves(run, design, layers, scheme, part); });
+    return part.result<Waves>([&] { return make_waves(run, design, layers, scheme, may_break, part); });
   };
   climb(run, changed + 2 * sizes, [&](std::size_t k) {
     if (k < changed) {
-      r.suspects[k] = waves(ladder.front(), suspects[k]);
+      r.suspects[k] = waves(ladder.front(), suspects[k], true);
       return;
     }
     const std::size_t size = (k - changed) / 2;
     if ((k - changed) % 2 == 0) {
-      r.runs[size] = waves(ladder[size], as_set);
+      r.runs[size] = waves(ladder[size], as_set, false);
     } else {
-      r.wide[size] = waves(ladder[size], more_neighbours);
+      r.wide[size] = waves(ladder[size], more_neighbours, false);
     }
   });
   return r;
@@ -420,6 +429,11 @@ void tabulate_loss(const Results& r, evidence::Exhibit& exhibit) {
     for (const Waves& one : *runs) {
       table.rows.push_back({one.scheme, static_cast<double>(one.layers), one.neighbours});
       auto& row = table.rows.back();
+      if (std::isfinite(one.breaks_down)) {
+        row.resize(row.size() + places.size() + 1, "");
+        row.push_back(fmt::format("breaks down at t = {:.3g} s", one.breaks_down));
+        continue;
+      }
       for (std::size_t k = 0; k < places.size(); ++k) row.push_back(r.share(one, k));
       row.push_back(r.loss(one));
       row.push_back(static_cast<double>(one.behind));
@@ -457,7 +471,9 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
   };
   line("as set", r.runs.back(), Role::computed);
   line(more_neighbours.name, r.wide.back(), Role::guide);
-  for (const Waves& one : r.suspects) line(one.scheme, one, Role::peer);
+  for (const Waves& one : r.suspects) {
+    if (!std::isfinite(one.breaks_down)) line(one.scheme, one, Role::peer);
+  }
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
