@@ -61,6 +61,7 @@ const std::vector<ExactSolution>& catalogue() {
       dispersive_standing_entry(),
       gerstner_entry(),
       overturning_wave_entry(),
+      released_column_entry(),
       solitary_runup_entry(),
       hall_watts_entry(),
       wall_runup_entry(),

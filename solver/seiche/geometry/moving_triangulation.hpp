@@ -48,7 +48,7 @@ class MovingTriangulation {
   [[nodiscard]] long bisections() const { return bisections_; }
 
  private:
-  static constexpr double shortest_part = 1e-4;  // of the way
+  static constexpr double shortest_part = 1e-9;  // of the way: nodes may pass each other as closely as that
 
   [[noreturn]] void throw_tangled(int triangle, Places there) const;
 

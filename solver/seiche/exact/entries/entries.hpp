@@ -36,5 +36,6 @@ ExactSolution wavemaker_start_entry();
 ExactSolution thacker_radial_entry();
 ExactSolution thacker_planar_entry();
 ExactSolution overturning_wave_entry();
+ExactSolution released_column_entry();
 
 }  // namespace seiche::exact
