@@ -118,13 +118,11 @@ TEST_CASE("cells are Voronoi's, cut by the outline", "[geometry]") {
               .quantity = "largest difference of the sum",
               .source = "identity: the shares of a triangle add up to its area"},
              {.value = sum.value(), .resolution = "297 nodes, 300 motions"},
-             Roundoff{
-    .operations = 6 * 560, .scale = 0.2,
-    .reason =
-        "six terms of each of 560 triangles, of the size |ab|^2 cot C/8, which thin ones make "
-        "a hundred times their area of 1/560"}
-});
-check.measure("flips", static_cast<double>(moving.flips()));
+             Roundoff{.operations = 6 * 560,
+                      .scale = 0.2,
+                      .reason = "six terms of each of 560 triangles, of the size |ab|^2 cot C/8, which thin ones make "
+                                "a hundred times their area of 1/560"});
+  check.measure("flips", static_cast<double>(moving.flips()));
 }
 
 TEST_CASE("gradients of cell areas are exact", "[geometry]") {
