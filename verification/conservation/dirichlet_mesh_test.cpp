@@ -95,7 +95,7 @@ TEST_CASE("water at rest in Dirichlet cells stays at rest on any mesh", "[conser
 TEST_CASE("a free patch of Dirichlet cells keeps mass, momenta and energy over flips", "[conservation]") {
   Check check("dirichlet_mesh_invariants", "Free patch of Dirichlet cells: invariants",
               "153 nodes of a rectangle 2 x 1, no gravity, sheared, turned and bent by their first velocity until t = "
-              "0.6, over hundreds of flips. Energy is kept without stabilisation; with it, and with the feedback of "
+              "0.6, over some twenty flips. Energy is kept without stabilisation; with it, and with the feedback of "
               "the drift, what they did is booked to the last digit. The areas are not kept: they drift by "
               "O(tau^2), and with stabilisation at a rate of its own.");
   constexpr double coordinates = 306;

@@ -169,7 +169,10 @@ void Model::gather_forces(Places at) {
 }
 
 void Model::advance(Input from, Input u, double h, Output to) const {
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i] + h * u[i];
+  next_.resize(to.size());
+  for (std::size_t i = 0; i < to.size(); ++i) next_[i] = from[i] + h * u[i];
+  follow(next_);
+  std::copy(next_.begin(), next_.end(), to.begin());
 }
 
 void Model::kick(double h, Output u) const {
@@ -211,10 +214,6 @@ void Model::react(Input mu, Output u) const {
 
 void Model::solve(Input right_hand_side, Output mu) {
   solver_.solve(right_hand_side, mu);
-}
-
-void Model::settle(Interval /*when*/, Output q, Output /*u*/) {
-  follow(q);
 }
 
 void Model::constraint_values(Input q, Output f) const {

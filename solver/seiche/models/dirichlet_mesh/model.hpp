@@ -84,13 +84,12 @@ class Model {
   [[nodiscard]] std::size_t constraints() const { return nodes(); }
   /// Throws mechanics::Infeasible where the mesh tangles, and without stabilisation where A is singular.
   void linearise(Interval when, Input q);
+  /// The triangulation goes along: where it tangles, mechanics::Infeasible before `to` is touched.
   void advance(Input from, Input u, double h, Output to) const;
   void kick(double h, Output u) const;
   void constraint_rates(Input u, Output w) const;
   void react(Input mu, Output u) const;
   void solve(Input right_hand_side, Output mu);
-  /// The triangulation is brought to the end of the step.
-  void settle(Interval when, Output q, Output u);
   /// A_i - m_i/rho.
   void constraint_values(Input q, Output f) const;
   [[nodiscard]] double place(std::size_t rate) const { return first_x_[rate % nodes()]; }
@@ -138,6 +137,7 @@ class Model {
   std::vector<double> first_x_, first_y_;
   std::vector<int> outline_;
   mutable MovingTriangulation triangulation_;
+  mutable std::vector<double> next_;
   long connected_flips_ = -1;  // of the triangulation, when the cells were connected
   DirichletCells cells_;
   std::vector<double> area_;  // to keep
