@@ -224,8 +224,9 @@ TEST_CASE("bad meshes and settings of Dirichlet cells are refused by name", "[ro
   refusals.refused("dry", "A surface below the bottom.", {"no water", "-1.5"},
                    [] { layer_mesh({.elevation = [](double) { return -1.5; }}); });
   Flow flow(square());
-  for (const double tau : {0.0, -0.1, not_a_number}) {
-    refusals.refused("tau-" + std::to_string(tau), "A step that is not positive and finite.",
+  for (const auto& [id, length] : {std::pair{"zero", 0.0}, {"negative", -0.1}, {"nan", not_a_number}}) {
+    const double tau = length;
+    refusals.refused(std::string("tau-") + id, "A step that is not positive and finite.",
                      {"tau", "positive and finite"}, [&] { flow.advance(tau); });
   }
 }

@@ -89,6 +89,11 @@ void Mesh::require_valid() const {
     require_positive(fmt::format("length of the direction of wall {}", w), length);
     require_finite(fmt::format("place of wall {}", w), wall.through.x + wall.through.y);
   }
+  for (const int k : outline) {
+    if (k < 0 || static_cast<std::size_t>(k) >= nodes()) {
+      throw std::invalid_argument(fmt::format("the outline names node {}; allowed: 0 to {}", k, nodes() - 1));
+    }
+  }
   const std::vector<bool> on = on_outline();
   for (std::size_t k = 0; k < nodes(); ++k) {
     for (const int w : {held[k].one, held[k].other}) {
