@@ -79,8 +79,8 @@ TEST_CASE("regular lattices of Dirichlet cells are singular, staggered and jitte
   Check check(
       "dirichlet_mesh_rank", "Pressures without forces",
       "Singular values of the forces that pressures of the cells make, $W^{1/2} G^T$ up to masses. A rectangular "
-      "lattice of 25 x 9 nodes in a tank has two pressures without any force: they alternate from node to node "
-      "along the rows. Staggered rows and jittered meshes have none. Without stabilisation the model refuses "
+      "lattice of 25 x 9 nodes in a tank has two pressures without any force: they are chequered, along one axis "
+      "at least. Staggered rows and jittered meshes have none. Without stabilisation the model refuses "
       "the lattice and says what to do.");
   Layer layer{.begin = 0, .end = 3, .columns = 24, .rows = 8};
   layer.staggered = false;
@@ -100,7 +100,7 @@ TEST_CASE("regular lattices of Dirichlet cells are singular, staggered and jitte
   claim("staggered", "Staggered rows have full rank.", rank_of(layer_mesh(layer)),
         static_cast<long>(layer_mesh(layer).nodes()));
   claim("jittered", "So has a jittered block.", rank_of(jittered(free_patch(8, 5, {0, 0}, {8, 5}, false), 0.2, 1)), 54);
-  // In every null vector neighbours of a row have opposite signs where it is not zero.
+  // How many neighbours of a row have opposite signs in the null vectors.
   double alternating = 0;
   double pairs = 0;
   for (Eigen::Index v = 0; v < lattice.null_vectors.cols(); ++v) {
