@@ -54,6 +54,7 @@ const std::vector<ExactSolution>& catalogue() {
       hexahedral_dispersion_entry(),
       plan_manufactured_entry(),
       serre_solitary_entry(),
+      serre_cnoidal_entry(),
       solitary_asymptotic_entry(),
       solitary_entry(),
       stokes_entry(),

@@ -19,6 +19,7 @@ ExactSolution plan_dispersion_entry();
 ExactSolution hexahedral_dispersion_entry();
 ExactSolution plan_manufactured_entry();
 ExactSolution serre_solitary_entry();
+ExactSolution serre_cnoidal_entry();
 ExactSolution solitary_asymptotic_entry();
 ExactSolution solitary_entry();
 ExactSolution stokes_entry();
