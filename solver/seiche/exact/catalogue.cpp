@@ -71,6 +71,7 @@ const std::vector<ExactSolution>& catalogue() {
       wavemaker_entry(),
       wavemaker_start_entry(),
       affine_drop_entry(),
+      affine_ellipsoid_entry(),
   };
   return solutions;
 }

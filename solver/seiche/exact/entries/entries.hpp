@@ -27,6 +27,7 @@ ExactSolution standing_entry();
 ExactSolution dispersive_standing_entry();
 ExactSolution gerstner_entry();
 ExactSolution affine_drop_entry();
+ExactSolution affine_ellipsoid_entry();
 ExactSolution mach_reflection_entry();
 ExactSolution kadomtsev_petviashvili_entry();
 ExactSolution solitary_runup_entry();
