@@ -15,11 +15,13 @@ over the height, and the phase. The error of particles and mesh falls with the s
 model against the wave of its own equations, too. Against the Euler equations it stays: the two exact waves are apart,
 mostly by their speed, and where it ends is known beforehand. Times are shown and never judged.
 
-**What to look at.** Take the dispersive model for waves longer than six depths where one per cent of the phase is
-enough: it takes milliseconds. For less error than that take particles: they are the first for any time above. The mesh
-reaches half as much in the same time, and has the pressures at walls. SPH takes a hundred times as long for an error as
-large as the dispersive model's, the loss of height by its viscosity, and is for what the others cannot: water that
-falls on itself. Particles, too, go on when the surface overturns (`breaking_gauss`).
+**What to look at.** For a wave six depths long or longer, and where one per cent of the phase is enough, take the
+dispersive model: it takes milliseconds. For a smaller error than that take particles: none is as near for the time they
+take. The mesh is not far behind, twice as far off or more in the same time, and knows the pressures at walls. SPH takes
+a hundred times as long for an error as large as the dispersive model's, most of it lost height, which the spacing
+hardly mends; it is for what the others cannot, water that falls on itself. Particles, too, go on when the surface
+overturns
+(`breaking_gauss`).
 
 **When it is no test.** Nothing is said of walls, shores and breaking, nor of long times: particles keep their energy,
 SPH does not. A longer wave has less dispersion, and the dispersive model less error.
@@ -248,8 +250,10 @@ void claims(const Values& values, const Claims<Results>& all) {
        .quantity = "it is",
        .source = source},
       [](const Ladder& ladder) { return ladder.error.back() < ladder.error.front() ? 1.0 : 0.0; },
-      evidence::Qualitative{.detector = "rms error of the surface",
-                            .reason = "the viscosity, which takes the height, is in proportion to the spacing"});
+      evidence::Qualitative{
+          .detector = "rms error of the surface",
+          .reason = "its sums over neighbours converge, and its viscosity is in proportion to the spacing: with "
+                    "a quarter of the water in a particle it must show"});
 }
 
 struct Shown {
