@@ -22,6 +22,7 @@ on them, on every lattice: it is thin sooner, and there is no friction on bed an
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -65,6 +66,15 @@ Column column_of(const Values& values) {
   return {.aspect = static_cast<double>(values.integer("aspect")),
           .cells = values.integer("cells"),
           .per_cell = values.integer("per_cell")};
+}
+
+/// Throws std::invalid_argument where the run ends before front and height are to be read.
+void refuse_after_end(const Values& values) {
+  const double last = values.real("last");
+  if (values.real("at") > last) {
+    throw std::invalid_argument(
+        fmt::format("at = {:g} is out of range: must be in [0, last], here [0, {:g}]", values.real("at"), last));
+  }
 }
 
 /// Coarser lattices, in quarters of the cells and particles to a side that were asked for.
@@ -301,6 +311,7 @@ double height_off(const Results& r, const io::Table& table) {
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
+  refuse_after_end(values);
   const Column column = column_of(values);
   const ColumnFront data = data_of(values);
   const Claims<Results> claims = all.at(column.resolution());
@@ -375,6 +386,9 @@ void draw(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const Collapse& run = r.finest();
+  const double at = values.real("at");
+  exhibit.measure("front", linear_at(run.front_curve(), at));
+  exhibit.measure("height", linear_at({run.T, run.height}, at));
   for (const double T : {0.4, 0.8, 1.2, 1.6, 2.0, 2.5, 3.0}) {
     if (T > run.T.back()) continue;
     exhibit.measure(fmt::format("front_at_T_{:.1f}", T), linear_at(run.front_curve(), T));
@@ -407,6 +421,7 @@ Case collapse_gauss() {
       integer("cells", {8, 16, 16}, {4, 64}, "cells of the lattice to the width"),
       integer("per_cell", {8, 12, 12}, {4, 40}, "particles to a cell's side"),
       real("last", 3.6, "1", {0.1, 5}, "scaled time T at the end"),
+      real("at", 2, "1", {0, 5}, "scaled time T at which the numbers front and height are read; no later than last"),
   };
   c.study = Study(claims, compute, show);
   return c;

@@ -28,6 +28,7 @@ the steps make it lead; momentum; the energy, which changes by what the penalty 
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "validation/case/case.hpp"
+#include "validation/periodic_wave/surface_fit.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -93,30 +94,6 @@ struct WaveRun {
 
 using Results = std::vector<WaveRun>;
 
-/// Rms difference of the markers from the exact surface whose crest is at `at`.
-double difference(const StokesWave& wave, const std::vector<Point>& markers, double at) {
-  Mean squares;
-  for (const Point& marker : markers) squares.add(marker.y - wave.elevation(marker.x - at));
-  return squares.rms();
-}
-
-/// Shift of the exact surface at which the difference is least, by golden section about `at`.
-double best_shift(const StokesWave& wave, const std::vector<Point>& markers, double at) {
-  const double part = (std::sqrt(5.0) - 1) / 2;
-  double low = -0.05 * wave.wavelength();
-  double high = 0.05 * wave.wavelength();
-  while (high - low > 1e-9 * wave.wavelength()) {
-    const double left = high - part * (high - low);
-    const double right = low + part * (high - low);
-    if (difference(wave, markers, at + left) < difference(wave, markers, at + right)) {
-      high = right;
-    } else {
-      low = left;
-    }
-  }
-  return 0.5 * (low + high);
-}
-
 Flow flow_of(const SetUp& s, const StokesWave& wave, const Values& values) {
   const long side = values.integer("per_cell");
   const bool on_surface = values.text("gravity") == "surface";
@@ -155,21 +132,22 @@ WaveRun follow(const SetUp& s, const Values& values, const std::function<void(do
   const double kinetic = flow.energy();
   const double first_momentum = flow.ledger().entry("momentum_x").initial;
   const auto crest = [&] { return s.crest() + r.wave.phase_speed() * flow.time(); };
+  const Elevation exact = [&](double x) { return r.wave.elevation(x); };
   const long every = std::max(1L, s.steps / 10);
   for (long n = 1; n <= total; ++n) {
     flow.advance(period / static_cast<double>(s.steps));
     flow.observe();
     if (n % every == 0) {
       r.time.push_back(flow.time() / period);
-      r.error.push_back(difference(r.wave, flow.markers(), crest()) / s.height);
+      r.error.push_back(surface_rms(exact, flow.markers(), crest()) / s.height);
       r.energy.push_back(flow.energy() / kinetic - 1);
       progress(static_cast<double>(n) / static_cast<double>(total));
     }
   }
   r.end = flow.time();
   r.markers = flow.markers();
-  r.rms = difference(r.wave, r.markers, crest());
-  r.phase = best_shift(r.wave, r.markers, crest()) / s.length / static_cast<double>(values.integer("periods"));
+  r.rms = surface_rms(exact, r.markers, crest());
+  r.phase = surface_lead(exact, s.length, r.markers, crest()) / static_cast<double>(values.integer("periods"));
   r.energy_change = flow.energy() / kinetic - 1;
   r.energy_defect = flow.ledger().largest_defect("energy") / kinetic;
   r.momentum_defect = flow.ledger().entry("momentum_x").largest_defect / std::abs(first_momentum);

@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include "seiche/exact/affine_ellipsoid.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/projected_step.hpp"
@@ -20,7 +21,6 @@ using namespace seiche::verification;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using seiche::Worst;
-using seiche::evidence::Bound;
 using seiche::evidence::Order;
 using seiche::evidence::Roundoff;
 
@@ -34,33 +34,6 @@ Matrix3d first_gradient() {
   Matrix3d gradient;
   gradient << 0.6, -0.4, 0.1, 0.5, -0.2, -0.3, 0.2, 0.3, -0.4;
   return gradient;
-}
-
-/// r = F r(0): F'' = 2 P0 F^-T, P0 = tr((F' F^-1)^2)/(2 tr (F F^T)^-1).
-Matrix3d acceleration(const Matrix3d& f, const Matrix3d& rate) {
-  const Matrix3d inverse = f.inverse();
-  const Matrix3d gradient = rate * inverse;
-  const double pressure = (gradient * gradient).trace() / (2 * (inverse.transpose() * inverse).trace());
-  return 2 * pressure * inverse.transpose();
-}
-
-/// F at the end, by so many steps of the classical Runge-Kutta method.
-Matrix3d exact(int steps) {
-  const double tau = end / steps;
-  Matrix3d f = Matrix3d::Identity();
-  Matrix3d g = first_gradient();
-  for (int n = 0; n < steps; ++n) {
-    const Matrix3d a1 = acceleration(f, g);
-    const Matrix3d g2 = g + tau / 2 * a1;
-    const Matrix3d a2 = acceleration(f + tau / 2 * g, g2);
-    const Matrix3d g3 = g + tau / 2 * a2;
-    const Matrix3d a3 = acceleration(f + tau / 2 * g2, g3);
-    const Matrix3d g4 = g + tau * a3;
-    const Matrix3d a4 = acceleration(f + tau * g3, g4);
-    f += tau / 6 * (g + 2 * g2 + 2 * g3 + g4);
-    g += tau / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-  }
-  return f;
 }
 
 /// A regular tetrahedron and its middle: second moments are isotropic.
@@ -119,18 +92,7 @@ TEST_CASE("particles with all linear fields in space follow the ellipsoids of Di
       "it. With the eleven linear solenoidal fields, rot A of quadratic A, the particles move on the exact "
       "paths but for the error in time: 546 particles as five. The transpose of a motion is a motion "
       "(Dedekind), step by step.");
-  constexpr int fine = 2000;
-  const Matrix3d f = exact(fine);
-  const double uncertainty = (f - exact(fine / 2)).norm();
-  check.measure("uncertainty of the exact motion", uncertainty);
-  check.that({.id = "exact-volume",
-              .text = "The exact motion keeps volumes.",
-              .quantity = "determinant of F at t = 2",
-              .source = source},
-             {.value = f.determinant(), .resolution = "Runge-Kutta, tau = 0.001"},
-             Bound{.limit = 1e-11,
-                   .reason = "the classical method errs by tau^4 (motion of unit rates), 2 tau^4 over the run: 2e-12",
-                   .expected = 1});
+  const Matrix3d f = seiche::exact::AffineEllipsoid(first_gradient()).at(end).deformation;
   SpatialModel many(ball(1, 6), SpatialFields());
   SpatialModel few(five(), SpatialFields());
   const std::vector<double> lengths{0.04, 0.02, 0.01, 0.005};

@@ -54,6 +54,7 @@ const std::vector<ExactSolution>& catalogue() {
       hexahedral_dispersion_entry(),
       plan_manufactured_entry(),
       serre_solitary_entry(),
+      serre_cnoidal_entry(),
       solitary_asymptotic_entry(),
       solitary_entry(),
       stokes_entry(),
@@ -71,6 +72,7 @@ const std::vector<ExactSolution>& catalogue() {
       wavemaker_entry(),
       wavemaker_start_entry(),
       affine_drop_entry(),
+      affine_ellipsoid_entry(),
   };
   return solutions;
 }

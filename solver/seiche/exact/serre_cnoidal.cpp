@@ -1,0 +1,182 @@
+#include "seiche/exact/serre_cnoidal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <boost/math/special_functions/ellint_2.hpp>
+#include <boost/math/special_functions/jacobi_elliptic.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include "seiche/require.hpp"
+#include "seiche/samples.hpp"
+
+namespace seiche::exact {
+
+static_assert(ReferenceSolution<SerreCnoidal>);
+
+namespace {
+
+/// K and E/K of the parameter m = 1 - complement, by the arithmetic-geometric mean, which keeps the digits as m -> 1.
+struct CompleteIntegrals {
+  double first;
+  double ratio;
+};
+
+CompleteIntegrals complete_integrals(double complement) {
+  double a = 1;
+  double b = std::sqrt(complement);
+  double weight = 0.5;
+  double sum = weight * (1 - complement);
+  while (std::abs(a - b) > 1e-8 * a) {  // the next difference is its square
+    const double c = (a - b) / 2;
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b);
+    a = mean;
+    weight *= 2;
+    sum += weight * c * c;
+  }
+  return {std::numbers::pi / (a + b), 1 - sum};
+}
+
+/// Depths under crest and trough, the third root, and what decides the length.
+struct Roots {
+  double crest, trough, lowest, kappa, first;
+};
+
+Roots roots_of(double height, double depth, double complement) {
+  const CompleteIntegrals complete = complete_integrals(complement);
+  const double span = height / (1 - complement);  // h_c - h_0
+  const double lowest = depth - span * complete.ratio;
+  const double crest = lowest + span;
+  const double trough = crest - height;
+  const double kappa = lowest > 0 ? std::sqrt(0.75 * span / (lowest * trough * crest)) : 0;
+  return {crest, trough, lowest, kappa, complete.first};
+}
+
+/// Points of the sums over a wavelength: the nearest singularity of the longest wave leaves exp(-0.4 points).
+constexpr int points = 512;
+/// 1 - m of the longest wave: between its crests the depth is constant to eight digits.
+constexpr double least_complement = 1e-8;
+
+/// 1 - m of the wave. Throws std::invalid_argument.
+double complement_of(double height, double wavelength, double depth) {
+  const auto longer = [&](double complement) {
+    const Roots r = roots_of(height, depth, complement);
+    return r.lowest > 0 ? 2 * r.first / r.kappa - wavelength : -wavelength;
+  };
+  const double longest = longer(least_complement);
+  if (!(longest > 0)) {
+    throw std::invalid_argument(fmt::format(
+        "wavelength = {:g} is out of range: must be below {:g}, where the crests of waves of this height and "
+        "depth are solitary",
+        wavelength, longest + wavelength));
+  }
+  std::uintmax_t evaluations = 200;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      longer, least_complement, 1 - 1e-15, longest, -wavelength,
+      [](double a, double b) { return std::abs(a - b) <= 4e-16 * a; }, evaluations);
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+SerreCnoidal::SerreCnoidal(double height, double wavelength, double depth, double gravity)
+    : wavelength_(wavelength), depth_(depth), gravity_(gravity) {
+  require_positive("wavelength", wavelength);
+  require_positive("depth", depth);
+  require_positive("gravity", gravity);
+  require_positive("height", height);
+  require_within("height", height, 0, depth);
+  const double complement = complement_of(height, wavelength, depth);
+  const Roots roots = roots_of(height, depth, complement);
+  modulus_ = std::sqrt(1 - complement);
+  crest_ = roots.crest;
+  trough_ = roots.trough;
+  lowest_ = roots.lowest;
+  kappa_ = roots.kappa;
+  discharge_ = std::sqrt(gravity * lowest_ * trough_ * crest_);
+  Mean velocity;
+  for (int i = 0; i < points; ++i) {
+    const double h = depth_ + elevation(wavelength_ * i / points);
+    velocity.add((1 + slope_squared(h) / 3) / h);
+  }
+  speed_ = discharge_ * velocity.value();
+}
+
+SerreCnoidal::Elliptic SerreCnoidal::at(double x) const {
+  require_finite("x", x);
+  Elliptic e{};
+  double dn = 0;  // inaccurate where cn = 0
+  e.sn = boost::math::jacobi_elliptic(modulus_, kappa_ * std::remainder(x, wavelength_), &e.cn, &dn);
+  return e;
+}
+
+double SerreCnoidal::elevation(double x) const {
+  const double cn = at(x).cn;
+  return trough_ - depth_ + height() * cn * cn;
+}
+
+double SerreCnoidal::elevation_slope(double x) const {
+  const auto [sn, cn] = at(x);
+  const double dn = std::sqrt(cn * cn + (trough_ - lowest_) / (crest_ - lowest_) * sn * sn);
+  return -2 * kappa_ * height() * sn * cn * dn;
+}
+
+double SerreCnoidal::excess_up_to(double x) const {
+  const Elliptic e = at(x);
+  return (crest_ - lowest_) / kappa_ * boost::math::ellint_2(modulus_, std::atan2(e.sn, e.cn)) -
+         (depth_ - lowest_) * std::remainder(x, wavelength_);
+}
+
+double SerreCnoidal::depth_averaged_velocity(double x) const {
+  return speed_ - discharge_ / (depth_ + elevation(x));
+}
+
+double SerreCnoidal::slope_squared(double h) const {
+  return 3 * (crest_ - h) * (h - trough_) * (h - lowest_) / (lowest_ * trough_ * crest_);
+}
+
+double SerreCnoidal::curvature(double h) const {
+  return 1.5 * ((crest_ - h) * (h - trough_) + (crest_ - h) * (h - lowest_) - (h - trough_) * (h - lowest_)) /
+         (lowest_ * trough_ * crest_);
+}
+
+Provenance SerreCnoidal::provenance() {
+  return {"Serre, La Houille Blanche 8 (1953) 374; El, Grimshaw & Smyth, Phys. Fluids 18 (2006) 027104",
+          "h = h_t + (h_c - h_t) cn^2(kappa (x - c t) | m), m = (h_c - h_t)/(h_c - h_0), "
+          "kappa^2 = 3 (h_c - h_0)/(4 h_0 h_t h_c), c - u = Q/h, Q^2 = g h_0 h_t h_c"};
+}
+
+double SerreCnoidal::uncertainty() const {
+  // Differences of depths, over the height; the third root is such a difference, and decides the length.
+  return 10 * std::numeric_limits<double>::epsilon() * (depth_ / height() + depth_ / lowest_);
+}
+
+SelfTest SerreCnoidal::self_test() const {
+  const double flux = discharge_ * discharge_;
+  const double expected = flux / crest_ + gravity_ * crest_ * crest_ / 2 + flux / 3 * curvature(crest_);
+  Mean mean;
+  Largest momentum, slope, steepest;
+  for (int i = 0; i < points; ++i) {
+    const double x = wavelength_ * i / points;
+    const double h = depth_ + elevation(x);
+    const double squared = elevation_slope(x) * elevation_slope(x);
+    mean.add(h - depth_);
+    slope.add(std::abs(squared - slope_squared(h)));
+    steepest.add(squared);
+    const double here = flux / h + gravity_ * h * h / 2 + flux / 3 * (curvature(h) - squared / h);
+    momentum.add(std::abs(here / expected - 1));
+  }
+  return {{"mean elevation = 0, over the height", std::abs(mean.value()) / height(), uncertainty(),
+           "differences of depths, ten roundings"},
+          {"the flux of momentum, seen from the wave, is the same everywhere", momentum.value(),
+           10 * std::numeric_limits<double>::epsilon(), "ten roundings of its terms"},
+          {"the slope squared is that of the first integral, over the largest", slope.value() / steepest.value(),
+           uncertainty(), "differences of depths, ten roundings"}};
+}
+
+}  // namespace seiche::exact

@@ -1,0 +1,334 @@
+/*
+Which model should one take? One steep periodic wave travels over one wavelength, by four models: free particles under
+Gauss's principle, the Lagrangian mesh, the discrete dispersive shallow water in one dimension, and weakly compressible
+SPH. The exact wave of the Euler equations tells how far off each is, and the processor what it took.
+
+**Set-up.** Depth, gravity and density are 1; the wave is $2\pi$ long and 0.2 high, a third of the highest. Particles
+and SPH run in a periodic channel, from exact velocities (SPH: and pressures). Meshes have no period: of three
+wavelengths the nodes of both ends are led on their exact paths, and the wave in the middle counts; what the ends know
+travels with the group and does not reach it in this time. The dispersive model, for which the wave is none, starts from
+the wave of its own equations with the same height and length (`seiche exact serre_cnoidal`). Each is refined in space
+and time together.
+
+**What is compared.** Elevations of markers, nodes or the surface's curve with the exact wave: their root mean square
+over the height, and the phase. The error of particles and mesh falls with the second order; that of the dispersive
+model against the wave of its own equations, too. Against the Euler equations it stays: the two exact waves are apart,
+mostly by their speed, and where it ends is known beforehand. Times are shown and never judged.
+
+**What to look at.** For a wave six depths long or longer, and where one per cent of the phase is enough, take the
+dispersive model: it takes milliseconds. For a smaller error than that take particles: none is as near for the time they
+take. The mesh is not far behind, twice as far off or more in the same time, and knows the pressures at walls. SPH takes
+a hundred times as long for an error as large as the dispersive model's, most of it lost height, which the spacing
+hardly mends; it is for what the others cannot, water that falls on itself. Particles, too, go on when the surface
+overturns
+(`breaking_gauss`).
+
+**When it is no test.** Nothing is said of walls, shores and breaking, nor of long times: particles keep their energy,
+SPH does not. A longer wave has less dispersion, and the dispersive model less error.
+*/
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "reports/evidence/claim.hpp"
+#include "validation/case/case.hpp"
+#include "validation/case/on_threads.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/fine_limit.hpp"
+#include "validation/periodic_wave/surface_fit.hpp"
+#include "validation/periodic_wave/travelling_models.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+using exact::SerreCnoidal;
+using exact::StokesWave;
+
+const std::string source = "Frank (1994), chapters 2, 3 and 6; Schwartz (1974)";
+const std::string serre_source = "Serre (1953); Schwartz (1974)";
+
+struct Waves {
+  StokesWave euler;
+  SerreCnoidal serre;
+
+  [[nodiscard]] double length() const { return euler.wavelength(); }
+  [[nodiscard]] double height() const { return 2 * euler.amplitude(); }
+  [[nodiscard]] double period() const { return length() / euler.phase_speed(); }
+  /// Of the crest of Serre's wave after one period of the other.
+  [[nodiscard]] double serre_crest() const { return serre.phase_speed() * period(); }
+  [[nodiscard]] Elevation elevation() const {
+    return [wave = euler](double x) { return wave.elevation(x); };
+  }
+  [[nodiscard]] Elevation serre_elevation() const {
+    return [wave = serre](double x) { return wave.elevation(x); };
+  }
+  /// What its height adds to the wave's speed, over the speed of low waves.
+  [[nodiscard]] double excess() const {
+    const double k = euler.wavenumber();
+    return euler.phase_speed() / std::sqrt(std::tanh(k) / k) - 1;
+  }
+};
+
+Waves waves_of(const Values& values) {
+  const double height = values.real("height");
+  const double length = values.real("length");
+  return {StokesWave(height / 2, length, 1, 1), SerreCnoidal(height, length, 1, 1)};
+}
+
+/// What one model gives, from coarse to fine.
+struct Ladder {
+  std::vector<double> size, error, lead, seconds;  ///< error over the height, lead in wavelengths
+  std::vector<Point> surface;                      ///< the finest
+  double energy_change = 0;                        ///< of the finest
+
+  void add(const Waves& waves, Travelled travelled) {
+    size.push_back(travelled.size);
+    seconds.push_back(travelled.seconds);
+    error.push_back(surface_rms(waves.elevation(), travelled.surface, waves.length()) / waves.height());
+    lead.push_back(surface_lead(waves.elevation(), waves.length(), travelled.surface, waves.length()));
+    surface = std::move(travelled.surface);
+    energy_change = travelled.energy_change;
+  }
+  [[nodiscard]] evidence::ObservedOrder order() const { return evidence::observed_order(size, error); }
+};
+
+struct Results {
+  Waves waves;
+  Ladder particles, mesh, dispersive, sph;
+  std::vector<double> own_error;  ///< of the dispersive model, against the wave of its own equations
+};
+
+/// Parts of the finest resolution, from coarse to fine.
+std::vector<long> ladder(long finest, const std::vector<double>& parts) {
+  std::vector<long> all;
+  for (const double part : parts) all.push_back(std::lround(static_cast<double>(finest) * part));
+  return all;
+}
+std::vector<long> cells_of(const Values& values) {
+  return ladder(values.integer("cells"), {5.0 / 14, 0.5, 5.0 / 7, 1});
+}
+std::vector<long> rows_of(const Values& values) {
+  return ladder(values.integer("rows"), {0.375, 0.5, 0.75, 1});
+}
+std::vector<long> markers_of(const Values& values) {
+  return ladder(values.integer("markers"), {0.125, 0.25, 0.5, 1});
+}
+std::vector<long> sph_rows_of(const Values& values) {
+  return ladder(values.integer("sph_rows"), {0.5, std::numbers::sqrt2 / 2, 1});
+}
+
+Results compute(const Run& run) {
+  Results r{.waves = waves_of(run), .particles = {}, .mesh = {}, .dispersive = {}, .sph = {}, .own_error = {}};
+  const Waves& waves = r.waves;
+  std::vector<std::function<void()>> work;
+  const auto each = [&](const std::vector<long>& resolutions, Ladder& ladder, auto travel) {
+    for (const long n : resolutions) work.push_back([&waves, &ladder, travel, n] { ladder.add(waves, travel(n)); });
+  };
+  each(markers_of(run), r.dispersive, [&](long n) {
+    Travelled travelled = travel_dispersive(waves.serre, waves.period(), n);
+    r.own_error.push_back(surface_rms(waves.serre_elevation(), travelled.surface, waves.serre_crest()) /
+                          waves.height());
+    return travelled;
+  });
+  each(rows_of(run), r.mesh, [&](long n) { return travel_mesh(waves.euler, n); });
+  each(cells_of(run), r.particles, [&](long n) { return travel_particles(waves.euler, n); });
+  each(sph_rows_of(run), r.sph, [&](long n) { return travel_sph(waves.euler, n); });
+  // One after another and on one thread each, or their times would be those of their neighbours.
+  on_threads(
+      work.size(), 1, [&](std::size_t k) { work[k](); },
+      [&](std::size_t finished) {
+        run.progress(std::pow(static_cast<double>(finished) / static_cast<double>(work.size()), 3));
+      });
+  return r;
+}
+
+/// Of Serre's exact wave from that of the Euler equations after one period, over the height; equal weights for equal
+/// water, as markers have.
+double equations_apart(const Waves& waves) {
+  constexpr int samples = 2000;
+  double squares = 0;
+  for (int k = 0; k < samples; ++k) {
+    const double x = waves.length() * k / samples;
+    const double serre = waves.serre.elevation(x - waves.serre_crest());
+    squares += (1 + serre) * std::pow(serre - waves.euler.elevation(x), 2);
+  }
+  return std::sqrt(squares / samples) / waves.height();
+}
+
+std::vector<double> reversed(const std::vector<double>& values) {
+  return {values.rbegin(), values.rend()};
+}
+
+void claim_orders(const Claims<Results>& all, const Values& values) {
+  const auto second = [](const Claims<Results>& claims, const std::string& id, const std::string& text,
+                         double tolerance, const std::string& why,
+                         std::function<evidence::ObservedOrder(const Results&)> measure) {
+    claims.check({.id = id, .text = text, .quantity = "order of the rms error of the surface", .source = source},
+                 std::move(measure), evidence::Order{.theory = 2, .tolerance = tolerance, .reason = why});
+  };
+  const double coarsest = static_cast<double>(cells_of(values).front()) / values.real("length");
+  const auto resolved =
+      all.only_if(coarsest >= 1.5, "its coarsest lattice has less than one and a half cells to the depth")
+          .only_if(values.real("height") <= 0.25, "the third order of the splines shows at the crests of higher waves");
+  second(resolved, "particles-order", "The error of the free particles falls with the second order.", 0.3,
+         "steps of second order, in proportion to the cells, and sums over the particles next to the surface; splines "
+         "are of third order, and a part of the error on coarse lattices",
+         [](const Results& r) { return r.particles.order(); });
+  second(all, "mesh-order", "So does that of the Lagrangian mesh.", 0.2,
+         "second order in space and time; the next term, of third order, is of the surface's slip",
+         [](const Results& r) { return r.mesh.order(); });
+  second(all, "dispersive-order", "And that of the dispersive model, against the wave of its own equations.", 0.1,
+         "second order in space and time, and even in both",
+         [](const Results& r) { return evidence::observed_order(r.dispersive.size, r.own_error); });
+}
+
+/// Where the dispersive model ends, however fine it is.
+void claim_dispersion(const Claims<Results>& claims, const Waves& waves) {
+  const auto ends = [&](const std::string& id, const std::string& text, const std::string& quantity,
+                        const std::string& unit, std::vector<double> Ladder::*numbers, double expected) {
+    claims.check(
+        {.id = id, .text = text, .quantity = quantity, .unit = unit, .source = serre_source},
+        [numbers](const Results& r) -> Measurement {
+          const std::vector<double> values = reversed(r.dispersive.*numbers);
+          return {.value = values.front(), .uncertainty = fine_limit(reversed(r.dispersive.size), values).uncertainty};
+        },
+        evidence::Uncertainty{.expected = expected,
+                              .useful = 0.1 * std::abs(expected),
+                              .reason = "both exact waves are known to round-off; of use where the spacing "
+                                        "matters a tenth of what the equations do"});
+  };
+  ends("dispersive-error", "Against the Euler equations the dispersive model ends where its equations do.",
+       "rms error over the height", "1", &Ladder::error, equations_apart(waves));
+  ends("dispersive-phase", "It is late by what its equations' wave is slower.", "lead of the phase in one period",
+       "wavelengths", &Ladder::lead, waves.serre.phase_speed() / waves.euler.phase_speed() - 1);
+}
+
+void claims(const Values& values, const Claims<Results>& all) {
+  const Waves waves = waves_of(values);
+  const long cells = values.integer("cells");
+  claim_orders(all, values);
+  claim_dispersion(all.at(fmt::format("{} markers, and three times half as many", values.integer("markers"))), waves);
+  const double steps = std::ceil(static_cast<double>(cells) / particles_courant);
+  const double turn = 2 * std::numbers::pi / steps;
+  const double excess = waves.excess();
+  const Claims<Ladder> particles = all.at(fmt::format("{} cells", cells)).of(&Results::particles);
+  particles.check({.id = "particles-energy",
+                   .text = "The energy of the free particles is kept to round-off.",
+                   .quantity = "change over the kinetic energy",
+                   .source = "Frank (1994), chapter 6; exact for every space and step"},
+                  &Ladder::energy_change,
+                  evidence::Roundoff{.operations = steps,
+                                     .scale = 2,
+                                     .reason = "one rounding per step of the kinetic and of the potential energy"});
+  const auto speed = [&](const Claims<Ladder>& claims, const std::string& id, const std::string& text, double expected,
+                         double limit, const std::string& why) {
+    claims.only_if(excess > 0.005, "the wave is so low that its height adds less than 0.5 per cent to its speed")
+        .check(
+            {.id = id,
+             .text = text,
+             .quantity = "lead of the phase in one period",
+             .unit = "wavelengths",
+             .source = source},
+            [](const Ladder& ladder) { return ladder.lead.back(); },
+            evidence::Bound{.limit = limit * excess, .reason = why, .expected = expected});
+  };
+  speed(particles, "particles-phase", "Particles lag by what their steps make them lag.", -turn * turn / 12, 0.02,
+        "a fiftieth of what its height adds to the wave's speed; expected: -(omega tau)^2/12, the lag of the discrete "
+        "gradient");
+  const std::string distinguished =
+      "half of what its height adds to the wave's speed: it is this wave and no low one that travels";
+  speed(all.at(fmt::format("{} rows", values.integer("rows"))).of(&Results::mesh), "mesh-phase",
+        "The wave on the mesh travels with the speed of a wave of its height.", 0, 0.5, distinguished);
+  const Claims<Ladder> sph = all.at(fmt::format("{} rows", values.integer("sph_rows"))).of(&Results::sph);
+  speed(sph, "sph-phase", "So does that of SPH.", 0, 0.5, distinguished);
+  sph.check(
+      {.id = "sph-falls",
+       .text = "The finest lattice of SPH is nearer to the exact wave than one of half as many rows.",
+       .quantity = "it is",
+       .source = source},
+      [](const Ladder& ladder) { return ladder.error.back() < ladder.error.front() ? 1.0 : 0.0; },
+      evidence::Qualitative{
+          .detector = "rms error of the surface",
+          .reason = "its sums over neighbours converge, and its viscosity is in proportion to the spacing: with "
+                    "a quarter of the water in a particle it must show"});
+}
+
+struct Shown {
+  std::string id, name, size;
+  const Ladder& ladder;
+  Role role;
+};
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  const std::vector<Shown> models{
+      {"particles", "free particles", "cell", r.particles, Role::computed},
+      {"mesh", "Lagrangian mesh", "row", r.mesh, Role::peer},
+      {"dispersive", "dispersive shallow water", "marker spacing", r.dispersive, Role::data},
+      {"sph", "SPH", "particle spacing", r.sph, Role::guide}};
+  auto& cost = exhibit
+                   .figure("cost", "Error against processor time",
+                           "Rms error of the surface after one period, over the height; coarse to fine.")
+                   .panel({.x = "processor time [s]", .y = "error", .log_x = true, .log_y = true});
+  evidence::Table table{.id = "models",
+                        .title = "Error and processor time",
+                        .caption = "After one period; of the mesh, a third of the time for three waves.",
+                        .columns = {{"model", ""},
+                                    {"size of", ""},
+                                    {"size", "depth"},
+                                    {"rms error", "height"},
+                                    {"phase", "wavelengths"},
+                                    {"time", "s"}}};
+  for (const Shown& model : models) {
+    const Ladder& ladder = model.ladder;
+    cost.points(model.name, ladder.seconds, ladder.error, model.role);
+    for (std::size_t k = 0; k < ladder.size.size(); ++k) {
+      table.rows.push_back(
+          {model.name, model.size, ladder.size[k], ladder.error[k], ladder.lead[k], ladder.seconds[k]});
+    }
+    exhibit.measure(model.id + "_error", ladder.error.back());
+    exhibit.measure(model.id + "_phase", ladder.lead.back());
+  }
+  exhibit.measure("equations_apart", equations_apart(r.waves));
+  exhibit.table(std::move(table));
+  auto& profile = exhibit.figure("profile", "The wave after one period", "The finest of each, and the exact wave.")
+                      .panel({.x = "(x - c t)/L", .y = "elevation"});
+  const std::vector<double> at = evenly(-0.5, 0.5, 401);
+  std::vector<double> exact;
+  for (const double x : at) exact.push_back(r.waves.euler.elevation(x * r.waves.length()));
+  profile.line("exact", at, exact, Role::exact);
+  for (const Shown& model : models) {
+    std::vector<double> x;
+    std::vector<double> y;
+    for (const Point& point : model.ladder.surface) {
+      const double place = point.x / r.waves.length() - 1;
+      if (std::abs(place) > 0.5) continue;
+      x.push_back(place);
+      y.push_back(point.y);
+    }
+    profile.line(model.name, x, y, model.role);
+  }
+}
+
+}  // namespace
+
+Case stokes_models() {
+  Case c;
+  c.title = "Which model should one take? A steep periodic wave by four of them";
+  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 2, 3 and 6";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {
+      real("height", 0.2, "depth", {0.05, 0.4}, "from trough to crest"),
+      real("length", 2 * std::numbers::pi, "depth", {4, 15}, "of the wave"),
+      integer("cells", {28, 42, 56}, {28, 140}, "of the particles' lattice to a wavelength, finest of four"),
+      integer("rows", {16, 32, 48}, {8, 96}, "of the mesh, finest of four"),
+      integer("markers", {160, 320, 640}, {80, 2560}, "of the dispersive model to a wavelength, finest of four"),
+      integer("sph_rows", {16, 32, 48}, {12, 96}, "of SPH particles, finest of three"),
+  };
+  c.study = Study(claims, compute, show);
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,256 @@
+#include "validation/periodic_wave/travelling_models.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "seiche/models/gauss_particles/flow.hpp"
+#include "seiche/models/gauss_particles/spline_space.hpp"
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/models/wcsph/flow.hpp"
+#include "seiche/models/wcsph/free_surface.hpp"
+#include "seiche/models/wcsph/scene.hpp"
+#include "validation/instruments/processor_time.hpp"
+
+namespace seiche::validation {
+namespace {
+
+using exact::StokesWave;
+
+double period_of(const StokesWave& wave) {
+  return wave.wavelength() / wave.phase_speed();
+}
+
+/// The surface itself is the end of the exact field: points above it by rounding are put on it.
+Point velocity_at(const StokesWave& wave, double x, double y) {
+  const auto v = wave.velocity(x, std::min(y, wave.elevation(x) - 1e-13));
+  return {v.u, v.v};
+}
+
+/// Points whose places are within half a wavelength of the crest after one period.
+std::vector<Point> about_crest(const StokesWave& wave, const std::vector<Point>& points) {
+  std::vector<Point> kept;
+  for (const Point& point : points) {
+    if (std::abs(point.x - wave.wavelength()) <= 0.5 * wave.wavelength()) kept.push_back(point);
+  }
+  return kept;
+}
+
+/// Exact path of a particle from where it is at the beginning.
+class Path {
+ public:
+  Path(const StokesWave& wave, Point from) : step_(period_of(wave) / steps) {
+    // To a step beyond the period, by the classical Runge-Kutta method.
+    for (int n = 0; n <= steps + 1; ++n) {
+      const double t = n * step_;
+      const auto rate = [&](Point at, double later) {
+        return velocity_at(wave, at.x - wave.phase_speed() * (t + later), at.y);
+      };
+      const auto moved = [&](Point v, double h) { return Point{from.x + h * v.x, from.y + h * v.y}; };
+      const Point k1 = rate(from, 0);
+      const Point k2 = rate(moved(k1, step_ / 2), step_ / 2);
+      const Point k3 = rate(moved(k2, step_ / 2), step_ / 2);
+      const Point k4 = rate(moved(k3, step_), step_);
+      places_.push_back(from);
+      velocities_.push_back(k1);
+      from = moved({(k1.x + 2 * k2.x + 2 * k3.x + k4.x) / 6, (k1.y + 2 * k2.y + 2 * k3.y + k4.y) / 6}, step_);
+    }
+  }
+
+  [[nodiscard]] Point position(double t) const {
+    const auto [k, s] = interval(t);
+    const double a = (1 + 2 * s) * (1 - s) * (1 - s);
+    const double b = s * (1 - s) * (1 - s) * step_;
+    const double c = s * s * (3 - 2 * s);
+    const double d = s * s * (s - 1) * step_;
+    const auto cubic = [&, k = k](double Point::*of) {
+      return a * places_[k].*of + b * velocities_[k].*of + c * places_[k + 1].*of + d * velocities_[k + 1].*of;
+    };
+    return {cubic(&Point::x), cubic(&Point::y)};
+  }
+  [[nodiscard]] Point velocity(double t) const {
+    const auto [k, s] = interval(t);
+    const double a = 6 * s * (s - 1) / step_;
+    const double b = (1 - s) * (1 - 3 * s);
+    const double d = s * (3 * s - 2);
+    const auto slope = [&, k = k](double Point::*of) {
+      return a * (places_[k].*of - places_[k + 1].*of) + b * velocities_[k].*of + d * velocities_[k + 1].*of;
+    };
+    return {slope(&Point::x), slope(&Point::y)};
+  }
+
+ private:
+  static constexpr int steps = 400;
+
+  [[nodiscard]] std::pair<std::size_t, double> interval(double t) const {
+    const double at = std::max(0.0, t / step_);
+    const std::size_t k = std::min(static_cast<std::size_t>(at), places_.size() - 2);
+    return {k, at - static_cast<double>(k)};
+  }
+
+  double step_;
+  std::vector<Point> places_, velocities_;
+};
+
+/// Both ends of a mesh, on exact paths.
+lagrangian_mesh_2d::PrescribedSide led(const StokesWave& wave) {
+  const auto paths = std::make_shared<std::map<std::pair<double, double>, Path>>();
+  const auto path = [paths, wave](Point from) -> const Path& {
+    return paths->try_emplace({from.x, from.y}, wave, from).first->second;
+  };
+  return {.position = [path](Point from, double t) { return path(from).position(t); },
+          .velocity = [path](Point from, double t) { return path(from).velocity(t); }};
+}
+
+wcsph::Scene scene_of(const StokesWave& wave, double spacing, const wcsph::Settings& settings) {
+  const double depth = wave.mean_depth();
+  const auto pressure = [&](double x, double z) {
+    const double y = std::max(z - depth, -depth);
+    const Point v = velocity_at(wave, x, y);
+    const double relative = v.x - wave.phase_speed();
+    const double inside = wave.bernoulli_constant() - 0.5 * (relative * relative + v.y * v.y) - wave.gravity() * y;
+    return settings.density * (inside + wave.gravity() * std::max(0.0, -z));
+  };
+  wcsph::Scene scene = wcsph::periodic_layer({.period = wave.wavelength(),
+                                              .depth = depth,
+                                              .elevation = [&](double x) { return wave.elevation(x); },
+                                              .velocity =
+                                                  [&](double x, double z) {
+                                                    const Point v = velocity_at(wave, x, z - depth);
+                                                    return wcsph::Velocity{v.x, v.y};
+                                                  },
+                                              .pressure = pressure,
+                                              .spacing = spacing},
+                                             settings);
+  const wcsph::TaitFluid fluid(settings.density, settings.sound_speed, settings.exponent);
+  wcsph::Particles& p = scene.particles;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.kind[i] == wcsph::Kind::wall) p.density[i] = fluid.density_at(pressure(p.x[i], p.z[i]));
+  }
+  return scene;
+}
+
+std::vector<Point> surface_of(const wcsph::Flow& flow, const StokesWave& wave) {
+  const double length = wave.wavelength();
+  const double depth = wave.mean_depth();
+  wcsph::Box basin = wcsph::unbounded;
+  basin.bottom = 0;
+  const wcsph::VolumeFraction fraction(flow.particles(), flow.smoothing_length(), basin, flow.settings().kernel,
+                                       {.x = length});
+  const std::vector<wcsph::Contour> curves = wcsph::free_surface(
+      fraction, {0.5 * length, 1.5 * length, 0.5 * depth, depth + 4 * wave.amplitude()}, 0.5 * flow.spacing());
+  const wcsph::Contour* main = wcsph::main_surface(curves);
+  if (main == nullptr) throw std::runtime_error("no water surface");
+  std::vector<Point> points;
+  for (std::size_t k = 0; k < main->x.size(); ++k) points.push_back({main->x[k], main->z[k] - depth});
+  return points;
+}
+
+}  // namespace
+
+Travelled travel_particles(const StokesWave& wave, long cells) {
+  using gauss_particles::LatticePlan;
+  const double began = processor_seconds();
+  const double length = wave.wavelength();
+  const double cell = length / static_cast<double>(cells);
+  constexpr long side = 6;
+  gauss_particles::Flow flow(
+      gauss_particles::layer(
+          {.begin = 0,
+           .end = length,
+           .columns = static_cast<std::size_t>(cells * side),
+           .rows = static_cast<std::size_t>(std::lround(wave.mean_depth() / cell * static_cast<double>(side))),
+           .surface = [&](double x) { return wave.elevation(x); },
+           .bottom = [&](double) { return -wave.mean_depth(); },
+           .markers = 20 * static_cast<std::size_t>(cells)}),
+      std::make_unique<gauss_particles::SplineSpace>(LatticePlan{.cell_x = cell,
+                                                                 .left_wall = 0.0,
+                                                                 .period = length,
+                                                                 .bottom = true,
+                                                                 .ground = {.level = -wave.mean_depth()}},
+                                                     gauss_particles::SplineSpace::Settings{.inner_fraction = 0.9}),
+      [&](Point r) { return velocity_at(wave, r.x, r.y); },
+      {.gravity = wave.gravity(),
+       .penalty = 0,
+       .surface = gauss_particles::SurfaceLine{.period = length, .exact_energy = true}});
+  const double kinetic = flow.energy();
+  flow.advance_to(period_of(wave), particles_courant * cell / wave.phase_speed());
+  std::vector<Point> surface = flow.markers();
+  for (Point& marker : surface) {
+    marker.x = length + std::remainder(marker.x, length);
+  }
+  std::ranges::sort(surface, {}, &Point::x);
+  return {.size = cell,
+          .seconds = processor_seconds() - began,
+          .surface = std::move(surface),
+          .energy_change = flow.energy() / kinetic - 1};
+}
+
+Travelled travel_mesh(const StokesWave& wave, long rows) {
+  const double began = processor_seconds();
+  const double length = wave.wavelength();
+  const double h = wave.mean_depth() / static_cast<double>(rows);
+  constexpr double waves = 3;
+  lagrangian_mesh_2d::Mesh mesh =
+      lagrangian_mesh_2d::layer_mesh({.begin = -length,
+                                      .end = 2 * length,
+                                      .depth = wave.mean_depth(),
+                                      .columns = static_cast<std::size_t>(std::lround(waves * length / (2 * h))),
+                                      .rows = static_cast<std::size_t>(rows),
+                                      .elevation = [&](double x) { return wave.elevation(x); }});
+  mesh.sides.left = mesh.sides.right = led(wave);
+  lagrangian_mesh_2d::Flow flow(mesh, [&](Point r) { return velocity_at(wave, r.x, r.y); });
+  flow.advance_to(period_of(wave), 0.4 * h / std::sqrt(wave.gravity() * wave.mean_depth()));
+  std::vector<Point> surface;
+  for (std::size_t i = 0; i < flow.surface_x().size(); ++i)
+    surface.push_back({flow.surface_x()[i], flow.surface_y()[i]});
+  return {.size = h, .seconds = (processor_seconds() - began) / waves, .surface = about_crest(wave, surface)};
+}
+
+Travelled travel_dispersive(const exact::SerreCnoidal& wave, double time, long cells) {
+  using namespace dispersive_shallow_water_1d;
+  const double began = processor_seconds();
+  const double length = wave.wavelength();
+  const double spacing = length / static_cast<double>(cells);
+  const Channel channel{
+      .bottom = std::make_shared<LevelBottom>(wave.depth()), .period = length, .gravity = wave.gravity()};
+  const auto motion = [&](double x) {
+    const double depth = wave.depth() + wave.elevation(x);
+    // Mass is steady in the frame of the wave: D(depth) = (u - c) depth_x = -Q depth_x/depth.
+    return SurfaceMotion{wave.elevation(x), wave.depth_averaged_velocity(x),
+                         -wave.discharge() / depth * wave.elevation_slope(x)};
+  };
+  Flow flow(channel, moved_markers(
+                         channel, equal_labels(channel, 0, length, static_cast<std::size_t>(cells)), motion,
+                         [&](double x) { return wave.excess_up_to(x); }, 0));
+  constexpr double no_courant_limit = 1e9;  // depths hardly change: tau alone decides
+  flow.advance_to(time, 0.25 * spacing / std::sqrt(wave.gravity() * wave.depth()), {}, no_courant_limit);
+  std::vector<Point> surface;
+  for (std::size_t i = 0; i < flow.x().size(); ++i) surface.push_back({flow.x()[i], flow.y()[i]});
+  return {.size = spacing, .seconds = processor_seconds() - began, .surface = std::move(surface)};
+}
+
+Travelled travel_sph(const StokesWave& wave, long rows) {
+  const double began = processor_seconds();
+  const double depth = wave.mean_depth();
+  // A whole number of particles to the wavelength.
+  const double spacing = wave.wavelength() / std::round(wave.wavelength() / depth * static_cast<double>(rows));
+  wcsph::Settings settings{.kernel = wcsph::KernelName::wendland_c2,
+                           .smoothing = 2,
+                           .gravity = wave.gravity(),
+                           .density = 1,
+                           .sound_speed = 10 * std::sqrt(wave.gravity() * depth),
+                           .viscosity = wcsph::ArtificialViscosity{0.01}};
+  const wcsph::Scene scene = scene_of(wave, spacing, settings);
+  settings.period = scene.period;
+  wcsph::Flow flow(scene.particles, scene.spacing, settings, scene.paddles);
+  flow.advance_to(period_of(wave));
+  return {.size = spacing, .seconds = processor_seconds() - began, .surface = surface_of(flow, wave)};
+}
+
+}  // namespace seiche::validation
