@@ -38,12 +38,6 @@ void Flow::advance_to(double time, double tau, const std::function<void()>& afte
       state_, time, tau, [this](double length) { advance(length); }, after_step);
 }
 
-std::vector<double> Flow::pressure() const {
-  std::vector<double> p = state_.nodal_multipliers();
-  model_->pressure(p, p);
-  return p;
-}
-
 double Flow::energy() const {
   return model_->kinetic_energy(state_.q, state_.u) + model_->potential_energy(state_.q);
 }

@@ -41,8 +41,6 @@ class Flow {
   [[nodiscard]] std::span<const double> y() const { return part(state_.q, 1); }
   [[nodiscard]] std::span<const double> u() const { return part(state_.u, 0); }
   [[nodiscard]] std::span<const double> v() const { return part(state_.u, 1); }
-  /// Of the particles, mean of the last two steps [Pa]; see Model::pressure.
-  [[nodiscard]] std::vector<double> pressure() const;
 
   [[nodiscard]] double energy() const;  ///< kinetic and potential [J/m]
   /// What the stabilisation took from the water since the beginning [J/m]; never falls.

@@ -41,7 +41,6 @@ Model::Model(Particles particles, Settings settings)
       near_(kernel_.support()),
       solver_(particles_.size(), settings_.solver, settings_.tolerance) {
   require_not_negative("gravity", settings_.gravity);
-  require_positive("density", settings_.density);
   require_not_negative("stabilisation", settings_.stabilisation);
   const std::vector<double> q = state().q;
   try {
@@ -111,7 +110,7 @@ void Model::measure(Input q) {
     const auto overlap = [&](std::size_t e, Point r, std::size_t s) -> Point {
       const Point rs = at(q, s);
       const Point apart{r.x - rs.x, r.y - rs.y};
-      const double distance = std::hypot(apart.x, apart.y);
+      const double distance = std::sqrt(apart.x * apart.x + apart.y * apart.y);
       if (!(distance < kernel_.support())) return {};
       ++overlaps;
       if (distance < nearest) {
@@ -251,25 +250,20 @@ void Model::solve(Input right_hand_side, Output mu) {
 
 void Model::sum_masses(Input q, Output f) const {
   const std::size_t n = size();
-  Neighbourhoods near(kernel_.support());
-  near.update(q.first(n), q.last(n), walls_);
-  const auto begin = near.begin();
-  const auto member = near.members();
-  std::fill(f.begin(), f.end(), 0.0);
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto first = static_cast<std::size_t>(begin[k]);
-    const auto last = static_cast<std::size_t>(begin[k + 1]);
-    const auto add = [&](Point r) {
-      for (std::size_t e = first; e < last; ++e) {
-        const auto s = static_cast<std::size_t>(member[e]);
-        const Point rs = at(q, s);
-        f[s] += particles_.mass[k] * kernel_.value(std::hypot(r.x - rs.x, r.y - rs.y));
-      }
-    };
-    add(at(q, k));
-    for (const Image& image : walls_.images()) {
-      if (walls_.sees(image, at(q, k), kernel_.support())) add(image.of(at(q, k)));
-    }
+  CellGrid grid;
+  grid.sort(q.first(n), q.last(n), kernel_.support());
+  for (std::size_t s = 0; s < n; ++s) {
+    CompensatedSum sum;
+    // R r_k is as far from r_s as r_k from R r_s.
+    each_image(at(q, s), walls_, kernel_.support(), [&](Point r) {
+      grid.near(r, [&](int particle) {
+        const auto k = static_cast<std::size_t>(particle);
+        const double dx = q[k] - r.x;
+        const double dy = q[n + k] - r.y;
+        sum.add(particles_.mass[k] * kernel_.value(std::sqrt(dx * dx + dy * dy)));
+      });
+    });
+    f[s] = sum.value();
   }
 }
 
@@ -313,11 +307,6 @@ double Model::stabilisation_loss(Input impulses) const {
     sum.add(uneven * uneven);
   }
   return 2 * stiffness_ * sum.value();
-}
-
-void Model::pressure(Input multipliers, Output p) const {
-  const double square = settings_.density * settings_.density;
-  for (std::size_t k = 0; k < size(); ++k) p[k] = -square * multipliers[k] / particles_.mass[k];
 }
 
 }  // namespace seiche::overlapping_particles

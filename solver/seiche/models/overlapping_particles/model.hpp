@@ -12,7 +12,8 @@
 ///
 /// The source says neither where the volumes are nor how the mass is spread: centred on the particles they are links
 /// between particles, invariant to translation and rotation, and a free surface is nothing special. Phi: kernel.hpp;
-/// plane walls by mirror images: walls.hpp. The pressure is not lambda but -rho^2 lambda_k/m_k (pressure()).
+/// plane walls by mirror images: walls.hpp. Smooth multipliers would be a pressure, p = -rho^2 lambda_k/m_k; what one
+/// step gives is chequered by hundreds of times as much.
 ///
 /// Neighbours are found on a uniform grid of cells. A = G W G^T couples particles up to 2 S apart, some 60 in a row;
 /// sparse Cholesky, analysed anew when the pattern changed, beyond 5e4 particles conjugate gradients.
@@ -33,7 +34,7 @@
 /// When not to use it: for more than about one turnover of the largest eddies. The model is right for smooth flow for
 /// that long; then neighbours that shear has parted leave their energy to motions of single particles, without order
 /// and Gaussian like molecules' (a "stochastic regime"): what is right after that are the statistics of an equilibrium,
-/// not the flow. Also not for pressures next to a free surface, where half of a control volume is empty.
+/// not the flow. Not for pressures.
 ///
 /// The class is what mechanics::OneStep steps: q = (x of all particles, y of all), u = (velocities along x, along y).
 ///
@@ -64,7 +65,6 @@ struct Settings {
   Shape shape = Shape::smoothed;
   double support = 2.6;      ///< S/h, of the spacing, in [1.5, 10]; 1.6 for balls
   double gravity = 0;        ///< [m/s^2], down along y
-  double density = 1;        ///< [kg/m^3], for pressures
   double stabilisation = 0;  ///< epsilon
   std::vector<Wall> walls = {};
   linear::RingMethod solver = linear::RingMethod::automatic;
@@ -112,8 +112,6 @@ class Model {
   /// Energy that the stabilisation takes in a step with these impulses of the multipliers, at the last linearisation
   /// [J/m]: 2 mu.(epsilon tr A/N) L^T L mu. Never negative.
   [[nodiscard]] double stabilisation_loss(Input impulses) const;
-  /// -rho^2 lambda_k/m_k [Pa]: that of smooth multipliers, away from the surface.
-  void pressure(Input multipliers, Output p) const;
 
   [[nodiscard]] std::size_t size() const { return particles_.size(); }
   [[nodiscard]] const Settings& settings() const { return settings_; }

@@ -20,15 +20,6 @@ bool Neighbourhoods::update(std::span<const double> x, std::span<const double> y
   return true;
 }
 
-/// Calls visit(R r) for the place r itself and for those of its images that may be within `reach` of the water.
-template <class Visit>
-void each_image(Point r, const Walls& walls, double reach, Visit&& visit) {
-  visit(r);
-  for (const Image& image : walls.images()) {
-    if (walls.sees(image, r, reach)) visit(image.of(r));
-  }
-}
-
 long Neighbourhoods::listed_pairs(std::span<const double> x, std::span<const double> y, const Walls& walls) const {
   const double square = reach_ * reach_;
   long pairs = 0;

@@ -60,4 +60,13 @@ class Walls {
   std::vector<Image> images_;
 };
 
+/// Calls visit(R r) for the place r itself and for those of its images that may be within `reach` of the water.
+template <class Visit>
+void each_image(Point r, const Walls& walls, double reach, Visit&& visit) {
+  visit(r);
+  for (const Image& image : walls.images()) {
+    if (walls.sees(image, r, reach)) visit(image.of(r));
+  }
+}
+
 }  // namespace seiche::overlapping_particles
