@@ -103,7 +103,7 @@ struct Places {
 /// A drop of particles, how far it is from the exact one, and what it kept.
 struct Drop {
   Particles first;
-  std::vector<Places> frames = {};  ///< at the beginning, in the middle, at the end
+  std::vector<Places> frames = {};  ///< at the beginning, about the middle, at the end
   Stretch stretch = {};
   double rms = 0;       ///< of the distances from the exact places
   double taken = 0;     ///< part of the velocity that the first projection took, rms
@@ -136,10 +136,11 @@ Drop run_drop(const SetUp& s, double spacing, double tau) {
     drop.frames.push_back({flow.time(), {flow.x().begin(), flow.x().end()}, {flow.y().begin(), flow.y().end()}});
   };
   keep();
-  for (const double part : {0.5, 1.0}) {
-    flow.advance_to(part * s.end, tau, [&] { flow.observe(); });
-    keep();
-  }
+  flow.advance_to(s.end, tau, [&] {
+    flow.observe();
+    if (drop.frames.size() == 1 && 2 * flow.time() >= s.end - tau) keep();
+  });
+  keep();
   const Matrix2d deformation = s.drop.at(s.end).deformation;
   Mean apart;
   Matrix2d moved = Matrix2d::Zero();
