@@ -9,6 +9,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/geometry/polygon_triangulation.hpp"
 #include "seiche/linear/tridiagonal.hpp"
+#include "seiche/mechanics/plane_masses.hpp"
 #include "seiche/mechanics/projection.hpp"
 #include "seiche/require.hpp"
 
@@ -223,35 +224,19 @@ void Model::constraint_values(Input q, Output f) const {
 }
 
 double Model::mass() const {
-  CompensatedSum sum;
-  for (const double m : mass_) sum.add(m);
-  return sum.value();
+  return mechanics::total_mass(mass_);
 }
 
 std::array<double, 2> Model::momentum(Input /*q*/, Input u) const {
-  CompensatedSum x;
-  CompensatedSum y;
-  for (std::size_t k = 0; k < nodes(); ++k) {
-    x.add(mass_[k] * u[k]);
-    y.add(mass_[k] * u[nodes() + k]);
-  }
-  return {x.value(), y.value()};
+  return mechanics::plane_momentum(mass_, u);
 }
 
 std::array<double, 1> Model::angular_momentum(Input q, Input u) const {
-  CompensatedSum sum;
-  for (std::size_t k = 0; k < nodes(); ++k) {
-    sum.add(mass_[k] * (q[k] * u[nodes() + k] - q[nodes() + k] * u[k]));
-  }
-  return {sum.value()};
+  return mechanics::plane_angular_momentum(mass_, q, u);
 }
 
 double Model::kinetic_energy(Input /*q*/, Input u) const {
-  CompensatedSum sum;
-  for (std::size_t k = 0; k < nodes(); ++k) {
-    sum.add(0.5 * mass_[k] * (u[k] * u[k] + u[nodes() + k] * u[nodes() + k]));
-  }
-  return sum.value();
+  return mechanics::plane_kinetic_energy(mass_, u);
 }
 
 double Model::potential_energy(Input q) const {

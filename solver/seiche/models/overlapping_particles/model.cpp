@@ -1,0 +1,312 @@
+#include "seiche/models/overlapping_particles/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "seiche/compensated_sum.hpp"
+#include "seiche/linear/tridiagonal.hpp"
+#include "seiche/mechanics/plane_masses.hpp"
+#include "seiche/require.hpp"
+
+namespace seiche::overlapping_particles {
+
+namespace {
+
+constexpr double shift = 1e-12;           // of the mean diagonal, for the factor of a stabilised matrix
+constexpr double smallest_pivot = 1e-10;  // over the largest: below, A is singular
+constexpr double one_place = 1e-12;       // of S: particles nearer than that are at one place
+
+Particles valid(Particles particles) {
+  particles.require_valid();
+  return particles;
+}
+
+double support_of(const Particles& particles, const Settings& settings) {
+  require_within("support", settings.support, 1.5, 10);
+  return settings.support * particles.spacing;
+}
+
+}  // namespace
+
+Model::Model(Particles particles, Settings settings)
+    : particles_(valid(std::move(particles))),
+      settings_(std::move(settings)),
+      kernel_(settings_.shape, support_of(particles_, settings_)),
+      walls_(settings_.walls, kernel_.support()),
+      first_(particles_.size()),
+      near_(kernel_.support()),
+      solver_(particles_.size(), settings_.solver, settings_.tolerance) {
+  require_not_negative("gravity", settings_.gravity);
+  require_not_negative("stabilisation", settings_.stabilisation);
+  const std::vector<double> q = state().q;
+  try {
+    require_places(q);
+    measure(q);
+  } catch (const mechanics::Infeasible& failure) {
+    throw std::invalid_argument(failure.what());
+  }
+  sum_masses(q, first_);
+}
+
+mechanics::State Model::state(const VelocityAt& velocity, double time) const {
+  mechanics::State state{.q = particles_.x, .u = std::vector<double>(rates(), 0.0), .time = time};
+  state.q.insert(state.q.end(), particles_.y.begin(), particles_.y.end());
+  if (!velocity) return state;
+  for (std::size_t k = 0; k < size(); ++k) {
+    const Point u = velocity({particles_.x[k], particles_.y[k]});
+    state.u[k] = u.x;
+    state.u[size() + k] = u.y;
+  }
+  return state;
+}
+
+void Model::require_places(Input q) const {
+  if (const std::size_t bad = mechanics::first_not_finite(q); bad < q.size()) {
+    const std::size_t k = bad % size();
+    throw mechanics::Infeasible(
+        fmt::format("particle {} is at ({:g}, {:g}); allowed: finite places", k, at(q, k).x, at(q, k).y),
+        particles_.x[k]);
+  }
+  if (walls_.empty()) return;
+  for (std::size_t k = 0; k < size(); ++k) {
+    const Point r = at(q, k);
+    if (const int wall = walls_.behind(r); wall >= 0) {
+      throw mechanics::Infeasible(fmt::format("particle {} at ({:g}, {:g}) is {:g} from wall {}; allowed: positive, "
+                                              "on the side of the water",
+                                              k, r.x, r.y, walls_.distance(wall, r), wall),
+                                  r.x);
+    }
+  }
+}
+
+void Model::linearise(Interval /*when*/, Input q) {
+  require_places(q);
+  measure(q);
+  assemble_and_factor();
+}
+
+/// Gradients and, for L, overlaps of all particles with the control volumes near them.
+void Model::measure(Input q) {
+  const std::size_t n = size();
+  if (near_.update(q.first(n), q.last(n), walls_)) matrix_.set_rings(near_.begin(), near_.members(), n);
+  const auto begin = near_.begin();
+  const auto member = near_.members();
+  const bool stabilised = settings_.stabilisation > 0;
+  gradient_.assign(member.size(), {});
+  unevenness_.assign(stabilised ? member.size() : 0, 0.0);
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point rk = at(q, k);
+    const auto first = static_cast<std::size_t>(begin[k]);
+    const auto last = static_cast<std::size_t>(begin[k + 1]);
+    int overlaps = 0;
+    double nearest = kernel_.support();
+    std::size_t nearest_to = k;
+    // The gradient of Phi(|R r_k - r_s|) by r_k, for R the identity and the reflections: by r_k itself, in f_k, it is
+    // the same, with the mass of s.
+    const auto overlap = [&](std::size_t e, Point r, std::size_t s) -> Point {
+      const Point rs = at(q, s);
+      const Point apart{r.x - rs.x, r.y - rs.y};
+      const double distance = std::sqrt(apart.x * apart.x + apart.y * apart.y);
+      if (!(distance < kernel_.support())) return {};
+      ++overlaps;
+      if (distance < nearest) {
+        nearest = distance;
+        nearest_to = s;
+      }
+      if (stabilised) unevenness_[e] += kernel_.value(distance);
+      const double slope = kernel_.slope_over_distance(distance);
+      return {slope * apart.x, slope * apart.y};
+    };
+    for (std::size_t e = first + 1; e < last; ++e) gradient_[e] = overlap(e, rk, static_cast<std::size_t>(member[e]));
+    for (const Image& image : walls_.images()) {
+      if (!walls_.sees(image, rk, kernel_.support())) continue;
+      const Point r = image.of(rk);
+      for (std::size_t e = first + 1; e < last; ++e) {
+        const Point back = image.turned(overlap(e, r, static_cast<std::size_t>(member[e])));
+        gradient_[e].x += back.x;
+        gradient_[e].y += back.y;
+      }
+      const Point own = overlap(first, r, k);
+      const Point back = image.turned(own);
+      gradient_[first].x += particles_.mass[k] * (back.x - own.x);
+      gradient_[first].y += particles_.mass[k] * (back.y - own.y);
+    }
+    if (nearest < one_place * kernel_.support()) {
+      throw mechanics::Infeasible(
+          fmt::format("particles {} and {} are at one place, ({:g}, {:g}); allowed: apart by at "
+                      "least {:g}",
+                      k, nearest_to, rk.x, rk.y, one_place * kernel_.support()),
+          rk.x);
+    }
+    if (overlaps == 0 && !stabilised) {
+      throw mechanics::Infeasible(fmt::format("singular configuration: particle {} at ({:g}, {:g}) is in no other "
+                                              "control volume; set stabilisation > 0, or a support above {:g}",
+                                              k, rk.x, rk.y, settings_.support),
+                                  rk.x);
+    }
+    double all = 0;
+    for (std::size_t e = first + 1; e < last; ++e) {
+      const auto s = static_cast<std::size_t>(member[e]);
+      gradient_[first].x += particles_.mass[s] * gradient_[e].x;
+      gradient_[first].y += particles_.mass[s] * gradient_[e].y;
+      gradient_[e].x *= particles_.mass[k];
+      gradient_[e].y *= particles_.mass[k];
+      if (stabilised) all += unevenness_[e];
+    }
+    if (!stabilised) continue;
+    for (std::size_t e = first + 1; e < last && all > 0; ++e) unevenness_[e] /= -all;
+    unevenness_[first] = 1;
+  }
+}
+
+void Model::assemble_and_factor() {
+  const auto begin = near_.begin();
+  double trace = 0;
+  for (std::size_t k = 0; k < size(); ++k) {
+    for (auto e = static_cast<std::size_t>(begin[k]); e < static_cast<std::size_t>(begin[k + 1]); ++e) {
+      trace += (gradient_[e].x * gradient_[e].x + gradient_[e].y * gradient_[e].y) / particles_.mass[k];
+    }
+  }
+  const double mean = trace / static_cast<double>(size());
+  stiffness_ = settings_.stabilisation * mean;
+  const bool may_be_singular = settings_.stabilisation == 0;
+  matrix_.sum([&](std::size_t k, int p, int q) {
+    const std::size_t one = static_cast<std::size_t>(begin[k]) + static_cast<std::size_t>(p);
+    const std::size_t other = static_cast<std::size_t>(begin[k]) + static_cast<std::size_t>(q);
+    const double product =
+        (gradient_[one].x * gradient_[other].x + gradient_[one].y * gradient_[other].y) / particles_.mass[k];
+    return may_be_singular ? product : product + stiffness_ * unevenness_[one] * unevenness_[other];
+  });
+  try {
+    // With a shift a singular matrix would look regular.
+    solver_.factor(matrix_, may_be_singular ? 0 : shift * mean);
+  } catch (const linear::NotPositiveDefinite&) {
+    if (may_be_singular) throw_singular(0);
+    throw;
+  }
+  if (may_be_singular && !(solver_.pivot_ratio() >= smallest_pivot)) throw_singular(solver_.pivot_ratio());
+}
+
+void Model::throw_singular(double pivots) const {
+  throw mechanics::Infeasible(
+      fmt::format("singular configuration: multipliers without forces, as of two particles alone or of a lattice that "
+                  "fills a box (smallest pivot over largest {:.2g}; allowed: at least {:g}); stabilisation = 0; set "
+                  "stabilisation > 0, or a support above {:g}",
+                  pivots, smallest_pivot, settings_.support),
+      particles_.x[0]);
+}
+
+void Model::advance(Input from, Input u, double h, Output to) const {
+  if (!walls_.empty()) {
+    for (std::size_t k = 0; k < size(); ++k) {
+      const Point r{from[k] + h * u[k], from[size() + k] + h * u[size() + k]};
+      if (const int wall = walls_.behind(r); wall >= 0) {
+        throw mechanics::Infeasible(fmt::format("particle {} goes through wall {} at ({:g}, {:g})", k, wall, r.x, r.y),
+                                    r.x);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i] + h * u[i];
+}
+
+void Model::kick(double h, Output u) const {
+  for (std::size_t k = size(); k < 2 * size(); ++k) u[k] -= h * settings_.gravity;
+}
+
+void Model::constraint_rates(Input u, Output w) const {
+  std::fill(w.begin(), w.end(), 0.0);
+  const auto begin = near_.begin();
+  const auto member = near_.members();
+  for (std::size_t k = 0; k < size(); ++k) {
+    const Point v = at(u, k);
+    for (auto e = static_cast<std::size_t>(begin[k]); e < static_cast<std::size_t>(begin[k + 1]); ++e) {
+      w[static_cast<std::size_t>(member[e])] += gradient_[e].x * v.x + gradient_[e].y * v.y;
+    }
+  }
+}
+
+void Model::react(Input mu, Output u) const {
+  const auto begin = near_.begin();
+  const auto member = near_.members();
+  for (std::size_t k = 0; k < size(); ++k) {
+    Point impulse;
+    for (auto e = static_cast<std::size_t>(begin[k]); e < static_cast<std::size_t>(begin[k + 1]); ++e) {
+      const double multiplier = mu[static_cast<std::size_t>(member[e])];
+      impulse.x += multiplier * gradient_[e].x;
+      impulse.y += multiplier * gradient_[e].y;
+    }
+    u[k] += impulse.x / particles_.mass[k];
+    u[size() + k] += impulse.y / particles_.mass[k];
+  }
+}
+
+void Model::solve(Input right_hand_side, Output mu) {
+  solver_.solve(right_hand_side, mu);
+}
+
+void Model::sum_masses(Input q, Output f) const {
+  const std::size_t n = size();
+  CellGrid grid;
+  grid.sort(q.first(n), q.last(n), kernel_.support());
+  for (std::size_t s = 0; s < n; ++s) {
+    CompensatedSum sum;
+    // R r_k is as far from r_s as r_k from R r_s.
+    each_image(at(q, s), walls_, kernel_.support(), [&](Point r) {
+      grid.near(r, [&](int particle) {
+        const auto k = static_cast<std::size_t>(particle);
+        const double dx = q[k] - r.x;
+        const double dy = q[n + k] - r.y;
+        sum.add(particles_.mass[k] * kernel_.value(std::sqrt(dx * dx + dy * dy)));
+      });
+    });
+    f[s] = sum.value();
+  }
+}
+
+void Model::constraint_values(Input q, Output f) const {
+  sum_masses(q, f);
+  for (std::size_t s = 0; s < size(); ++s) f[s] -= first_[s];
+}
+
+double Model::mass() const {
+  return mechanics::total_mass(particles_.mass);
+}
+
+std::array<double, 2> Model::momentum(Input /*q*/, Input u) const {
+  return mechanics::plane_momentum(particles_.mass, u);
+}
+
+std::array<double, 1> Model::angular_momentum(Input q, Input u) const {
+  return mechanics::plane_angular_momentum(particles_.mass, q, u);
+}
+
+double Model::kinetic_energy(Input /*q*/, Input u) const {
+  return mechanics::plane_kinetic_energy(particles_.mass, u);
+}
+
+double Model::potential_energy(Input q) const {
+  CompensatedSum sum;
+  for (std::size_t k = 0; k < size(); ++k) sum.add(particles_.mass[k] * q[size() + k]);
+  return settings_.gravity * sum.value();
+}
+
+double Model::stabilisation_loss(Input impulses) const {
+  if (unevenness_.empty()) return 0;
+  const auto begin = near_.begin();
+  const auto member = near_.members();
+  CompensatedSum sum;
+  for (std::size_t k = 0; k < size(); ++k) {
+    double uneven = 0;
+    for (auto e = static_cast<std::size_t>(begin[k]); e < static_cast<std::size_t>(begin[k + 1]); ++e) {
+      uneven += unevenness_[e] * impulses[static_cast<std::size_t>(member[e])];
+    }
+    sum.add(uneven * uneven);
+  }
+  return 2 * stiffness_ * sum.value();
+}
+
+}  // namespace seiche::overlapping_particles

@@ -1,0 +1,83 @@
+#include "seiche/models/overlapping_particles/particles.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/require.hpp"
+
+namespace seiche::overlapping_particles {
+
+namespace {
+
+constexpr double most_places = 1e7;
+/// Of a length: places that are on the rim but for rounding are on it.
+constexpr double rim = 1e-12;
+
+}  // namespace
+
+void Particles::require_valid() const {
+  if (y.size() != size() || mass.size() != size()) {
+    throw std::invalid_argument(
+        fmt::format("particles: {} x, {} y and {} masses; allowed: as many of each", size(), y.size(), mass.size()));
+  }
+  if (size() < 3) throw std::invalid_argument(fmt::format("{} particles; allowed: at least 3", size()));
+  require_positive("spacing", spacing);
+  for (std::size_t k = 0; k < size(); ++k) {
+    require_finite(fmt::format("x of particle {}", k), x[k]);
+    require_finite(fmt::format("y of particle {}", k), y[k]);
+    require_positive(fmt::format("mass of particle {}", k), mass[k]);
+  }
+}
+
+Particles staggered(const Rows& rows) {
+  const double h = rows.spacing;
+  require_positive("spacing", h);
+  require_positive("density", rows.density);
+  require_positive("upper.x - lower.x", rows.upper.x - rows.lower.x);
+  require_positive("upper.y - lower.y", rows.upper.y - rows.lower.y);
+  const double height = h * std::numbers::sqrt3 / 2;
+  const double places = (rows.upper.x - rows.lower.x) / h * ((rows.upper.y - rows.lower.y) / height);
+  if (!(places <= most_places)) {
+    throw std::invalid_argument(
+        fmt::format("spacing = {:g} makes {:g} places; allowed: at most {:g}", h, places, most_places));
+  }
+  Particles particles{.x = {}, .y = {}, .mass = {}, .spacing = h};
+  const auto first = std::lround(std::ceil((rows.lower.y - rows.through.y) / height - rim));
+  const auto last = std::lround(std::floor((rows.upper.y - rows.through.y) / height + rim));
+  for (long j = first; j <= last; ++j) {
+    const double shift = j % 2 == 0 ? 0 : 0.5;
+    const auto begin = std::lround(std::ceil((rows.lower.x - rows.through.x) / h - shift - rim));
+    const auto end = std::lround(std::floor((rows.upper.x - rows.through.x) / h - shift + rim));
+    for (long i = begin; i <= end; ++i) {
+      const Point place{rows.through.x + (static_cast<double>(i) + shift) * h,
+                        rows.through.y + static_cast<double>(j) * height};
+      if (rows.inside && !rows.inside(place)) continue;
+      particles.x.push_back(place.x);
+      particles.y.push_back(place.y);
+      particles.mass.push_back(rows.density * h * height);
+    }
+  }
+  return particles;
+}
+
+Particles staggered_disc(double radius, double spacing, double density) {
+  require_positive("radius", radius);
+  const auto inside = [&](Point r) {
+    const double distance = std::hypot(r.x, r.y) / radius;
+    return distance < 1 - rim || (distance < 1 + rim && r.y != 0);
+  };
+  Particles particles = staggered({.spacing = spacing,
+                                   .lower = {-radius, -radius},
+                                   .upper = {radius, radius},
+                                   .through = {0, 0},
+                                   .density = density,
+                                   .inside = inside});
+  const double share = density * std::numbers::pi * radius * radius / static_cast<double>(particles.size());
+  particles.mass.assign(particles.size(), share);
+  return particles;
+}
+
+}  // namespace seiche::overlapping_particles

@@ -1,0 +1,428 @@
+/*
+A round drop without gravity turns about its middle, $\mathbf{u} = \omega (1 - r^2)(-y, x)$: an exact steady flow, in
+which shear parts neighbours for ever. It shows for how long overlapping particles are a fluid, and what they become:
+the source reports a "stochastic regime" from initial data that are not random at all (section 5.1).
+
+**Set-up.** Staggered rows of particles in the unit disc, $\omega$ = `rate`, steps of `tau`. Beside this flow, `seeds`
+copies whose particles were moved at random by $10^{-8}$ in all.
+
+**What is compared.** Statistics, never trajectories: the part of the kinetic energy that is not that of the exact
+flow $\mathbf{F}$ at the particles' places, $1 - (\mathbf{u} \cdot \mathbf{F})^2/(u^2 F^2)$ ("incoherent"); the kurtosis
+of the velocities left when the exact flow is taken out, which is 3 for Gaussian ones; the rate at which copies leave
+the first flow, from twice the first distance to 0.1, in places and velocities. Means over the copies with intervals of
+95 per cent; energy and angular momentum.
+
+**What to look at.** After a third of a turn of the middle a quarter of the energy is noise, after two thirds of one
+nearly all. Copies leave the first flow at 14.5 e-foldings in a time unit. What comes out is an equilibrium: Gaussian
+velocities, the same for all copies in its statistics and for none in its places, with energy and angular momentum kept
+to the last digits throughout.
+
+**What this means.** The model is right for smooth flow for less than one turn of an eddy; then it thermalises, its
+energy goes into motions of single particles. It is no model of a flow with shear that lasts, and has no viscosity that
+would tell. None of it comes from the time step: with half of it copies part at 12.6 instead of 14.5 e-foldings, and the
+same equilibrium is reached.
+*/
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <boost/math/distributions/students_t.hpp>
+
+#include "seiche/models/overlapping_particles/flow.hpp"
+#include "validation/case/case.hpp"
+#include "validation/case/reference_source.hpp"
+#include "validation/instruments/straight_line.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Bound;
+using evidence::Role;
+using overlapping_particles::Flow;
+using overlapping_particles::Particles;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.1";
+const std::string table = "regression_vortex_overlapping";
+
+constexpr double first_distance = 1e-8;
+constexpr double last_distance = 0.1;  ///< of the growth
+constexpr double quarter = 0.25;
+
+struct SetUp {
+  double spacing, tau, rate, at, end;
+  long seeds;
+
+  [[nodiscard]] long steps() const { return std::lround(end / tau); }
+  /// About as many as the rows hold.
+  [[nodiscard]] double particles() const { return 2 * std::numbers::pi / std::numbers::sqrt3 / (spacing * spacing); }
+  [[nodiscard]] Point exact(Point r) const {
+    const double turning = rate * std::fmax(0, 1 - r.x * r.x - r.y * r.y);
+    return {-turning * r.y, turning * r.x};
+  }
+};
+
+/// Throws std::invalid_argument where statistics would be read after the end.
+SetUp set_up(const Values& values) {
+  const SetUp s{values.real("spacing"), values.real("tau"),  values.real("rate"),
+                values.real("at"),      values.real("time"), values.integer("seeds")};
+  if (s.at + s.tau > s.end) {
+    throw std::invalid_argument(fmt::format("at = {:g} is out of range: a step before time = {:g}", s.at, s.end));
+  }
+  return s;
+}
+
+/// Mean of some samples, with the half-width of its interval of 95 per cent.
+struct Estimate {
+  double mean = 0, half_width = 0;
+
+  explicit Estimate(const std::vector<double>& samples) {
+    Mean all;
+    for (const double sample : samples) all.add(sample);
+    mean = all.value();
+    Mean squares;
+    for (const double sample : samples) squares.add((sample - mean) * (sample - mean));
+    const double freedom = static_cast<double>(samples.size()) - 1;
+    const double quantile = boost::math::quantile(boost::math::students_t(freedom), 0.975);
+    half_width = quantile * std::sqrt(squares.value() / freedom);
+  }
+  [[nodiscard]] Measurement measured() const { return {.value = mean, .uncertainty = half_width}; }
+};
+
+/// What one flow says of itself after every step.
+struct Course {
+  std::vector<double> incoherent;
+  std::vector<std::vector<double>> states = {};  ///< places and velocities
+  Mean kurtosis = {};                            ///< after `at`
+  std::vector<double> residual = {};             ///< at `at`: velocities without the exact flow, over their deviation
+  double energy = 0, angular_momentum = 0;       ///< largest defects
+};
+
+/// The exact flow taken out of the velocities.
+struct Parts {
+  double incoherent;
+  std::vector<double> residual;
+};
+
+Parts parts_of(const Flow& flow, const SetUp& s) {
+  const std::size_t n = flow.x().size();
+  std::vector<double> exact(2 * n);
+  double uu = 0;
+  double uf = 0;
+  double ff = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point f = s.exact({flow.x()[k], flow.y()[k]});
+    exact[k] = f.x;
+    exact[n + k] = f.y;
+    uu += flow.u()[k] * flow.u()[k] + flow.v()[k] * flow.v()[k];
+    uf += flow.u()[k] * f.x + flow.v()[k] * f.y;
+    ff += f.x * f.x + f.y * f.y;
+  }
+  Parts parts{1 - uf * uf / (uu * ff), flow.state().u};
+  for (std::size_t i = 0; i < 2 * n; ++i) parts.residual[i] -= uf / ff * exact[i];
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    double sum = 0;
+    for (std::size_t k = 0; k < n; ++k) sum += parts.residual[axis * n + k];
+    for (std::size_t k = 0; k < n; ++k) parts.residual[axis * n + k] -= sum / static_cast<double>(n);
+  }
+  return parts;
+}
+
+double kurtosis_of(const std::vector<double>& centred) {
+  double second = 0;
+  double fourth = 0;
+  for (const double v : centred) {
+    second += v * v;
+    fourth += v * v * v * v;
+  }
+  return fourth / (second * second) * static_cast<double>(centred.size());
+}
+
+Course run_course(const SetUp& s, Particles particles) {
+  Flow flow(std::move(particles), [&](Point r) { return s.exact(r); });
+  Course course;
+  const auto keep = [&] {
+    std::vector<double> state = flow.state().q;
+    state.insert(state.end(), flow.state().u.begin(), flow.state().u.end());
+    course.states.push_back(std::move(state));
+    Parts parts = parts_of(flow, s);
+    course.incoherent.push_back(parts.incoherent);
+    if (flow.time() < s.at - s.tau / 2) return;
+    course.kurtosis.add(kurtosis_of(parts.residual));
+    if (!course.residual.empty()) return;
+    Mean size;
+    for (const double v : parts.residual) size.add(v);
+    for (const double v : parts.residual) course.residual.push_back(v / size.rms());
+  };
+  keep();
+  const double kinetic = flow.energy();
+  for (long step = 0; step < s.steps(); ++step) {
+    flow.advance(s.tau);
+    flow.observe();
+    keep();
+  }
+  course.energy = flow.ledger().largest_defect("energy") / kinetic;
+  course.angular_momentum = flow.ledger().largest_defect("angular");
+  return course;
+}
+
+/// Every place moved at random, by 1e-8 in all.
+Particles moved(Particles particles, long seed) {
+  std::mt19937_64 generator(static_cast<std::uint64_t>(seed));
+  const auto noise = [&] { return 0x1p-52 * static_cast<double>(generator() >> 11) - 1; };
+  std::vector<double> steps(2 * particles.size());
+  double square = 0;
+  for (double& step : steps) {
+    step = noise();
+    square += step * step;
+  }
+  for (std::size_t k = 0; k < particles.size(); ++k) {
+    particles.x[k] += first_distance / std::sqrt(square) * steps[k];
+    particles.y[k] += first_distance / std::sqrt(square) * steps[particles.size() + k];
+  }
+  return particles;
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double square = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(square);
+}
+
+/// Slope of the logarithm of the distances, from twice the first one until they reach 0.1.
+double growth_rate(const std::vector<double>& distances, double tau) {
+  std::vector<double> time;
+  std::vector<double> logarithm;
+  for (std::size_t n = 0; n < distances.size() && distances[n] < last_distance; ++n) {
+    if (distances[n] < 2 * distances.front()) continue;
+    time.push_back(tau * static_cast<double>(n));
+    logarithm.push_back(std::log(distances[n]));
+  }
+  return straight_line(time, logarithm).slope;
+}
+
+struct Results {
+  SetUp set_up;
+  Course first;                                 ///< of the flow that was not disturbed
+  std::vector<std::vector<double>> incoherent;  ///< of the copies, after every step
+  std::vector<std::vector<double>> distances;   ///< from the first flow
+  std::vector<double> residual;                 ///< of all copies
+  std::vector<double> incoherent_at, kurtosis, growth, distance_at_end;
+  Worst energy, angular_momentum;
+
+  [[nodiscard]] double time(std::size_t step) const { return set_up.tau * static_cast<double>(step); }
+  [[nodiscard]] double incoherent_of_first(double at) const {
+    return first.incoherent.at(static_cast<std::size_t>(std::lround(at / set_up.tau)));
+  }
+  /// When a quarter of the first flow's energy was noise; NaN: never.
+  [[nodiscard]] double quarter_time() const {
+    const auto found =
+        std::find_if(first.incoherent.begin(), first.incoherent.end(), [](double c) { return c > quarter; });
+    return found == first.incoherent.end() ? std::numeric_limits<double>::quiet_NaN()
+                                           : time(static_cast<std::size_t>(found - first.incoherent.begin()));
+  }
+};
+
+/// Rows of the table that are of one quantity.
+struct Printed {
+  double at, value, unit;
+};
+std::vector<Printed> printed(const Values& values, const std::string& quantity) {
+  const io::Table rows = values.table(table);
+  const auto codes = reference_source(table).codes.at("quantity");
+  std::vector<Printed> found;
+  for (std::size_t row = 0; row < rows.rows(); ++row) {
+    if (codes.at(fmt::format("{:g}", rows.column("quantity")[row])) != quantity) continue;
+    found.push_back({rows.column("at")[row], rows.column("value")[row], rows.column("unit")[row]});
+  }
+  return found;
+}
+
+void claim_statistics(const SetUp& s, const Claims<Results>& all) {
+  const Claims<Results> claims =
+      all.only_if(s.at * s.rate >= 6, "before two thirds of a turn it is not yet equilibrium");
+  claims.check(
+      {.id = "incoherent",
+       .text = "Of the exact flow nothing is left.",
+       .quantity = "incoherent part of the energy, mean of the copies",
+       .source = source},
+      [](const Results& r) { return Estimate(r.incoherent_at).measured(); },
+      Bound{.limit = 0.1,
+            .reason = "a tenth of the energy is what a disc of the exact flow with a third of the velocity has: "
+                      "below that there is no eddy to follow",
+            .expected = 1});
+  claims.check(
+      {.id = "kurtosis",
+       .text = "What is left of the velocities is Gaussian.",
+       .quantity = "kurtosis, mean of the copies and of the rest of the run",
+       .source = source},
+      [](const Results& r) { return Estimate(r.kurtosis).measured(); },
+      Bound{.limit = 2 * std::sqrt(24 / (2 * s.particles())),
+            .reason = "2 sqrt(24/2N), two standard deviations of the kurtosis of 2N Gaussian velocities; uniform "
+                      "ones have 1.8, those of an oscillation 1.5",
+            .expected = 3});
+}
+
+void claims(const Values& values, const Claims<Results>& all) {
+  const SetUp s = set_up(values);
+  const Claims<Results> claims = all.at(fmt::format("h = {:g}, tau = {:g}, {} copies", s.spacing, s.tau, s.seeds));
+  claim_statistics(s, claims);
+  const Claims<Results> theirs = claims.only_if(values.are({{"spacing", 0.125}, {"rate", 3.0}, {"tau", 0.02}}),
+                                                "an earlier program had 239 particles, rate = 3 and tau = 0.02");
+  Mean growth;
+  for (const Printed& one : printed(values, "growth")) growth.add(one.value);
+  Mean scatter;
+  for (const Printed& one : printed(values, "growth")) scatter.add(one.value - growth.value());
+  theirs.check(
+      {.id = "growth",
+       .text = "Copies part as they did in an earlier program.",
+       .quantity = "growth rate of their distance, mean of the copies",
+       .unit = "1/time",
+       .source = "regression: table reference_data/" + table},
+      [](const Results& r) { return Estimate(r.growth).measured(); },
+      evidence::Uncertainty{.expected = growth.value(),
+                            .data = scatter.rms() * std::sqrt(1.5),
+                            .useful = 4,
+                            .reason = "the standard deviation of its three seeds; a rate known to no better than "
+                                      "a quarter says nothing"});
+  const std::vector<Printed> digits = printed(values, "incoherent");
+  theirs.only_if(s.end >= digits.back().at, "the earlier program's numbers go to t = 1.1")
+      .check(
+          {.id = "digits",
+           .text = "The incoherent part is that of an earlier program, while copies are together.",
+           .quantity = "largest difference in units of the last printed digit",
+           .source = "regression: table reference_data/" + table},
+          [digits](const Results& r) {
+            Worst off;
+            for (const Printed& one : digits) off.add((r.incoherent_of_first(one.at) - one.value) / one.unit, one.at);
+            return off;
+          },
+          Bound{.limit = 0.5, .reason = "half a unit of the last printed digit"});
+  const double operations = 40 * static_cast<double>(s.steps());
+  claims.check({.id = "energy",
+                .text = "The energy is kept to round-off, through all disorder.",
+                .quantity = "largest defect of all flows, over the energy",
+                .source = "Frank (1994), chapter 1"},
+               &Results::energy,
+               evidence::Roundoff{.operations = operations,
+                                  .scale = 1,
+                                  .reason = "in every step the multipliers of a particle's forty volumes, rounded"});
+  claims.check(
+      {.id = "angular_momentum",
+       .text = "So is the angular momentum.",
+       .quantity = "largest defect of all flows",
+       .source = "Frank (1994), chapter 1"},
+      &Results::angular_momentum,
+      evidence::Roundoff{.operations = operations,
+                         .scale = s.rate,
+                         .reason = "as for the energy; scale: sum of m |r| |u|, with particles up to 3 away at "
+                                   "speeds of a third of the rate, mass pi"});
+}
+
+Results compute(const Run& run) {
+  const SetUp s = set_up(run);
+  const Particles particles = overlapping_particles::staggered_disc(1, s.spacing);
+  Results r{.set_up = s, .first = run_course(s, particles)};
+  r.energy.add(r.first.energy);
+  r.angular_momentum.add(r.first.angular_momentum);
+  const auto at = static_cast<std::size_t>(std::lround(s.at / s.tau));
+  for (long seed = 1; seed <= s.seeds; ++seed) {
+    run.progress(static_cast<double>(seed) / static_cast<double>(s.seeds + 1));
+    Course course = run_course(s, moved(particles, seed));
+    std::vector<double> distances;
+    for (std::size_t n = 0; n < course.states.size(); ++n)
+      distances.push_back(distance(course.states[n], r.first.states[n]));
+    r.growth.push_back(growth_rate(distances, s.tau));
+    r.distance_at_end.push_back(distances.back());
+    r.incoherent_at.push_back(course.incoherent.at(at));
+    r.kurtosis.push_back(course.kurtosis.value());
+    r.residual.insert(r.residual.end(), course.residual.begin(), course.residual.end());
+    r.energy.add(course.energy, static_cast<double>(seed));
+    r.angular_momentum.add(course.angular_momentum, static_cast<double>(seed));
+    r.incoherent.push_back(std::move(course.incoherent));
+    r.distances.push_back(std::move(distances));
+  }
+  return r;
+}
+
+void draw_history(const Results& r, evidence::Exhibit& exhibit) {
+  auto& figure = exhibit.figure("history", "From an eddy to noise",
+                                "The incoherent part of the energy, of the first flow and of copies; distances of the "
+                                "copies from the first flow.",
+                                {"frank-overlapping"});
+  std::vector<double> time;
+  for (std::size_t n = 0; n < r.first.incoherent.size(); ++n) time.push_back(r.time(n));
+  auto& incoherent = figure.panel({.x = "t", .y = "incoherent part"});
+  auto& distances = figure.panel({.x = "t", .y = "distance", .log_y = true});
+  incoherent.line("first flow", time, r.first.incoherent, Role::computed);
+  for (std::size_t c = 0; c < std::min<std::size_t>(3, r.incoherent.size()); ++c) {
+    incoherent.line(fmt::format("copy {}", c + 1), time, r.incoherent[c]);
+    distances.line(fmt::format("copy {}", c + 1), time, r.distances[c]);
+  }
+}
+
+void draw_velocities(const Results& r, evidence::Exhibit& exhibit) {
+  constexpr int bins = 32;
+  constexpr double reach = 4;
+  constexpr double width = 2 * reach / bins;
+  std::vector<double> middle(bins);
+  std::vector<double> density(bins, 0.0);
+  std::vector<double> gaussian(bins);
+  for (std::size_t b = 0; b < bins; ++b) {
+    middle[b] = -reach + (static_cast<double>(b) + 0.5) * width;
+    gaussian[b] = std::exp(-middle[b] * middle[b] / 2) / std::sqrt(2 * std::numbers::pi);
+  }
+  for (const double v : r.residual) {
+    const double b = std::floor((v + reach) / width);
+    if (b >= 0 && b < bins)
+      density[static_cast<std::size_t>(b)] += 1 / (width * static_cast<double>(r.residual.size()));
+  }
+  auto& panel = exhibit
+                    .figure("velocities", "Velocities without the exact flow",
+                            "Of all particles of all copies, over their standard deviation.", {"frank-overlapping"})
+                    .panel({.x = "velocity", .y = "density"});
+  panel.points(fmt::format("t = {:g}", r.set_up.at), middle, density, Role::computed);
+  panel.line("Gaussian", middle, gaussian, Role::exact);
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  draw_history(r, exhibit);
+  draw_velocities(r, exhibit);
+  const auto estimate = [&](const std::string& name, const std::vector<double>& samples) {
+    const Estimate of(samples);
+    exhibit.measure(name, of.mean);
+    exhibit.measure(name + "_half_width", of.half_width);
+  };
+  estimate("incoherent", r.incoherent_at);
+  estimate("kurtosis", r.kurtosis);
+  estimate("growth_rate", r.growth);
+  estimate("distance_at_end", r.distance_at_end);
+  if (std::isfinite(r.quarter_time())) exhibit.measure("quarter_incoherent_time", r.quarter_time());
+  exhibit.measure("energy_defect", r.energy.value());
+  exhibit.measure("angular_momentum_defect", r.angular_momentum.value());
+}
+
+}  // namespace
+
+Case vortex_overlapping() {
+  Case c;
+  c.title = "An eddy becomes noise, of overlapping particles";
+  c.source = source;
+  c.tiers = {Tier::quick};
+  c.parameters = {
+      real("spacing", 0.125, "1", {0.03, 0.3}, "of the particles, in radii"),
+      real("rate", 3.0, "1", {0.1, 30}, "angular velocity of the middle at the beginning"),
+      integer("seeds", 10, {2, 100}, "copies that are moved at random by 1e-8"),
+      real("at", 2.0, "1", {0.1, 100}, "time at which the incoherent part is read, and from which on the kurtosis"),
+      real("tau", 0.02, "1", {1e-4, 0.1}, "time step"),
+      real("time", 3.0, "1", {0.2, 100}, "end of the run"),
+  };
+  c.published = {{.tiles = {"frank-overlapping"},
+                  .differs = "the thesis reports the stochastic regime in words, without its parameters"}};
+  c.study = Study(claims, compute, show);
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,302 @@
+// Overlapping particles: how much they overlap, who is near whom, and gradients that are those of the masses.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "seiche/models/overlapping_particles/model.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+#include "verification/noise.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::overlapping_particles;
+using namespace seiche::verification;
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+using std::numbers::pi;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.1";
+
+constexpr double spacing = 0.1;
+
+/// Particles of unequal masses in a square of the side 1, those of rows moved at random by up to a fifth of the
+/// spacing.
+Particles jittered_square() {
+  Particles particles =
+      staggered({.spacing = spacing, .lower = {0.05, 0.04}, .upper = {1, 1}, .through = {0.05, 0.04}});
+  Noise noise(3);
+  for (std::size_t k = 0; k < particles.size(); ++k) {
+    particles.x[k] += 0.2 * spacing * noise();
+    particles.y[k] += 0.2 * spacing * noise();
+    particles.mass[k] *= 1 + 0.3 * noise();
+  }
+  return particles;
+}
+
+/// Two walls that meet at the origin, turned by some angle with all particles.
+struct Turned {
+  Particles particles = jittered_square();
+  std::vector<Wall> walls;
+
+  explicit Turned(double angle) {
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    for (std::size_t k = 0; k < particles.size(); ++k) {
+      const Point r{particles.x[k], particles.y[k]};
+      particles.x[k] = c * r.x - s * r.y;
+      particles.y[k] = s * r.x + c * r.y;
+    }
+    walls = {{{0, 0}, {c, s}}, {{0, 0}, {-2 * s, 2 * c}}};
+  }
+};
+
+std::vector<double> noisy(std::size_t size, std::uint64_t seed) {
+  Noise noise(seed);
+  std::vector<double> values(size);
+  for (double& value : values) value = noise();
+  return values;
+}
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+struct Variant {
+  std::string id, what;
+  Particles particles;
+  Settings settings;
+};
+
+std::vector<Variant> variants() {
+  const Turned upright(0);
+  const Turned oblique(0.4);
+  return {
+      {"free", "without walls", jittered_square(), {}},
+      {"ball", "balls", jittered_square(), {.shape = Shape::ball, .support = 1.6}},
+      {"corner", "in a corner", upright.particles, {.walls = upright.walls}},
+      {"oblique-corner",
+       "in an oblique corner, stabilised",
+       oblique.particles,
+       {.stabilisation = 0.1, .walls = oblique.walls}},
+  };
+}
+
+}  // namespace
+
+TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of their lens", "[geometry]") {
+  Check check("overlapping_kernel", "Overlaps of particles and control volumes",
+              "Wendland's function of support 0.7, integrated over the plane; the lens of two discs of radius 0.35, "
+              "counted on a fine lattice. The slopes beside central differences.");
+  constexpr double support = 0.7;
+  const Kernel smoothed(Shape::smoothed, support);
+  const Kernel ball(Shape::ball, support);
+  constexpr int n = 2000;
+  double integral = 0;
+  for (int i = 0; i < n; ++i) {
+    const double d = (i + 0.5) * support / n;
+    integral += 2 * pi * d * smoothed.value(d) * support / n;
+  }
+  check.that({.id = "integral", .text = "Smoothed: the integral is 1.", .quantity = "error", .source = source},
+             {.value = integral - 1},
+             Bound{0.6 / n / n, "midpoint rule: (S/n)^2/24 times the change of (2 pi d Phi)', 14/S^2, is 14/24/n^2"});
+  Worst lens;
+  constexpr int lattice = 1400;
+  for (const double d : {0.1, 0.35, 0.6}) {
+    long inside = 0;
+    for (int i = 0; i < lattice; ++i) {
+      for (int j = 0; j < lattice; ++j) {
+        const double x = (i + 0.5) / lattice * support - support / 2;
+        const double y = (j + 0.5) / lattice * support - support / 2;
+        if (std::hypot(x, y) < support / 2 && std::hypot(x - d, y) < support / 2) ++inside;
+      }
+    }
+    const double share = static_cast<double>(inside) * support * support / lattice / lattice;
+    lens.add(share / (pi * support * support / 4) - ball.value(d));
+  }
+  check.that(
+      {.id = "lens", .text = "Balls: the lens over the area of one.", .quantity = "largest error", .source = source},
+      {.value = lens.value()}, Bound{4.0 / lattice, "cells that the rim cuts: its length times a cell, over the area"});
+  for (const auto& [kernel, id] : {std::pair{smoothed, std::string("smoothed")}, {ball, std::string("ball")}}) {
+    Worst slope;
+    for (const double d : {0.05, 0.2, 0.45, 0.65}) {
+      const double difference = (kernel.value(d + 1e-6) - kernel.value(d - 1e-6)) / 2e-6;
+      slope.add(kernel.slope_over_distance(d) * d - difference, d);
+    }
+    check.that({.id = id + "-slope",
+                .text = "The slope is the derivative (" + id + ").",
+                .quantity = "largest error",
+                .source = source},
+               {.value = slope.value()},
+               Bound{1e-8, "central differences of step 1e-6: rounding of values of some units over the step"});
+    check.that({.id = id + "-end", .text = "Nothing beyond the support.", .quantity = "value at S", .source = source},
+               {.value = kernel.value(support)}, Bound{0, "zero by definition"});
+  }
+}
+
+TEST_CASE("the cell grid finds the neighbours that all pairs give", "[geometry]") {
+  Check check("overlapping_neighbours", "Neighbours on the cell grid",
+              "Particles in an oblique corner, moved ten times at random. For each and for its images, the control "
+              "volumes within reach by the grid and by trying all pairs. One particle far away makes the grid's cells "
+              "wider. Lists are kept as long as they hold all pairs.");
+  const Turned setting(0.4);
+  const double reach = 2.6 * spacing;
+  const Walls walls(setting.walls, reach);
+  Particles p = setting.particles;
+  p.x[7] += 40;
+  p.y[7] += 90;
+  Neighbourhoods near(reach);
+  Noise noise(11);
+  double missing = 0;
+  double beyond = 0;
+  double anew = 0;
+  for (int round = 0; round < 10; ++round) {
+    if (near.update(p.x, p.y, walls)) ++anew;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      const auto list = near.members().subspan(static_cast<std::size_t>(near.begin()[k]),
+                                               static_cast<std::size_t>(near.begin()[k + 1] - near.begin()[k]));
+      for (std::size_t s = 0; s < p.size(); ++s) {
+        double nearest = std::hypot(p.x[k] - p.x[s], p.y[k] - p.y[s]);
+        for (const Image& image : walls.images()) {
+          const Point r = image.of({p.x[k], p.y[k]});
+          nearest = std::fmin(nearest, std::hypot(r.x - p.x[s], r.y - p.y[s]));
+        }
+        const bool listed = std::find(list.begin(), list.end(), static_cast<int>(s)) != list.end();
+        if (nearest < reach && !listed) ++missing;
+        if (nearest > 1.2 * reach && listed) ++beyond;
+      }
+    }
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      p.x[k] += 0.02 * spacing * noise();
+      p.y[k] += 0.02 * spacing * noise();
+    }
+  }
+  const auto counted = [&](const std::string& id, const std::string& text, double value) {
+    check.that({.id = id, .text = text, .quantity = "pairs", .source = source}, {.value = value},
+               Bound{0, "counted by trying all pairs"});
+  };
+  counted("missing", "No neighbour is missed.", missing);
+  counted("beyond", "After small motions nobody far away is listed.", beyond);
+  check.that(
+      {.id = "kept", .text = "Most motions leave the lists as they are.", .quantity = "lists made", .source = source},
+      {.value = anew},
+      Bound{.limit = 4,
+            .reason = "ten motions of up to a fiftieth of the spacing each way, of which "
+                      "it takes three to five to use up a twentieth of the reach",
+            .expected = 1});
+}
+
+TEST_CASE("gradients of the masses in control volumes are those of central differences", "[geometry]") {
+  Check check(
+      "overlapping_gradients", "Gradients of overlapping particles",
+      "Particles of unequal masses at random places: smoothed and as balls, free and in corners with their mirror "
+      "images. Rates of the masses for random velocities beside central differences of the masses themselves; the "
+      "reactions to multipliers are the transposed of that, and the assembled matrix their product.");
+  for (const Variant& v : variants()) {
+    Model model(v.particles, v.settings);
+    const mechanics::State state = model.state();
+    const std::size_t n = model.size();
+    model.linearise({}, state.q);
+    const std::vector<double> u = noisy(2 * n, 21);
+    std::vector<double> rates(n);
+    model.constraint_rates(u, rates);
+    constexpr double step = 1e-6;
+    std::vector<double> there = state.q;
+    std::vector<double> back = state.q;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      there[i] += step * u[i];
+      back[i] -= step * u[i];
+    }
+    std::vector<double> f1(n);
+    std::vector<double> f0(n);
+    model.constraint_values(there, f1);
+    model.constraint_values(back, f0);
+    Worst off;
+    for (std::size_t s = 0; s < n; ++s) off.add((f1[s] - f0[s]) / (2 * step) - rates[s]);
+    const double size = worst(rates);
+    check.that({.id = v.id,
+                .text = "Rates of the masses: " + v.what + ".",
+                .quantity = "largest error over the largest",
+                .source = source},
+               {.value = off.value() / size},
+               Bound{1e-8,
+                     "central differences of step 1e-6: their rounding 1e-10, their truncation (step/h)^2 = 1e-10, "
+                     "and ten times as much where balls part"});
+    const std::vector<double> mu = noisy(n, 22);
+    std::vector<double> reaction(2 * n, 0.0);
+    model.react(mu, reaction);
+    double work = 0;
+    for (std::size_t i = 0; i < 2 * n; ++i) work += model.particles().mass[i % n] * reaction[i] * u[i];
+    const double power = dot(mu, rates);
+    check.that(
+        {.id = v.id + "-transposed",
+         .text = "Reactions are the transposed: " + v.what + ".",
+         .quantity = "difference of the work over the sum of its parts",
+         .source = source},
+        {.value = (work - power) / (size * static_cast<double>(n))},
+        Roundoff{.operations = 40.0 * static_cast<double>(n), .scale = 1, .reason = "sums of twenty terms a particle"});
+    if (v.settings.stabilisation > 0) {
+      check.that({.id = v.id + "-loss",
+                  .text = "The stabilisation is in the matrix.",
+                  .quantity = "mu.A mu less the work of the reactions and the loss, relative",
+                  .source = source},
+                 {.value =
+                      [&] {
+                        std::vector<double> product(n);
+                        const double form = model.matrix().multiply(mu, product);
+                        model.constraint_rates(reaction, product);
+                        return (form - dot(mu, product) - model.stabilisation_loss(mu) / 2) / form;
+                      }()},
+                 Roundoff{.operations = 60.0 * static_cast<double>(n), .scale = 1, .reason = "sixty entries a row"});
+      continue;
+    }
+    std::vector<double> product(n);
+    std::vector<double> expected(n);
+    model.matrix().multiply(mu, product);
+    model.constraint_rates(reaction, expected);
+    Worst apart;
+    for (std::size_t s = 0; s < n; ++s) apart.add(product[s] - expected[s]);
+    check.that({.id = v.id + "-matrix",
+                .text = "The matrix is G W G^T: " + v.what + ".",
+                .quantity = "largest difference over the largest",
+                .source = source},
+               {.value = apart.value() / worst(expected)},
+               Roundoff{.operations = 60, .scale = 4, .reason = "sixty entries a row, of either sign"});
+  }
+}
+
+TEST_CASE("masses in control volumes do not change by translation and rotation", "[geometry]") {
+  Check check("overlapping_rigid", "Rigid motions of overlapping particles",
+              "Rates of the masses when all particles move alike: along x, along y, about the origin; beside a wall, "
+              "along it. Therefore momenta are kept.");
+  const auto rigid = [&](const std::string& id, const std::string& text, Model& model, const VelocityAt& velocity) {
+    const mechanics::State state = model.state(velocity);
+    model.linearise({}, state.q);
+    std::vector<double> rates(model.size());
+    model.constraint_rates(state.u, rates);
+    std::vector<double> random(model.size());
+    model.constraint_rates(noisy(2 * model.size(), 5), random);
+    check.that({.id = id, .text = text, .quantity = "largest rate, over that of random velocities", .source = source},
+               {.value = worst(rates) / worst(random)},
+               Roundoff{.operations = 20,
+                        .scale = 10,
+                        .reason = "twenty terms of either sign for speeds up to 1, each of "
+                                  "differences of places that are ten times as large"});
+  };
+  for (const Shape shape : {Shape::smoothed, Shape::ball}) {
+    const std::string name = shape == Shape::ball ? "ball" : "smoothed";
+    Model model(jittered_square(), {.shape = shape, .support = shape == Shape::ball ? 1.6 : 2.6});
+    rigid(name + "-x", "Along x.", model, [](Point) { return Point{1, 0}; });
+    rigid(name + "-y", "Along y.", model, [](Point) { return Point{0, 1}; });
+    rigid(name + "-rotation", "About the origin.", model, [](Point r) { return Point{-r.y, r.x}; });
+  }
+  const Turned oblique(0.4);
+  Model beside(oblique.particles, {.walls = {oblique.walls[0]}});
+  rigid("along-wall", "Along a wall.", beside, [&](Point) { return Point{-std::sin(0.4), std::cos(0.4)}; });
+}

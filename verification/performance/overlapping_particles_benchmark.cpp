@@ -1,0 +1,60 @@
+// Parts of a step of overlapping particles: a disc of n spacings to the radius, turned and sheared by one eddy.
+//
+//   items_per_second   particles / second; its inverse is the time per particle
+//   analyses           of the matrix's pattern, per step
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+#include "seiche/models/overlapping_particles/flow.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::overlapping_particles;
+
+Particles disc(int n) {
+  return staggered_disc(1, 1.0 / n);
+}
+
+Point eddy(Point r) {
+  const double turning = 1 - r.x * r.x - r.y * r.y;
+  return {-turning * r.y, turning * r.x};
+}
+
+/// Whether the lists still hold all pairs, on the cell grid.
+void neighbours(benchmark::State& state) {
+  const Particles p = disc(static_cast<int>(state.range(0)));
+  const double reach = Settings().support * p.spacing;
+  const Walls walls({}, reach);
+  Neighbourhoods near(reach);
+  near.update(p.x, p.y, walls);
+  for (auto _ : state) benchmark::DoNotOptimize(near.update(p.x, p.y, walls));
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(p.size()));
+}
+
+/// Gradients, assembly and factor at a configuration that stays: no new pattern.
+void linearisation(benchmark::State& state) {
+  Model model(disc(static_cast<int>(state.range(0))));
+  const mechanics::State start = model.state();
+  model.linearise({}, start.q);
+  for (auto _ : state) model.linearise({}, start.q);
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(model.size()));
+}
+
+/// Whole steps of a fifth of the spacing.
+void steps(benchmark::State& state) {
+  const auto n = static_cast<int>(state.range(0));
+  Flow flow(disc(n), eddy);
+  const long before = flow.model().solver().analyses();
+  for (auto _ : state) flow.advance(0.2 / n);
+  const auto taken = static_cast<double>(state.iterations());
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.model().size()));
+  state.counters["analyses"] = static_cast<double>(flow.model().solver().analyses() - before) / taken;
+}
+
+BENCHMARK(neighbours)->Arg(20)->Arg(50)->Unit(benchmark::kMillisecond);
+BENCHMARK(linearisation)->Arg(20)->Arg(50)->Unit(benchmark::kMillisecond);
+BENCHMARK(steps)->Arg(20)->Arg(50)->Unit(benchmark::kMillisecond)->Iterations(20);
+
+}  // namespace
