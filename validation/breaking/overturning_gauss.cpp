@@ -13,8 +13,9 @@ particles, for markers in a jet thinner than a cell have no mass about them. Whe
 energy, which changes by what the penalty takes. A table shows the distances beside those of SPH, and the processor
 time of both, which is not judged.
 
-**What to look at.** Up to the vertical front the particles are nearer by far, in steps a tenth as many. In the jet
-both know the surface to a part of a cell or of a spacing: there a method is as good as the water is finely cut.
+**What to look at.** Up to the vertical front the particles are nearer to the exact surface by two orders of magnitude
+than SPH in the same time, and by more than one with a developed jet; no lattice of `overturning_sph` comes as near, up
+to 800 spacings in a wavelength. The whole jet is right to a part of a cell.
 
 **When it is no test.** The water never touches itself here; what lands is SPH's part (`flap_plunging_sph`).
 */
