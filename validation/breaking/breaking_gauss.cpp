@@ -76,13 +76,6 @@ struct Results {
   [[nodiscard]] double crest_change() const { return crest - coarse_crest; }
 };
 
-bool goes_backwards(const std::vector<Point>& line) {
-  for (std::size_t k = 1; k < line.size(); ++k) {
-    if (line[k].x < line[k - 1].x) return true;
-  }
-  return false;
-}
-
 exact::StokesWave wave_of(const Values& values) {
   return {values.real("height") / 2, 2 * half_length, depth, 1};
 }

@@ -16,6 +16,7 @@
 
 #include "seiche/exact/pressure_forced_wave.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
+#include "validation/breaking/free_particle_surface.hpp"
 #include "validation/case/claims.hpp"
 #include "validation/instruments/polyline_distance.hpp"
 
@@ -37,9 +38,6 @@ class PressureBreakingReference {
  private:
   exact::PressureForcedWave wave_;
 };
-
-/// By how much water sticks out of the discs of this diameter that fit into it. @param surface  one wavelength, 2 pi
-double thin_part(const Polyline& surface, double diameter);
 
 /// One lattice at one time.
 struct ComparedSurface {

@@ -212,15 +212,16 @@ void claims(const Values& values, const Claims<Results>& all) {
                           .tolerance = 0.05,
                           .reason = "nothing else errs, and the next term is the square of rate times step, a "
                                     "hundredth, of the first; fewer than five of them on the shortest steps"});
-  claims.check({.id = "places",
-                .text = "The particles are where they should be.",
-                .quantity = "largest distance from the exact places",
-                .unit = "radius",
-                .source = source},
-               &Results::finest,
-               evidence::Bound{std::pow(rate * tau, 2) * stretch,
-                               "second order: the square of rate times step, in radii, grown as the ellipsoid; a "
-                               "scheme of first order errs by a part of rate times step"});
+  claims.check(
+      {.id = "places",
+       .text = "The particles are where they should be.",
+       .quantity = "largest distance from the exact places",
+       .unit = "radius",
+       .source = source},
+      &Results::finest,
+      evidence::Bound{std::pow(rate * tau, 2) / 24 * rate * values.real("time") * stretch,
+                      "in each unit of time tau^2/24 times the third rate of the motion, what midpoints leave; "
+                      "grown as the ellipsoid"});
   claims.check({.id = "particles",
                 .text = "Where a particle is does not depend on how many there are.",
                 .quantity = "largest distance from the motion of five particles",

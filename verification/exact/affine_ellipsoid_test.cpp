@@ -78,6 +78,13 @@ TEST_CASE("a free liquid ellipsoid moves as the Euler equations demand", "[exact
               .source = source},
              {.value = AffineEllipsoid(plane).at(0).central_pressure / drop.at(0).central_pressure},
              evidence::Roundoff{.operations = 20, .scale = 1, .reason = "two traces", .expected = 2.0 / 3});
+  const AffineEllipsoid large(turning_gradient(), 3);
+  check.that({.id = "axes",
+              .text = "The semi-axes are those of an ellipsoid with the volume of the ball.",
+              .quantity = "their product over the radius cubed, at t = 1",
+              .source = source},
+             {.value = large.semi_axes(large.at(1)).prod() / 27},
+             evidence::Bound{.limit = 1e-12, .reason = "the motion's own uncertainty", .expected = 1});
   CHECK_THROWS_AS(AffineEllipsoid(Matrix3d::Identity()), std::invalid_argument);
   CHECK_THROWS_AS(AffineEllipsoid(turning_gradient(), 0), std::invalid_argument);
   CHECK_THROWS_AS(turning.at(std::nan("")), std::invalid_argument);

@@ -42,6 +42,21 @@ double residual(const SerreCnoidal& wave, double x, double span) {
   return std::hypot(mass, momentum);
 }
 
+/// Mean over a wavelength of u - (h^3 u_x)_x/(3h), by nested differences.
+double mean_along_surface(const SerreCnoidal& wave, double span) {
+  const auto h = [&](double x) { return wave.depth() + wave.elevation(x); };
+  const auto strain = [&](double x) {
+    return std::pow(h(x), 3) * difference([&](double d) { return wave.depth_averaged_velocity(x + d); }, span);
+  };
+  Mean mean;
+  constexpr int points = 64;
+  for (int i = 0; i < points; ++i) {
+    const double x = wave.wavelength() * i / points;
+    mean.add(wave.depth_averaged_velocity(x) - difference([&](double d) { return strain(x + d); }, span) / (3 * h(x)));
+  }
+  return mean.value();
+}
+
 void draw(verification::Check& check) {
   auto& panel = check
                     .figure("waves", "Cnoidal waves of Serre's equations",
@@ -80,6 +95,14 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
               .quantity = "order of the residual in the width of the differences",
               .source = source},
              evidence::observed_order(spans, residuals, 1e-10),
+             evidence::Order{4, 0.2, "fourth-order differences of an analytic solution"});
+  std::vector<double> frames;
+  for (const double span : spans) frames.push_back(std::abs(mean_along_surface(wave, span)));
+  check.that({.id = "frame",
+              .text = "The speed is that of the frame without mean velocity along the surface.",
+              .quantity = "order of the mean in the width of the differences",
+              .source = source},
+             evidence::observed_order(spans, frames, 1e-10),
              evidence::Order{4, 0.2, "fourth-order differences of an analytic solution"});
   const exact::RationalDispersion linear = exact::RationalDispersion::green_naghdi(1, 1);
   std::vector<double> heights;

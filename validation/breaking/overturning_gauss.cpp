@@ -1,0 +1,324 @@
+/*
+The steep wave of `overturning_sph` turns over and plunges, by free particles under Gauss's principle of least
+constraint, beside SPH and the exact potential flow from the same start.
+
+**Set-up.** One wavelength of a periodic layer, of depth 0.13 wavelengths; the surface begins as a cosine as high as
+the water is deep, with the velocities of linear theory, which are an exact potential flow under any surface. Units of
+$1/k$, $g$ and the density. Cubic splines on square cells, shifted at random at every step, six particles to a cell's
+side, the penalty on gradients of vorticity. SPH runs from the same velocities and exact pressures, as in its own case.
+
+**What is compared.** The surface with that of the boundary-integral computation (`seiche exact overturning_wave`) at
+five times up to a developed jet: the line of markers until the exact front is vertical, then the outline of the
+particles, for markers in a jet thinner than a cell have no mass about them. When the front is first vertical; the
+energy, which changes by what the penalty takes. A table shows the distances beside those of SPH, and the processor
+time of both, which is not judged.
+
+**What to look at.** Up to the vertical front the particles are nearer to the exact surface by two orders of magnitude
+than SPH in the same time, and by more than one with a developed jet; no lattice of `overturning_sph` comes as near, up
+to 800 spacings in a wavelength. The whole jet is right to a part of a cell.
+
+**When it is no test.** The water never touches itself here; what lands is SPH's part (`flap_plunging_sph`).
+*/
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/dispersion.hpp"
+#include "seiche/exact/overturning_wave.hpp"
+#include "seiche/models/gauss_particles/flow.hpp"
+#include "seiche/models/gauss_particles/spline_space.hpp"
+#include "validation/breaking/free_particle_surface.hpp"
+#include "validation/breaking/sph_overturning.hpp"
+#include "validation/case/case.hpp"
+#include "validation/instruments/processor_time.hpp"
+#include "validation/instruments/sph_steep_wave.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Bound;
+using evidence::Role;
+using exact::OverturningWave;
+using gauss_particles::Flow;
+using gauss_particles::LatticePlan;
+using gauss_particles::SplineSpace;
+
+const std::string source = "Longuet-Higgins and Cokelet (1976); Frank (1994), chapter 6";
+
+constexpr double wavelength = 2 * std::numbers::pi;
+constexpr double half_length = std::numbers::pi;
+constexpr double density = 1;
+constexpr long side = 6;  ///< particles to a cell's
+/// Of its period, as far as potential flow is computed.
+constexpr double last_phase = 0.6;
+
+struct Instant {
+  std::string id;
+  std::string when;  ///< begins a sentence
+};
+const std::array instants{Instant{"half", "Halfway to a vertical front"}, Instant{"steep", "With a steep front"},
+                          Instant{"vertical", "With a vertical front"},
+                          Instant{"turning", "Halfway from there to a developed jet"},
+                          Instant{"jet", "With a developed jet"}};
+
+SteepWave wave_of(const Values& values) {
+  return {.amplitude = 0.5 * values.real("height") * wavelength,
+          .wavelength = wavelength,
+          .depth = values.real("depth") * wavelength,
+          .gravity = 1};
+}
+
+double period_of(const SteepWave& wave) {
+  return wavelength / exact::AiryDispersion(wave.gravity, wave.depth).phase_speed(1);
+}
+
+std::vector<double> times_of(const OverturningWave& wave) {
+  const double vertical = wave.vertical_tangent_time().value_or(wave.end_time());
+  const double jet = std::min(wave.well_resolved_until(), wave.end_time());
+  return {0.5 * vertical, 0.8 * vertical, vertical, 0.5 * (vertical + jet), jet};
+}
+
+/// How far the surface may be from the exact one: what a curve bends within a cell, half a cell at most; of a jet, half
+/// a cell and what is thinner than a cell.
+double largest_distance(const OverturningWave& exact, double time, double cell) {
+  if (time > exact.vertical_tangent_time().value_or(exact.end_time())) {
+    return cell / 2 + thin_part(exact_surface(exact, time).front(), cell);
+  }
+  return std::min(exact.largest_curvature(time) * cell * cell / 8, cell / 2);
+}
+
+/// One model on one lattice.
+struct Computed {
+  std::string model;
+  double size = 0;                          ///< of a cell, or spacing of the particles
+  double seconds = 0;                       ///< of the processor
+  std::vector<Polylines> surfaces;          ///< at the instants
+  std::vector<PolylineDistance> distances;  ///< there
+};
+
+struct Results {
+  std::vector<double> times, limits;  ///< of the instants; of the finest lattice
+  std::vector<Polylines> exact;       ///< there
+  std::vector<Computed> particles;    ///< coarse, fine
+  Computed sph;
+  double vertical = 0;                                       ///< when the exact front is
+  double turned = std::numeric_limits<double>::quiet_NaN();  ///< first time with the markers' front past it
+  double energy = 0;                                         ///< largest defect over the kinetic energy
+
+  [[nodiscard]] const Computed& finest() const { return particles.back(); }
+};
+
+double cell_of(long cells) {
+  return wavelength / static_cast<double>(cells);
+}
+
+double step_of(const SteepWave& wave, long cells) {
+  return 0.1 * cell_of(cells) * period_of(wave) / wavelength;
+}
+
+Flow flow_of(const SteepWave& wave, long cells) {
+  const SteepWaveStart start(wave.amplitude, wave.wavelength, wave.depth, wave.gravity);
+  const double h = cell_of(cells);
+  return Flow(
+      gauss_particles::layer({.begin = -half_length,
+                              .end = half_length,
+                              .columns = static_cast<std::size_t>(cells * side),
+                              .rows = static_cast<std::size_t>(std::lround(wave.depth / h * static_cast<double>(side))),
+                              .surface = [&](double x) { return start.elevation(x); },
+                              .bottom = [&](double) { return -wave.depth; },
+                              .markers = static_cast<std::size_t>(10 * cells)}),
+      std::make_unique<SplineSpace>(LatticePlan{.cell_x = h,
+                                                .left_wall = -half_length,
+                                                .period = wavelength,
+                                                .bottom = true,
+                                                .ground = {.level = -wave.depth},
+                                                .shift = true}),
+      [&](Point r) {
+        const auto [u, v] = start.velocity(r.x, r.y);
+        return Point{u, v};
+      },
+      {.gravity = wave.gravity, .density = density, .penalty = 0.01});
+}
+
+/// Also when the front is first vertical, and the energy's defect.
+void turn_particles(Results& r, const SteepWave& wave, long cells) {
+  const double began = processor_seconds();
+  Flow flow = flow_of(wave, cells);
+  const double kinetic = flow.energy();
+  Computed one{.model = "free particles", .size = cell_of(cells)};
+  r.turned = std::numeric_limits<double>::quiet_NaN();
+  for (const double time : r.times) {
+    flow.advance_to(time, step_of(wave, cells), [&] {
+      flow.observe();
+      if (std::isnan(r.turned) && goes_backwards(flow.markers())) r.turned = flow.time();
+    });
+    one.surfaces.push_back(time > r.vertical
+                               ? water_outline(flow, one.size / static_cast<double>(side), -0.75 * wave.depth)
+                               : Polylines{marker_line(flow)});
+  }
+  r.energy = flow.ledger().largest_defect("energy") / kinetic;
+  one.seconds = processor_seconds() - began;
+  r.particles.push_back(std::move(one));
+}
+
+Computed turned_sph(const Run& run, const SteepWave& wave, const std::vector<double>& times) {
+  const double began = processor_seconds();
+  const SphOverturning setup{.wave = wave,
+                             .columns = run.integer("columns"),
+                             .settings = {.kernel = wcsph::KernelName::wendland_c2,
+                                          .smoothing = 2,
+                                          .gravity = wave.gravity,
+                                          .density = density,
+                                          .sound_speed = 10 * std::sqrt(wave.gravity * wave.depth),
+                                          .viscosity = wcsph::ArtificialViscosity{0.01}}};
+  const SphOverturned turned = overturn(setup, times, 0.01 * wavelength, 1, run.part("SPH"));
+  return {.model = "SPH",
+          .size = turned.spacing,
+          .seconds = processor_seconds() - began,
+          .surfaces = turned.surfaces,
+          .distances = {}};
+}
+
+Results compute(const Run& run) {
+  const SteepWave wave = wave_of(run);
+  const OverturningWave exact({.amplitude = wave.amplitude,
+                               .wavelength = wave.wavelength,
+                               .depth = wave.depth,
+                               .gravity = wave.gravity,
+                               .markers = 256,
+                               .last_time = last_phase * period_of(wave)});
+  run.progress(0.1);
+  const long cells = run.integer("cells");
+  Results r{.times = times_of(exact), .limits = {}, .exact = {}, .particles = {}, .sph = {}};
+  r.vertical = exact.vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN());
+  for (const double time : r.times) {
+    r.exact.push_back(exact_surface(exact, time));
+    r.limits.push_back(largest_distance(exact, time, cell_of(cells)));
+  }
+  turn_particles(r, wave, cells / 2);
+  run.progress(0.2);
+  turn_particles(r, wave, cells);
+  run.progress(0.6);
+  r.sph = turned_sph(run, wave, r.times);
+  const auto measure = [&](Computed& one) {
+    for (std::size_t i = 0; i < instants.size(); ++i) {
+      one.distances.push_back(polyline_distance(one.surfaces.at(i), r.exact[i], wavelength));
+    }
+  };
+  for (Computed& one : r.particles) measure(one);
+  measure(r.sph);
+  return r;
+}
+
+void claims(const Values& values, const Claims<Results>& all) {
+  const SteepWave wave = wave_of(values);
+  const long cells = values.integer("cells");
+  const double cell = cell_of(cells);
+  const double tau = step_of(wave, cells);
+  const Claims<Results> claims =
+      all.at(fmt::format("{} cells, {} particles to a side, tau = {:.3g}", cells, side, tau));
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    claims.check(
+        {.id = "distance-" + instants[i].id,
+         .text = instants[i].when + " the surface is that of potential flow, as far as the lattice resolves it.",
+         .quantity = "largest distance of the surfaces",
+         .unit = "1/k",
+         .source = source},
+        [i](const Results& r) -> Measurement {
+          return {.value = r.finest().distances.at(i).largest,
+                  .where = fmt::format("t = {:.3f}", r.times.at(i)),
+                  .told = {.limit = r.limits.at(i)}};
+        },
+        Bound{.limit = evidence::Amount::told_by_run(2 * cell),
+              .reason = "what a curve of the exact surface's largest curvature bends within a cell, K h^2/8, half a "
+                        "cell at most; of a jet, half a cell and what of the exact one is thinner than a cell"});
+  }
+  claims.check(
+      {.id = "vertical-tangent",
+       .text = "The front is first vertical when it is in potential flow.",
+       .quantity = "time at which the line of markers first goes backwards, less the exact one",
+       .unit = "(g k)^(-1/2)",
+       .source = source},
+      [](const Results& r) { return r.turned - r.vertical; },
+      Bound{.limit = cell * period_of(wave) / (2 * wavelength) + tau,
+            .reason = "the front is known to half a cell, which the wave travels in that time, and looked at "
+                      "after every step"});
+  claims.check(
+      {.id = "convergence",
+       .text = "Halfway to a vertical front cells half as wide bring the surface nearer to potential flow.",
+       .quantity = "rms distance, finer lattice over coarser",
+       .source = source},
+      [](const Results& r) { return r.finest().distances[0].rms / r.particles[0].distances[0].rms; },
+      Bound{.limit = std::pow(0.5, 1.5),
+            .reason = "second order in the cells' width, of which half an order is left to their random "
+                      "shifts"});
+  claims.check({.id = "energy",
+                .text = "The energy changes by what the penalty takes, to round-off.",
+                .quantity = "largest defect over the kinetic energy",
+                .source = "Frank (1994), chapter 6; exact for every space and step"},
+               &Results::energy,
+               evidence::Roundoff{.operations = std::ceil(last_phase * period_of(wave) / tau),
+                                  .scale = 2,
+                                  .reason = "one rounding per step of the kinetic and the potential energy"});
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  auto& figure = exhibit.figure("surfaces", "The wave turns over", "Finer lattice of the free particles, and SPH.");
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    auto& panel =
+        figure.panel({.x = "k x", .y = "k y", .title = fmt::format("t = {:.2f}", r.times[i]), .equal_aspect = true});
+    const auto draw = [&](const std::string& name, const Polylines& lines, Role role) {
+      for (const Polyline& line : lines) panel.line(&line == &lines.front() ? name : "", line.x, line.y, role);
+    };
+    draw("potential flow", r.exact[i], Role::exact);
+    draw("free particles", r.finest().surfaces[i], Role::computed);
+    draw("SPH", r.sph.surfaces[i], Role::peer);
+  }
+  evidence::Table table{.id = "models",
+                        .title = "Distance from potential flow",
+                        .caption = "Root mean square at the five instants, in 1/k, and the processor time.",
+                        .columns = {{"", ""}, {"cell or spacing", "1/k"}}};
+  for (const Instant& instant : instants) table.columns.emplace_back(instant.id, "1/k");
+  table.columns.emplace_back("time", "s");
+  std::vector<const Computed*> all;
+  for (const Computed& one : r.particles) all.push_back(&one);
+  all.push_back(&r.sph);
+  for (const Computed* one : all) {
+    auto& row = table.rows.emplace_back();
+    row.emplace_back(one->model);
+    row.emplace_back(one->size);
+    for (const PolylineDistance& distance : one->distances) row.emplace_back(distance.rms);
+    row.emplace_back(one->seconds);
+  }
+  exhibit.table(std::move(table));
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    exhibit.measure("rms_distance_" + instants[i].id, r.finest().distances[i].rms);
+    exhibit.measure("rms_distance_sph_" + instants[i].id, r.sph.distances[i].rms);
+  }
+  exhibit.measure("vertical_time", r.turned);
+  exhibit.measure("exact_vertical_time", r.vertical);
+}
+
+}  // namespace
+
+Case overturning_gauss() {
+  Case c;
+  c.title = "A steep wave turns over, by free particles under Gauss's principle beside SPH";
+  c.source = source;
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {
+      real("height", 0.13, "L", {0.02, 0.14}, "height H of the cosine it begins with"),
+      real("depth", 0.13, "L", {0.1, 1}, "depth of the water at rest"),
+      integer("cells", {48, 80, 80}, {32, 200}, "of the lattice to a wavelength; a second one has half as many"),
+      integer("columns", {100, 280, 280}, {40, 2000}, "particle spacings of SPH in a wavelength"),
+  };
+  c.study = Study(claims, compute, show);
+  return c;
+}
+
+}  // namespace seiche::validation::cases
