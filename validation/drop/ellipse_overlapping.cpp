@@ -19,7 +19,8 @@ on it alone change its error twofold at ten spacings to the radius. Balls in the
 
 **When it is no test.** Pressures: the multipliers are chequered, and no multiple of them is the drop's. Rotation faster
 than strain (`xx` 0.5, `xy` -1, `yx` 1, `yy` -0.5) has a pressure below that of the surroundings and an unstable
-surface; the links between particles bear tension, and follow it for a while.
+surface; the links between particles bear tension and follow it, for a time that is the shorter the finer the lattice:
+until t = 1 to 0.01 per cent of the stretch with a spacing of 0.1, to 2.4 per cent with 0.05.
 */
 #include <algorithm>
 #include <array>
@@ -186,7 +187,10 @@ std::vector<int> lattices_of(const SetUp& s) {
 
 void claim_accuracy(const Values& values, const SetUp& s, const Claims<Results>& all) {
   const std::string otherwise = "balls, and volumes of another width, are right in kind only";
-  const Claims<Results> claims = all.only_if(s.usual(), otherwise);
+  const Claims<Results> claims = all.only_if(s.gradient.determinant() < 0,
+                                             "the surface of a drop that rotates faster than it is strained is "
+                                             "unstable, the finer the lattice the more")
+                                     .only_if(s.usual(), otherwise);
   const double deformed = s.strain() * s.end;
   claims.check(
       {.id = "places",

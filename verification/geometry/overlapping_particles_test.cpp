@@ -162,11 +162,13 @@ TEST_CASE("the cell grid finds the neighbours that all pairs give", "[geometry]"
       const auto list = near.members().subspan(static_cast<std::size_t>(near.begin()[k]),
                                                static_cast<std::size_t>(near.begin()[k + 1] - near.begin()[k]));
       for (std::size_t s = 0; s < p.size(); ++s) {
-        double nearest = std::hypot(p.x[k] - p.x[s], p.y[k] - p.y[s]);
+        Smallest distances;
+        distances.add(std::hypot(p.x[k] - p.x[s], p.y[k] - p.y[s]));
         for (const Image& image : walls.images()) {
           const Point r = image.of({p.x[k], p.y[k]});
-          nearest = std::fmin(nearest, std::hypot(r.x - p.x[s], r.y - p.y[s]));
+          distances.add(std::hypot(r.x - p.x[s], r.y - p.y[s]));
         }
+        const double nearest = distances.value();
         const bool listed = std::find(list.begin(), list.end(), static_cast<int>(s)) != list.end();
         if (nearest < reach && !listed) ++missing;
         if (nearest > 1.2 * reach && listed) ++beyond;
