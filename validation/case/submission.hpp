@@ -86,11 +86,18 @@ struct SubmittedGroup {
 /// Submitted tables by name, in the wanted order of groups; checked and complete.
 using Submitted = std::map<std::string, std::vector<SubmittedGroup>>;
 
+/// What the submitter says of the solver.
+struct SolverFacts {
+  std::optional<double> cell;     ///< size of its cells or spacing of its particles [m]
+  std::optional<double> seconds;  ///< processor time of the run
+  std::optional<long> threads;
+};
+
 struct Submission {
   /// What is asked for with given parameters. A file may hold one of several tables.
   std::function<std::vector<WantedTable>(const Values&)> tables;
   /// Adds claims, measures and figures that the tables alone cannot state; optional.
-  std::function<void(const Values&, const Submitted&, evidence::Record&)> judge = {};
+  std::function<void(const Values&, const Submitted&, const SolverFacts&, evidence::Record&)> judge = {};
 
   explicit operator bool() const { return static_cast<bool>(tables); }
 };

@@ -64,6 +64,9 @@ struct ScoreOptions {
   std::string config;
   std::string out = "evidence";
   std::string table;
+  double cell = 0;     ///< [m], 0: not said
+  double seconds = 0;  ///< 0: not said
+  long threads = 0;    ///< 0: not said
   bool template_only = false;
 };
 int score(const ScoreOptions& options);

@@ -121,6 +121,10 @@ void add_score(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   command->add_option("--config", options->config, "TOML file with parameters");
   command->add_option("--out", options->out, "folder for the record")->capture_default_str();
+  command->add_option("--dx", options->cell, "size of your cells or spacing of your particles [m]")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--seconds", options->seconds, "processor time that your run took")->check(CLI::PositiveNumber);
+  command->add_option("--threads", options->threads, "threads that it used")->check(CLI::Range(1L, 100000000L));
   command->add_flag("--template", options->template_only, "print the CSV file to fill in, and stop");
   command->add_option("--table", options->table, "which table --template shall print, where a case takes several");
   command->footer(

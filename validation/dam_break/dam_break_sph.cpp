@@ -148,7 +148,7 @@ std::vector<WantedTable> wanted(const Values& values) {
   return {wanted_front(judged.data, judged.farthest)};
 }
 
-void judge(const Values& values, const Submitted& submitted, evidence::Record& record) {
+void judge(const Values& values, const Submitted& submitted, const SolverFacts& /*facts*/, evidence::Record& record) {
   const Judged judged = judged_by(values);
   record.reference_data.merge(std::map(values.tables_read()));
   judge_front(judged.data, judged.farthest, submitted.at("front").front(), record);
