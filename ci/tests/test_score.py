@@ -1,70 +1,18 @@
 """`seiche score` as somebody with a solver of their own meets it: templates, CSV and HDF5, units, mistakes."""
 
 import json
-import os
 import pathlib
 import resource
-import subprocess
-import tempfile
 import time
 import unittest
 
 import h5py
 import numpy as np
 
-SEICHE = os.environ["SEICHE"]
-SOURCE = pathlib.Path(os.environ["SEICHE_SOURCE"])
+from submitting import SEICHE, SOURCE, Scoring, rows_of, seiche
 
 
-def seiche(*words, **options):
-    return subprocess.run([SEICHE, *map(str, words)], capture_output=True, text=True, timeout=120, **options)
-
-
-def rows_of(csv):
-    """Names with units, and the columns that are filled."""
-    lines = [line for line in csv.splitlines() if line and not line.startswith("#")]
-    return lines[0].split(","), [line.split(",") for line in lines[1:]]
-
-
-class Score(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory(prefix="seiche-test-")
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
-        self.out = self.folder / "evidence"
-
-    def score(self, case, *words, solver="mine"):
-        return seiche("score", case, *words, "--solver", solver, "--out", self.out)
-
-    def record(self, stem):
-        return json.loads((self.out / f"{stem}.json").read_text())
-
-    def write(self, content, name="mine.csv"):
-        path = self.folder / name
-        path.write_bytes(content if isinstance(content, bytes) else content.encode())
-        return path
-
-    def hdf5(self, name="mine.h5", units=None, **columns):
-        path = self.folder / name
-        with h5py.File(path, "w") as file:
-            for column, values in columns.items():
-                file[column] = values
-                if units and column in units:
-                    file[column].attrs["unit"] = units[column]
-        return path
-
-    def refused(self, result, *words):
-        """Exit status 2, one line that holds the words, nothing written."""
-        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
-        self.assertEqual(result.stdout, "")
-        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
-        for word in words:
-            self.assertIn(word, result.stderr)
-        self.assertFalse(self.out.exists() and list(self.out.iterdir()))
-
-    def accepted(self, result, status=0):
-        self.assertEqual(result.returncode, status, result.stdout + result.stderr)
-
+class Score(Scoring):
     def riemann(self):
         """x, h, u of the exact solution of the case's standard problem."""
         _, rows = rows_of(seiche("score", "riemann", "--template").stdout)

@@ -34,9 +34,6 @@ namespace {
 
 const std::string source = "exact solution of the Riemann problem";
 
-/// Over how many cells a scheme that is worth using smears a jump.
-constexpr double smeared_over = 8;
-
 std::vector<double> cell_centres(const Values& values) {
   const double start = values.real("start");
   const double end = values.real("end");
@@ -116,15 +113,17 @@ struct Results {
   RiemannErrors errors;  ///< of the means at the centres, joined by straight lines: what others submit
 };
 
-/// Steps of the size given, or by the Courant number of the fastest wave.
-double steps_of(const SetUp& s) {
-  if (s.discretisation.time_step > 0) return s.time / s.discretisation.time_step;
+/// The scheme of Lax and Friedrichs has the viscosity dx^2/(2 dt), and spreads a jump like anything else, over the root
+/// of as many cells as there are steps.
+Smearing smearing_of(const SetUp& s, double cell) {
+  if (s.discretisation.scheme != "lax_friedrichs") return {};
   const auto speed = [&](State state) {
     return std::abs(state.velocity) + shallow_water::celerity(s.solution.gravity(), state.depth);
   };
   const double fastest = std::max({speed(s.solution.left()), speed(s.solution.star()), speed(s.solution.right())});
-  const double cell = s.problem.length() / static_cast<double>(s.discretisation.particles);
-  return s.time * fastest / (s.discretisation.courant * cell);
+  const double step =
+      s.discretisation.time_step > 0 ? s.discretisation.time_step : s.discretisation.courant * cell / fastest;
+  return {.cells_wide = std::sqrt(s.time / step), .viscosity = cell / (fastest * step)};
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -132,11 +131,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto here = claims.at(s.discretisation.text());
   claim_conservation(here.of(&Results::flow), s.problem, s.discretisation, s.time);
 
-  // A scheme that loses more than the fan's first cell, or smears a jump over the whole channel, is not one to use: the
-  // error of a first-order scheme at a jump of size d is about its width times d times the cell width.
-  const double cells_wide = s.discretisation.scheme == "lax_friedrichs" ? std::sqrt(steps_of(s)) : smeared_over;
   const double cell = s.problem.length() / static_cast<double>(s.discretisation.particles);
-  for (const RiemannRequirement& one : riemann_requirements(s.solution, s.time, s.problem.length(), cell, cells_wide)) {
+  for (const RiemannRequirement& one :
+       riemann_requirements(s.solution, s.time, s.problem.length(), cell, smearing_of(s, cell))) {
     here.check(
         {.id = one.id, .text = one.text, .quantity = one.quantity, .unit = one.unit, .source = source},
         [error = one.error](const Results& r) { return r.errors.*error; }, one.bound);
@@ -233,7 +230,7 @@ void judge(const Values& values, const Submitted& submitted, const SolverFacts& 
   if (judged.is_jump) record.measure("front_width", front_width(profile.cells(), judged.front));
 
   const std::string resolution = fmt::format("cells of {:.4g} m, {} points", cell, profile.x.size());
-  for (const RiemannRequirement& one : riemann_requirements(solution, time, problem.length(), cell, smeared_over)) {
+  for (const RiemannRequirement& one : riemann_requirements(solution, time, problem.length(), cell)) {
     record.check({.id = one.id, .text = one.text, .quantity = one.quantity, .unit = one.unit, .source = source},
                  {.value = errors.*one.error, .resolution = resolution}, one.bound);
   }

@@ -61,10 +61,15 @@ struct RiemannRequirement {
   evidence::Bound bound;
 };
 
+/// How a scheme of first order smears the waves.
+struct Smearing {
+  double cells_wide = 8;  ///< cells over which a jump is spread
+  double viscosity = 1;   ///< over that of Rusanov's flux, (|u| + c) dx/2
+};
+
 /// What is required of a solver with cells of this size, whatever points it prints.
-/// @param cells_wide  over how many cells a jump may be smeared
-/// @param length      of the channel [m]
+/// @param length  of the channel [m]
 std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solution, double time, double length,
-                                                     double cell, double cells_wide);
+                                                     double cell, const Smearing& smearing = {});
 
 }  // namespace seiche::validation

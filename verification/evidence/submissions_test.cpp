@@ -38,7 +38,7 @@ long passed(const Case& one, const Values& values, double factor, long& claims) 
   const std::vector<WantedTable> wanted = one.submission.tables(values);
   const Submitted submitted = submission(wanted, factor);
   score(wanted, submitted, {}, record);
-  if (one.submission.judge) one.submission.judge(values, submitted, record);
+  if (one.submission.judge) one.submission.judge(values, submitted, {}, record);
   claims = static_cast<long>(record.claims().size());
   long passes = 0;
   for (const evidence::JudgedClaim& claim : record.claims()) {

@@ -1,0 +1,85 @@
+"""Right results of others pass, wrong ones fail: every way of being wrong that a score once let through."""
+
+import unittest
+
+import numpy as np
+
+from submitting import Scoring, rows_of, seiche
+
+
+def exact(name, *words):
+    """Columns of an exact solution, by name without unit."""
+    names, rows = rows_of(seiche("exact", name, *words).stdout)
+    values = np.array([[float(word) for word in row] for row in rows])
+    return {name.split("[")[0].strip(): values[:, k] for k, name in enumerate(names)}
+
+
+class Riemann(Scoring):
+    LENGTH, JUMP, TIME = 50.0, 20.0, 6.0
+
+    def profile(self, points, gravity=9.81):
+        """The exact solution of the case's problem at the centres of so many cells."""
+        half = self.LENGTH / points / 2
+        columns = exact("riemann", "--set", f"jump={self.JUMP},right_depth=0.1,gravity={gravity}", "--grid",
+                        f"x={half}:{self.LENGTH - half}:{points},t={self.TIME}")
+        return {name: columns[name] for name in ("x", "h", "u")}
+
+    def judged(self, columns, *words, status):
+        self.accepted(self.score("riemann", "--data", self.table(columns), *words), status)
+        return self.verdicts("riemann.mine")
+
+    def test_the_exact_profile_passes_however_densely_it_is_printed(self):
+        limits = set()
+        for points in (50, 400, 4000):
+            self.judged(self.profile(points), "--dx", self.LENGTH / 50, status=0)
+            limits.add(tuple(claim["criterion"]["limit"] for claim in self.record("riemann.mine")["claims"]))
+        self.assertEqual(len(limits), 1, "the limits follow the cells, not the points")
+        self.judged(self.profile(4000), "--dx", self.LENGTH / 4000, status=0)
+
+    def test_a_smaller_cell_is_judged_more_strictly(self):
+        smeared = self.profile(400)
+        for name in ("h", "u"):  # over ten cells of 0.125 m
+            smeared[name] = np.convolve(np.pad(smeared[name], 5, "edge"), np.ones(11) / 11, "valid")
+        self.judged(smeared, "--dx", 0.125, status=0)
+        for name in ("h", "u"):
+            smeared[name] = np.convolve(np.pad(smeared[name], 40, "edge"), np.ones(81) / 81, "valid")
+        self.judged(smeared, "--dx", 1, status=0)
+        self.judged(smeared, "--dx", 0.125, status=1)
+
+    def test_water_that_never_moved_fails_at_any_number_of_points(self):
+        for points in (50, 400, 4000):
+            still = self.profile(points)
+            still["h"], still["u"] = np.where(still["x"] < self.JUMP, 1.0, 0.1), np.zeros(points)
+            for cell in (self.LENGTH / points, 1.0, 12.5):
+                with self.subTest(points=points, cell=cell):
+                    verdicts = self.judged(still, "--dx", cell, status=1)
+                    self.assertNotEqual(verdicts["depth"], "pass")
+                    self.assertNotEqual(verdicts["discharge"], "pass")
+
+    def test_too_few_points_are_no_result(self):
+        for points in (2, 12):
+            self.refused(self.score("riemann", "--data", self.table(self.profile(points))), "column x", "two cells",
+                         "--dx")
+        self.refused(self.score("riemann", "--data", self.table(self.profile(12)), "--dx", 20), "--dx 20", "12.5")
+
+    def test_the_velocity_is_judged(self):
+        for points in (50, 400, 4000):
+            for wrong in (0.0, -1.0, 1.5):
+                with self.subTest(points=points, wrong=wrong):
+                    profile = self.profile(points)
+                    profile["u"] *= wrong
+                    self.assertEqual(self.judged(profile, status=1)["discharge"], "fail")
+
+    def test_lost_water_a_slow_front_and_a_wrong_gravity_fail(self):
+        right = self.profile(800)
+        cells = ("--dx", self.LENGTH / 800)
+        self.assertEqual(self.judged({**right, "h": 0.82 * right["h"]}, *cells, status=1)["volume"], "fail")
+        slow = {name: np.interp(self.JUMP + (right["x"] - self.JUMP) / 0.9, right["x"], right[name]) for name in "hu"}
+        self.assertEqual(self.judged({"x": right["x"], **slow}, *cells, status=1)["front"], "fail")
+        self.assertEqual(self.judged(self.profile(800, gravity=0.9 * 9.81), *cells, status=1)["front"], "fail")
+        mirrored = {name: right[name][::-1] for name in "hu"}
+        self.assertEqual(self.judged({"x": right["x"], **mirrored}, *cells, status=1)["depth"], "fail")
+
+
+if __name__ == "__main__":
+    unittest.main()
