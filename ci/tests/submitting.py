@@ -8,6 +8,7 @@ import tempfile
 import unittest
 
 import h5py
+import numpy as np
 
 SEICHE = os.environ["SEICHE"]
 SOURCE = pathlib.Path(os.environ["SEICHE_SOURCE"])
@@ -69,3 +70,14 @@ class Scoring(unittest.TestCase):
         """A CSV file of named columns, to the last digit."""
         rows = zip(*(list(map(float, values)) for values in columns.values()))
         return self.write(",".join(columns) + "\n" + "".join(",".join(map(repr, row)) + "\n" for row in rows), name)
+
+    def gauges(self, late=0.0, factor=1.0):
+        """The template of the gauges in the parabolic bowl, filled in with the exact depth, late by some seconds."""
+        names, rows = rows_of(seiche("score", "thacker", "--template", "--table", "gauges").stdout)
+        self.assertEqual(names, ["x [m]", "t [s]", "h [m]"])
+        x, t = (np.array([float(row[k]) for row in rows]) for k in (0, 1))
+        radius, depth, displacement, gravity = 1.0, 0.5, 0.5, 9.81
+        shift = -displacement * np.cos(np.sqrt(2 * gravity * depth) / radius * (t - late))
+        middle = 1.25 * (radius + displacement)
+        h = depth * np.maximum(0, 1 - ((x - middle - shift) / radius) ** 2)
+        return x, t, factor * h

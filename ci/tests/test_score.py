@@ -82,17 +82,6 @@ class Score(Scoring):
         verdicts = {claim["id"]: claim["verdict"] for claim in record["claims"]}
         self.assertEqual(verdicts["profile-coverage"], "fail")
 
-    def gauges(self, late=0.0, factor=1.0):
-        """The template of the gauges in the parabolic bowl, filled in with the exact depth, late by some seconds."""
-        names, rows = rows_of(seiche("score", "thacker", "--template", "--table", "gauges").stdout)
-        self.assertEqual(names, ["x [m]", "t [s]", "h [m]"])
-        x, t = (np.array([float(row[k]) for row in rows]) for k in (0, 1))
-        radius, depth, displacement, gravity = 1.0, 0.5, 0.5, 9.81
-        shift = -displacement * np.cos(np.sqrt(2 * gravity * depth) / radius * (t - late))
-        middle = 1.25 * (radius + displacement)
-        h = depth * np.maximum(0, 1 - ((x - middle - shift) / radius) ** 2)
-        return x, t, factor * h
-
     def test_gauge_series_and_shorelines(self):
         x, t, h = self.gauges()
         gauges = self.write("x,t,h\n" + "".join(f"{a!r},{b!r},{c!r}\n" for a, b, c in
@@ -104,7 +93,16 @@ class Score(Scoring):
         measured = self.record("thacker.mine")["measurements"]
         self.assertLess(measured["left_largest_error"], 1e-12)
         self.assertLess(max(abs(value) for name, value in measured.items() if name.startswith("h_shift")), 1e-9)
-        # A gauge alone may be submitted; one that is a tenth of a period late and too low must fail.
+        # The gauges alone may be judged where that is said; without a word what is missing fails.
+        alone = self.score("thacker", "--data", gauges, solver="alone")
+        self.accepted(alone, status=1)
+        self.assertEqual(self.verdicts("thacker.alone"), {"shorelines-coverage": "fail", "gauges-coverage": "pass",
+                                                          "h-shift": "pass", "h-skill": "pass"})
+        self.assertIn("not judged", alone.stdout)
+        self.accepted(self.score("thacker", "--data", gauges, "--table", "gauges", solver="alone"))
+        self.assertEqual([left["id"] for left in self.record("thacker.alone")["left_out"]],
+                         ["left-largest_error", "right-largest_error"])
+        # One that is a tenth of a period late and too low must fail.
         x, t, h = self.gauges(late=0.2, factor=0.7)
         late = self.write("x,t,h\n" + "".join(f"{a!r},{b!r},{c!r}\n" for a, b, c in
                                               zip(x.tolist(), t.tolist(), h.tolist())), "late.csv")

@@ -81,5 +81,52 @@ class Riemann(Scoring):
         self.assertEqual(self.judged({"x": right["x"], **mirrored}, *cells, status=1)["depth"], "fail")
 
 
+class Diagnosis(Scoring):
+    """What a file got wrong is said in words, in the output and in the record; the verdict is of the file as it is."""
+
+    def said(self, columns, case="thacker", table="gauges"):
+        scored = self.score(case, "--data", self.table(columns), "--table", table)
+        self.accepted(scored, status=1)
+        tables = {table["id"]: table for table in self.record(f"{case}.mine")["tables"]}
+        words = [row[1] for row in tables["diagnosis"]["rows"]] if "diagnosis" in tables else []
+        for one in words:
+            self.assertIn(one, scored.stdout)
+        return words
+
+    def gauge(self, **options):
+        x, t, h = self.gauges(**options)
+        return {"x": x, "t": t, "h": h}
+
+    def test_a_gauge_that_is_late_is_told_by_how_much(self):
+        for late in (0.3, -0.3):
+            words = self.said(self.gauge(late=late))
+            self.assertEqual(len(words), 1, words)
+            self.assertIn(f"fits the reference 0.3 s {'earlier' if late > 0 else 'later'}", words[0])
+
+    def test_another_datum_and_another_unit_are_told(self):
+        right = self.gauge()
+        self.assertIn("lies 0.02 m higher", self.said({**right, "h": right["h"] + 0.02})[0])
+        self.assertIn("lies 1 m lower", self.said({**right, "h": right["h"] - 1})[0])
+        self.assertIn("divided by 100: centimetres for metres", self.said({**right, "h": 100 * right["h"]})[0])
+        self.assertIn("divided by 1000: milliseconds for seconds", self.said({**right, "t": 1000 * right["t"]})[0])
+
+    def test_inverted_mirrored_neighbouring_scaled_and_cut_are_told(self):
+        right = self.gauge()
+        self.assertIn("upside down", self.said({**right, "h": -right["h"]})[0])
+        self.assertIn("divided by 0.82", self.said({**right, "h": 0.82 * right["h"]})[0])
+        wrong = dict(right)
+        gauges = sorted(set(right["x"]))
+        wrong["h"] = np.concatenate([right["h"][right["x"] == x] for x in (gauges[1], gauges[0], gauges[2])])
+        self.assertIn(f"is the reference of x = {gauges[1]:g} m", " ".join(self.said(wrong)))
+        half = right["t"] < right["t"].max() / 2
+        self.assertIn("a file cut short", self.said({name: values[half] for name, values in right.items()})[0])
+
+    def test_of_a_right_result_nothing_is_said(self):
+        scored = self.score("thacker", "--data", self.table(self.gauge()), "--table", "gauges")
+        self.accepted(scored)
+        self.assertNotIn("look", scored.stdout)
+        self.assertNotIn("diagnosis", [table["id"] for table in self.record("thacker.mine")["tables"]])
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -126,7 +126,8 @@ void add_score(CLI::App& app, Action& action) {
   command->add_option("--seconds", options->seconds, "processor time that your run took")->check(CLI::PositiveNumber);
   command->add_option("--threads", options->threads, "threads that it used")->check(CLI::Range(1L, 100000000L));
   command->add_flag("--template", options->template_only, "print the CSV file to fill in, and stop");
-  command->add_option("--table", options->table, "which table --template shall print, where a case takes several");
+  command->add_option("--table", options->table,
+                      "where a case takes several: which one --template shall print, or which one alone is judged");
   command->footer(
       "Between its points a result is joined by straight lines and taken at the reference's points; nothing is\n"
       "extrapolated.\n"

@@ -25,7 +25,7 @@ scheme loses its order.
 
 #include "seiche/exact/riemann.hpp"
 #include "validation/case/case.hpp"
-#include "validation/case/score.hpp"
+#include "validation/scoring/score.hpp"
 #include "validation/dam_break/riemann_problem.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 

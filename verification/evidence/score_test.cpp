@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "seiche/io/csv_table.hpp"
-#include "validation/case/score.hpp"
-#include "validation/case/submitted.hpp"
+#include "validation/scoring/score.hpp"
+#include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include "validation/case/job.hpp"
 #include "validation/case/registry.hpp"
-#include "validation/case/score.hpp"
+#include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
 namespace {

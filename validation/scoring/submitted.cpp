@@ -1,4 +1,4 @@
-#include "validation/case/submitted.hpp"
+#include "validation/scoring/submitted.hpp"
 
 #include <algorithm>
 #include <cmath>
