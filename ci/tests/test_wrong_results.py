@@ -4,7 +4,7 @@ import unittest
 
 import numpy as np
 
-from submitting import Scoring, rows_of, seiche
+from submitting import SOURCE, Scoring, rows_of, seiche
 
 
 def exact(name, *words):
@@ -79,6 +79,121 @@ class Riemann(Scoring):
         self.assertEqual(self.judged(self.profile(800, gravity=0.9 * 9.81), *cells, status=1)["front"], "fail")
         mirrored = {name: right[name][::-1] for name in "hu"}
         self.assertEqual(self.judged({"x": right["x"], **mirrored}, *cells, status=1)["depth"], "fail")
+
+
+class Standing(Scoring):
+    """The standing wave of finite amplitude: neither linear theory nor another tank is it."""
+
+    def wave(self, depth=1.0, gravity=9.81, amplitude=0.05):
+        words = ("--set", f"depth={depth},gravity={gravity},amplitude={amplitude}")
+        times, _ = rows_of(seiche("score", "standing_wave", "--template", "--table", "wall").stdout)[::-1]
+        end = float(times[-1][0])
+        wall = exact("standing", *words, "--grid", f"x=0,t=0:{end}:{len(times)}")
+        return {"t": wall["t"], "eta": wall["eta"]}, exact("standing", *words, "--integrals")["omega"][0]
+
+    def judged(self, wall, omega, status):
+        numbers = self.table({"omega": [omega]}, "omega.csv")
+        self.accepted(self.score("standing_wave", "--data", self.table(wall), "--data", numbers), status)
+        return self.verdicts("standing_wave.mine")
+
+    def test_the_wave_of_theory_passes_with_the_defaults_of_both_commands(self):
+        wall, omega = self.wave()
+        self.judged(wall, omega, 0)
+        default = exact("standing", "--grid", f"x=0,t=0:{wall['t'][-1]}:{len(wall['t'])}")
+        self.judged({"t": default["t"], "eta": default["eta"]}, omega, 0)
+
+    def test_a_tank_too_shallow_another_gravity_and_linear_theory_fail(self):
+        right, omega = self.wave()
+        for depth in (0.85, 0.97):
+            verdicts = self.judged(*self.wave(depth=depth), 1)
+            self.assertEqual((verdicts["eta-relative_l2"], verdicts["omega-value"]), ("fail", "fail"), depth)
+        self.assertEqual(self.judged(*self.wave(gravity=9.7), 1)["omega-value"], "fail")
+        linear = np.sqrt(9.81 * np.tanh(1.0))
+        wall = {"t": right["t"], "eta": 0.05 * np.cos(linear * right["t"])}
+        self.assertEqual(self.judged(wall, linear, 1)["eta-relative_l2"], "fail")
+
+    def test_a_table_left_out_is_no_success(self):
+        wall, omega = self.wave()
+        self.accepted(self.score("standing_wave", "--data", self.table(wall)), 1)
+        self.accepted(self.score("standing_wave", "--data", self.table({"omega": [omega]})), 1)
+        self.assertEqual(self.verdicts("standing_wave.mine")["wall-coverage"], "fail")
+        self.accepted(self.score("standing_wave", "--data", self.table(wall), "--table", "wall"), 0)
+
+
+class ColumnFront(Scoring):
+    """The front of a collapsing column: when it was let go is not judged, how fast it runs is."""
+
+    def front(self):
+        path = SOURCE / "reference_data/martin_moyce_1952_tall_wide/table.csv"
+        T, X = np.loadtxt(path, delimiter=",", skiprows=1).T
+        times = np.arange(0, T[-1], 0.02)
+        return {"T": times, "X": np.interp(times, np.append(0, T), np.append(1, X))}
+
+    def judged(self, front, *words, status, uncertainty="X=0"):
+        stated = ("--uncertainty", uncertainty) if uncertainty else ()
+        scored = self.score("dam_break_sph", "--data", self.table(front), *stated, *words)
+        self.accepted(scored, status)
+        return self.verdicts("dam_break_sph.mine"), scored.stdout
+
+    def test_the_published_front_passes_late_or_not(self):
+        front = self.front()
+        self.judged(front, status=0)
+        early = {"T": front["T"][front["T"] >= 0.15] - 0.15, "X": front["X"][front["T"] >= 0.15]}
+        self.judged(early, status=0)
+        self.judged(front, status=0, uncertainty="X=0.5%")
+
+    def test_a_wrong_gravity_and_a_slow_or_fast_front_fail(self):
+        right = self.front()
+        for name, front in {"gravity": {**right, "T": right["T"] / np.sqrt(0.9)},
+                            "slow": {**right, "T": right["T"] / 0.9},
+                            "fast": {**right, "T": right["T"] / 1.05},
+                            "short": {**right, "X": 1 + 0.9 * (right["X"] - 1)},
+                            "long": {**right, "X": 1 + 1.05 * (right["X"] - 1)}}.items():
+            for late in (0.0, 0.2):
+                with self.subTest(name, late=late):
+                    verdicts, _ = self.judged({**front, "T": np.append(0, late + front["T"][1:])}, status=1)
+                    self.assertEqual(verdicts["rate"], "fail")
+
+    def test_noise_fails(self):
+        right = self.front()
+        for seed in range(3):
+            noise = 0.05 * np.random.default_rng(seed).standard_normal(len(right["X"]))
+            verdicts, _ = self.judged({**right, "X": right["X"] + noise}, status=1)
+            self.assertEqual(verdicts["advance"], "fail")
+
+    def test_what_counts_is_said(self):
+        front = self.front()
+        _, said = self.judged(front, status=0)
+        self.assertIn("14 of 15 published points count, 1 later than the front is known", said)
+        verdicts, said = self.judged(front, "--set", "judged_to=3.9", status=1)
+        self.assertIn("4 of 15 published points count, 11 lie beyond X/a = 3.9", said)
+        self.assertEqual(verdicts["rate"], "inconclusive")
+
+    def test_the_stated_uncertainty_counts(self):
+        front = self.front()
+        for uncertainty in (None, "X=20%"):
+            verdicts, _ = self.judged(front, status=1, uncertainty=uncertainty)
+            self.assertEqual(verdicts["rate"], "inconclusive")
+
+
+class Templates(Scoring):
+    def test_the_commands_that_a_template_prints_give_what_passes(self):
+        for case, tables in {"riemann": ["profile"], "standing_wave": ["wall"], "stokes_wave": ["surface"],
+                             "solitary_wave": ["surface"], "wavemaker_start": ["gauge"], "thacker": ["gauges"],
+                             "wall_run_up_exact": ["numbers"]}.items():
+            for table in tables:
+                with self.subTest(case, table=table):
+                    template = seiche("score", case, "--template", "--table", table).stdout
+                    commands = [line.split("the reference: seiche ")[1].split() for line in template.splitlines()
+                                if "the reference: seiche " in line]
+                    self.assertTrue(commands)
+                    parts = [rows_of(seiche(*command).stdout) for command in commands]
+                    rows = [row for _, rows in parts for row in rows]
+                    wanted = rows_of(template)[0]
+                    named = [name.split(" ")[0] for name in parts[0][0]]
+                    columns = {name.split(" ")[0]: [float(row[named.index(name.split(" ")[0])]) for row in rows]
+                               for name in wanted}
+                    self.accepted(self.score(case, "--data", self.table(columns), "--table", table))
 
 
 class Diagnosis(Scoring):

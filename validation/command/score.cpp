@@ -2,6 +2,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +15,7 @@
 #include "validation/command/settings.hpp"
 #include "validation/scoring/diagnosis.hpp"
 #include "validation/scoring/score.hpp"
+#include "validation/scoring/solver_files.hpp"
 #include "validation/scoring/submitted.hpp"
 
 namespace seiche::command {
@@ -129,12 +131,40 @@ void require_solver_name(const std::string& name) {
   }
 }
 
-validation::SolverFacts facts_of(const ScoreOptions& options) {
+validation::SolverFacts facts_of(const ScoreOptions& options,
+                                 std::map<std::string, validation::StatedUncertainty> uncertainty) {
   validation::SolverFacts facts;
+  facts.uncertainty = std::move(uncertainty);
   if (options.cell > 0) facts.cell = options.cell;
   if (options.seconds > 0) facts.seconds = options.seconds;
   if (options.threads > 0) facts.threads = options.threads;
   return facts;
+}
+
+std::vector<validation::ResultFile> files_of(const ScoreOptions& options, const std::vector<std::string>& wanted) {
+  const std::vector<std::string>& known = validation::solver_formats();
+  if (options.format != "auto" && std::find(known.begin(), known.end(), options.format) == known.end()) {
+    throw std::invalid_argument(
+        fmt::format("--format {}: must be auto or one of {}", options.format, fmt::join(known, ", ")));
+  }
+  std::vector<std::string> columns;
+  std::istringstream names(options.columns);
+  for (std::string name; std::getline(names, name, ',');) columns.push_back(name);
+  std::vector<validation::ResultFile> files;
+  for (const std::string& file : options.data) {
+    files.push_back(validation::read_result(file, options.format, columns, wanted));
+  }
+  return files;
+}
+
+/// What was understood of files that are not our own kind.
+void print_reading(const std::vector<validation::ResultFile>& files) {
+  for (const validation::ResultFile& file : files) {
+    if (file.format == "csv" || file.format == "hdf5") continue;
+    fmt::print("  {:<12} {}: {}, columns {}{}\n", "read", file.table.source, file.format,
+               fmt::join(file.table.names, ", "),
+               file.replaced > 0 ? fmt::format("; {} rows are replaced by a restart", file.replaced) : "");
+  }
 }
 
 }  // namespace
@@ -164,16 +194,13 @@ int score(const ScoreOptions& options) {
     }
     wanted = {alone};
   }
-  std::vector<io::Table> files;
-  for (const std::string& file : options.data) {
-    files.push_back(io::read_table(file, validation::names_in_files(wanted, renamed)));
-    record.reference_data[file] = evidence::sha256_of_file(file);
-  }
-  const validation::Submitted submitted = validation::submitted_from(files, wanted, renamed);
+  const std::vector<validation::ResultFile> files = files_of(options, validation::names_in_files(wanted, renamed));
+  for (const std::string& file : options.data) record.reference_data[file] = evidence::sha256_of_file(file);
+  const validation::Submitted submitted = validation::submitted_from(validation::joined(files), wanted, renamed);
   std::vector<validation::Finding> findings;
   try {
     validation::score(wanted, submitted, uncertainty, record);
-    if (one.submission.judge) one.submission.judge(values, submitted, facts_of(options), record);
+    if (one.submission.judge) one.submission.judge(values, submitted, facts_of(options, uncertainty), record);
     findings = validation::diagnosis(wanted, submitted);
     validation::show_diagnosis(findings, record);
   } catch (const std::invalid_argument& wrong) {
@@ -183,6 +210,7 @@ int score(const ScoreOptions& options) {
   if (options.cell > 0) record.measure("cell_size", options.cell);
   evidence::write(record, options.out);
   evidence::write_junit(options.out);
+  print_reading(files);
   print(record, findings);
   fmt::print("record: {}\n", (std::filesystem::path(options.out) / (record.stem() + ".json")).string());
   return record.as_declared() ? 0 : 1;

@@ -25,8 +25,8 @@ scheme loses its order.
 
 #include "seiche/exact/riemann.hpp"
 #include "validation/case/case.hpp"
-#include "validation/scoring/score.hpp"
 #include "validation/dam_break/riemann_problem.hpp"
+#include "validation/scoring/score.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases {
@@ -52,12 +52,19 @@ std::vector<WantedTable> tables_of(const Values& values) {
     const State state = solution.at(p.abscissa, time);
     return state.depth > 0 ? state.velocity : std::numeric_limits<double>::quiet_NaN();
   };
+  const std::vector<double> centres = cell_centres(values);
   return {{.name = "profile",
            .kind = WantedTable::Kind::profile,
            .abscissa = Column{"x", "m", "position, increasing"},
            .quantities = {{.column = {"h", "m", "depth"}, .reference = depth},
                           {.column = {"u", "m/s", "velocity"}, .reference = velocity}},
-           .points = [x = cell_centres(values)](double) { return x; }}};
+           .points = [x = centres](double) { return x; },
+           .exact = {
+               fmt::format("seiche exact riemann --set left_depth={:.17g},left_velocity={:.17g},right_depth={:.17g},"
+                           "right_velocity={:.17g},gravity={:.17g},jump={:.17g} --grid x={:.17g}:{:.17g}:{},t={:.17g}",
+                           values.real("left_depth"), values.real("left_velocity"), values.real("right_depth"),
+                           values.real("right_velocity"), values.real("gravity"), values.real("jump"), centres.front(),
+                           centres.back(), centres.size(), time)}}};
 }
 
 std::vector<WantedTable> wanted(const Values& values) {

@@ -134,7 +134,7 @@ class QuantityScore {
   [[nodiscard]] std::optional<double> stated(const std::string& column, double scale) const {
     const auto found = uncertainty_.find(column);
     if (found == uncertainty_.end()) return std::nullopt;
-    return found->second.relative ? found->second.value * scale : found->second.value;
+    return found->second.of(scale);
   }
 
   [[nodiscard]] std::string resolution() const {

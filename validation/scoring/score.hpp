@@ -9,14 +9,6 @@
 
 namespace seiche::validation {
 
-/// A standard uncertainty that the submitter states of a quantity, or of an abscissa.
-struct StatedUncertainty {
-  double value = 0;
-  /// Of the largest absolute value of the reference (for an abscissa: of the range of the reference points), instead of
-  /// in the wanted unit.
-  bool relative = false;
-};
-
 /// "0.01" in the wanted unit or "1%" relative. @throws std::invalid_argument naming the quantity
 StatedUncertainty uncertainty_from(const std::string& quantity, const std::string& text);
 
