@@ -57,7 +57,7 @@ def use(test, somebody, prefix, python):
         return result.stdout
 
     test.assertIn("riemann", succeeds("seiche", "list"))
-    test.assertIn("eta", succeeds("seiche", "exact", "solitary", "--set", "amplitude=0.3", "--at", "x=0,y=-0.5"))
+    test.assertIn("eta", succeeds("seiche", "exact", "solitary", "--set", "amplitude=0.3", "--at", "x=0,y=-0.5,t=0"))
     succeeds("seiche", "run", "wall_run_up_exact", "--out", "evidence")  # reads a reference table
     example = pathlib.Path(prefix) / "share/doc/seiche/examples/score_your_solver/run.sh"
     succeeds(example, "scored", PYTHON=python)

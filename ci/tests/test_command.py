@@ -414,8 +414,18 @@ class Command(unittest.TestCase):
         self.refused(seiche("exact", "riemann", "--set", "left_depth=-1", "--at", "x=0,t=1"), "left_depth")
         self.refused(seiche("exact", "nothing"), "nothing")
 
+    def test_a_missing_time_is_not_zero(self):
+        for words in (("--at", "x=0"), ("--grid", "x=-1:1:5"), ("--at", "x=0,t=1", "--at", "x=0")):
+            self.refused(seiche("exact", "riemann", *words), "t is missing", "t=0")
+        self.assertEqual(seiche("exact", "steady_bump", "--at", "x=0").returncode, 0)
+
+    def test_what_is_mistyped_is_suggested(self):
+        self.refused(seiche("scroe", "riemann"), "scroe", "did you mean score?")
+        self.refused(seiche("score", "rieman", "--template"), "rieman", "did you mean riemann?")
+        self.refused(seiche("exact", "solitery"), "solitery", "did you mean solitary?")
+
     def test_exact_in_three_formats_says_the_same(self):
-        words = ("exact", "solitary", "--set", "amplitude=0.3", "gravity=1", "--at", "x=1,y=-0.5", "--integrals")
+        words = ("exact", "solitary", "--set", "amplitude=0.3", "gravity=1", "--at", "x=1,y=-0.5,t=0", "--integrals")
         text = seiche(*words).stdout
         row = [float(word) for word in text.splitlines()[-1].split(",")]
         document = json.loads(seiche(*words, "--format", "json").stdout)
@@ -431,11 +441,11 @@ class Command(unittest.TestCase):
             self.assertEqual(saved["scalars/F"][0], document["scalars"]["F"])
 
     def test_exact_leaves_points_outside_the_fluid_to_the_user(self):
-        self.refused(seiche("exact", "solitary", "--at", "x=0,y=0.5"), "y", "0.5")
+        self.refused(seiche("exact", "solitary", "--at", "x=0,y=0.5,t=0"), "y", "0.5")
         self.refused(seiche("exact", "solitary", "--at", "z=0"), "z", "x, y, t")
         self.refused(seiche("exact", "solitary", "--set", "amplitude=0.9"), "amplitude", "0.833")
         self.refused(seiche("exact", "wavemaker", "--set", "kind=plunger"), "piston", "flap")
-        grid = seiche("exact", "solitary", "--grid", "x=0:1:2,y=-0.5:0.5:2")
+        grid = seiche("exact", "solitary", "--grid", "x=0:1:2,y=-0.5:0.5:2,t=0")
         self.assertEqual(grid.returncode, 0, grid.stderr)
         self.assertEqual(sum("nan" in line for line in grid.stdout.splitlines()), 2)
 

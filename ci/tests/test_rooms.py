@@ -45,11 +45,13 @@ def allowed(file, included):
         return False
     if here == "validation/case":
         return there == "validation/instruments"
+    if here == "validation/scoring":
+        return there in ("validation/instruments", "validation/case")
     if here == "validation/studies":
         return there in ("validation/instruments", "validation/case")
     if here == "validation/command":
-        return there == "validation/case"
-    return there in ("validation/instruments", "validation/case", "validation/studies")
+        return there in ("validation/case", "validation/scoring")
+    return there in ("validation/instruments", "validation/case", "validation/scoring", "validation/studies")
 
 
 class Rooms(unittest.TestCase):

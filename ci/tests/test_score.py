@@ -1,70 +1,18 @@
 """`seiche score` as somebody with a solver of their own meets it: templates, CSV and HDF5, units, mistakes."""
 
 import json
-import os
 import pathlib
 import resource
-import subprocess
-import tempfile
 import time
 import unittest
 
 import h5py
 import numpy as np
 
-SEICHE = os.environ["SEICHE"]
-SOURCE = pathlib.Path(os.environ["SEICHE_SOURCE"])
+from submitting import SEICHE, SOURCE, Scoring, rows_of, seiche
 
 
-def seiche(*words, **options):
-    return subprocess.run([SEICHE, *map(str, words)], capture_output=True, text=True, timeout=120, **options)
-
-
-def rows_of(csv):
-    """Names with units, and the columns that are filled."""
-    lines = [line for line in csv.splitlines() if line and not line.startswith("#")]
-    return lines[0].split(","), [line.split(",") for line in lines[1:]]
-
-
-class Score(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory(prefix="seiche-test-")
-        self.addCleanup(scratch.cleanup)
-        self.folder = pathlib.Path(scratch.name)
-        self.out = self.folder / "evidence"
-
-    def score(self, case, *words, solver="mine"):
-        return seiche("score", case, *words, "--solver", solver, "--out", self.out)
-
-    def record(self, stem):
-        return json.loads((self.out / f"{stem}.json").read_text())
-
-    def write(self, content, name="mine.csv"):
-        path = self.folder / name
-        path.write_bytes(content if isinstance(content, bytes) else content.encode())
-        return path
-
-    def hdf5(self, name="mine.h5", units=None, **columns):
-        path = self.folder / name
-        with h5py.File(path, "w") as file:
-            for column, values in columns.items():
-                file[column] = values
-                if units and column in units:
-                    file[column].attrs["unit"] = units[column]
-        return path
-
-    def refused(self, result, *words):
-        """Exit status 2, one line that holds the words, nothing written."""
-        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
-        self.assertEqual(result.stdout, "")
-        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
-        for word in words:
-            self.assertIn(word, result.stderr)
-        self.assertFalse(self.out.exists() and list(self.out.iterdir()))
-
-    def accepted(self, result, status=0):
-        self.assertEqual(result.returncode, status, result.stdout + result.stderr)
-
+class Score(Scoring):
     def riemann(self):
         """x, h, u of the exact solution of the case's standard problem."""
         _, rows = rows_of(seiche("score", "riemann", "--template").stdout)
@@ -134,17 +82,6 @@ class Score(unittest.TestCase):
         verdicts = {claim["id"]: claim["verdict"] for claim in record["claims"]}
         self.assertEqual(verdicts["profile-coverage"], "fail")
 
-    def gauges(self, late=0.0, factor=1.0):
-        """The template of the gauges in the parabolic bowl, filled in with the exact depth, late by some seconds."""
-        names, rows = rows_of(seiche("score", "thacker", "--template", "--table", "gauges").stdout)
-        self.assertEqual(names, ["x [m]", "t [s]", "h [m]"])
-        x, t = (np.array([float(row[k]) for row in rows]) for k in (0, 1))
-        radius, depth, displacement, gravity = 1.0, 0.5, 0.5, 9.81
-        shift = -displacement * np.cos(np.sqrt(2 * gravity * depth) / radius * (t - late))
-        middle = 1.25 * (radius + displacement)
-        h = depth * np.maximum(0, 1 - ((x - middle - shift) / radius) ** 2)
-        return x, t, factor * h
-
     def test_gauge_series_and_shorelines(self):
         x, t, h = self.gauges()
         gauges = self.write("x,t,h\n" + "".join(f"{a!r},{b!r},{c!r}\n" for a, b, c in
@@ -156,7 +93,16 @@ class Score(unittest.TestCase):
         measured = self.record("thacker.mine")["measurements"]
         self.assertLess(measured["left_largest_error"], 1e-12)
         self.assertLess(max(abs(value) for name, value in measured.items() if name.startswith("h_shift")), 1e-9)
-        # A gauge alone may be submitted; one that is a tenth of a period late and too low must fail.
+        # The gauges alone may be judged where that is said; without a word what is missing fails.
+        alone = self.score("thacker", "--data", gauges, solver="alone")
+        self.accepted(alone, status=1)
+        self.assertEqual(self.verdicts("thacker.alone"), {"shorelines-coverage": "fail", "gauges-coverage": "pass",
+                                                          "h-shift": "pass", "h-skill": "pass"})
+        self.assertIn("not judged", alone.stdout)
+        self.accepted(self.score("thacker", "--data", gauges, "--table", "gauges", solver="alone"))
+        self.assertEqual([left["id"] for left in self.record("thacker.alone")["left_out"]],
+                         ["left-largest_error", "right-largest_error"])
+        # One that is a tenth of a period late and too low must fail.
         x, t, h = self.gauges(late=0.2, factor=0.7)
         late = self.write("x,t,h\n" + "".join(f"{a!r},{b!r},{c!r}\n" for a, b, c in
                                               zip(x.tolist(), t.tolist(), h.tolist())), "late.csv")
@@ -212,7 +158,10 @@ class Score(unittest.TestCase):
                 ("x,,u\n" + good, ["line 1", "column 2 has no name"]),
                 ("# x,h,u\n1,1,0\n2,1,0\n", ["line 2", "column '1'", "name the columns"]),
                 ("x,h,u\n1,1,0\n", ["rows", "at least two"]),
-                ("x;h;u\n1;1;0\n", ["line 1", "x;h;u", "commas"]),
+                ("x;h;u\n1;1;0\n", ["rows", "at least two"]),
+                ("x;h;u\n0,5;1;0\n1;1;0\n", ["line 2", "column x", "decimal comma", "points"]),
+                ("0 1 0\n1 1 0\n", ["line 1", "--columns"]),
+                ("x h u\n0 1 0\n1 1\n", ["line 3", "2 entries", "must be 3"]),
                 ("x,h,u\n-7,1,0\n-6,1,0\n", ["column x", "[-7, -6]"]),
                 ("", ["no rows"]),
                 ("# only a comment\n", ["no rows"]),

@@ -8,6 +8,7 @@ first order in space or with minmod slopes (MUSCL) and Heun's method in time. We
     textbook_finite_volume.py --flux hll --order 2 --output hll.h5
 """
 import argparse
+import sys
 
 import numpy as np
 
@@ -68,8 +69,11 @@ def main():
         np.savetxt(options.output, np.column_stack([x, h, u]), delimiter=",", fmt="%.17g", comments="",
                    header="x [m],h [m],u [m/s]")
         return
-    import h5py
-
+    try:
+        import h5py
+    except ImportError:
+        sys.exit(f"{sys.executable} has no h5py: write CSV (--output NAME.csv), or choose an interpreter that has it "
+                 "(PYTHON=/usr/bin/python3 ./run.sh)")
     with h5py.File(options.output, "w") as file:
         for name, unit, values in (("position", "m", x), ("depth", "m", h), ("velocity", "m/s", u)):
             file[name] = values

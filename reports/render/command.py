@@ -28,8 +28,8 @@ def main(arguments=None):
     try:
         from render import report
     except ImportError as error:
-        return _refuse(f"{error}; install python3-jinja2, python3-markdown, python3-numpy, python3-h5py,"
-                       " python3-matplotlib, python3-jsonschema")
+        return _refuse(f"{sys.executable}: {error}; install python3-jinja2, python3-markdown, python3-numpy, python3-h5py,"
+                       " python3-matplotlib, python3-jsonschema, or name an interpreter that has them by SEICHE_PYTHON")
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
         stage = pathlib.Path(tempfile.mkdtemp(prefix=f".{out.name}.", dir=out.parent))

@@ -72,6 +72,7 @@ struct WantedTable {
   /// Smallest share of the reference points that must lie within the submitted ones. A result at the centres of N cells
   /// leaves half a cell out at either end: 1/N of the points.
   double least_coverage = 0.9;
+  std::vector<std::string> exact = {};                    ///< commands that print the reference; a template shows them
   double arrival_fraction = 0.1;                          ///< see Arrival in validation/instruments/agreement.hpp
   evidence::Role reference_role = evidence::Role::exact;  ///< Role::data where it was measured
 };
@@ -86,11 +87,30 @@ struct SubmittedGroup {
 /// Submitted tables by name, in the wanted order of groups; checked and complete.
 using Submitted = std::map<std::string, std::vector<SubmittedGroup>>;
 
+/// A standard uncertainty that the submitter states of a quantity, or of an abscissa.
+struct StatedUncertainty {
+  double value = 0;
+  /// Of the largest absolute value of the reference (for an abscissa: of the range of the reference points), instead of
+  /// in the wanted unit.
+  bool relative = false;
+
+  /// In the wanted unit. @param size  what a relative one refers to
+  [[nodiscard]] double of(double size) const { return relative ? value * size : value; }
+};
+
+/// What the submitter says of the solver.
+struct SolverFacts {
+  std::optional<double> cell;     ///< size of its cells or spacing of its particles [m]
+  std::optional<double> seconds;  ///< processor time of the run
+  std::optional<long> threads;
+  std::map<std::string, StatedUncertainty> uncertainty;  ///< by the wanted name of a column
+};
+
 struct Submission {
   /// What is asked for with given parameters. A file may hold one of several tables.
   std::function<std::vector<WantedTable>(const Values&)> tables;
   /// Adds claims, measures and figures that the tables alone cannot state; optional.
-  std::function<void(const Values&, const Submitted&, evidence::Record&)> judge = {};
+  std::function<void(const Values&, const Submitted&, const SolverFacts&, evidence::Record&)> judge = {};
 
   explicit operator bool() const { return static_cast<bool>(tables); }
 };

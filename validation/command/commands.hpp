@@ -15,6 +15,7 @@ namespace seiche::command {
 struct ListOptions {
   bool json = false;
   bool published = false;
+  bool scores = false;
   std::string claims;  ///< name of the case
   std::string tier;
   std::vector<std::string> settings;
@@ -64,6 +65,11 @@ struct ScoreOptions {
   std::string config;
   std::string out = "evidence";
   std::string table;
+  std::string format = "auto";
+  std::string columns;  ///< separated by commas
+  double cell = 0;     ///< [m], 0: not said
+  double seconds = 0;  ///< 0: not said
+  long threads = 0;    ///< 0: not said
   bool template_only = false;
 };
 int score(const ScoreOptions& options);

@@ -70,6 +70,15 @@ std::pair<std::size_t, std::vector<double>> range_of(const ExactSolution& soluti
   return {index, values};
 }
 
+/// Time alone has no default: a motion is asked for at an instant.
+void require_time(const ExactSolution& solution, const std::string& text, const std::vector<std::size_t>& given) {
+  for (std::size_t k = 0; k < solution.inputs.size(); ++k) {
+    if (solution.inputs[k].name != "t" || std::find(given.begin(), given.end(), k) != given.end()) continue;
+    throw std::invalid_argument(
+        fmt::format("{}: t is missing: {} changes in time, add t=0 for its beginning", text, solution.name));
+  }
+}
+
 Point default_point(const ExactSolution& solution) {
   Point point;
   for (const auto& input : solution.inputs) point.push_back(input.default_value);
@@ -82,13 +91,16 @@ std::vector<Point> points_at(const ExactSolution& solution, const std::vector<st
   std::vector<Point> result;
   for (const std::string& text : points) {
     Point point = default_point(solution);
+    std::vector<std::size_t> given;
     for (const std::string& part : split(text, ',')) {
       const auto [index, values] = range_of(solution, part);
       if (values.size() != 1) {
         throw std::invalid_argument(fmt::format("--at {}: must be single numbers; ranges are for --grid", text));
       }
       point[index] = values.front();
+      given.push_back(index);
     }
+    require_time(solution, "--at " + text, given);
     result.push_back(point);
   }
   return result;
@@ -98,11 +110,14 @@ std::vector<Point> points_on_grid(const ExactSolution& solution, const std::stri
   std::vector<Point> points{default_point(solution)};
   std::vector<std::vector<double>> ranges(solution.inputs.size());
   double total = 1;
+  std::vector<std::size_t> given;
   for (const std::string& part : split(grid, ',')) {
     const auto [index, values] = range_of(solution, part);
     ranges[index] = values;
+    given.push_back(index);
     total *= static_cast<double>(values.size());
   }
+  require_time(solution, "--grid " + grid, given);
   if (total > 1e7) throw std::invalid_argument(fmt::format("--grid {}: {:g} points, must be at most 1e7", grid, total));
   // From the slowest input to the fastest, every point so far is repeated for every value.
   for (std::size_t k = ranges.size(); k-- > 0;) {

@@ -12,6 +12,7 @@
 #include "validation/case/registry.hpp"
 #include "validation/command/commands.hpp"
 #include "validation/command/settings.hpp"
+#include "validation/scoring/submitted.hpp"
 
 namespace seiche::command {
 namespace {
@@ -149,6 +150,23 @@ void write_ctest(const std::string& file, const std::string& evidence) {
   io::write_file(file, text + record_tests(program, evidence));
 }
 
+/// Every case that scores others: its tables with their columns, and what to type.
+void print_scores() {
+  for (const Case& one : validation::all_cases()) {
+    if (!one.submission) continue;
+    const std::vector<validation::WantedTable> wanted = one.submission.tables(one.values(Tier::quick));
+    fmt::print("{}: {}\n", one.name, one.title);
+    for (const validation::WantedTable& table : wanted) {
+      std::vector<std::string> columns;
+      for (const validation::Column& column : validation::columns_of(table)) {
+        columns.push_back(fmt::format("{} [{}]", column.name, column.unit));
+      }
+      fmt::print("  {:<12} {}\n  {:<12} seiche score {} --template{}\n", table.name, fmt::join(columns, ", "), "",
+                 one.name, wanted.size() > 1 ? " --table " + table.name : "");
+    }
+  }
+}
+
 std::string text_of(const evidence::Amount& amount) {
   if (amount.stated()) {
     return fmt::format("{:g}{}", amount.value(), amount.capped() ? fmt::format(" (at most {:g})", amount.cap()) : "");
@@ -211,6 +229,8 @@ int list(const ListOptions& options) {
     write_ctest(options.ctest, options.evidence);
   } else if (!options.claims.empty()) {
     print_claims(options);
+  } else if (options.scores) {
+    print_scores();
   } else if (options.published) {
     print_published();
   } else if (options.json) {

@@ -10,10 +10,13 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "reports/evidence/build_facts.hpp"
+#include "seiche/spelling.hpp"
 #include "validation/command/commands.hpp"
+#include "validation/scoring/solver_files.hpp"
 
 namespace seiche::command {
 namespace {
@@ -25,6 +28,7 @@ void add_list(CLI::App& app, Action& action) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* command = app.add_subcommand("list", "Show the cases and the exact solutions");
   command->add_flag("--json", options->json, "as JSON, with every parameter");
+  command->add_flag("--scores", options->scores, "the cases that score others, with what they ask for");
   command->add_flag("--published", options->published, "the parameters that the sources used, tile by tile");
   command->add_option("--claims", options->claims, "all that this case claims, with limits and reasons");
   command->add_option("--tier", options->tier, "with --claims: quick (default), full or paper");
@@ -90,9 +94,9 @@ void add_exact(CLI::App& app, Action& action) {
   command->add_flag("--self-test", options->self_test, "by how much the solution misses its own identities, and stop");
   command->footer(
       "Examples:\n"
-      "  seiche exact solitary --set amplitude=0.3 --at x=0,y=-0.5 --integrals\n"
+      "  seiche exact solitary --set amplitude=0.3 --at x=0,y=-0.5,t=0 --integrals\n"
       "  seiche exact riemann --set right_depth=0.1 --grid x=-10:10:401,t=2\n"
-      "  seiche exact stokes --set amplitude=0.3 --grid x=0:6.28:65,y=-1:0.4:29 --format hdf5 --out wave.h5");
+      "  seiche exact stokes --set amplitude=0.3 --grid x=0:6.28:65,y=-1:0.4:29,t=0 --format hdf5 --out wave.h5");
   command->callback([options, &action] { action = [options] { return exact_command(*options); }; });
 }
 
@@ -102,10 +106,16 @@ void add_score(CLI::App& app, Action& action) {
   command->add_option("CASE", options->name, "name of a case that scores others, see 'seiche list'")->required();
   command
       ->add_option("--data", options->data,
-                   "CSV or HDF5 file with the result (its content decides which); repeated where a case takes several "
-                   "tables")
+                   "file with the result: CSV, HDF5, or as solvers write it (--format); repeated where a case takes "
+                   "several tables, or a gauge has a file of its own")
       ->allow_extra_args(false)
       ->check(CLI::ExistingFile);
+  command
+      ->add_option("--format", options->format,
+                   "how the files are written: auto (their content decides), " +
+                       fmt::format("{}", fmt::join(validation::solver_formats(), ", ")))
+      ->capture_default_str();
+  command->add_option("--columns", options->columns, "names of the columns of a file without names, as t,eta");
   command->add_option("--solver", options->solver, "what to call the solver in the report")->capture_default_str();
   command
       ->add_option("--map", options->map,
@@ -121,8 +131,13 @@ void add_score(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   command->add_option("--config", options->config, "TOML file with parameters");
   command->add_option("--out", options->out, "folder for the record")->capture_default_str();
+  command->add_option("--dx", options->cell, "size of your cells or spacing of your particles [m]")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--seconds", options->seconds, "processor time that your run took")->check(CLI::PositiveNumber);
+  command->add_option("--threads", options->threads, "threads that it used")->check(CLI::Range(1L, 100000000L));
   command->add_flag("--template", options->template_only, "print the CSV file to fill in, and stop");
-  command->add_option("--table", options->table, "which table --template shall print, where a case takes several");
+  command->add_option("--table", options->table,
+                      "where a case takes several: which one --template shall print, or which one alone is judged");
   command->footer(
       "Between its points a result is joined by straight lines and taken at the reference's points; nothing is\n"
       "extrapolated.\n"
@@ -172,6 +187,18 @@ void add_record(CLI::App& app, Action& action) {
   command->callback([options, &action] { action = [options] { return record(*options); }; });
 }
 
+/// The parser says of a mistyped command only that its arguments were not expected.
+void require_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || *argv[1] == '-') return;
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == argv[1]) return;
+    known.push_back(command->get_name());
+  }
+  throw std::invalid_argument(fmt::format("command {} is unknown: did you mean {}? 'seiche --help' shows all", argv[1],
+                                          nearest_spelling(argv[1], known)));
+}
+
 int parse_and_call(int argc, char** argv) {
   CLI::App app{
       "seiche: verification and validation of free-surface water-wave solvers.\n"
@@ -190,6 +217,7 @@ int parse_and_call(int argc, char** argv) {
   add_score(app, action);
   add_compare(app, action);
   add_record(app, action);
+  require_command(app, argc, argv);
 
   try {
     app.parse(argc, argv);

@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <cctype>
-#include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,10 +11,12 @@
 #include "seiche/io/table.hpp"
 #include "validation/case/job.hpp"
 #include "validation/case/registry.hpp"
-#include "validation/case/score.hpp"
-#include "validation/case/submitted.hpp"
 #include "validation/command/commands.hpp"
 #include "validation/command/settings.hpp"
+#include "validation/scoring/diagnosis.hpp"
+#include "validation/scoring/score.hpp"
+#include "validation/scoring/solver_files.hpp"
+#include "validation/scoring/submitted.hpp"
 
 namespace seiche::command {
 namespace {
@@ -66,32 +69,57 @@ std::map<std::string, validation::StatedUncertainty> uncertainties(const Case& o
   return stated;
 }
 
-int print_template(const Case& one, const std::vector<WantedTable>& wanted, const std::string& name) {
+/// The table of that name; throws where the case has none.
+const WantedTable& table_named(const std::vector<WantedTable>& wanted, const std::string& name) {
   std::vector<std::string> names;
-  for (const WantedTable& table : wanted) names.push_back(table.name);
+  for (const WantedTable& table : wanted) {
+    if (table.name == name) return table;
+    names.push_back(table.name);
+  }
+  throw std::invalid_argument(fmt::format("--table {}: must be one of {}", name, fmt::join(names, ", ")));
+}
+
+int print_template(const Case& one, const std::vector<WantedTable>& wanted, const std::string& name) {
   if (name.empty() && wanted.size() > 1) {
+    std::vector<std::string> names;
+    for (const WantedTable& table : wanted) names.push_back(table.name);
     throw std::invalid_argument(fmt::format("--template: case {} takes several tables: add --table with one of {}",
                                             one.name, fmt::join(names, ", ")));
   }
-  const auto chosen = name.empty() ? names.begin() : std::find(names.begin(), names.end(), name);
-  if (chosen == names.end()) {
-    throw std::invalid_argument(fmt::format("--table {}: must be one of {}", name, fmt::join(names, ", ")));
-  }
-  const WantedTable& table = wanted[static_cast<std::size_t>(chosen - names.begin())];
   fmt::print("{}", validation::template_of(
-                       table, fmt::format("# {}: {}\n# Fill in the values, then: seiche score {} --data FILE --solver "
-                                          "NAME\n",
-                                          one.name, one.title, one.name)));
+                       name.empty() ? wanted.front() : table_named(wanted, name),
+                       fmt::format("# {}: {}\n# Fill in the values, then: seiche score {} --data FILE --solver "
+                                   "NAME\n",
+                                   one.name, one.title, one.name)));
   return 0;
 }
 
-void print(const evidence::Record& record) {
+/// The distance from what is expected, as a share of it where that is not zero: "-0.08 %", "0.3 m".
+std::string error_text(const evidence::JudgedClaim& claim) {
+  const evidence::Judgement& j = claim.judgement;
+  const double error = j.measured - j.expected;
+  if (j.expected != 0) {
+    return fmt::format("error {:+.3g} %, limit {:.3g} %", 100 * error / std::abs(j.expected),
+                       100 * j.limit / std::abs(j.expected));
+  }
+  const std::string& unit = claim.claim.unit;
+  return fmt::format("error {:+.3g}, limit {:.3g}{}", error, j.limit, unit == "1" || unit.empty() ? "" : " " + unit);
+}
+
+void print(const evidence::Record& record, const std::vector<validation::Finding>& findings) {
   for (const auto& [quantity, value] : record.measurements()) fmt::print("  {:<28} {:.6g}\n", quantity, value);
   for (const evidence::JudgedClaim& claim : record.claims()) {
     const evidence::Judgement& j = claim.judgement;
-    fmt::print("  {:<12} {} (measured {:.3g}, expected {:.3g} within {:.3g}; {})\n", evidence::name(j.verdict),
-               claim.claim.text, j.measured, j.expected, j.limit, j.resolution);
+    fmt::print("  {:<12} {} ({}; {}{}{})\n", evidence::name(j.verdict), claim.claim.text, error_text(claim),
+               j.resolution, j.note.empty() ? "" : "; ", j.note);
   }
+  for (const evidence::ClaimLeftOut& left : record.left_out()) {
+    fmt::print("  {:<12} {} ({})\n", "not judged", left.claim.text, left.reason);
+  }
+  for (const validation::Finding& one : findings)
+    fmt::print("  {:<12} {}: your result {}\n", "look", one.where, one.words);
+  const bool met = record.as_declared();
+  fmt::print("{}: {}\n", record.name, met ? "every claim is met" : "not every claim is met");
 }
 
 void require_solver_name(const std::string& name) {
@@ -100,6 +128,42 @@ void require_solver_name(const std::string& name) {
   });
   if (!plain || name == "seiche") {
     throw std::invalid_argument(fmt::format("--solver {}: must be letters, digits, '-' and '_', and not seiche", name));
+  }
+}
+
+validation::SolverFacts facts_of(const ScoreOptions& options,
+                                 std::map<std::string, validation::StatedUncertainty> uncertainty) {
+  validation::SolverFacts facts;
+  facts.uncertainty = std::move(uncertainty);
+  if (options.cell > 0) facts.cell = options.cell;
+  if (options.seconds > 0) facts.seconds = options.seconds;
+  if (options.threads > 0) facts.threads = options.threads;
+  return facts;
+}
+
+std::vector<validation::ResultFile> files_of(const ScoreOptions& options, const std::vector<std::string>& wanted) {
+  const std::vector<std::string>& known = validation::solver_formats();
+  if (options.format != "auto" && std::find(known.begin(), known.end(), options.format) == known.end()) {
+    throw std::invalid_argument(
+        fmt::format("--format {}: must be auto or one of {}", options.format, fmt::join(known, ", ")));
+  }
+  std::vector<std::string> columns;
+  std::istringstream names(options.columns);
+  for (std::string name; std::getline(names, name, ',');) columns.push_back(name);
+  std::vector<validation::ResultFile> files;
+  for (const std::string& file : options.data) {
+    files.push_back(validation::read_result(file, options.format, columns, wanted));
+  }
+  return files;
+}
+
+/// What was understood of files that are not our own kind.
+void print_reading(const std::vector<validation::ResultFile>& files) {
+  for (const validation::ResultFile& file : files) {
+    if (file.format == "csv" || file.format == "hdf5") continue;
+    fmt::print("  {:<12} {}: {}, columns {}{}\n", "read", file.table.source, file.format,
+               fmt::join(file.table.names, ", "),
+               file.replaced > 0 ? fmt::format("; {} rows are replaced by a restart", file.replaced) : "");
   }
 }
 
@@ -112,32 +176,42 @@ int score(const ScoreOptions& options) {
         fmt::format("score: case {} does not score others: 'seiche list' shows which do", one.name));
   }
   const Values values = values_for(one, validation::Tier::quick, options.config, options.settings);
-  const std::vector<WantedTable> wanted = one.submission.tables(values);
+  std::vector<WantedTable> wanted = one.submission.tables(values);
   if (options.template_only) return print_template(one, wanted, options.table);
   if (options.data.empty()) throw std::invalid_argument("score: --data FILE is missing (or --template)");
   require_solver_name(options.solver);
   const validation::ColumnNames renamed = column_names(one, wanted, options.map);
   const auto uncertainty = uncertainties(one, wanted, options.uncertainty);
 
-  const auto begin = std::chrono::steady_clock::now();
   evidence::Record record = validation::Job{&one, values}.blank_record();
   record.solver = options.solver;
-  std::vector<io::Table> files;
-  for (const std::string& file : options.data) {
-    files.push_back(io::read_table(file, validation::names_in_files(wanted, renamed)));
-    record.reference_data[file] = evidence::sha256_of_file(file);
+  if (!options.table.empty()) {
+    const WantedTable alone = table_named(wanted, options.table);
+    for (const WantedTable& table : wanted) {
+      if (table.name != alone.name) {
+        validation::leave_out(table, fmt::format("--table {} asks for that table alone", alone.name), record);
+      }
+    }
+    wanted = {alone};
   }
-  const validation::Submitted submitted = validation::submitted_from(files, wanted, renamed);
+  const std::vector<validation::ResultFile> files = files_of(options, validation::names_in_files(wanted, renamed));
+  for (const std::string& file : options.data) record.reference_data[file] = evidence::sha256_of_file(file);
+  const validation::Submitted submitted = validation::submitted_from(validation::joined(files), wanted, renamed);
+  std::vector<validation::Finding> findings;
   try {
     validation::score(wanted, submitted, uncertainty, record);
-    if (one.submission.judge) one.submission.judge(values, submitted, record);
+    if (one.submission.judge) one.submission.judge(values, submitted, facts_of(options, uncertainty), record);
+    findings = validation::diagnosis(wanted, submitted);
+    validation::show_diagnosis(findings, record);
   } catch (const std::invalid_argument& wrong) {
     throw std::invalid_argument(fmt::format("{}: {}", fmt::join(options.data, ", "), wrong.what()));
   }
-  record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  record.wall_time = options.seconds;  // of the solver's run: how long the scoring took is nobody's business
+  if (options.cell > 0) record.measure("cell_size", options.cell);
   evidence::write(record, options.out);
   evidence::write_junit(options.out);
-  print(record);
+  print_reading(files);
+  print(record, findings);
   fmt::print("record: {}\n", (std::filesystem::path(options.out) / (record.stem() + ".json")).string());
   return record.as_declared() ? 0 : 1;
 }

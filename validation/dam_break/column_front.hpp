@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "validation/case/parameter.hpp"
-#include "validation/case/submission.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/instruments/shifted_front.hpp"
 
@@ -19,8 +18,10 @@ struct ColumnFront {
   bool tall = true;      ///< T = t sqrt(2 g/a); otherwise T = t sqrt(g/a)
   bool measured = true;  ///< in a laboratory
   std::vector<double> T;
-  std::vector<double> X;   ///< over a
-  double uncertainty = 0;  ///< of X, standard
+  std::vector<double> X;        ///< over a
+  double uncertainty = 0;       ///< of X, standard
+  double time_uncertainty = 0;  ///< of T, standard
+  double tank = 0;              ///< length of the tank over a; 0: no far wall
   [[nodiscard]] Curve curve() const { return {T, X}; }
   /// [1/s] for a column of width a.
   [[nodiscard]] double unit(double gravity, double width) const;
@@ -33,13 +34,5 @@ ColumnFront column_front(const std::string& name, const Values& values);
 
 /// Keeps what one shift of the time origin makes of a front.
 void measure_shift(evidence::Exhibit& exhibit, const ShiftedFront& fit);
-
-/// How somebody else's front is asked for: X/a from T = 0 on, at points as dense as a shift of the time origin needs.
-/// What is published is joined by straight lines, from the column at rest.
-/// @param farthest  X/a beyond which the far wall of the tank is felt
-WantedTable wanted_front(const ColumnFront& data, double farthest);
-/// Claims, measures and a figure for it: with one shift of the time origin the front is the published one, and the
-/// shift is what the release explains.
-void judge_front(const ColumnFront& data, double farthest, const SubmittedGroup& front, evidence::Record& record);
 
 }  // namespace seiche::validation

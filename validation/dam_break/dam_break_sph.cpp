@@ -11,21 +11,26 @@ it is $t\sqrt{g/a}$, as their front was published.
 published one (`data`): as it stands, and with one shift of the time origin, for laboratories let a column go by melting
 or pulling something. Points count until the far wall is near.
 
-Others' solvers are scored by the same: `seiche score dam_break_sph` takes a front, of any method, for any of the
-published columns.
+Others' solvers are scored by the same columns: `seiche score dam_break_sph` takes a front, of any method. How long
+the release took nobody knows, but how fast the front runs can be judged: a shift and a rate are fitted together, over
+all points that are known, or as far as the submitter's tank goes (`judged_to`). Four points up to the wall of the
+default tank say too little of the rate to decide.
 
 **What to look at.** The shift: 0.1 to 0.3 for Martin and Moyce, who melted a diaphragm. And the Mach number: the usual
 sound speed, ten times $\sqrt{gH}$ or $\sqrt{2gH}$, does not keep it at a tenth (`sound_from=height`). So a first run
 with it tells the largest speed, from which the sound speed follows.
 */
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "seiche/samples.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/sph_sound.hpp"
+#include "validation/dam_break/submitted_front.hpp"
 #include "validation/instruments/shifted_front.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
 
@@ -130,7 +135,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
       .line("SPH", computed.T, computed.energy);
 }
 
-/// The published front that a submission is judged by, and X/a beyond which the far wall is felt.
+/// The published front that a submission is judged by, and X/a beyond which it is not: where the far wall of the
+/// published column's own tank is near, or nearer where the submitter says so.
 struct Judged {
   ColumnFront data;
   double farthest;
@@ -140,7 +146,10 @@ Judged judged_by(const Values& values) {
   if (values.text("data") == "none") {
     throw std::invalid_argument("data = none: there is nothing to judge a front by; choose a published one");
   }
-  return {column_front(values.text("data"), values), values.real("tank_length") / values.real("column_width") - 0.1};
+  const ColumnFront data = column_front(values.text("data"), values);
+  const double whole = data.tank > 0 ? data.tank - 0.1 : largest(data.X);
+  const double wanted = values.real("judged_to");
+  return {data, wanted > 0 ? std::min(wanted, whole) : whole};
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
@@ -148,10 +157,11 @@ std::vector<WantedTable> wanted(const Values& values) {
   return {wanted_front(judged.data, judged.farthest)};
 }
 
-void judge(const Values& values, const Submitted& submitted, evidence::Record& record) {
+void judge(const Values& values, const Submitted& submitted, const SolverFacts& facts, evidence::Record& record) {
   const Judged judged = judged_by(values);
   record.reference_data.merge(std::map(values.tables_read()));
-  judge_front(judged.data, judged.farthest, submitted.at("front").front(), record);
+  const double cell = facts.cell.value_or(values.real("dx")) / values.real("column_width");
+  judge_front(judged.data, judged.farthest, cell, submitted.at("front").front(), facts, record);
 }
 
 std::vector<std::string> data_choices() {
@@ -169,20 +179,21 @@ Case dam_break_sph() {
       "R. A. Dalrymple, B. D. Rogers, Coastal Eng. 53 (2006) 141; Plunging breaking waves by weakly "
       "compressible smoothed particles, section 3";
   c.tiers = {Tier::quick, Tier::full};
-  c.parameters =
-      with({real("column_width", 0.05715, "m", {1e-4, 100}, "width a of the column"),
-            real("column_height", 0.1143, "m", {1e-4, 100}, "height of the column"),
-            real("tank_length", 0.2286, "m", {1e-4, 1000}, "length of the tank"),
-            real("wall_height", 0.200025, "m", {1e-4, 1000}, "height of its walls"),
-            real("dx", {0.05715 / 20, 0.05715 / 50, 0.05715 / 100}, "m", {1e-6, 10}, "spacing of the particles"),
-            choice("lattice", std::string("square"), {"square", "body_centred"}, "lattice of the particles"),
-            integer("wall_rows", 2, {2, 3}, "rows of wall particles"),
-            real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
-            real("density", 1000.0, "kg/m^3", {1e-6, 1e6}, "density at rest"),
-            real("last", 3.2, "1", {0.01, 100}, "scaled time at the end"),
-            integer("frames", 9, {2, 10000}, "instants whose particles are kept for ParaView"),
-            choice("data", std::string("martin_moyce_tall_wide"), data_choices(), "published front that is compared")},
-           sph_dam_parameters({.alpha = 0.3}));
+  c.parameters = with(
+      {real("column_width", 0.05715, "m", {1e-4, 100}, "width a of the column"),
+       real("column_height", 0.1143, "m", {1e-4, 100}, "height of the column"),
+       real("tank_length", 0.2286, "m", {1e-4, 1000}, "length of the tank"),
+       real("wall_height", 0.200025, "m", {1e-4, 1000}, "height of its walls"),
+       real("dx", {0.05715 / 20, 0.05715 / 50, 0.05715 / 100}, "m", {1e-6, 10}, "spacing of the particles"),
+       choice("lattice", std::string("square"), {"square", "body_centred"}, "lattice of the particles"),
+       integer("wall_rows", 2, {2, 3}, "rows of wall particles"),
+       real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
+       real("density", 1000.0, "kg/m^3", {1e-6, 1e6}, "density at rest"),
+       real("last", 3.2, "1", {0.01, 100}, "scaled time at the end"),
+       integer("frames", 9, {2, 10000}, "instants whose particles are kept for ParaView"),
+       choice("data", std::string("martin_moyce_tall_wide"), data_choices(), "published front that is compared"),
+       real("judged_to", 0.0, "1", {0, 1000}, "X/a up to which a submitted front is judged; 0: all that is known")},
+      sph_dam_parameters({.alpha = 0.3}));
   c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted, .judge = judge};
   return c;

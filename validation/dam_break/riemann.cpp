@@ -25,94 +25,14 @@ scheme loses its order.
 
 #include "seiche/exact/riemann.hpp"
 #include "validation/case/case.hpp"
-#include "validation/case/score.hpp"
+#include "validation/dam_break/riemann_problem.hpp"
+#include "validation/scoring/score.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases {
 namespace {
 
-using evidence::Role;
-
-exact::Riemann solution_of(const Values& values) {
-  return {values.real("gravity"),
-          {values.real("left_depth"), values.real("left_velocity")},
-          {values.real("right_depth"), values.real("right_velocity")},
-          values.real("jump")};
-}
-
-FlowProblem problem_from(const Values& values) {
-  const double start = values.real("start");
-  const double end = values.real("end");
-  const double jump = values.real("jump");
-  if (!(start < end))
-    throw std::invalid_argument(fmt::format("end = {:g} is out of range: must exceed start = {:g}", end, start));
-  if (!(jump > start && jump < end)) {
-    throw std::invalid_argument(fmt::format("jump = {:g} is out of range: must be in ({:g}, {:g})", jump, start, end));
-  }
-  const auto end_kind = [&](const char* side) {
-    return values.real(std::string(side) + "_depth") == 0 ? FlowProblem::End::dry : FlowProblem::End::stream;
-  };
-  const exact::Riemann solution = solution_of(values);
-  return problem_of(solution, solution.gravity(), start, end, {jump}, end_kind("left"), end_kind("right"));
-}
-
-/// The front that is judged: the right wave if it is a jump, else the left one if it is, else the dry front or the head
-/// of the right fan.
-struct Judged {
-  Front front;
-  bool is_jump = false;
-};
-
-Judged judged_front(const exact::Riemann& solution, double time) {
-  const double middle = solution.star().depth;
-  const auto place = [&](double speed) { return solution.jump() + speed * time; };
-  // Half way from the jump to the nearest other wave.
-  const double reach = 0.5 * time * (solution.right_wave().slowest - solution.left_wave().fastest);
-  using Kind = exact::Riemann::Kind;
-  if (solution.right_wave().kind == Kind::jump) {
-    return {{middle, solution.right().depth, place(solution.right_wave().fastest), reach}, true};
-  }
-  if (solution.left_wave().kind == Kind::jump) {
-    return {{middle, solution.left().depth, place(solution.left_wave().slowest), reach}, true};
-  }
-  if (solution.left().depth == 0) return {{0, 0, solution.breakpoints(time).front(), 0}, false};
-  return {{0, 0, solution.breakpoints(time).back(), 0}, false};
-}
-
-/// Where a computed profile has its front: the jump, or the end of the water at a dry front. Cells have no end of the
-/// water; the outermost one deeper than a thousandth of the deepest counts.
-double judged_position(const exact::Riemann& solution, const Judged& judged, const Profile& profile, bool particles) {
-  if (judged.is_jump) return front_position(profile, judged.front);
-  if (solution.left().depth > 0 && solution.right().depth > 0) return std::numeric_limits<double>::quiet_NaN();
-  if (particles) return solution.left().depth == 0 ? profile.edges.front() : profile.edges.back();
-  Largest deepest;
-  for (const State& mean : profile.means) deepest.add(mean.depth);
-  if (!(deepest.value() > 0)) return std::numeric_limits<double>::quiet_NaN();
-  const auto is_wet = [&](const State& mean) { return mean.depth > 1e-3 * deepest.value(); };
-  if (solution.left().depth == 0) {
-    const auto first = std::find_if(profile.means.begin(), profile.means.end(), is_wet) - profile.means.begin();
-    return profile.edges[static_cast<std::size_t>(first)];
-  }
-  const auto last = profile.means.rend() - std::find_if(profile.means.rbegin(), profile.means.rend(), is_wet);
-  return profile.edges[static_cast<std::size_t>(last)];
-}
-
-/// The solution holds until a wave meets an end. The ends move with the water in the particle method, as pistons.
-void require_before_ends(const exact::Riemann& solution, const FlowProblem& problem, double time, bool moving_ends) {
-  Smallest meetings;
-  const double left_end = moving_ends ? solution.left().velocity : 0;
-  const double right_end = moving_ends ? solution.right().velocity : 0;
-  if (solution.left().depth > 0 && solution.left_wave().slowest < left_end) {
-    meetings.add((solution.jump() - problem.start) / (left_end - solution.left_wave().slowest));
-  }
-  if (solution.right().depth > 0 && solution.right_wave().fastest > right_end) {
-    meetings.add((problem.end - solution.jump()) / (solution.right_wave().fastest - right_end));
-  }
-  if (time > meetings.value()) {
-    throw std::invalid_argument(fmt::format(
-        "time = {:g} is out of range: must be at most {:g}, when a wave meets an end", time, meetings.value()));
-  }
-}
+const std::string source = "exact solution of the Riemann problem";
 
 std::vector<double> cell_centres(const Values& values) {
   const double start = values.real("start");
@@ -125,23 +45,30 @@ std::vector<double> cell_centres(const Values& values) {
 }
 
 std::vector<WantedTable> tables_of(const Values& values) {
-  const exact::Riemann solution = solution_of(values);
+  const exact::Riemann solution = riemann_solution(values);
   const double time = values.real("time");
   const auto depth = [=](Place p) { return solution.at(p.abscissa, time).depth; };
   const auto velocity = [=](Place p) {  // dry bed has none
     const State state = solution.at(p.abscissa, time);
     return state.depth > 0 ? state.velocity : std::numeric_limits<double>::quiet_NaN();
   };
+  const std::vector<double> centres = cell_centres(values);
   return {{.name = "profile",
            .kind = WantedTable::Kind::profile,
            .abscissa = Column{"x", "m", "position, increasing"},
            .quantities = {{.column = {"h", "m", "depth"}, .reference = depth},
                           {.column = {"u", "m/s", "velocity"}, .reference = velocity}},
-           .points = [x = cell_centres(values)](double) { return x; }}};
+           .points = [x = centres](double) { return x; },
+           .exact = {
+               fmt::format("seiche exact riemann --set left_depth={:.17g},left_velocity={:.17g},right_depth={:.17g},"
+                           "right_velocity={:.17g},gravity={:.17g},jump={:.17g} --grid x={:.17g}:{:.17g}:{},t={:.17g}",
+                           values.real("left_depth"), values.real("left_velocity"), values.real("right_depth"),
+                           values.real("right_velocity"), values.real("gravity"), values.real("jump"), centres.front(),
+                           centres.back(), centres.size(), time)}}};
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
-  require_before_ends(solution_of(values), problem_from(values), values.real("time"), false);
+  require_before_ends(riemann_solution(values), riemann_channel(values), values.real("time"), false);
   return tables_of(values);
 }
 
@@ -156,37 +83,26 @@ Submitted submitted_from(const Profile& profile) {
   return {{"profile", {group}}};
 }
 
-/// Mean error of depth when each of two waves is a straight slope over so many cells instead of a jump.
-/// @param share  width of a cell over that of the channel
-evidence::Bound smeared_waves(const exact::Riemann& solution, double cells_wide, double share) {
-  const auto [lowest, highest] = std::minmax({solution.left().depth, solution.right().depth, solution.star().depth});
-  return {
-      .limit = std::max(2 * cells_wide * share * (highest - lowest) / 4, 1e-12 * highest),
-      .reason = fmt::format("a jump D smeared evenly over w cells of width dx leaves D w dx/4; two waves, each over at "
-                            "most w = {:.3g} cells, D the range of depths",
-                            cells_wide)};
-}
-
 /// What the parameters decide.
 struct SetUp {
   exact::Riemann solution;
   FlowProblem problem;
   Discretisation discretisation;
   double time;
-  Judged judged;
+  JudgedFront judged;
 
   [[nodiscard]] bool particles() const { return discretisation.scheme.size() == 2; }
   [[nodiscard]] bool dry() const { return solution.left().depth == 0 || solution.right().depth == 0; }
   [[nodiscard]] double judged_position(const Profile& profile) const {
-    return cases::judged_position(solution, judged, profile, particles());
+    return validation::judged_position(solution, judged, profile, particles());
   }
 };
 
 SetUp set_up(const Values& values) {
-  const exact::Riemann solution = solution_of(values);
+  const exact::Riemann solution = riemann_solution(values);
   const double time = values.real("time");
   SetUp s{.solution = solution,
-          .problem = problem_from(values),
+          .problem = riemann_channel(values),
           .discretisation = {.scheme = values.text("scheme"),
                              .particles = values.integer("particles"),
                              .equal_masses = values.text("spacing") == "masses",
@@ -201,17 +117,20 @@ SetUp set_up(const Values& values) {
 struct Results {
   SetUp set_up;
   FlowRun flow;
+  RiemannErrors errors;  ///< of the means at the centres, joined by straight lines: what others submit
 };
 
-/// Steps of the size given, or by the Courant number of the fastest wave.
-double steps_of(const SetUp& s) {
-  if (s.discretisation.time_step > 0) return s.time / s.discretisation.time_step;
+/// The scheme of Lax and Friedrichs has the viscosity dx^2/(2 dt), and spreads a jump like anything else, over the root
+/// of as many cells as there are steps.
+Smearing smearing_of(const SetUp& s, double cell) {
+  if (s.discretisation.scheme != "lax_friedrichs") return {};
   const auto speed = [&](State state) {
     return std::abs(state.velocity) + shallow_water::celerity(s.solution.gravity(), state.depth);
   };
   const double fastest = std::max({speed(s.solution.left()), speed(s.solution.star()), speed(s.solution.right())});
-  const double cell = s.problem.length() / static_cast<double>(s.discretisation.particles);
-  return s.time * fastest / (s.discretisation.courant * cell);
+  const double step =
+      s.discretisation.time_step > 0 ? s.discretisation.time_step : s.discretisation.courant * cell / fastest;
+  return {.cells_wide = std::sqrt(s.time / step), .viscosity = cell / (fastest * step)};
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -219,17 +138,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto here = claims.at(s.discretisation.text());
   claim_conservation(here.of(&Results::flow), s.problem, s.discretisation, s.time);
 
-  // A scheme that loses more than the fan's first cell, or smears a jump over the whole channel, is not one to use: the
-  // error of a first-order scheme at a jump of size d is about its width times d times the cell width.
-  const double cells_wide = s.discretisation.scheme == "lax_friedrichs" ? std::sqrt(steps_of(s)) : 8;
-  here.check(
-      {.id = "depth",
-       .text = "The cell means of depth are those of the exact solution to within a few smeared cells.",
-       .quantity = "cell L1(h)",
-       .unit = "m",
-       .source = "exact solution of the Riemann problem"},
-      [](const Results& r) { return r.flow.errors.cell.depth.l1; },
-      smeared_waves(s.solution, cells_wide, 1 / static_cast<double>(s.discretisation.particles)));
+  const double cell = s.problem.length() / static_cast<double>(s.discretisation.particles);
+  for (const RiemannRequirement& one :
+       riemann_requirements(s.solution, s.time, s.problem.length(), cell, smearing_of(s, cell))) {
+    here.check(
+        {.id = one.id, .text = one.text, .quantity = one.quantity, .unit = one.unit, .source = source},
+        [error = one.error](const Results& r) { return r.errors.*error; }, one.bound);
+  }
   here.only_if(s.discretisation.scheme == "H2" && s.dry(), "only H2 follows a dry front, where there is one")
       .check(
           {.id = "dry-front",
@@ -256,6 +171,8 @@ Results compute(const Run& run) {
   Results r{.set_up = set_up(run)};
   const SetUp& s = r.set_up;
   r.flow = compute_flow(s.problem, s.discretisation, {s.time}, [&](double done) { run.progress(done); });
+  const SubmittedGroup own = submitted_from(r.flow.profile()).at("profile").front();
+  r.errors = riemann_errors(s.solution, s.time, {own.abscissa, own.values.at("h"), own.values.at("u")});
   return r;
 }
 
@@ -276,55 +193,54 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw_frame(figure, exhibit, r.flow, r.flow.frames.back(), fmt::format("t = {:g} s", s.time));
 }
 
-/// What the submitted points themselves resolve: errors of the linear interpolant, and the front.
-void judge(const Values& values, const Submitted& submitted, evidence::Record& record) {
-  const exact::Riemann solution = solution_of(values);
-  const FlowProblem problem = problem_from(values);
+/// Size of the cells that the limits are for: the solver's own, or as many over the channel as the case asks for.
+double cell_of(const Values& values, const FlowProblem& problem, const SolverFacts& facts) {
+  const double cell = facts.cell.value_or(problem.length() / static_cast<double>(values.integer("particles")));
+  if (cell > problem.length() / 4) {
+    throw std::invalid_argument(fmt::format("--dx {:g} is out of range: must be at most {:g}, a quarter of the channel",
+                                            cell, problem.length() / 4));
+  }
+  return cell;
+}
+
+/// Points farther apart than two cells show less than the solver knows, and cannot be judged for it.
+void require_points(const std::vector<double>& x, double cell) {
+  Largest apart;
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) apart.add(x[i + 1] - x[i]);
+  if (!(apart.value() <= 2 * cell)) {
+    throw std::invalid_argument(fmt::format(
+        "column x: points up to {:.3g} m apart, must be at most two cells of {:.3g} m: print more points, or "
+        "say how large your cells are by --dx",
+        apart.value(), cell));
+  }
+}
+
+void judge(const Values& values, const Submitted& submitted, const SolverFacts& facts, evidence::Record& record) {
+  const exact::Riemann solution = riemann_solution(values);
+  const FlowProblem problem = riemann_channel(values);
   const double time = values.real("time");
-  const SubmittedGroup& profile = submitted.at("profile").front();
-  const std::vector<double>& x = profile.abscissa;
-  const std::vector<double>& h = profile.values.at("h");
-  const std::vector<double>& u = profile.values.at("u");
-  if (x.front() < problem.start || x.back() > problem.end) {
-    throw std::invalid_argument(fmt::format("column x: values in [{:g}, {:g}], must be in [{:g}, {:g}]", x.front(),
-                                            x.back(), problem.start, problem.end));
+  const SubmittedGroup& group = submitted.at("profile").front();
+  const RiemannProfile profile{group.abscissa, group.values.at("h"), group.values.at("u")};
+  if (profile.x.front() < problem.start || profile.x.back() > problem.end) {
+    throw std::invalid_argument(fmt::format("column x: values in [{:g}, {:g}], must be in [{:g}, {:g}]",
+                                            profile.x.front(), profile.x.back(), problem.start, problem.end));
   }
-  double l1_h = 0;
-  double l1_u = 0;
-  constexpr int samples = 16;
-  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
-    const double width = (x[i + 1] - x[i]) / samples;
-    for (int k = 0; k < samples; ++k) {
-      const double share = (k + 0.5) / samples;
-      const State exact = solution.at(std::lerp(x[i], x[i + 1], share), time);
-      l1_h += width * std::abs(std::lerp(h[i], h[i + 1], share) - exact.depth);
-      if (exact.depth > 0) l1_u += width * std::abs(std::lerp(u[i], u[i + 1], share) - exact.velocity);
-    }
-  }
-  const double covered = x.back() - x.front();
-  record.measure("l1_h", l1_h / covered);
-  record.measure("l1_u", l1_u / covered);
-  record.measure("points", static_cast<double>(x.size()));
-
-  Profile cells;
-  cells.edges.push_back(x.front());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    cells.edges.push_back(i + 1 < x.size() ? 0.5 * (x[i] + x[i + 1]) : x.back());
-    cells.means.push_back({h[i], u[i]});
-  }
-  const Judged judged = judged_front(solution, time);
-  record.measure("front_position", judged_position(solution, judged, cells, false));
+  const double cell = cell_of(values, problem, facts);
+  require_points(profile.x, cell);
+  const RiemannErrors errors = riemann_errors(solution, time, profile);
+  record.measure("l1_h", errors.depth);
+  record.measure("l1_u", errors.velocity);
+  record.measure("points", static_cast<double>(profile.x.size()));
+  const JudgedFront judged = judged_front(solution, time);
+  record.measure("front_position", judged_position(solution, judged, profile.cells(), false));
   record.measure("front_position_exact", judged.front.position);
-  if (judged.is_jump) record.measure("front_width", front_width(cells, judged.front));
+  if (judged.is_jump) record.measure("front_width", front_width(profile.cells(), judged.front));
 
-  const double spacing = covered / static_cast<double>(x.size() - 1);
-  record.check({.id = "depth",
-                .text = "The depth is that of the exact solution to within a few smeared cells.",
-                .quantity = "L1(h) of the linear interpolant",
-                .unit = "m",
-                .source = "exact solution of the Riemann problem"},
-               {.value = l1_h / covered, .resolution = fmt::format("{} points", x.size())},
-               smeared_waves(solution, 8, spacing / covered));
+  const std::string resolution = fmt::format("cells of {:.4g} m, {} points", cell, profile.x.size());
+  for (const RiemannRequirement& one : riemann_requirements(solution, time, problem.length(), cell)) {
+    record.check({.id = one.id, .text = one.text, .quantity = one.quantity, .unit = one.unit, .source = source},
+                 {.value = errors.*one.error, .resolution = resolution}, one.bound);
+  }
 }
 
 }  // namespace

@@ -75,7 +75,9 @@ std::vector<WantedTable> wanted(const Values& values) {
   const exact::WallRunup wall(values.real("amplitude"), values.real("depth"));
   return {{.name = "numbers",
            .quantities = {wanted_number({"runup", "m", "largest elevation of the water at the wall"}, wall.runup(),
-                                        values, "The run-up is that of fully nonlinear potential flow.", source)}}};
+                                        values, "The run-up is that of fully nonlinear potential flow.", source)},
+           .exact = {fmt::format("seiche exact wall_runup --set amplitude={:.17g},depth={:.17g}",
+                                 values.real("amplitude"), values.real("depth"))}}};
 }
 
 }  // namespace

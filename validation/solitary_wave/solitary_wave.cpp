@@ -13,6 +13,8 @@ Boussinesq-type equations, has the wrong speed: the shift at the last time tells
 */
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "validation/case/case.hpp"
@@ -79,6 +81,12 @@ std::vector<WantedTable> wanted(const Values& values) {
   const auto wave = std::make_shared<const exact::SolitaryWave>(wave_of(values));
   const double time = values.real("time");
   const double reach = 6 * wave->depth();
+  const std::string command = fmt::format("seiche exact solitary --set amplitude={:.17g},depth={:.17g},gravity={:.17g}",
+                                          values.real("amplitude"), wave->depth(), values.real("gravity"));
+  const auto surface = [&](double t) {
+    return fmt::format("{} --grid x={:.17g}:{:.17g}:121,t={:.17g}", command, wave->speed() * t - reach,
+                       wave->speed() * t + reach, t);
+  };
   return {
       {.name = "surface",
        .kind = WantedTable::Kind::profile,
@@ -91,10 +99,12 @@ std::vector<WantedTable> wanted(const Values& values) {
                                         within_tolerance(Measure::amplitude_ratio, values, "The wave keeps its height.",
                                                          source, 1)}}},
        .groups = {0.5 * time, time},
-       .points = [wave, reach](double t) { return evenly(wave->speed() * t - reach, wave->speed() * t + reach, 121); }},
+       .points = [wave, reach](double t) { return evenly(wave->speed() * t - reach, wave->speed() * t + reach, 121); },
+       .exact = {surface(0.5 * time), surface(time)}},
       {.name = "numbers",
        .quantities = {wanted_number({"speed", "m/s", "speed of the crest"}, wave->speed(), values,
-                                    "The crest travels at the speed of the exact wave.", source)}}};
+                                    "The crest travels at the speed of the exact wave.", source)},
+       .exact = {command + " --integrals"}}};
 }
 
 }  // namespace

@@ -79,15 +79,21 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 std::vector<WantedTable> wanted(const Values& values) {
   const auto start = std::make_shared<const exact::WavemakerTransient>(start_of(values));
   const double gauge = gauge_of(values);
-  return {{.name = "gauge",
-           .kind = WantedTable::Kind::series,
-           .abscissa = Column{"t", "s", "time since the start from rest"},
-           .quantities = {{.column = {"eta", "m", fmt::format("surface elevation at x = {:.6g} m", gauge)},
-                           .reference = [start, gauge](Place p) { return start->elevation(gauge, p.abscissa); },
-                           .requirements = {within_tolerance(Measure::relative_l2, values,
-                                                             "The elevation at the gauge is that of linear theory.",
-                                                             source)}}},
-           .points = [times = times_of(values)](double) { return times; }}};
+  const std::vector<double> times = times_of(values);
+  return {
+      {.name = "gauge",
+       .kind = WantedTable::Kind::series,
+       .abscissa = Column{"t", "s", "time since the start from rest"},
+       .quantities = {{.column = {"eta", "m", fmt::format("surface elevation at x = {:.6g} m", gauge)},
+                       .reference = [start, gauge](Place p) { return start->elevation(gauge, p.abscissa); },
+                       .requirements = {within_tolerance(Measure::relative_l2, values,
+                                                         "The elevation at the gauge is that of linear theory.",
+                                                         source)}}},
+       .points = [times](double) { return times; },
+       .exact = {fmt::format("seiche exact wavemaker_start --set kind={},depth={:.17g},gravity={:.17g},period={:.17g},"
+                             "stroke={:.17g} --grid x={:.17g},t=0:{:.17g}:{}",
+                             values.text("paddle"), values.real("depth"), values.real("gravity"), values.real("period"),
+                             values.real("stroke"), gauge, times.back(), times.size())}}};
 }
 
 }  // namespace

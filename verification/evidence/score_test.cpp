@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "seiche/io/csv_table.hpp"
-#include "validation/case/score.hpp"
-#include "validation/case/submitted.hpp"
+#include "validation/scoring/score.hpp"
+#include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -107,7 +107,8 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   is("good", "Exact profiles pass.", verdict(good, "eta-relative_l2"), "pass");
   const evidence::Record bad = scored({table(profiles(0.1), "p.csv")});
   is("worst", "One time of two that is wrong fails the claim.", verdict(bad, "eta-relative_l2"), "fail");
-  is("absent", "A table that is not submitted is not judged.", verdict(bad, "runup-value"), "no such claim");
+  is("missing", "A table that is not submitted fails its coverage.", verdict(bad, "heights-coverage"), "fail");
+  is("absent", "Of what it would hold nothing is judged.", verdict(bad, "runup-value"), "no such claim");
   check.that({.id = "second",
               .text = "Each time is measured by itself.",
               .quantity = "relative L2 at t = 2 s",

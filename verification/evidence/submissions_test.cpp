@@ -6,7 +6,7 @@
 
 #include "validation/case/job.hpp"
 #include "validation/case/registry.hpp"
-#include "validation/case/score.hpp"
+#include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -37,8 +37,13 @@ long passed(const Case& one, const Values& values, double factor, long& claims) 
   evidence::Record record = Job{&one, values}.blank_record();
   const std::vector<WantedTable> wanted = one.submission.tables(values);
   const Submitted submitted = submission(wanted, factor);
-  score(wanted, submitted, {}, record);
-  if (one.submission.judge) one.submission.judge(values, submitted, record);
+  SolverFacts facts;  // known to the last digit, and said so
+  for (const WantedTable& table : wanted) {
+    if (table.abscissa) facts.uncertainty[table.abscissa->name] = {};
+    for (const WantedQuantity& quantity : table.quantities) facts.uncertainty[quantity.column.name] = {};
+  }
+  score(wanted, submitted, facts.uncertainty, record);
+  if (one.submission.judge) one.submission.judge(values, submitted, facts, record);
   claims = static_cast<long>(record.claims().size());
   long passes = 0;
   for (const evidence::JudgedClaim& claim : record.claims()) {

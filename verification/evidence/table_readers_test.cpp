@@ -10,7 +10,7 @@
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/table.hpp"
 #include "seiche/samples.hpp"
-#include "validation/case/submitted.hpp"
+#include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 

@@ -8,6 +8,7 @@
 
 #include "seiche/exact/entries/entries.hpp"
 #include "seiche/require.hpp"
+#include "seiche/spelling.hpp"
 
 namespace seiche::exact {
 
@@ -78,12 +79,13 @@ const std::vector<ExactSolution>& catalogue() {
 }
 
 const ExactSolution& find_solution(std::string_view name) {
-  std::string known;
+  std::vector<std::string> known;
   for (const ExactSolution& solution : catalogue()) {
     if (solution.name == name) return solution;
-    known += (known.empty() ? "" : ", ") + solution.name;
+    known.push_back(solution.name);
   }
-  throw std::invalid_argument(fmt::format("exact solution {} is unknown: must be one of {}", name, known));
+  throw std::invalid_argument(fmt::format("exact solution {} is unknown: did you mean {}? There are {}", name,
+                                          nearest_spelling(name, known), fmt::join(known, ", ")));
 }
 
 }  // namespace seiche::exact

@@ -1,4 +1,4 @@
-#include "validation/case/score.hpp"
+#include "validation/scoring/score.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,10 +9,11 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "seiche/samples.hpp"
-#include "validation/case/score_figures.hpp"
 #include "validation/instruments/agreement.hpp"
+#include "validation/scoring/score_figures.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -54,6 +55,17 @@ using Measures = std::map<Measure, Measured>;
 
 std::optional<double> times(double factor, std::optional<double> uncertainty) {
   return uncertainty ? std::optional(factor * *uncertainty) : std::nullopt;
+}
+
+evidence::Claim claim_of(const WantedTable& table, const WantedQuantity& quantity, const Requirement& requirement) {
+  const MeasureText& text = text_of(requirement.measure);
+  return {.id = quantity.column.name + "-" + text.id,
+          .text = requirement.text,
+          .quantity = fmt::format("{} of {}", text.name, quantity.column.name),
+          .unit = *text.unit == '\0'  ? quantity.column.unit
+                  : *text.unit == 'x' ? table.abscissa->unit
+                                      : text.unit,
+          .source = requirement.source};
 }
 
 /// Judges one quantity in one group.
@@ -122,7 +134,7 @@ class QuantityScore {
   [[nodiscard]] std::optional<double> stated(const std::string& column, double scale) const {
     const auto found = uncertainty_.find(column);
     if (found == uncertainty_.end()) return std::nullopt;
-    return found->second.relative ? found->second.value * scale : found->second.value;
+    return found->second.of(scale);
   }
 
   [[nodiscard]] std::string resolution() const {
@@ -196,16 +208,11 @@ class QuantityScore {
     // Standard to expanded, as the criterion takes it.
     const auto* budget = std::get_if<evidence::Uncertainty>(&requirement.criterion);
     const double coverage = budget != nullptr ? budget->coverage : 2;
-    const std::string unit = *text.unit == '\0'  ? quantity_.column.unit
-                             : *text.unit == 'x' ? table_.abscissa->unit
-                                                 : text.unit;
-    const std::string stated_text =
-        measured.uncertainty ? fmt::format("u_num = {:.3g} {}", *measured.uncertainty, unit) : "u_num not stated";
-    record.check({.id = quantity_.column.name + "-" + text.id,
-                  .text = requirement.text,
-                  .quantity = fmt::format("{} of {}", text.name, quantity_.column.name),
-                  .unit = unit,
-                  .source = requirement.source},
+    const evidence::Claim claimed = claim_of(table_, quantity_, requirement);
+    const std::string stated_text = measured.uncertainty
+                                        ? fmt::format("u_num = {:.3g} {}", *measured.uncertainty, claimed.unit)
+                                        : "u_num not stated";
+    record.check(claimed,
                  {.value = measured.value,
                   .uncertainty = times(coverage, measured.uncertainty),
                   .resolution = resolution() + ", " + stated_text},
@@ -244,7 +251,30 @@ evidence::Table blank_table(const WantedTable& wanted) {
   return table;
 }
 
+/// What nobody submitted is not met, and nothing is said of the rest of it.
+void claim_absent(const WantedTable& table, evidence::Record& record) {
+  std::vector<std::string> columns;
+  for (const WantedQuantity& quantity : table.quantities) columns.push_back(quantity.column.name);
+  record.check({.id = table.name + "-coverage",
+                .text = fmt::format("The table {} is submitted.", table.name),
+                .quantity = "share of the reference points within the submitted ones",
+                .source = "what the case asks for"},
+               {.value = 0, .resolution = fmt::format("no file has a column {}", fmt::join(columns, " or "))},
+               evidence::Bound{.limit = 1 - table.least_coverage,
+                               .reason = "a part of the result alone is judged where --table says so",
+                               .expected = 1});
+  leave_out(table, "the table was not submitted", record);
+}
+
 }  // namespace
+
+void leave_out(const WantedTable& table, const std::string& reason, evidence::Record& record) {
+  for (const WantedQuantity& quantity : table.quantities) {
+    for (const Requirement& requirement : quantity.requirements) {
+      record.leave_out({claim_of(table, quantity, requirement), reason});
+    }
+  }
+}
 
 StatedUncertainty uncertainty_from(const std::string& quantity, const std::string& text) {
   StatedUncertainty stated;
@@ -263,7 +293,10 @@ void score(const std::vector<WantedTable>& wanted, const Submitted& submitted,
            const std::map<std::string, StatedUncertainty>& uncertainty, evidence::Record& record) {
   for (const WantedTable& table : wanted) {
     const auto found = submitted.find(table.name);
-    if (found == submitted.end()) continue;
+    if (found == submitted.end()) {
+      claim_absent(table, record);
+      continue;
+    }
     evidence::Table summary = blank_table(table);
     for (const WantedQuantity& quantity : table.quantities) {
       for (const SubmittedGroup& group : found->second) {

@@ -1,4 +1,4 @@
-#include "validation/case/score_figures.hpp"
+#include "validation/scoring/score_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "validation/case/submitted.hpp"
+#include "validation/scoring/submitted.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +11,6 @@
 
 namespace seiche::validation {
 namespace {
-
-/// The columns of a table in the order of the template.
-std::vector<Column> columns_of(const WantedTable& wanted) {
-  std::vector<Column> columns;
-  if (wanted.group) columns.push_back(*wanted.group);
-  if (wanted.abscissa) columns.push_back(*wanted.abscissa);
-  for (const WantedQuantity& q : wanted.quantities) columns.push_back(q.column);
-  return columns;
-}
 
 /// Units that are written differently and mean the same: blanks, ** for ^, nothing or - for 1.
 std::string plain_unit(const std::string& unit) {
@@ -122,6 +113,14 @@ class Reader {
 
 }  // namespace
 
+std::vector<Column> columns_of(const WantedTable& wanted) {
+  std::vector<Column> columns;
+  if (wanted.group) columns.push_back(*wanted.group);
+  if (wanted.abscissa) columns.push_back(*wanted.abscissa);
+  for (const WantedQuantity& q : wanted.quantities) columns.push_back(q.column);
+  return columns;
+}
+
 std::vector<std::string> names_in_files(const std::vector<WantedTable>& wanted, const ColumnNames& renamed) {
   std::vector<std::string> names;
   for (const WantedTable& table : wanted) {
@@ -164,6 +163,7 @@ std::string template_of(const WantedTable& wanted, const std::string& opening) {
     text += fmt::format("# {}: {} [{}]\n", column.name, column.meaning, column.unit);
     header.push_back(fmt::format("{} [{}]", column.name, column.unit));
   }
+  for (const std::string& command : wanted.exact) text += fmt::format("# the reference: {}\n", command);
   text += fmt::format("{}\n", fmt::join(header, ","));
   const std::string blanks(wanted.quantities.size() - (wanted.abscissa ? 0 : 1), ',');
   for (const double g : wanted.group ? wanted.groups : std::vector<double>{0}) {

@@ -9,19 +9,12 @@
 
 namespace seiche::validation {
 
-/// A standard uncertainty that the submitter states of a quantity, or of an abscissa.
-struct StatedUncertainty {
-  double value = 0;
-  /// Of the largest absolute value of the reference (for an abscissa: of the range of the reference points), instead of
-  /// in the wanted unit.
-  bool relative = false;
-};
-
 /// "0.01" in the wanted unit or "1%" relative. @throws std::invalid_argument naming the quantity
 StatedUncertainty uncertainty_from(const std::string& quantity, const std::string& text);
 
 /// Measures submitted tables by agreement(), applies the requirements, and adds measurements, tables, figures and
-/// claims to the record.
+/// claims to the record. A wanted table that was not submitted fails its claim of coverage; its other claims are left
+/// out.
 ///
 /// A stated uncertainty u of a quantity makes that of its measures: of value, largest error and peak u; of a relative
 /// norm u over the same norm of a curve of ones times the reference's (triangle inequality, errors fully correlated: an
@@ -31,6 +24,9 @@ StatedUncertainty uncertainty_from(const std::string& quantity, const std::strin
 /// the value as it stands, a criterion of kind uncertainty is inconclusive.
 void score(const std::vector<WantedTable>& wanted, const Submitted& submitted,
            const std::map<std::string, StatedUncertainty>& uncertainty, evidence::Record& record);
+
+/// Says in the record that a table's requirements were not judged, and why.
+void leave_out(const WantedTable& table, const std::string& reason, evidence::Record& record);
 
 /// The same measurements of a result of our own, without claims, table and figure: so that a page shows the same
 /// numbers for all solvers.

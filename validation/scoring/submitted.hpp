@@ -12,6 +12,9 @@ namespace seiche::validation {
 /// Wanted name of a column -> its name in the file, where that differs.
 using ColumnNames = std::map<std::string, std::string>;
 
+/// The columns of a table in the order of the template.
+std::vector<Column> columns_of(const WantedTable& wanted);
+
 /// Names, in the file, of all columns that the tables ask for.
 std::vector<std::string> names_in_files(const std::vector<WantedTable>& wanted, const ColumnNames& renamed);
 

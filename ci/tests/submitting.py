@@ -1,0 +1,83 @@
+"""Submitting a result to `seiche score`: what its tests share."""
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import h5py
+import numpy as np
+
+SEICHE = os.environ["SEICHE"]
+SOURCE = pathlib.Path(os.environ["SEICHE_SOURCE"])
+
+
+def seiche(*words, **options):
+    return subprocess.run([SEICHE, *map(str, words)], capture_output=True, text=True, timeout=120, **options)
+
+
+def rows_of(csv):
+    """Names with units, and the columns that are filled."""
+    lines = [line for line in csv.splitlines() if line and not line.startswith("#")]
+    return lines[0].split(","), [line.split(",") for line in lines[1:]]
+
+
+class Scoring(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="seiche-test-")
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+        self.out = self.folder / "evidence"
+
+    def score(self, case, *words, solver="mine"):
+        return seiche("score", case, *words, "--solver", solver, "--out", self.out)
+
+    def record(self, stem):
+        return json.loads((self.out / f"{stem}.json").read_text())
+
+    def write(self, content, name="mine.csv"):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def hdf5(self, name="mine.h5", units=None, **columns):
+        path = self.folder / name
+        with h5py.File(path, "w") as file:
+            for column, values in columns.items():
+                file[column] = values
+                if units and column in units:
+                    file[column].attrs["unit"] = units[column]
+        return path
+
+    def refused(self, result, *words):
+        """Exit status 2, one line that holds the words, nothing written."""
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        self.assertEqual(result.stdout, "")
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        for word in words:
+            self.assertIn(word, result.stderr)
+        self.assertFalse(self.out.exists() and list(self.out.iterdir()))
+
+    def accepted(self, result, status=0):
+        self.assertEqual(result.returncode, status, result.stdout + result.stderr)
+
+    def verdicts(self, stem):
+        return {claim["id"]: claim["verdict"] for claim in self.record(stem)["claims"]}
+
+    def table(self, columns, name="mine.csv"):
+        """A CSV file of named columns, to the last digit."""
+        rows = zip(*(list(map(float, values)) for values in columns.values()))
+        return self.write(",".join(columns) + "\n" + "".join(",".join(map(repr, row)) + "\n" for row in rows), name)
+
+    def gauges(self, late=0.0, factor=1.0):
+        """The template of the gauges in the parabolic bowl, filled in with the exact depth, late by some seconds."""
+        names, rows = rows_of(seiche("score", "thacker", "--template", "--table", "gauges").stdout)
+        self.assertEqual(names, ["x [m]", "t [s]", "h [m]"])
+        x, t = (np.array([float(row[k]) for row in rows]) for k in (0, 1))
+        radius, depth, displacement, gravity = 1.0, 0.5, 0.5, 9.81
+        shift = -displacement * np.cos(np.sqrt(2 * gravity * depth) / radius * (t - late))
+        middle = 1.25 * (radius + displacement)
+        h = depth * np.maximum(0, 1 - ((x - middle - shift) / radius) ** 2)
+        return x, t, factor * h

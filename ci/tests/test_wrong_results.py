@@ -1,0 +1,247 @@
+"""Right results of others pass, wrong ones fail: every way of being wrong that a score once let through."""
+
+import unittest
+
+import numpy as np
+
+from submitting import SOURCE, Scoring, rows_of, seiche
+
+
+def exact(name, *words):
+    """Columns of an exact solution, by name without unit."""
+    names, rows = rows_of(seiche("exact", name, *words).stdout)
+    values = np.array([[float(word) for word in row] for row in rows])
+    return {name.split("[")[0].strip(): values[:, k] for k, name in enumerate(names)}
+
+
+class Riemann(Scoring):
+    LENGTH, JUMP, TIME = 50.0, 20.0, 6.0
+
+    def profile(self, points, gravity=9.81):
+        """The exact solution of the case's problem at the centres of so many cells."""
+        half = self.LENGTH / points / 2
+        columns = exact("riemann", "--set", f"jump={self.JUMP},right_depth=0.1,gravity={gravity}", "--grid",
+                        f"x={half}:{self.LENGTH - half}:{points},t={self.TIME}")
+        return {name: columns[name] for name in ("x", "h", "u")}
+
+    def judged(self, columns, *words, status):
+        self.accepted(self.score("riemann", "--data", self.table(columns), *words), status)
+        return self.verdicts("riemann.mine")
+
+    def test_the_exact_profile_passes_however_densely_it_is_printed(self):
+        limits = set()
+        for points in (50, 400, 4000):
+            self.judged(self.profile(points), "--dx", self.LENGTH / 50, status=0)
+            limits.add(tuple(claim["criterion"]["limit"] for claim in self.record("riemann.mine")["claims"]))
+        self.assertEqual(len(limits), 1, "the limits follow the cells, not the points")
+        self.judged(self.profile(4000), "--dx", self.LENGTH / 4000, status=0)
+
+    def test_a_smaller_cell_is_judged_more_strictly(self):
+        smeared = self.profile(400)
+        for name in ("h", "u"):  # over ten cells of 0.125 m
+            smeared[name] = np.convolve(np.pad(smeared[name], 5, "edge"), np.ones(11) / 11, "valid")
+        self.judged(smeared, "--dx", 0.125, status=0)
+        for name in ("h", "u"):
+            smeared[name] = np.convolve(np.pad(smeared[name], 40, "edge"), np.ones(81) / 81, "valid")
+        self.judged(smeared, "--dx", 1, status=0)
+        self.judged(smeared, "--dx", 0.125, status=1)
+
+    def test_water_that_never_moved_fails_at_any_number_of_points(self):
+        for points in (50, 400, 4000):
+            still = self.profile(points)
+            still["h"], still["u"] = np.where(still["x"] < self.JUMP, 1.0, 0.1), np.zeros(points)
+            for cell in (self.LENGTH / points, 1.0, 12.5):
+                with self.subTest(points=points, cell=cell):
+                    verdicts = self.judged(still, "--dx", cell, status=1)
+                    self.assertNotEqual(verdicts["depth"], "pass")
+                    self.assertNotEqual(verdicts["discharge"], "pass")
+
+    def test_too_few_points_are_no_result(self):
+        for points in (2, 12):
+            self.refused(self.score("riemann", "--data", self.table(self.profile(points))), "column x", "two cells",
+                         "--dx")
+        self.refused(self.score("riemann", "--data", self.table(self.profile(12)), "--dx", 20), "--dx 20", "12.5")
+
+    def test_the_velocity_is_judged(self):
+        for points in (50, 400, 4000):
+            for wrong in (0.0, -1.0, 1.5):
+                with self.subTest(points=points, wrong=wrong):
+                    profile = self.profile(points)
+                    profile["u"] *= wrong
+                    self.assertEqual(self.judged(profile, status=1)["discharge"], "fail")
+
+    def test_lost_water_a_slow_front_and_a_wrong_gravity_fail(self):
+        right = self.profile(800)
+        cells = ("--dx", self.LENGTH / 800)
+        self.assertEqual(self.judged({**right, "h": 0.82 * right["h"]}, *cells, status=1)["volume"], "fail")
+        slow = {name: np.interp(self.JUMP + (right["x"] - self.JUMP) / 0.9, right["x"], right[name]) for name in "hu"}
+        self.assertEqual(self.judged({"x": right["x"], **slow}, *cells, status=1)["front"], "fail")
+        self.assertEqual(self.judged(self.profile(800, gravity=0.9 * 9.81), *cells, status=1)["front"], "fail")
+        mirrored = {name: right[name][::-1] for name in "hu"}
+        self.assertEqual(self.judged({"x": right["x"], **mirrored}, *cells, status=1)["depth"], "fail")
+
+
+class Standing(Scoring):
+    """The standing wave of finite amplitude: neither linear theory nor another tank is it."""
+
+    def wave(self, depth=1.0, gravity=9.81, amplitude=0.05):
+        words = ("--set", f"depth={depth},gravity={gravity},amplitude={amplitude}")
+        times, _ = rows_of(seiche("score", "standing_wave", "--template", "--table", "wall").stdout)[::-1]
+        end = float(times[-1][0])
+        wall = exact("standing", *words, "--grid", f"x=0,t=0:{end}:{len(times)}")
+        return {"t": wall["t"], "eta": wall["eta"]}, exact("standing", *words, "--integrals")["omega"][0]
+
+    def judged(self, wall, omega, status):
+        numbers = self.table({"omega": [omega]}, "omega.csv")
+        self.accepted(self.score("standing_wave", "--data", self.table(wall), "--data", numbers), status)
+        return self.verdicts("standing_wave.mine")
+
+    def test_the_wave_of_theory_passes_with_the_defaults_of_both_commands(self):
+        wall, omega = self.wave()
+        self.judged(wall, omega, 0)
+        default = exact("standing", "--grid", f"x=0,t=0:{wall['t'][-1]}:{len(wall['t'])}")
+        self.judged({"t": default["t"], "eta": default["eta"]}, omega, 0)
+
+    def test_a_tank_too_shallow_another_gravity_and_linear_theory_fail(self):
+        right, omega = self.wave()
+        for depth in (0.85, 0.97):
+            verdicts = self.judged(*self.wave(depth=depth), 1)
+            self.assertEqual((verdicts["eta-relative_l2"], verdicts["omega-value"]), ("fail", "fail"), depth)
+        self.assertEqual(self.judged(*self.wave(gravity=9.7), 1)["omega-value"], "fail")
+        linear = np.sqrt(9.81 * np.tanh(1.0))
+        wall = {"t": right["t"], "eta": 0.05 * np.cos(linear * right["t"])}
+        self.assertEqual(self.judged(wall, linear, 1)["eta-relative_l2"], "fail")
+
+    def test_a_table_left_out_is_no_success(self):
+        wall, omega = self.wave()
+        self.accepted(self.score("standing_wave", "--data", self.table(wall)), 1)
+        self.accepted(self.score("standing_wave", "--data", self.table({"omega": [omega]})), 1)
+        self.assertEqual(self.verdicts("standing_wave.mine")["wall-coverage"], "fail")
+        self.accepted(self.score("standing_wave", "--data", self.table(wall), "--table", "wall"), 0)
+
+
+class ColumnFront(Scoring):
+    """The front of a collapsing column: when it was let go is not judged, how fast it runs is."""
+
+    def front(self):
+        path = SOURCE / "reference_data/martin_moyce_1952_tall_wide/table.csv"
+        T, X = np.loadtxt(path, delimiter=",", skiprows=1).T
+        times = np.arange(0, T[-1], 0.02)
+        return {"T": times, "X": np.interp(times, np.append(0, T), np.append(1, X))}
+
+    def judged(self, front, *words, status, uncertainty="X=0"):
+        stated = ("--uncertainty", uncertainty) if uncertainty else ()
+        scored = self.score("dam_break_sph", "--data", self.table(front), *stated, *words)
+        self.accepted(scored, status)
+        return self.verdicts("dam_break_sph.mine"), scored.stdout
+
+    def test_the_published_front_passes_late_or_not(self):
+        front = self.front()
+        self.judged(front, status=0)
+        early = {"T": front["T"][front["T"] >= 0.15] - 0.15, "X": front["X"][front["T"] >= 0.15]}
+        self.judged(early, status=0)
+        self.judged(front, status=0, uncertainty="X=0.5%")
+
+    def test_a_wrong_gravity_and_a_slow_or_fast_front_fail(self):
+        right = self.front()
+        for name, front in {"gravity": {**right, "T": right["T"] / np.sqrt(0.9)},
+                            "slow": {**right, "T": right["T"] / 0.9},
+                            "fast": {**right, "T": right["T"] / 1.05},
+                            "short": {**right, "X": 1 + 0.9 * (right["X"] - 1)},
+                            "long": {**right, "X": 1 + 1.05 * (right["X"] - 1)}}.items():
+            for late in (0.0, 0.2):
+                with self.subTest(name, late=late):
+                    verdicts, _ = self.judged({**front, "T": np.append(0, late + front["T"][1:])}, status=1)
+                    self.assertEqual(verdicts["rate"], "fail")
+
+    def test_noise_fails(self):
+        right = self.front()
+        for seed in range(3):
+            noise = 0.05 * np.random.default_rng(seed).standard_normal(len(right["X"]))
+            verdicts, _ = self.judged({**right, "X": right["X"] + noise}, status=1)
+            self.assertEqual(verdicts["advance"], "fail")
+
+    def test_what_counts_is_said(self):
+        front = self.front()
+        _, said = self.judged(front, status=0)
+        self.assertIn("14 of 15 published points count, 1 later than the front is known", said)
+        verdicts, said = self.judged(front, "--set", "judged_to=3.9", status=1)
+        self.assertIn("4 of 15 published points count, 11 lie beyond X/a = 3.9", said)
+        self.assertEqual(verdicts["rate"], "inconclusive")
+
+    def test_the_stated_uncertainty_counts(self):
+        front = self.front()
+        for uncertainty in (None, "X=20%"):
+            verdicts, _ = self.judged(front, status=1, uncertainty=uncertainty)
+            self.assertEqual(verdicts["rate"], "inconclusive")
+
+
+class Templates(Scoring):
+    def test_the_commands_that_a_template_prints_give_what_passes(self):
+        for case, tables in {"riemann": ["profile"], "standing_wave": ["wall"], "stokes_wave": ["surface"],
+                             "solitary_wave": ["surface"], "wavemaker_start": ["gauge"], "thacker": ["gauges"],
+                             "wall_run_up_exact": ["numbers"]}.items():
+            for table in tables:
+                with self.subTest(case, table=table):
+                    template = seiche("score", case, "--template", "--table", table).stdout
+                    commands = [line.split("the reference: seiche ")[1].split() for line in template.splitlines()
+                                if "the reference: seiche " in line]
+                    self.assertTrue(commands)
+                    parts = [rows_of(seiche(*command).stdout) for command in commands]
+                    rows = [row for _, rows in parts for row in rows]
+                    wanted = rows_of(template)[0]
+                    named = [name.split(" ")[0] for name in parts[0][0]]
+                    columns = {name.split(" ")[0]: [float(row[named.index(name.split(" ")[0])]) for row in rows]
+                               for name in wanted}
+                    self.accepted(self.score(case, "--data", self.table(columns), "--table", table))
+
+
+class Diagnosis(Scoring):
+    """What a file got wrong is said in words, in the output and in the record; the verdict is of the file as it is."""
+
+    def said(self, columns, case="thacker", table="gauges"):
+        scored = self.score(case, "--data", self.table(columns), "--table", table)
+        self.accepted(scored, status=1)
+        tables = {table["id"]: table for table in self.record(f"{case}.mine")["tables"]}
+        words = [row[1] for row in tables["diagnosis"]["rows"]] if "diagnosis" in tables else []
+        for one in words:
+            self.assertIn(one, scored.stdout)
+        return words
+
+    def gauge(self, **options):
+        x, t, h = self.gauges(**options)
+        return {"x": x, "t": t, "h": h}
+
+    def test_a_gauge_that_is_late_is_told_by_how_much(self):
+        for late in (0.3, -0.3):
+            words = self.said(self.gauge(late=late))
+            self.assertEqual(len(words), 1, words)
+            self.assertIn(f"fits the reference 0.3 s {'earlier' if late > 0 else 'later'}", words[0])
+
+    def test_another_datum_and_another_unit_are_told(self):
+        right = self.gauge()
+        self.assertIn("lies 0.02 m higher", self.said({**right, "h": right["h"] + 0.02})[0])
+        self.assertIn("lies 1 m lower", self.said({**right, "h": right["h"] - 1})[0])
+        self.assertIn("divided by 100: centimetres for metres", self.said({**right, "h": 100 * right["h"]})[0])
+        self.assertIn("divided by 1000: milliseconds for seconds", self.said({**right, "t": 1000 * right["t"]})[0])
+
+    def test_inverted_mirrored_neighbouring_scaled_and_cut_are_told(self):
+        right = self.gauge()
+        self.assertIn("upside down", self.said({**right, "h": -right["h"]})[0])
+        self.assertIn("divided by 0.82", self.said({**right, "h": 0.82 * right["h"]})[0])
+        wrong = dict(right)
+        gauges = sorted(set(right["x"]))
+        wrong["h"] = np.concatenate([right["h"][right["x"] == x] for x in (gauges[1], gauges[0], gauges[2])])
+        self.assertIn(f"is the reference of x = {gauges[1]:g} m", " ".join(self.said(wrong)))
+        half = right["t"] < right["t"].max() / 2
+        self.assertIn("a file cut short", self.said({name: values[half] for name, values in right.items()})[0])
+
+    def test_of_a_right_result_nothing_is_said(self):
+        scored = self.score("thacker", "--data", self.table(self.gauge()), "--table", "gauges")
+        self.accepted(scored)
+        self.assertNotIn("look", scored.stdout)
+        self.assertNotIn("diagnosis", [table["id"] for table in self.record("thacker.mine")["tables"]])
+
+
+if __name__ == "__main__":
+    unittest.main()

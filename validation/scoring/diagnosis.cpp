@@ -1,0 +1,157 @@
+#include "validation/scoring/diagnosis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "validation/instruments/agreement.hpp"
+#include "validation/scoring/misreading.hpp"
+
+namespace seiche::validation {
+namespace {
+
+using Kind = WantedTable::Kind;
+
+std::string where_of(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group) {
+  if (!table.group) return quantity.column.name;
+  return fmt::format("{}, {} = {:g} {}", quantity.column.name, table.group->name, group.value, table.group->unit);
+}
+
+struct Points {
+  std::vector<double> x, y;
+  [[nodiscard]] Curve curve() const { return {x, y}; }
+};
+
+Points reference_of(const WantedTable& table, const WantedQuantity& quantity, double group) {
+  Points points{.x = table.points(group), .y = {}};
+  for (const double at : points.x) points.y.push_back(quantity.reference({group, at}));
+  return points;
+}
+
+/// That the curve is the one of another group: leaves less than the third of the misfit that explains one.
+std::optional<Finding> neighbour(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group,
+                                 Curve submitted, double before) {
+  std::optional<Finding> found;
+  for (const double other : table.groups) {
+    if (other == group.value) continue;
+    const double left = misfit(submitted, reference_of(table, quantity, other).curve()) / before;
+    if (!(left < (found ? found->left : explained_below))) continue;
+    found = Finding{where_of(table, quantity, group),
+                    fmt::format("is the reference of {} = {:g} {}: another gauge or instant?", table.group->name, other,
+                                table.group->unit),
+                    left};
+  }
+  return found;
+}
+
+/// That the curve does not reach the reference's ends.
+std::optional<Finding> short_of(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group,
+                                Curve reference) {
+  const double margin = (1 - table.least_coverage) * (reference.x.back() - reference.x.front());
+  const double first = group.abscissa.front();
+  const double last = group.abscissa.back();
+  const Column& axis = *table.abscissa;
+  std::string words;
+  if (last < reference.x.back() - margin) {
+    words =
+        fmt::format("ends at {} = {:.4g} {}, the reference at {:.4g}", axis.name, last, axis.unit, reference.x.back());
+  } else if (first > reference.x.front() + margin) {
+    words = fmt::format("begins at {} = {:.4g} {}, the reference at {:.4g}", axis.name, first, axis.unit,
+                        reference.x.front());
+  }
+  if (words.empty()) return std::nullopt;
+  return Finding{where_of(table, quantity, group), words + ": a file cut short, or another window?", 1};
+}
+
+/// What is said of one curve, with what tells whether other groups say the same.
+struct Said {
+  Finding finding;
+  std::optional<Misreading> misread;
+};
+
+std::vector<Said> said_of(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group) {
+  const Points reference = reference_of(table, quantity, group.value);
+  const Curve submitted{group.abscissa, group.values.at(quantity.column.name)};
+  std::vector<Said> all;
+  if (const auto cut = short_of(table, quantity, group, reference.curve())) all.push_back({*cut, {}});
+  const auto misread = misreading(submitted, reference.curve());
+  const double before = misfit(submitted, reference.curve());
+  const auto other = misread || before > 0 ? neighbour(table, quantity, group, submitted, before) : std::nullopt;
+  if (other && (!misread || other->left < misread->left)) {
+    all.push_back({*other, {}});
+  } else if (misread) {
+    all.push_back(
+        {{where_of(table, quantity, group), misread->words(quantity.column.unit, table.abscissa->unit), misread->left},
+         misread});
+  }
+  return all;
+}
+
+/// The same change, by the same number to a twentieth.
+bool same(const Said& a, const Said& b) {
+  return a.misread && b.misread && a.misread->kind == b.misread->kind &&
+         std::abs(a.misread->amount - b.misread->amount) <= 0.05 * std::abs(a.misread->amount);
+}
+
+void add_curves(const WantedTable& table, const std::vector<SubmittedGroup>& groups, std::vector<Finding>& findings) {
+  for (const WantedQuantity& quantity : table.quantities) {
+    std::vector<Said> all;
+    for (const SubmittedGroup& group : groups) {
+      for (const Said& one : said_of(table, quantity, group)) all.push_back(one);
+    }
+    const bool everywhere =
+        all.size() > 1 && all.size() == groups.size() &&
+        std::all_of(all.begin(), all.end(), [&](const Said& one) { return same(all.front(), one); });
+    if (everywhere) {
+      all.front().finding.where = fmt::format("{}, every {}", quantity.column.name, table.group->name);
+      all.resize(1);
+    }
+    for (const Said& one : all) findings.push_back(one.finding);
+  }
+}
+
+void add_numbers(const WantedTable& table, const std::vector<SubmittedGroup>& groups, std::vector<Finding>& findings) {
+  for (const WantedQuantity& quantity : table.quantities) {
+    for (const SubmittedGroup& group : groups) {
+      const double factor = group.values.at(quantity.column.name).front() / quantity.reference({group.value, 0});
+      const std::string unit = unit_mistaken(factor, quantity.column.unit);
+      if (unit.empty()) continue;
+      findings.push_back(
+          {where_of(table, quantity, group), fmt::format("is {:.4g} times the reference: {}?", factor, unit), 0});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> diagnosis(const std::vector<WantedTable>& wanted, const Submitted& submitted) {
+  std::vector<Finding> findings;
+  for (const WantedTable& table : wanted) {
+    const auto found = submitted.find(table.name);
+    if (found == submitted.end()) continue;
+    if (table.kind == Kind::scalars) {
+      add_numbers(table, found->second, findings);
+    } else {
+      add_curves(table, found->second, findings);
+    }
+  }
+  return findings;
+}
+
+void show_diagnosis(const std::vector<Finding>& findings, evidence::Exhibit& exhibit) {
+  if (findings.empty()) return;
+  evidence::Table table{.id = "diagnosis",
+                        .title = "What the difference looks like",
+                        .caption =
+                            "A single change of what was submitted that would explain by how much it misses the "
+                            "reference. Nothing was changed: the verdicts are of the values as they stand.",
+                        .columns = {{"where", "1"}, {"what was submitted", "1"}, {"left of the misfit", "1"}},
+                        .rows = {},
+                        .atlas = {}};
+  for (const Finding& one : findings) table.rows.push_back({one.where, one.words, one.left});
+  exhibit.table(std::move(table));
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,26 @@
+/// What a submitted result looks like where it misses its reference: one sentence per curve, never applied.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validation/case/submission.hpp"
+
+namespace seiche::validation {
+
+/// Something that a reader should look at first.
+struct Finding {
+  std::string where;  ///< "eta, x = 2.3 m"
+  std::string words;  ///< "your series fits the reference 0.3 s earlier: another origin?"
+  double left = 0;    ///< of the misfit, if that were undone
+};
+
+/// Findings of a whole submission: a curve that misses its reference by what one change would explain
+/// (validation/scoring/misreading.hpp), one that is that of another group, one that ends early, a number in another
+/// unit. The same finding in every group is said once.
+std::vector<Finding> diagnosis(const std::vector<WantedTable>& wanted, const Submitted& submitted);
+
+/// As a table of the record; nothing where nothing was found.
+void show_diagnosis(const std::vector<Finding>& findings, evidence::Exhibit& exhibit);
+
+}  // namespace seiche::validation

@@ -1,0 +1,261 @@
+#include "validation/scoring/misreading.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "seiche/samples.hpp"
+
+namespace seiche::validation {
+namespace {
+
+using Kind = Misreading::Kind;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double material = 0.01;     ///< of the reference's range
+constexpr double still_there = 0.75;  ///< of the points, after a change
+constexpr std::size_t fewest = 10;
+constexpr double fitted_handicap = 1.25;
+
+constexpr std::array factors{1000.0, 100.0, 10.0, 3.28084, 9.81};
+constexpr std::array clocks{1000.0, 100.0, 60.0};
+
+/// What stands at the reference's abscissa x, after a change.
+using Changed = std::function<double(double x)>;
+
+struct Compared {
+  std::vector<double> x;
+  std::vector<double> r;
+
+  /// Root mean square over the points that are known after the change; NaN for less than `needed` of them.
+  [[nodiscard]] double rms(const Changed& changed, std::size_t needed) const {
+    double sum = 0;
+    std::size_t known = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double value = changed(x[i]);
+      if (std::isnan(value)) continue;
+      sum += std::pow(value - r[i], 2);
+      ++known;
+    }
+    return known < needed || known == 0 ? unknown : std::sqrt(sum / static_cast<double>(known));
+  }
+};
+
+Compared known_points(Curve submitted, Curve reference) {
+  Compared points;
+  for (std::size_t i = 0; i < reference.x.size(); ++i) {
+    if (std::isnan(reference.y[i]) || std::isnan(linear_at(submitted, reference.x[i]))) continue;
+    points.x.push_back(reference.x[i]);
+    points.r.push_back(reference.y[i]);
+  }
+  return points;
+}
+
+/// The number in [-reach, reach] that leaves least; of several that leave nearly the same the one nearest to zero, as
+/// periodic curves have. @param left  NaN where it says nothing
+double best_near_zero(double reach, const std::function<double(double)>& left) {
+  constexpr int grid = 250;
+  double best = 0;
+  double least = left(0);
+  for (int k = 1; k <= grid; ++k) {
+    for (const double candidate : {reach * k / grid, -reach * k / grid}) {
+      const double here = left(candidate);
+      if (here < 0.98 * least) {
+        best = candidate;
+        least = here;
+      }
+    }
+  }
+  double step = reach / grid;
+  for (int halving = 0; halving < 30; ++halving) {
+    for (const double candidate : {best - step, best + step}) {
+      const double here = left(candidate);
+      if (std::abs(candidate) <= reach && here < least) {
+        best = candidate;
+        least = here;
+      }
+    }
+    step /= 2;
+  }
+  return best;
+}
+
+/// Collects the changes and keeps the best.
+class Search {
+ public:
+  Search(Compared points, double before)
+      : points_(std::move(points)),
+        before_(before),
+        needed_(static_cast<std::size_t>(std::ceil(still_there * static_cast<double>(points_.x.size())))) {}
+
+  [[nodiscard]] double left(const Changed& changed) const { return points_.rms(changed, needed_) / before_; }
+
+  void given(Kind kind, double amount, const Changed& changed) { keep({kind, amount, left(changed)}, 1); }
+  /// @param changed  of the number that is fitted
+  void fitted(Kind kind, double amount, const Changed& changed) {
+    keep({kind, amount, left(changed)}, fitted_handicap);
+  }
+
+  [[nodiscard]] const Compared& points() const { return points_; }
+  [[nodiscard]] std::optional<Misreading> best() const { return best_; }
+
+ private:
+  void keep(Misreading candidate, double handicap) {
+    if (!(candidate.left < explained_below)) return;  // NaN is no explanation
+    const double cost = handicap * candidate.left;
+    if (best_ && cost >= cost_) return;
+    best_ = candidate;
+    cost_ = cost;
+  }
+
+  Compared points_;
+  double before_;
+  std::size_t needed_;
+  std::optional<Misreading> best_;
+  double cost_ = 0;
+};
+
+void try_given(Search& search, Curve submitted) {
+  const double both_ends = search.points().x.front() + search.points().x.back();
+  for (const double factor : factors) {
+    for (const double f : {factor, 1 / factor})
+      search.given(Kind::unit, f, [=](double x) { return linear_at(submitted, x) / f; });
+  }
+  search.given(Kind::inverted, 0, [=](double x) { return -linear_at(submitted, x); });
+  search.given(Kind::backwards, 0, [=](double x) { return linear_at(submitted, both_ends - x); });
+}
+
+void try_fitted(Search& search, Curve submitted) {
+  const Compared& points = search.points();
+  const double first = points.x.front();
+  const double range = points.x.back() - first;
+  double difference = 0;
+  double sum = 0;
+  double product = 0;
+  double square = 0;
+  for (std::size_t i = 0; i < points.x.size(); ++i) {
+    const double s = linear_at(submitted, points.x[i]);
+    difference += s - points.r[i];
+    sum += points.r[i];
+    product += s * points.r[i];
+    square += s * s;
+  }
+  const auto n = static_cast<double>(points.x.size());
+  const double level = difference / n;
+  search.fitted(Kind::level, level, [=](double x) { return linear_at(submitted, x) - level; });
+  if (product > 0) {
+    const double f = square / product;
+    search.fitted(Kind::scaled, f, [=](double x) { return linear_at(submitted, x) / f; });
+  }
+  const auto fit = [&](Kind kind, double reach, const std::function<Changed(double)>& changed) {
+    const double amount = best_near_zero(reach, [&](double a) { return search.left(changed(a)); });
+    search.fitted(kind, amount, changed(amount));
+  };
+  fit(Kind::shift, range / 4,
+      [=](double d) -> Changed { return [=](double x) { return linear_at(submitted, x + d); }; });
+  fit(Kind::slow, 0.25, [=](double f) -> Changed {
+    return [=](double x) { return linear_at(submitted, first + (1 + f) * (x - first)); };
+  });
+  const double middle = sum / n;
+  fit(Kind::dying, 3, [=](double b) -> Changed {
+    return [=](double x) { return middle + (linear_at(submitted, x) - middle) * std::exp(b * (x - first) / range); };
+  });
+}
+
+std::string unit_name(double factor, const std::string& unit) {
+  const auto is = [&](double f) { return std::abs(factor / f - 1) < 0.05; };
+  if (unit == "m") {
+    if (is(1000)) return "millimetres for metres";
+    if (is(100)) return "centimetres for metres";
+    if (is(3.28084)) return "feet for metres";
+    if (is(0.001)) return "kilometres for metres";
+  }
+  if (unit == "m/s" && is(100)) return "centimetres per second for metres per second";
+  if (unit == "Pa") {
+    if (is(0.001)) return "kilopascals for pascals";
+    if (is(0.01)) return "hectopascals for pascals";
+  }
+  if (unit == "s") {
+    if (is(1000)) return "milliseconds for seconds";
+    if (is(1.0 / 60)) return "minutes for seconds";
+  }
+  return fmt::format("a unit that is {:.6g} times smaller", factor);
+}
+
+}  // namespace
+
+double misfit(Curve submitted, Curve reference) {
+  return known_points(submitted, reference).rms([=](double x) { return linear_at(submitted, x); }, 1);
+}
+
+std::string unit_mistaken(double factor, const std::string& unit) {
+  for (const double known : factors) {
+    for (const double f : {known, 1 / known}) {
+      if (std::abs(factor / f - 1) < 0.05) return unit_name(f, unit);
+    }
+  }
+  return {};
+}
+
+std::optional<Misreading> misreading(Curve submitted, Curve reference) {
+  // An abscissa in another unit covers other points: those of the reference as they are.
+  Compared all;
+  for (std::size_t i = 0; i < reference.x.size(); ++i) {
+    if (std::isnan(reference.y[i])) continue;
+    all.x.push_back(reference.x[i]);
+    all.r.push_back(reference.y[i]);
+  }
+  if (all.x.size() < fewest) return std::nullopt;
+  const double range = largest(all.r) - smallest(all.r);
+  const double before = misfit(submitted, reference);
+  if (before <= material * range) return std::nullopt;
+  Search clock(all, std::isnan(before) ? range : before);
+  for (const double factor : clocks) {
+    for (const double f : {factor, 1 / factor})
+      clock.given(Kind::abscissa, f, [=](double x) { return linear_at(submitted, f * x); });
+  }
+  const Compared points = known_points(submitted, reference);
+  if (points.x.size() < fewest) return clock.best();
+  Search search(points, before);
+  try_given(search, submitted);
+  try_fitted(search, submitted);
+  if (!search.best() || (clock.best() && clock.best()->left < search.best()->left)) return clock.best();
+  return search.best();
+}
+
+std::string Misreading::words(const std::string& unit, const std::string& abscissa_unit) const {
+  const auto with = [](const std::string& u) { return u.empty() || u == "1" ? "" : " " + u; };
+  const double percent = 100 * std::abs(amount);
+  switch (kind) {
+    case Kind::unit:
+      return fmt::format("fits the reference divided by {:.6g}: {}?", amount, unit_name(amount, unit));
+    case Kind::inverted:
+      return "fits the reference upside down: its sign is turned";
+    case Kind::backwards:
+      return "fits the reference read backwards: its axis points the other way";
+    case Kind::abscissa:
+      return fmt::format("fits the reference with its abscissa divided by {:.6g}: {}?", amount,
+                         unit_name(amount, abscissa_unit));
+    case Kind::level:
+      return fmt::format("lies {:.3g}{} {} than the reference everywhere: another datum?", std::abs(amount), with(unit),
+                         amount > 0 ? "higher" : "lower");
+    case Kind::shift:
+      return fmt::format("fits the reference {:.3g}{} {}: another origin?", std::abs(amount), with(abscissa_unit),
+                         amount > 0 ? "earlier" : "later");
+    case Kind::slow:
+      return fmt::format("runs {:.3g} % {} than the reference: it fits with its abscissa divided by {:.5g}", percent,
+                         amount > 0 ? "slower" : "faster", 1 + amount);
+    case Kind::scaled:
+      return fmt::format("fits the reference divided by {:.4g}: its amplitude is wrong", amount);
+    case Kind::dying:
+      return fmt::format("{} along the way: by a factor of {:.3g} from beginning to end",
+                         amount > 0 ? "dies away" : "grows", std::exp(-amount));
+  }
+  return {};
+}
+
+}  // namespace seiche::validation

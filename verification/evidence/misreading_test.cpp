@@ -1,0 +1,156 @@
+// What a submitted curve may have been misread as: every change that is planted is found, and nothing where none is.
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "validation/scoring/diagnosis.hpp"
+#include "validation/scoring/misreading.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::validation;
+using seiche::evidence::Bound;
+using seiche::evidence::Claim;
+using seiche::evidence::Qualitative;
+using seiche::verification::Check;
+using Kind = Misreading::Kind;
+
+constexpr double pi = std::numbers::pi;
+constexpr double spacing = 0.05;
+
+/// A gauge that no change but the planted one maps onto itself: two waves of different period above a level.
+double gauge(double t) {
+  return 0.3 + 0.1 * std::sin(t) + 0.04 * std::cos(0.37 * t + 0.5);
+}
+
+struct Points {
+  std::vector<double> x, y;
+  [[nodiscard]] Curve curve() const { return {x, y}; }
+};
+
+template <class Function>
+Points sampled(Function f, double last = 20) {
+  Points points;
+  for (double t = 0; t <= last + 1e-9; t += spacing) {
+    points.x.push_back(t);
+    points.y.push_back(f(t));
+  }
+  return points;
+}
+
+Claim named(const std::string& id, const std::string& text, const std::string& quantity) {
+  return {.id = id, .text = text, .quantity = quantity, .source = "definition of the change"};
+}
+
+}  // namespace
+
+TEST_CASE("what a curve was misread as is found, with its number", "[evidence]") {
+  Check check(
+      "misreading", "What a difference looks like",
+      "A gauge is shifted, lifted, turned, slowed, scaled or written in other units; each is recognised. Noise, a "
+      "small difference and the reference itself are not explained.");
+  const Points reference = sampled(gauge);
+  const auto found = [&](const std::string& id, const Points& submitted, Kind kind, double amount, double accuracy,
+                         const std::string& why) {
+    const std::optional<Misreading> misread = misreading(submitted.curve(), reference.curve());
+    check.that(named(id, "It is recognised.", "the change that was planted is named"),
+               {.value = misread && misread->kind == kind ? 1.0 : 0.0},
+               Qualitative{"the kind of the change", "it was planted"});
+    check.that(named(id + "-amount", "Its number is found.", "number of the change"),
+               {.value = misread ? misread->amount : std::nan("")},
+               Bound{.limit = accuracy, .reason = why, .expected = amount});
+  };
+  // Straight lines between points miss a curve of second derivative 0.1 by 0.1 spacing^2/8; over its slopes of 0.07 in
+  // the mean that is a time.
+  const double line = 0.1 * spacing * spacing / 8 / 0.07;
+  const std::string lines = "straight lines between points 0.05 apart, over the mean slope";
+  found("late", sampled([](double t) { return gauge(t - 0.3); }), Kind::shift, 0.3, line, lines);
+  found("early", sampled([](double t) { return gauge(t + 1.1); }), Kind::shift, -1.1, line, lines);
+  found("datum", sampled([](double t) { return gauge(t) + 0.02; }), Kind::level, 0.02, 1e-12, "round-off of a mean");
+  found("low", sampled([](double t) { return gauge(t) - 1; }), Kind::level, -1, 1e-12, "round-off of a mean");
+  found("inverted", sampled([](double t) { return -gauge(t); }), Kind::inverted, 0, 0, "it has no number");
+  found("mirrored", sampled([](double t) { return gauge(20 - t); }), Kind::backwards, 0, 0, "it has no number");
+  found("centimetres", sampled([](double t) { return 100 * gauge(t); }), Kind::unit, 100, 0, "a given factor");
+  found("feet", sampled([](double t) { return 3.28084 * gauge(t); }), Kind::unit, 3.28084, 0, "a given factor");
+  found(
+      "milliseconds",
+      [&] {
+        Points points = reference;
+        for (double& t : points.x) t *= 1000;
+        return points;
+      }(),
+      Kind::abscissa, 1000, 0, "a given factor");
+  found("amplitude", sampled([](double t) { return 0.82 * gauge(t); }), Kind::scaled, 0.82, 1e-12,
+        "round-off of two sums");
+  found("slow", sampled([](double t) { return gauge(0.95 * t); }), Kind::slow, 1 / 0.95 - 1, line / 10,
+        "a time at the middle of the series, 10 s from its beginning, " + lines);
+  Points dying = reference;
+  double middle = 0;
+  for (const double y : reference.y) middle += y / static_cast<double>(reference.y.size());
+  for (std::size_t i = 0; i < dying.y.size(); ++i) {
+    dying.y[i] = middle + (reference.y[i] - middle) * std::exp(-0.8 * dying.x[i] / dying.x.back());
+  }
+  found("dying", dying, Kind::dying, 0.8, 1e-9, "thirty halvings of 3/250, and round-off of the mean");
+  Points noisy = reference;
+  for (std::size_t i = 0; i < noisy.y.size(); ++i)
+    noisy.y[i] += 0.03 * std::sin(1e4 * static_cast<double>(i * i % 977));
+  const auto nothing = [&](const std::string& id, const std::string& text, const Points& submitted) {
+    check.that(named(id, text, "an explanation is found"),
+               {.value = misreading(submitted.curve(), reference.curve()) ? 1.0 : 0.0},
+               Qualitative{"misreading()", "no single change was planted", false});
+  };
+  nothing("same", "Of the reference itself nothing is said.", reference);
+  nothing("small", "A difference of less than a hundredth of the range is none.",
+          sampled([](double t) { return gauge(t) + 0.002; }));
+  nothing("noise", "Noise is explained by no change.", noisy);
+}
+
+TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says one thing once", "[evidence]") {
+  Check check(
+      "diagnosis", "What is said of a submission",
+      "Two gauges that were exchanged, a series that ends early, both gauges late by the same time, a number in "
+      "another unit.");
+  std::vector<double> times;
+  for (int k = 0; k <= 200; ++k) times.push_back(0.1 * k);
+  const auto reference = [](Place p) { return std::sin(p.abscissa - 2 * p.group) + 0.3 * p.group; };
+  const std::vector<WantedTable> wanted{
+      {.name = "gauges",
+       .kind = WantedTable::Kind::series,
+       .group = Column{"x", "m", "position"},
+       .abscissa = Column{"t", "s", "time"},
+       .quantities = {{.column = {"eta", "m", "elevation"}, .reference = reference}},
+       .groups = {1, 2},
+       .points = [times](double) { return times; }},
+      {.name = "numbers",
+       .quantities = {{.column = {"runup", "m", "run-up"}, .reference = [](Place) { return 0.25; }}}}};
+  const auto series = [&](double x, const auto& value, double last = 20) {
+    SubmittedGroup group{.value = x, .abscissa = {}, .values = {}};
+    for (const double t : times) {
+      if (t > last) break;
+      group.abscissa.push_back(t);
+      group.values["eta"].push_back(value(t));
+    }
+    return group;
+  };
+  const auto says = [&](const std::string& id, const Submitted& submitted, std::size_t count,
+                        const std::string& words) {
+    const std::vector<Finding> findings = diagnosis(wanted, submitted);
+    check.that(named(id, "As many findings as there are.", "findings"), {.value = static_cast<double>(findings.size())},
+               Bound{.limit = 0, .reason = "by hand", .expected = static_cast<double>(count)});
+    bool said = count == 0;
+    for (const Finding& one : findings) said = said || (one.where + " " + one.words).find(words) != std::string::npos;
+    check.that(named(id + "-words", "\"" + words + "\" is said.", "as stated"), {.value = said ? 1.0 : 0.0},
+               Qualitative{"the sentence holds the words", "they name what was planted"});
+  };
+  const auto at = [&](double x) { return [&, x](double t) { return reference({x, t}); }; };
+  const auto late = [&](double x) { return [&, x](double t) { return reference({x, t - 0.5}); }; };
+  says("right", {{"gauges", {series(1, at(1)), series(2, at(2))}}}, 0, "");
+  says("exchanged", {{"gauges", {series(1, at(2)), series(2, at(1))}}}, 2, "is the reference of x = 2 m");
+  says("cut", {{"gauges", {series(1, at(1), 12), series(2, at(2))}}}, 1, "ends at t = 12 s, the reference at 20");
+  says("late", {{"gauges", {series(1, late(1)), series(2, late(2))}}}, 1, "every x fits the reference 0.5 s earlier");
+  says("number", {{"numbers", {{.value = 0, .abscissa = {}, .values = {{"runup", {25}}}}}}}, 1,
+       "centimetres for metres");
+}
