@@ -12,7 +12,7 @@ namespace seiche::variable_mass {
 
 namespace {
 
-constexpr double settled = 1e-14;   // change of an iteration over the largest velocity
+constexpr double settled = 1e-15;   // change of an iteration over the largest velocity
 constexpr double rounding = 1e-11;  // below it a change that no longer falls is rounding
 
 }  // namespace
@@ -60,7 +60,7 @@ void Convection::momenta(std::span<const double> u, std::span<const double> mean
   }
 }
 
-int Convection::settle(std::span<const double> u, const Respond& respond, std::vector<double>& mean) {
+int Convection::settle(std::span<const double> u, const Respond& respond, double kicks, std::vector<double>& mean) {
   double last = std::numeric_limits<double>::infinity();
   for (int k = 1; k <= most_iterations; ++k) {
     momenta(u, mean, iterate_);
@@ -73,7 +73,7 @@ int Convection::settle(std::span<const double> u, const Respond& respond, std::v
     }
     mean.swap(iterate_);
     const double now = std::abs(change.value());
-    const double scale = std::abs(size.value());
+    const double scale = std::abs(size.value()) + kicks;
     if (now <= settled * scale || (now >= last && now <= rounding * scale)) return k;
     last = now;
   }

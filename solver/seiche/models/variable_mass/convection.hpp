@@ -43,8 +43,9 @@ class Convection {
   /// What answers momenta, in place, by mean velocities: divided by mean_masses() at least, with forces and pressures.
   using Respond = std::function<void(std::span<double>)>;
   /// Mean velocities, on entry a guess; all velocities along x, then all along y. Returns the number of iterations.
+  /// @param kicks  largest velocity that forces give in the step, before pressures balance them: it is rounded too
   /// Throws mechanics::Infeasible where they do not settle.
-  int settle(std::span<const double> u, const Respond& respond, std::vector<double>& mean);
+  int settle(std::span<const double> u, const Respond& respond, double kicks, std::vector<double>& mean);
   /// u' = ((a + b) ubar - a u)/b.
   void finish(std::span<const double> u, std::span<const double> mean, std::vector<double>& next) const;
 

@@ -81,6 +81,12 @@ void Flow::take(double tau) {
   parts_->guess_impulse(state_, tau, impulse_);
   for (double& value : impulse_) value *= 2;
   defect_.resize(n);
+  Worst kicks;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point kick = mobility_[k](force_[k]);
+    kicks.add(tau * kick.x);
+    kicks.add(tau * kick.y);
+  }
   const auto respond = [&](std::span<double> u) {
     for (std::size_t k = 0; k < n; ++k) {
       const Point answer = mobility_[k]({u[k] + tau * force_[k].x, u[n + k] + tau * force_[k].y});
@@ -93,7 +99,7 @@ void Flow::take(double tau) {
     pressure.react(impulse_, u);
   };
   mean_.assign(state_.u.begin(), state_.u.end());
-  const int iterations = convection_.settle(state_.u, respond, mean_);
+  const int iterations = convection_.settle(state_.u, respond, std::abs(kicks.value()), mean_);
 
   // Step 4: the end of the step.
   convection_.finish(state_.u, mean_, next_u_);
