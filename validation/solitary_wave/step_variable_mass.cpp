@@ -43,6 +43,7 @@ const std::string source = "inverse scattering (Madsen & Mei 1969) after Lamb's 
 const std::string table = "regression_step_variable_mass";
 constexpr std::array ladder{4L, 6L, 8L, 12L};
 constexpr std::size_t shown = 3;  // crests
+constexpr double apart = 2;       // crests that are closer belong to one wave with ripples on it
 constexpr double interval = 2;    // between the surfaces that are kept
 
 std::vector<long> meshes(const Values& values) {
@@ -57,7 +58,7 @@ std::vector<long> meshes(const Values& values) {
 /// What the waves of a run on one mesh are.
 struct Passage {
   SolitaryRun run;
-  std::vector<Crest> peaks;  ///< on the shelf, from the first on
+  std::vector<Crest> peaks;  ///< on the shelf, from the highest back
   double reflected = 0;      ///< highest crest before the step when it is half way to the left wall
 };
 
@@ -97,20 +98,28 @@ Passage pass(const Run& run, const SolitaryWave& wave, long rows, const std::fun
   const SurfaceLine& last = p.run.last();
   const Crest first = last.highest(step, last.x.back());
   // Behind the waves that parted comes what was reflected twice.
-  p.peaks = last.crests(0.03 * wave.amplitude(), step + 0.5 * (first.place - step), last.x.back());
-  std::reverse(p.peaks.begin(), p.peaks.end());
+  const std::vector<Crest> crests =
+      last.crests(0.03 * wave.amplitude(), step + 0.5 * (first.place - step), first.place);
+  for (auto one = crests.rbegin(); one != crests.rend(); ++one) {
+    if (p.peaks.empty() || p.peaks.back().place - one->place > apart) {
+      p.peaks.push_back(*one);
+    } else if (one->height > p.peaks.back().height) {
+      p.peaks.back() = *one;
+    }
+  }
   const double half_way = (step - run.real("crest")) / wave.speed() + 0.5 * step;
   p.reflected = p.run.at(half_way).highest(2, step - 2).height;
   return p;
 }
 
 /// How far a quantity is from another program's on the same mesh.
-double off_table(const Results& r, const io::Table& digits, const std::string& column,
+double off_table(const Results& r, const io::Table& digits, const std::string& column, long coarsest,
                  const std::function<double(const Passage&)>& quantity) {
   Worst off;
   for (std::size_t k = 0; k < digits.rows(); ++k) {
     for (const Passage& p : r.passages) {
-      if (static_cast<double>(p.run.rows) == digits.column("n")[k]) off.add(quantity(p) - digits.column(column)[k]);
+      if (p.run.rows >= coarsest && static_cast<double>(p.run.rows) == digits.column("n")[k])
+        off.add(quantity(p) - digits.column(column)[k]);
     }
   }
   return std::abs(off.value());
@@ -176,18 +185,20 @@ void claim_digits(const Values& values, const Claims<Results>& all) {
   const io::Table digits = values.table(table);
   const auto claims = all.only_if(tabulated(values), "the other program's run is that of the source's step");
   const auto claim = [&](const std::string& id, const std::string& what, double limit, const std::string& reason,
-                         const std::function<double(const Passage&)>& quantity) {
+                         long coarsest, const std::function<double(const Passage&)>& quantity) {
     claims.check(
         {.id = "digits-" + id,
          .text = what + " is that of another program.",
          .quantity = "largest difference, of the same meshes",
          .source = "regression: another program for the same equations, table reference_data/" + table},
-        [=](const Results& r) { return off_table(r, digits, id, quantity); }, Bound{.limit = limit, .reason = reason});
+        [=](const Results& r) { return off_table(r, digits, id, coarsest, quantity); },
+        Bound{.limit = limit, .reason = reason});
   };
   const std::string refinement = "what its own refinement from 6 to 8 rows changes, 0.0021, rounded up";
-  claim("peak_1", "The first wave", 0.003, refinement, [](const Passage& p) { return peak(p, 1); });
-  claim("peak_2", "The second wave", 0.003, refinement, [](const Passage& p) { return peak(p, 2); });
-  claim("reflected", "The reflected wave", 0.002, "half of the range that it prints on the coarsest mesh",
+  claim("peak_1", "The first wave", 0.003, refinement, 4, [](const Passage& p) { return peak(p, 1); });
+  claim("peak_2", "The second wave", 0.003, refinement, 4, [](const Passage& p) { return peak(p, 2); });
+  claim("reflected", "The reflected wave", 0.002,
+        "half of the range that it prints on four rows, which are left out for that", 6,
         [](const Passage& p) { return p.reflected; });
 }
 
@@ -313,8 +324,8 @@ void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
     meshes.rows.push_back({static_cast<double>(p.run.rows), peak(p, 1), peak(p, 2), peak(p, 3), p.reflected,
                            p.run.dissipated.back(), p.run.energy_defect, p.run.drift});
   }
-  meshes.rows.push_back({0, a * r.theory.amplitude(1), a * r.theory.amplitude(2), a * r.theory.amplitude(3),
-                         a * r.theory.reflection(), 0, 0, 0});
+  meshes.rows.push_back({0.0, a * r.theory.amplitude(1), a * r.theory.amplitude(2), a * r.theory.amplitude(3),
+                         a * r.theory.reflection(), 0.0, 0.0, 0.0});
   exhibit.table(meshes);
   for (std::size_t n = 1; n <= shown; ++n) {
     if (n <= r.own().peaks.size()) exhibit.measure(fmt::format("peak_{}", n), peak(r.own(), n));
@@ -339,8 +350,8 @@ Case step_variable_mass() {
   c.parameters = {
       real("amplitude", 0.1, "depth", {0.02, 0.3}, "of the wave before the step"),
       real("shelf_depth", 0.5, "depth", {0.2, 0.9}, "of the water behind it"),
-      integer("ny", {6, 12}, {4, 24}, "rows of cells over the depth on the finest mesh"),
-      real("courant", 0.54, "1", {0.05, 0.6}, "step over the height of a row, in sqrt(depth/g) and depths"),
+      integer("ny", {6, 12, 12}, {4, 24}, "rows of cells over the depth on the finest mesh"),
+      real("courant", 0.48, "1", {0.05, 0.6}, "step over the height of a row, in sqrt(depth/g) and depths"),
       choice("control", std::string("fixed_x"), {"none", "centroid", "mapped", "fixed_x"}, "of the nodes"),
       real("rate", 1.0, "sqrt(g/depth)", {0, 10}, "of the control"),
       real("surface_rate", 1.0, "sqrt(g/depth)", {0, 10}, "at which nodes of the surface slide back"),
