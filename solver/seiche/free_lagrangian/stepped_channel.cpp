@@ -49,7 +49,7 @@ Mesh stepped_channel_mesh(const SteppedChannel& channel) {
     const bool is_floor = row == 0;
     const bool is_shelf = row == below;
     const bool is_top = row == below + above;
-    const bool shifted = (row - below) % 2 != 0 && !is_top;
+    const bool shifted = (below + above - row) % 2 != 0;
     const double y = is_top        ? channel.level
                      : row < below ? channel.bottom + (channel.shelf - channel.bottom) * row / below
                                    : channel.shelf + (channel.level - channel.shelf) * (row - below) / above;

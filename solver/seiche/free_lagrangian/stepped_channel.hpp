@@ -15,8 +15,9 @@ struct SteppedChannel {
   int rows = 8;  ///< over the whole depth; there is a row at the shelf's height, above and below it even spacings
 };
 
-/// Cells about as wide as high. Every other row is shifted by half a column, counted from the shelf, but never that of
-/// the surface. Walls: bottom, left end, face of the step, shelf, right end. Throws std::invalid_argument.
+/// Cells about as wide as high. Every other row is shifted by half a column, counted from the surface, which is not; on
+/// a shelf of an odd number of rows its own is, with a narrow cell at the corner. Walls: bottom, left end, face of the
+/// step, shelf, right end. Throws std::invalid_argument.
 Mesh stepped_channel_mesh(const SteppedChannel& channel);
 
 }  // namespace seiche::free_lagrangian
