@@ -19,6 +19,7 @@ below theory; the second is still climbing out of the third. Most of what is dis
 corner, where the flow is singular, and less on finer meshes. The reflected wave comes back from the left wall and
 follows over the step.
 */
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -43,7 +44,7 @@ const std::string source = "inverse scattering (Madsen & Mei 1969) after Lamb's 
 const std::string table = "regression_step_variable_mass";
 constexpr std::array ladder{4L, 6L, 8L, 12L};
 constexpr std::size_t shown = 3;  // crests
-constexpr double apart = 2;       // crests that are closer belong to one wave with ripples on it
+constexpr double apart = 2;       // a crest is the highest place so far around it, for ripples are not waves
 constexpr double interval = 2;    // between the surfaces that are kept
 
 std::vector<long> meshes(const Values& values) {
@@ -98,15 +99,8 @@ Passage pass(const Run& run, const SolitaryWave& wave, long rows, const std::fun
   const SurfaceLine& last = p.run.last();
   const Crest first = last.highest(step, last.x.back());
   // Behind the waves that parted comes what was reflected twice.
-  const std::vector<Crest> crests =
-      last.crests(0.03 * wave.amplitude(), step + 0.5 * (first.place - step), first.place);
-  for (auto one = crests.rbegin(); one != crests.rend(); ++one) {
-    if (p.peaks.empty() || p.peaks.back().place - one->place > apart) {
-      p.peaks.push_back(*one);
-    } else if (one->height > p.peaks.back().height) {
-      p.peaks.back() = *one;
-    }
-  }
+  p.peaks = last.waves(0.03 * wave.amplitude(), apart, step + 0.5 * (first.place - step), first.place);
+  std::reverse(p.peaks.begin(), p.peaks.end());
   const double half_way = (step - run.real("crest")) / wave.speed() + 0.5 * step;
   p.reflected = p.run.at(half_way).highest(2, step - 2).height;
   return p;

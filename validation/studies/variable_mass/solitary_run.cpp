@@ -37,6 +37,16 @@ std::vector<Crest> SurfaceLine::crests(double threshold, double from, double to)
   return found;
 }
 
+std::vector<Crest> SurfaceLine::waves(double threshold, double apart, double from, double to) const {
+  std::vector<Crest> found = crests(threshold, from, to);
+  std::erase_if(found, [&](const Crest& one) {
+    const auto begin = std::lower_bound(x.begin(), x.end(), one.place - apart) - x.begin();
+    const auto end = std::upper_bound(x.begin(), x.end(), one.place + apart) - x.begin();
+    return std::any_of(y.begin() + begin, y.begin() + end, [&](double height) { return height > one.height; });
+  });
+  return found;
+}
+
 SurfaceLine surface_line(const Flow& flow) {
   SurfaceLine line{.time = flow.time(), .x = {}, .y = {}};
   for (const int k : flow.control().surface().nodes()) {

@@ -21,8 +21,9 @@ struct SurfaceLine {
 
   /// Highest crest of a part of it; a height of NaN where there is none.
   [[nodiscard]] Crest highest(double from, double to) const;
-  /// Crests above a threshold of a part of it.
+  /// Crests above a threshold of a part of it: all, and those that are the highest place within a distance.
   [[nodiscard]] std::vector<Crest> crests(double threshold, double from, double to) const;
+  [[nodiscard]] std::vector<Crest> waves(double threshold, double apart, double from, double to) const;
 };
 SurfaceLine surface_line(const variable_mass::Flow& flow);
 
