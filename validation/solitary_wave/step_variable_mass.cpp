@@ -45,6 +45,7 @@ const std::string table = "regression_step_variable_mass";
 constexpr std::array ladder{4L, 6L, 8L, 12L};
 constexpr std::size_t shown = 3;  // crests
 constexpr double apart = 2;       // a crest is the highest place so far around it, for ripples are not waves
+constexpr double smooth = 2;      // half of what the crest of the reflected wave, some six long, is read from
 constexpr double interval = 2;    // between the surfaces that are kept
 
 std::vector<long> meshes(const Values& values) {
@@ -102,7 +103,8 @@ Passage pass(const Run& run, const SolitaryWave& wave, long rows, const std::fun
   p.peaks = last.waves(0.03 * wave.amplitude(), apart, step + 0.5 * (first.place - step), first.place);
   std::reverse(p.peaks.begin(), p.peaks.end());
   const double half_way = (step - run.real("crest")) / wave.speed() + 0.5 * step;
-  p.reflected = p.run.at(half_way).highest(2, step - 2).height;
+  const SurfaceLine& then = p.run.at(half_way);
+  p.reflected = then.smoothed_height(then.highest(2, step - 2).place, smooth);
   return p;
 }
 
@@ -315,8 +317,18 @@ void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
                                      {"largest drift of a cell", "cell"}}};
   const double a = r.wave.amplitude();
   for (const Passage& p : r.passages) {
-    meshes.rows.push_back({static_cast<double>(p.run.rows), peak(p, 1), peak(p, 2), peak(p, 3), p.reflected,
-                           p.run.dissipated.back(), p.run.energy_defect, p.run.drift});
+    auto& row = meshes.rows.emplace_back();
+    row.emplace_back(static_cast<double>(p.run.rows));
+    for (std::size_t n = 1; n <= shown; ++n) {
+      if (n <= p.peaks.size()) {
+        row.emplace_back(peak(p, n));
+      } else {
+        row.emplace_back("not parted");
+      }
+    }
+    for (const double value : {p.reflected, p.run.dissipated.back(), p.run.energy_defect, p.run.drift}) {
+      row.emplace_back(value);
+    }
   }
   meshes.rows.push_back({0.0, a * r.theory.amplitude(1), a * r.theory.amplitude(2), a * r.theory.amplitude(3),
                          a * r.theory.reflection(), 0.0, 0.0, 0.0});

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/QR>
+
 #include "seiche/free_lagrangian/water_polygon.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/processor_time.hpp"
@@ -45,6 +47,20 @@ std::vector<Crest> SurfaceLine::waves(double threshold, double apart, double fro
     return std::any_of(y.begin() + begin, y.begin() + end, [&](double height) { return height > one.height; });
   });
   return found;
+}
+
+double SurfaceLine::smoothed_height(double place, double within) const {
+  const auto begin = std::lower_bound(x.begin(), x.end(), place - within) - x.begin();
+  const auto end = std::upper_bound(x.begin(), x.end(), place + within) - x.begin();
+  Eigen::MatrixXd powers(end - begin, 3);
+  Eigen::VectorXd heights(end - begin);
+  for (auto k = begin; k < end; ++k) {
+    const double s = (x[static_cast<std::size_t>(k)] - place) / within;
+    powers.row(k - begin) << 1, s, s * s;
+    heights[k - begin] = y[static_cast<std::size_t>(k)];
+  }
+  const Eigen::Vector3d c = powers.colPivHouseholderQr().solve(heights);
+  return c[0] - c[1] * c[1] / (4 * c[2]);
 }
 
 SurfaceLine surface_line(const Flow& flow) {

@@ -24,6 +24,8 @@ struct SurfaceLine {
   /// Crests above a threshold of a part of it: all, and those that are the highest place within a distance.
   [[nodiscard]] std::vector<Crest> crests(double threshold, double from, double to) const;
   [[nodiscard]] std::vector<Crest> waves(double threshold, double apart, double from, double to) const;
+  /// Top of the parabola, by least squares, through what is within a distance of a place: a crest with ripples on it.
+  [[nodiscard]] double smoothed_height(double place, double within) const;
 };
 SurfaceLine surface_line(const variable_mass::Flow& flow);
 
