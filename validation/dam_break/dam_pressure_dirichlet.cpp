@@ -36,7 +36,7 @@ nothing restores, the loss of quality that the source reports.
 namespace seiche::validation::cases {
 namespace {
 
-using dirichlet_mesh::Mesh;
+using free_lagrangian::Mesh;
 using evidence::Bound;
 using evidence::Order;
 using evidence::Role;
@@ -58,7 +58,7 @@ constexpr std::array stabilisations{Tabulated{0, "none"}, Tabulated{0.001, "1e-3
 Mesh column(const Values& values, long ny) {
   const double height = values.real("height");
   const double length = values.real("length");
-  return dirichlet_mesh::layer_mesh(
+  return free_lagrangian::layer_mesh(
       {.begin = 0,
        .end = length,
        .bottom = 0,

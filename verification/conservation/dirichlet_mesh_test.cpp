@@ -12,6 +12,7 @@ namespace {
 
 using namespace seiche;
 using namespace seiche::dirichlet_mesh;
+using namespace seiche::free_lagrangian;
 using namespace seiche::verification;
 using seiche::evidence::Bound;
 using seiche::evidence::Order;

@@ -14,7 +14,7 @@ namespace {
 
 using namespace seiche;
 using namespace seiche::verification;
-using dirichlet_mesh::Mesh;
+using free_lagrangian::Mesh;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 
@@ -50,7 +50,7 @@ double area_of(const std::vector<Point>& polygon) {
 }
 
 Mesh block() {
-  return dirichlet_mesh::jittered(dirichlet_mesh::free_patch(8, 6, {0, 0}, {1.25, 1}), 0.1, 5);
+  return free_lagrangian::jittered(free_lagrangian::free_patch(8, 6, {0, 0}, {1.25, 1}), 0.1, 5);
 }
 
 Triangulation triangulated(const Mesh& mesh) {

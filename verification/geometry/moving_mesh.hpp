@@ -12,7 +12,7 @@
 #include "seiche/geometry/moving_triangulation.hpp"
 #include "seiche/geometry/polygon_triangulation.hpp"
 #include "seiche/geometry/predicates.hpp"
-#include "seiche/models/dirichlet_mesh/mesh.hpp"
+#include "seiche/free_lagrangian/mesh.hpp"
 #include "verification/noise.hpp"
 
 namespace seiche::verification {
@@ -78,7 +78,7 @@ class WanderingBox {
  public:
   WanderingBox(int columns, int rows, std::uint64_t seed)
       : noise_(seed),
-        mesh_(dirichlet_mesh::jittered(dirichlet_mesh::free_patch(columns, rows, {0, 0}, {snapped(1.0), snapped(1.0)}),
+        mesh_(free_lagrangian::jittered(free_lagrangian::free_patch(columns, rows, {0, 0}, {snapped(1.0), snapped(1.0)}),
                                        0.3, seed)),
         on_outline_(mesh_.on_outline()),
         spacing_(1.0 / columns) {
@@ -86,7 +86,7 @@ class WanderingBox {
     for (double& y : mesh_.y) y = snapped(y);
   }
 
-  [[nodiscard]] const dirichlet_mesh::Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] const free_lagrangian::Mesh& mesh() const { return mesh_; }
   [[nodiscard]] Places nodes() const { return mesh_.places(); }
 
   /// Moves every node by up to `part` of the spacing along both axes.
@@ -124,7 +124,7 @@ class WanderingBox {
   }
 
   Noise noise_;
-  dirichlet_mesh::Mesh mesh_;
+  free_lagrangian::Mesh mesh_;
   std::vector<bool> on_outline_;
   double spacing_;
 };

@@ -139,7 +139,7 @@ TEST_CASE("an outline that is not convex keeps its edges", "[geometry]") {
               "A layer of water with a steep wave for its surface, so that triangles of the nodes alone would bridge "
               "its trough. Nodes inside wander; the triangles are compared with those of the own rebuild from nothing, "
               "by ears and insertion, and their area with that of the outline.");
-  dirichlet_mesh::Mesh mesh = dirichlet_mesh::layer_mesh(
+  free_lagrangian::Mesh mesh = free_lagrangian::layer_mesh(
       {.end = 4, .columns = 24, .rows = 6, .elevation = [](double x) { return 0.4 * std::cos(3 * x); }});
   MovingTriangulation moving(triangulate_polygon(mesh.places(), mesh.outline), mesh.places());
   const std::vector<bool> on = mesh.on_outline();

@@ -8,7 +8,7 @@
 #include "seiche/geometry/dirichlet_cells.hpp"
 #include "seiche/geometry/polygon_triangulation.hpp"
 #include "seiche/linear/ring_solver.hpp"
-#include "seiche/models/dirichlet_mesh/mesh.hpp"
+#include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/noise.hpp"
@@ -36,8 +36,8 @@ struct Rings {
   Eigen::MatrixXd dense;
 
   explicit Rings(unsigned long seed) {
-    const dirichlet_mesh::Mesh mesh =
-        dirichlet_mesh::jittered(dirichlet_mesh::free_patch(15, 12, {0, 0}, {1.25, 1}), 0.3, seed);
+    const free_lagrangian::Mesh mesh =
+        free_lagrangian::jittered(free_lagrangian::free_patch(15, 12, {0, 0}, {1.25, 1}), 0.3, seed);
     unknowns = mesh.nodes();
     cells.connect(triangulate_polygon(mesh.places(), mesh.outline), static_cast<int>(unknowns));
     fill();

@@ -14,6 +14,7 @@ namespace {
 
 using namespace seiche;
 using namespace seiche::dirichlet_mesh;
+using namespace seiche::free_lagrangian;
 using std::numbers::pi;
 
 Mesh box(int n) {

@@ -17,6 +17,7 @@ namespace {
 
 using namespace seiche;
 using namespace seiche::dirichlet_mesh;
+using namespace seiche::free_lagrangian;
 using namespace seiche::verification;
 using seiche::evidence::Bound;
 

@@ -65,6 +65,7 @@ const std::vector<ExactSolution>& catalogue() {
       overturning_wave_entry(),
       pressure_forced_wave_entry(),
       released_column_entry(),
+      soliton_fission_entry(),
       solitary_runup_entry(),
       hall_watts_entry(),
       wall_runup_entry(),

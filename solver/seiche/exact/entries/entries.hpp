@@ -40,5 +40,6 @@ ExactSolution thacker_planar_entry();
 ExactSolution overturning_wave_entry();
 ExactSolution pressure_forced_wave_entry();
 ExactSolution released_column_entry();
+ExactSolution soliton_fission_entry();
 
 }  // namespace seiche::exact

@@ -1,6 +1,6 @@
 /// A flow of the Dirichlet mesh: water in cells, stepped by Frank's one-step scheme.
 ///
-///     Flow flow(layer_mesh({.begin = 0, .end = 3, .columns = 24, .rows = 8}),
+///     Flow flow(free_lagrangian::layer_mesh({.begin = 0, .end = 3, .columns = 24, .rows = 8}),
 ///               [](Point r) { return Point{0.01 * std::sin(r.x), 0}; });
 ///     while (flow.time() < 20) flow.advance(0.05);
 ///

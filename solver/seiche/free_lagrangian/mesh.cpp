@@ -1,4 +1,4 @@
-#include "seiche/models/dirichlet_mesh/mesh.hpp"
+#include "seiche/free_lagrangian/mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 
-namespace seiche::dirichlet_mesh {
+namespace seiche::free_lagrangian {
 
 namespace {
 
@@ -178,4 +178,4 @@ Mesh jittered(Mesh mesh, double part, unsigned long seed) {
   return mesh;
 }
 
-}  // namespace seiche::dirichlet_mesh
+}  // namespace seiche::free_lagrangian

@@ -1,4 +1,4 @@
-/// What a Dirichlet mesh is given by: nodes, the outline of the water, and the straight walls that hold nodes.
+/// What a mesh of Dirichlet cells is given by: nodes, the outline of the water, and the straight walls that hold nodes.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "seiche/geometry/triangulation.hpp"
 
-namespace seiche::dirichlet_mesh {
+namespace seiche::free_lagrangian {
 
 /// A straight line without ends.
 struct Wall {
@@ -62,4 +62,4 @@ Mesh free_patch(int columns, int rows, Point lower, Point upper, bool staggered 
 /// along their wall; free nodes of the outline stay. @param part  in [0, 0.3]. Throws std::invalid_argument.
 Mesh jittered(Mesh mesh, double part, unsigned long seed);
 
-}  // namespace seiche::dirichlet_mesh
+}  // namespace seiche::free_lagrangian

@@ -1,0 +1,118 @@
+#include "seiche/free_lagrangian/cell_water.hpp"
+
+#include <algorithm>
+
+#include "seiche/free_lagrangian/water_polygon.hpp"
+#include "seiche/mechanics/plane_masses.hpp"
+#include "seiche/mechanics/projection.hpp"
+#include "seiche/require.hpp"
+
+namespace seiche::free_lagrangian {
+
+CellWater::CellWater(const Mesh& mesh, Settings settings)
+    : settings_(settings),
+      first_x_(mesh.x),
+      first_y_(mesh.y),
+      outline_(mesh.outline),
+      pressure_(mesh, settings.stabilisation, settings.solver, settings.tolerance),
+      freedom_(freedoms(mesh)),
+      force_(mesh.nodes()) {
+  require_not_negative("gravity", settings.gravity);
+  require_positive("density", settings.density);
+  std::vector<double> masses = first_areas(mesh, pressure_.triangulation().mesh());
+  for (double& mass : masses) mass *= settings.density;
+  set_masses(masses);
+}
+
+void CellWater::set_masses(std::span<const double> masses) {
+  mass_.assign(masses.begin(), masses.end());
+  mobility_.resize(mass_.size());
+  for (std::size_t k = 0; k < mass_.size(); ++k) mobility_[k] = freedom_[k].over(mass_[k]);
+}
+
+mechanics::State CellWater::state(const VelocityAt& velocity, double time) const {
+  const std::size_t n = nodes();
+  mechanics::State state{.q = first_x_, .u = std::vector<double>(rates(), 0.0), .time = time};
+  state.q.insert(state.q.end(), first_y_.begin(), first_y_.end());
+  if (!velocity) return state;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point allowed = freedom_[k](velocity({first_x_[k], first_y_[k]}));
+    state.u[k] = allowed.x;
+    state.u[n + k] = allowed.y;
+  }
+  return state;
+}
+
+void CellWater::linearise(Interval /*when*/, Input q) {
+  pressure_.measure(places(q));
+  pressure_.factor(mobility_);
+  gravity_forces(places(q), outline_, weight(), force_);
+}
+
+void CellWater::advance(Input from, Input u, double h, Output to) const {
+  next_.resize(to.size());
+  for (std::size_t i = 0; i < to.size(); ++i) next_[i] = from[i] + h * u[i];
+  pressure_.follow(places(next_));
+  std::copy(next_.begin(), next_.end(), to.begin());
+}
+
+void CellWater::kick(double h, Output u) const {
+  for (std::size_t k = 0; k < nodes(); ++k) {
+    const Point acceleration = mobility_[k](force_[k]);
+    u[k] += h * acceleration.x;
+    u[nodes() + k] += h * acceleration.y;
+  }
+}
+
+void CellWater::constraint_rates(Input u, Output w) const {
+  pressure_.rates(u, w);
+}
+
+void CellWater::react(Input mu, Output u) const {
+  pressure_.react(mu, u);
+}
+
+void CellWater::solve(Input right_hand_side, Output mu) {
+  pressure_.solve(right_hand_side, mu);
+}
+
+void CellWater::constraint_values(Input q, Output f) const {
+  pressure_.areas(places(q), f);
+  for (std::size_t k = 0; k < nodes(); ++k) f[k] -= mass_[k] / settings_.density;
+}
+
+double CellWater::mass() const {
+  return mechanics::total_mass(mass_);
+}
+
+std::array<double, 2> CellWater::momentum(Input /*q*/, Input u) const {
+  return mechanics::plane_momentum(mass_, u);
+}
+
+std::array<double, 1> CellWater::angular_momentum(Input q, Input u) const {
+  return mechanics::plane_angular_momentum(mass_, q, u);
+}
+
+double CellWater::kinetic_energy(Input /*q*/, Input u) const {
+  return mechanics::plane_kinetic_energy(mass_, u);
+}
+
+double CellWater::potential_energy(Input q) const {
+  return free_lagrangian::potential_energy(places(q), outline_, weight());
+}
+
+double CellWater::stabilisation_loss(Input impulses) const {
+  return 2 * pressure_.roughness(impulses);
+}
+
+std::vector<double> pressure_of_release(CellWater& water, const mechanics::State& rest) {
+  mechanics::require_state(rest, water.coordinates(), water.rates());
+  water.linearise({rest.time, 0}, rest.q);
+  std::vector<double> acceleration(water.rates(), 0.0);
+  std::vector<double> pressure(water.constraints(), 0.0);
+  water.kick(1, acceleration);
+  mechanics::Projection(water).project(acceleration, {}, pressure);
+  return pressure;
+}
+
+}  // namespace seiche::free_lagrangian

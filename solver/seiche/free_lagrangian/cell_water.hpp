@@ -1,0 +1,113 @@
+/// Water in Dirichlet cells as a mechanical system: masses at nodes, the potential energy of the polygon of water,
+/// cells that keep their areas.
+///
+/// @f[ m_i \ddot{\mathbf{r}}_i = \sum_j \lambda_j \frac{\partial A_j}{\partial \mathbf{r}_i}
+///                             - \frac{\partial \Pi}{\partial \mathbf{r}_i}, \qquad A_i = m_i/\rho @f]
+///
+/// Pressures and their stabilisation are cell_pressure.hpp's, Pi is water_polygon.hpp's. This is what
+/// mechanics::OneStep steps: q = (x of all nodes, y of all nodes), u = (velocities along x, along y). A model whose
+/// masses change sets them between its steps.
+///
+/// The triangulation follows whatever configuration is asked about: one thread at a time, even for const functions.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "seiche/free_lagrangian/cell_pressure.hpp"
+#include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/state.hpp"
+
+namespace seiche::free_lagrangian {
+
+using mechanics::Input;
+using mechanics::Interval;
+using mechanics::Output;
+
+struct Settings {
+  double gravity = 1;          ///< [m/s^2]
+  double density = 1;          ///< [kg/m^3]
+  double stabilisation = 0.1;  ///< epsilon
+  linear::RingMethod solver = linear::RingMethod::automatic;
+  double tolerance = 1e-13;  ///< relative residual of the iterative solver: a looser one breaks the balance of energy
+};
+
+/// Velocity of the water at a place; empty: at rest.
+using VelocityAt = std::function<Point(Point place)>;
+
+class CellWater {
+ public:
+  /// Throws std::invalid_argument (cell_pressure.hpp): settings out of range, bad meshes.
+  explicit CellWater(const Mesh& mesh, Settings settings = {});
+
+  static constexpr bool warm_start = true;
+
+  /// The mesh as it was given with these velocities at its nodes; what walls forbid is taken out, the projection on
+  /// constant areas is mechanics/start.hpp's.
+  [[nodiscard]] mechanics::State state(const VelocityAt& velocity = {}, double time = 0) const;
+
+  // What mechanics/constrained_model.hpp asks for.
+  [[nodiscard]] std::size_t coordinates() const { return 2 * nodes(); }
+  [[nodiscard]] std::size_t rates() const { return 2 * nodes(); }
+  [[nodiscard]] std::size_t constraints() const { return nodes(); }
+  /// Throws mechanics::Infeasible where the mesh tangles, and without stabilisation where A is singular.
+  void linearise(Interval when, Input q);
+  /// The triangulation goes along: where it tangles, mechanics::Infeasible before `to` is touched.
+  void advance(Input from, Input u, double h, Output to) const;
+  void kick(double h, Output u) const;
+  void constraint_rates(Input u, Output w) const;
+  void react(Input mu, Output u) const;
+  void solve(Input right_hand_side, Output mu);
+  /// A_i - m_i/rho.
+  void constraint_values(Input q, Output f) const;
+  [[nodiscard]] double place(std::size_t rate) const { return first_x_[rate % nodes()]; }
+
+  [[nodiscard]] double mass() const;                                             ///< [kg/m]
+  [[nodiscard]] std::array<double, 2> momentum(Input q, Input u) const;          ///< [kg/s]
+  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const;  ///< about the origin [kg m/s]
+  [[nodiscard]] double kinetic_energy(Input q, Input u) const;                   ///< [J/m]
+  [[nodiscard]] double potential_energy(Input q) const;                          ///< [J/m]
+
+  /// Energy that the stabilisation takes in a step with these impulses of the multipliers, at the last linearisation
+  /// [J/m]: 2 mu.(epsilon tr A/N) L^T L mu. Never negative.
+  [[nodiscard]] double stabilisation_loss(Input impulses) const;
+
+  [[nodiscard]] std::size_t nodes() const { return mass_.size(); }
+  [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] std::span<const double> masses() const { return mass_; }
+  /// As many as there are nodes, all positive. The next linearise is the first to see them.
+  void set_masses(std::span<const double> masses);
+  /// What the walls leave free, one per node.
+  [[nodiscard]] std::span<const Mobility> freedom() const { return freedom_; }
+  [[nodiscard]] std::span<const int> outline() const { return outline_; }
+  [[nodiscard]] double weight() const { return settings_.density * settings_.gravity; }  ///< rho g
+  [[nodiscard]] CellPressure& pressure() { return pressure_; }
+  [[nodiscard]] Places places(Input q) const { return {q.first(nodes()), q.last(nodes())}; }
+  /// Cells at the last linearisation.
+  [[nodiscard]] const DirichletCells& cells() const { return pressure_.cells(); }
+  [[nodiscard]] const linear::RingSolver& solver() const { return pressure_.solver(); }
+  /// A with its stabilisation, of the last linearisation.
+  [[nodiscard]] const linear::RingMatrix& matrix() const { return pressure_.matrix(); }
+  /// Where the triangulation was last asked to be.
+  [[nodiscard]] const MovingTriangulation& triangulation() const { return pressure_.triangulation(); }
+  [[nodiscard]] MeshQuality quality(Input q) const { return pressure_.quality(places(q)); }
+
+ private:
+  Settings settings_;
+  std::vector<double> first_x_, first_y_;
+  std::vector<int> outline_;
+  mutable CellPressure pressure_;
+  mutable std::vector<double> next_;
+  std::vector<double> mass_;
+  std::vector<Mobility> freedom_, mobility_;
+  std::vector<Point> force_;  // of gravity
+};
+
+/// Dynamic pressure p + rho g y of water that is at rest and let go at this instant, cell by cell [Pa]. Throws
+/// std::invalid_argument for a state of other lengths, mechanics::Infeasible.
+std::vector<double> pressure_of_release(CellWater& water, const mechanics::State& rest);
+
+}  // namespace seiche::free_lagrangian

@@ -1,0 +1,179 @@
+#include "seiche/models/variable_mass/flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "seiche/free_lagrangian/integrators.hpp"
+#include "seiche/free_lagrangian/water_polygon.hpp"
+#include "seiche/mechanics/equal_steps.hpp"
+#include "seiche/require.hpp"
+#include "seiche/samples.hpp"
+
+namespace seiche::variable_mass {
+
+namespace {
+
+std::size_t index(int k) {
+  return static_cast<std::size_t>(k);
+}
+
+}  // namespace
+
+Flow::Flow(const Mesh& rest, const Start& start, Control control, Settings settings, double drift_feedback)
+    : control_((rest.require_valid(), rest), control),
+      water_(std::make_unique<CellWater>(control_.raised(start.elevation), settings)),
+      state_(water_->state(start.velocity)),
+      drift_feedback_(drift_feedback),
+      force_(water_->nodes()) {
+  require_within("drift_feedback", drift_feedback, 0, 1);
+  parts_ = std::make_unique<mechanics::StepParts<CellWater>>(*water_, drift_feedback > 0, drift_feedback);
+  try {
+    mechanics::Start(*water_).project(state_);
+  } catch (const mechanics::Infeasible& failure) {
+    throw std::invalid_argument(failure.what());
+  }
+  watch_ = std::make_unique<mechanics::InvariantsWatch<CellWater>>(*water_, state_);
+}
+
+Flow::~Flow() = default;
+Flow::Flow(Flow&&) noexcept = default;
+Flow& Flow::operator=(Flow&&) noexcept = default;
+
+void Flow::advance(double tau) {
+  mechanics::require_step(tau);
+  require_within("rate * tau", control_.control().rate * tau, 0, 1);
+  require_within("surface_rate * tau", control_.control().surface_rate * tau, 0, 1);
+  parts_->guarded(state_, [&] { take(tau); });
+  ++state_.steps;
+}
+
+void Flow::advance_to(double time, double tau, const std::function<void()>& after_step) {
+  mechanics::equal_steps_to(
+      state_, time, tau, [this](double length) { advance(length); }, after_step);
+}
+
+void Flow::take(double tau) {
+  const std::size_t n = water_->nodes();
+  const std::size_t both = 2 * n;
+  free_lagrangian::CellPressure& pressure = water_->pressure();
+  const mechanics::Input target = parts_->drift_target(state_.q, tau);
+  velocity_.resize(both);
+  rates_.resize(both);
+  middle_.resize(both);
+
+  // Step 1: the middle of the step, and the control there.
+  pressure.follow(water_->places(state_.q));
+  control_.at(water_->triangulation(), state_.u, velocity_);
+  for (std::size_t i = 0; i < both; ++i) middle_[i] = state_.q[i] + tau / 2 * (state_.u[i] + velocity_[i]);
+  pressure.measure(water_->places(middle_));
+  control_.at(water_->triangulation(), state_.u, velocity_);
+
+  // Step 2: masses.
+  gather_exchanges(water_->places(middle_), tau);
+  convection_.begin(water_->masses(), exchanges_, water_->places(middle_));
+  mobility_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) mobility_[k] = water_->freedom()[k].over(convection_.mean_masses()[k]);
+
+  // Step 3: mean velocities, those of constant areas.
+  pressure.factor(mobility_);
+  free_lagrangian::gravity_forces(water_->places(middle_), water_->outline(), water_->weight(), force_);
+  parts_->guess_impulse(state_, tau, impulse_);
+  for (double& value : impulse_) value *= 2;
+  defect_.resize(n);
+  Worst kicks;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point kick = mobility_[k](force_[k]);
+    kicks.add(tau * kick.x);
+    kicks.add(tau * kick.y);
+  }
+  const auto respond = [&](std::span<double> u) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const Point answer = mobility_[k]({u[k] + tau * force_[k].x, u[n + k] + tau * force_[k].y});
+      u[k] = answer.x;
+      u[n + k] = answer.y;
+    }
+    pressure.rates(u, defect_);
+    for (std::size_t s = 0; s < n; ++s) defect_[s] = (target.empty() ? 0.0 : target[s]) - defect_[s];
+    pressure.solve(defect_, impulse_);
+    pressure.react(impulse_, u);
+  };
+  mean_.assign(state_.u.begin(), state_.u.end());
+  const int iterations = convection_.settle(state_.u, respond, std::abs(kicks.value()), mean_);
+
+  // Step 4: the end of the step.
+  convection_.finish(state_.u, mean_, next_u_);
+  parts_->require_finite_rates(state_, next_u_);
+  for (std::size_t i = 0; i < both; ++i) rates_[i] = mean_[i] + velocity_[i];
+  next_.resize(both);
+  water_->advance(state_.q, rates_, tau, next_);
+
+  state_.q.swap(next_);
+  state_.u.swap(next_u_);
+  water_->set_masses(convection_.next_masses());
+  loss_.add(pressure.roughness(impulse_));
+  for (std::size_t s = 0; s < target.size(); ++s) work_.add(impulse_[s] * target[s]);
+  for (double& value : impulse_) value /= 2;
+  parts_->keep_multipliers(state_, impulse_, tau);
+  iterations_ += iterations;
+  state_.time += tau;
+}
+
+void Flow::gather_exchanges(Places at, double tau) {
+  exchanges_.clear();
+  const DirichletCells& cells = water_->cells();
+  const auto begin = cells.begin();
+  const auto member = cells.members();
+  const auto gradient = cells.gradients();
+  const std::size_t n = water_->nodes();
+  const double mass = tau * water_->settings().density;
+  const auto c = [&](int k) { return Point{velocity_[index(k)], velocity_[n + index(k)]}; };
+  // Area that i gains from j where the face between them moves: dA_i/dr_j.c_j - dA_j/dr_i.c_i.
+  for (int j = 0; j < static_cast<int>(n); ++j) {
+    for (int e = begin[index(j)] + 1; e < begin[index(j) + 1]; ++e) {
+      const int i = member[index(e)];
+      if (i < j) continue;
+      const auto ring = member.subspan(index(begin[index(i)]), index(begin[index(i) + 1] - begin[index(i)]));
+      const auto back =
+          index(begin[index(i)]) + static_cast<std::size_t>(std::find(ring.begin(), ring.end(), j) - ring.begin());
+      const Point cj = c(j);
+      const Point ci = c(i);
+      const double gain =
+          gradient[index(e)].x * cj.x + gradient[index(e)].y * cj.y - gradient[back].x * ci.x - gradient[back].y * ci.y;
+      if (gain != 0) exchanges_.push_back({i, j, mass * gain});
+    }
+  }
+  // Along the outline the derivatives hold, besides the face, an eighth of the edge's motion: not of that exchange.
+  const auto outline = water_->outline();
+  for (std::size_t e = 0; e < outline.size(); ++e) {
+    const int i = outline[e];
+    const int j = outline[e + 1 == outline.size() ? 0 : e + 1];
+    const Point normal{(at[j].y - at[i].y) / 8, (at[i].x - at[j].x) / 8};
+    const double gain = normal.x * (c(j).x - c(i).x) + normal.y * (c(j).y - c(i).y);
+    if (gain != 0) exchanges_.push_back({i, j, -mass * gain});
+  }
+  const auto surface = control_.surface().nodes();
+  const std::vector<double> handed_on =
+      control_.surface().handed_on(at, {velocity_.data(), n}, {velocity_.data() + n, n});
+  for (std::size_t s = 0; s < handed_on.size(); ++s) {
+    if (handed_on[s] != 0) exchanges_.push_back({surface[s], surface[s + 1], mass * handed_on[s]});
+  }
+}
+
+double Flow::largest_drift() const {
+  std::vector<double> drift(water_->constraints());
+  water_->constraint_values(state_.q, drift);
+  return worst(drift);
+}
+
+void Flow::observe() {
+  mechanics::InvariantsLedger& ledger = watch_->ledger();
+  const auto& entries = ledger.entries();
+  const auto energy = std::find_if(entries.begin(), entries.end(), [](const auto& e) { return e.name == "energy"; });
+  const double booked = work_.value() - loss_.value();
+  ledger.book(static_cast<std::size_t>(energy - entries.begin()), booked - booked_);
+  booked_ = booked;
+  watch_->record(state_);
+}
+
+}  // namespace seiche::variable_mass

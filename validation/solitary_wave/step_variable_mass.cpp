@@ -1,0 +1,379 @@
+/*
+A solitary wave passes over a step of the bottom onto a shelf and falls apart into several: Frank's example for
+particles of variable mass (1994, section 5.3). Depth before the step, gravity and density are 1.
+
+**Set-up.** The exact solitary wave of the Euler equations starts before the step. Nodes are kept at their $x$
+(`fixed_x`), or follow the water and are drawn back (`mapped`); those below the height of the shelf stay where they are
+at rest. The corner is sharp: the node there does not move.
+
+**Theory.** At the step a long wave changes its height by $T = 2/(1 + \sqrt{h})$ (Lamb); on the shelf it is no solitary
+wave any more. Inverse scattering of the Korteweg-de Vries equation gives the waves into which it falls apart:
+
+$$\nu (\nu + 1) = \frac{2 T}{h^2}, \qquad \frac{a_n}{a_0} = h^2 (\nu - n + 1)^2 .$$
+
+**What is compared.** The crests on the shelf and the one reflected with that theory, whose own corrections are of
+relative order $a_1/h$; and, for the source's step, with another program's. Energy and what the stabilisation took.
+
+**What to look at.** The first wave grows for some 80 depths as it leaves the others behind, and ends a few per cent
+below theory; the second is still climbing out of the third. Most of what is dissipated goes while the crest passes the
+corner, where the flow is singular, and less on finer meshes. The reflected wave comes back from the left wall and
+follows over the step.
+*/
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/soliton_fission.hpp"
+#include "seiche/free_lagrangian/stepped_channel.hpp"
+#include "validation/case/case.hpp"
+#include "validation/studies/variable_mass/solitary_run.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Bound;
+using evidence::Qualitative;
+using evidence::Role;
+using evidence::Roundoff;
+using exact::SolitaryWave;
+using exact::SolitonFission;
+
+const std::string source = "inverse scattering (Madsen & Mei 1969) after Lamb's step; model: Frank (1994), section 5.3";
+const std::string table = "regression_step_variable_mass";
+constexpr std::array ladder{4L, 6L, 8L, 12L};
+constexpr std::size_t shown = 3;  // crests
+constexpr double apart = 2;       // a crest is the highest place so far around it, for ripples are not waves
+constexpr double smooth = 2;      // half of what the crest of the reflected wave, some six long, is read from
+constexpr double interval = 2;    // between the surfaces that are kept
+
+std::vector<long> meshes(const Values& values) {
+  std::vector<long> rows;
+  for (const long n : ladder) {
+    if (n < values.integer("ny")) rows.push_back(n);
+  }
+  rows.push_back(values.integer("ny"));
+  return rows;
+}
+
+/// What the waves of a run on one mesh are.
+struct Passage {
+  SolitaryRun run;
+  std::vector<Crest> peaks;  ///< on the shelf, from the highest back
+  double reflected = 0;      ///< highest crest before the step when it is half way to the left wall
+};
+
+struct Results {
+  SolitaryWave wave;
+  SolitonFission theory;
+  double step = 0;
+  std::vector<Passage> passages;
+  [[nodiscard]] const Passage& own() const { return passages.back(); }
+};
+
+/// Height of crest n of those on the shelf; NaN where there are not as many.
+double peak(const Passage& p, std::size_t n) {
+  return n <= p.peaks.size() ? p.peaks[n - 1].height : std::numeric_limits<double>::quiet_NaN();
+}
+
+double step_length(const Values& values, long rows) {
+  return values.real("courant") / static_cast<double>(rows);
+}
+
+Passage pass(const Run& run, const SolitaryWave& wave, long rows, const std::function<void(double)>& progress) {
+  const double step = run.real("step");
+  const free_lagrangian::Mesh rest = free_lagrangian::stepped_channel_mesh({.begin = 0,
+                                                                            .step = step,
+                                                                            .end = step + run.real("shelf_length"),
+                                                                            .bottom = -1,
+                                                                            .shelf = -run.real("shelf_depth"),
+                                                                            .level = 0,
+                                                                            .rows = static_cast<int>(rows)});
+  variable_mass::Flow flow(rest, solitary_start(wave, run.real("crest")),
+                           {.kind = variable_mass::control_named(run.text("control")),
+                            .rate = run.real("rate"),
+                            .surface_rate = run.real("surface_rate")},
+                           {.stabilisation = run.real("stabilisation")});
+  Passage p{.run = follow_solitary(flow, rest, rows, run.real("time"), step_length(run, rows), interval, progress),
+            .peaks = {}};
+  const SurfaceLine& last = p.run.last();
+  const Crest first = last.highest(step, last.x.back());
+  // Behind the waves that parted comes what was reflected twice.
+  p.peaks = last.waves(0.03 * wave.amplitude(), apart, step + 0.5 * (first.place - step), first.place);
+  std::reverse(p.peaks.begin(), p.peaks.end());
+  const double half_way = (step - run.real("crest")) / wave.speed() + 0.5 * step;
+  const SurfaceLine& then = p.run.at(half_way);
+  p.reflected = then.smoothed_height(then.highest(2, step - 2).place, smooth);
+  return p;
+}
+
+/// How far a quantity is from another program's on the same mesh.
+double off_table(const Results& r, const io::Table& digits, const std::string& column, long coarsest,
+                 const std::function<double(const Passage&)>& quantity) {
+  Worst off;
+  for (std::size_t k = 0; k < digits.rows(); ++k) {
+    for (const Passage& p : r.passages) {
+      if (p.run.rows >= coarsest && static_cast<double>(p.run.rows) == digits.column("n")[k])
+        off.add(quantity(p) - digits.column(column)[k]);
+    }
+  }
+  return std::abs(off.value());
+}
+
+/// The source's step, and the run of the other program.
+bool tabulated(const Values& values) {
+  return values.real("shelf_depth") == 0.5 && values.real("amplitude") == 0.1 && values.real("crest") == 10 &&
+         values.real("step") == 24 && values.real("time") == 92 && values.text("control") == "fixed_x";
+}
+
+void claim_theory(const Values& values, const Claims<Passage>& own) {
+  const double depth = values.real("shelf_depth");
+  const double amplitude = values.real("amplitude");
+  const SolitonFission theory(depth);
+  const double small = theory.amplitude(1) * amplitude / depth;
+  const double k = SolitaryWave(amplitude).decay_rate();
+  const auto parted =
+      own.only_if(values.real("time") >= 80 && small <= 0.5 && depth <= 0.6,
+                  "waves part after some 60 depths on a shelf of 0.6 or less, and theory is one of small waves");
+  for (const auto& [n, share, why] :
+       {std::tuple{1, 0.5, "half of it for the highest, which has nearly parted"},
+        std::tuple{2, 1.0, "the whole of it for the second, which climbs out of the third"}}) {
+    const auto number = static_cast<std::size_t>(n);
+    parted.check(
+        {.id = fmt::format("peak-{}", n),
+         .text = fmt::format("Wave {} on the shelf has the height of inverse scattering.", n),
+         .quantity = "height over the depth before the step",
+         .source = source},
+        [number](const Passage& p) { return peak(p, number); },
+        Bound{.limit = share * small,
+              .reason = fmt::format("corrections of the theory are of relative order a_1/h = {:.2f}: {}", small, why),
+              .expected = amplitude * theory.amplitude(n),
+              .relative = true});
+  }
+  parted.check(
+      {.id = "order-of-waves",
+       .text = "Waves follow one another by height.",
+       .quantity = "waves in front, each higher than the next",
+       .source = source},
+      [](const Passage& p) {
+        bool descending = p.peaks.size() >= 2;
+        for (std::size_t n = 1; n < std::min(p.peaks.size(), shown); ++n) {
+          descending = descending && p.peaks[n].height < p.peaks[n - 1].height;
+        }
+        return descending ? 1.0 : 0.0;
+      },
+      Qualitative{"two crests or more in the front half of the way on the shelf, the first three descending",
+                  "higher waves are faster"});
+  own.check({.id = "reflected",
+             .text = "The reflected crest is that of long waves.",
+             .quantity = "height over the depth before the step",
+             .source = "Lamb, Hydrodynamics (1932), 176"},
+            &Passage::reflected,
+            Bound{.limit = k * k,
+                  .reason = "Lamb's step is one of long waves: corrections of relative order (k H)^2, k the rate of "
+                            "decay of the wave's tails",
+                  .expected = amplitude * theory.reflection(),
+                  .relative = true});
+}
+
+void claim_digits(const Values& values, const Claims<Results>& all) {
+  const io::Table digits = values.table(table);
+  const auto claims = all.only_if(tabulated(values), "the other program's run is that of the source's step");
+  const auto claim = [&](const std::string& id, const std::string& what, double limit, const std::string& reason,
+                         long coarsest, const std::function<double(const Passage&)>& quantity) {
+    claims.check(
+        {.id = "digits-" + id,
+         .text = what + " is that of another program.",
+         .quantity = "largest difference, of the same meshes",
+         .source = "regression: another program for the same equations, table reference_data/" + table},
+        [=](const Results& r) { return off_table(r, digits, id, coarsest, quantity); },
+        Bound{.limit = limit, .reason = reason});
+  };
+  const std::string refinement = "what its own refinement from 6 to 8 rows changes, 0.0021, rounded up";
+  claim("peak_1", "The first wave", 0.003, refinement, 4, [](const Passage& p) { return peak(p, 1); });
+  claim("peak_2", "The second wave", 0.003, refinement, 4, [](const Passage& p) { return peak(p, 2); });
+  claim("reflected", "The reflected wave", 0.002,
+        "half of the range that it prints on four rows, which are left out for that", 6,
+        [](const Passage& p) { return p.reflected; });
+}
+
+void claims(const Values& values, const Claims<Results>& claims) {
+  const long rows = values.integer("ny");
+  const double tau = step_length(values, rows);
+  const double depth = values.real("shelf_depth");
+  const double amplitude = values.real("amplitude");
+  const SolitonFission theory(depth);
+  const auto own = claims.of(&Results::own).at(fmt::format("{} rows, tau = {:.3g}", rows, tau));
+  claim_theory(values, own);
+  claim_digits(values, claims);
+  // Of the first wave on the shelf: tails and speed.
+  const double k = std::sqrt(3 * amplitude * theory.amplitude(1) / std::pow(depth, 3));
+  const double omega = k * std::sqrt(depth + amplitude * theory.amplitude(1));
+  own.check(
+      {.id = "energy",
+       .text = "Energy with what was booked is kept.",
+       .quantity = "largest change, over the kinetic energy of the beginning",
+       .source = source},
+      [](const Passage& p) { return p.run.energy_defect; },
+      Bound{.limit = std::pow(omega * tau, 2) / 8,
+            .reason = "(omega tau)^2/8, by which the energy of the one-step scheme oscillates; omega = k c of the "
+                      "first wave on the shelf"});
+  own.check(
+      {.id = "dissipation",
+       .text = "The stabilisation takes less than a tenth.",
+       .quantity = "what it takes, over the kinetic energy of the beginning",
+       .source = source},
+      [](const Passage& p) { return p.run.dissipated.back(); },
+      Bound{.limit = 0.1,
+            .reason = "the energy of a solitary wave is as a^(3/2): a tenth would cost the first wave 7 per cent of "
+                      "its height, and the crests would tell of the stabilisation"});
+  const double area = values.real("step") + depth * values.real("shelf_length");
+  own.check(
+      {.id = "mass",
+       .text = "Mass is handed on, never lost.",
+       .quantity = "largest change of the whole",
+       .source = source},
+      [](const Passage& p) { return p.run.mass_defect; },
+      Roundoff{.operations = 8 * values.real("time") / tau * area * std::pow(rows, 2),
+               .scale = std::pow(rows, -2),
+               .reason = "in a step some eight exchanges of each node, which rounds its mass, 1/ny^2"});
+}
+
+Results compute(const Run& run) {
+  Results r{.wave = SolitaryWave(run.real("amplitude")),
+            .theory = SolitonFission(run.real("shelf_depth")),
+            .step = run.real("step"),
+            .passages = {}};
+  const std::vector<long> rows = meshes(run);
+  const auto cost = [](long n) { return std::pow(static_cast<double>(n), 3); };
+  double done = 0;
+  double whole = 0;
+  for (const long n : rows) whole += cost(n);
+  for (const long n : rows) {
+    r.passages.push_back(pass(run, r.wave, n, [&](double part) { run.progress((done + part * cost(n)) / whole); }));
+    done += cost(n);
+  }
+  return r;
+}
+
+void draw_way(const Results& r, evidence::Exhibit& exhibit) {
+  auto& figure = exhibit.figure("passage", "A solitary wave passes onto a shelf",
+                                "The surface at equal times, one above the other; beneath it the last of them with the "
+                                "heights of inverse scattering as bars. The step is at the vertical line.",
+                                {"frank-step"});
+  auto& way = figure.panel({.x = "x [depth]", .y = "t [sqrt(depth/g)] + 40 elevation"});
+  constexpr std::size_t every = 4;
+  for (std::size_t k = 0; k < r.own().run.surfaces.size(); k += every) {
+    const SurfaceLine& line = r.own().run.surfaces[k];
+    std::vector<double> lifted;
+    for (const double y : line.y) lifted.push_back(line.time + 40 * y);
+    way.line("", line.x, lifted);
+  }
+  way.vertical("", std::vector{r.step}, Role::guide);
+  auto& profile = figure.panel({.x = "x [depth]", .y = "elevation [depth]", .x_min = r.step - 4});
+  const SurfaceLine& last = r.own().run.last();
+  profile.line("computed", last.x, last.y);
+  for (std::size_t n = 1;
+       n <= std::min<std::size_t>(r.own().peaks.size(), static_cast<std::size_t>(r.theory.solitons())); ++n) {
+    const double place = r.own().peaks[n - 1].place;
+    const double height = r.wave.amplitude() * r.theory.amplitude(static_cast<int>(n));
+    profile.line(n == 1 ? "inverse scattering" : "", std::vector{place, place}, std::vector{0.0, height}, Role::exact);
+  }
+  profile.vertical("", std::vector{r.step}, Role::guide);
+}
+
+void draw_budget(const Results& r, evidence::Exhibit& exhibit) {
+  auto& figure = exhibit.figure("budget", "Budget of energy",
+                                "Over the kinetic energy of the beginning. Dissipated is what the stabilisation took, "
+                                "booked step by step; below it for all meshes.");
+  const SolitaryRun& own = r.own().run;
+  auto& parts = figure.panel({.x = "t [sqrt(depth/g)]", .y = "energy"});
+  std::vector<double> sum;
+  for (std::size_t k = 0; k < own.time.size(); ++k) {
+    sum.push_back(own.kinetic[k] + own.potential[k] + own.dissipated[k]);
+  }
+  parts.line("kinetic", own.time, own.kinetic);
+  parts.line("potential", own.time, own.potential);
+  parts.line("dissipated", own.time, own.dissipated);
+  parts.line("sum", own.time, sum, Role::guide);
+  auto& losses = figure.panel({.x = "t [sqrt(depth/g)]", .y = "dissipated"});
+  for (const Passage& p : r.passages) losses.line(fmt::format("{} rows", p.run.rows), p.run.time, p.run.dissipated);
+}
+
+void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
+  draw_way(r, exhibit);
+  draw_budget(r, exhibit);
+  evidence::Table meshes{.id = "meshes",
+                         .title = "Crests on finer meshes",
+                         .caption = "At the end; the last row is theory.",
+                         .columns = {{"rows", "1"},
+                                     {"a_1", "depth"},
+                                     {"a_2", "depth"},
+                                     {"a_3", "depth"},
+                                     {"reflected", "depth"},
+                                     {"dissipated", "1"},
+                                     {"energy with booked", "1"},
+                                     {"largest drift of a cell", "cell"}}};
+  const double a = r.wave.amplitude();
+  for (const Passage& p : r.passages) {
+    auto& row = meshes.rows.emplace_back();
+    row.emplace_back(static_cast<double>(p.run.rows));
+    for (std::size_t n = 1; n <= shown; ++n) {
+      if (n <= p.peaks.size()) {
+        row.emplace_back(peak(p, n));
+      } else {
+        row.emplace_back("not parted");
+      }
+    }
+    for (const double value : {p.reflected, p.run.dissipated.back(), p.run.energy_defect, p.run.drift}) {
+      row.emplace_back(value);
+    }
+  }
+  meshes.rows.push_back({0.0, a * r.theory.amplitude(1), a * r.theory.amplitude(2), a * r.theory.amplitude(3),
+                         a * r.theory.reflection(), 0.0, 0.0, 0.0});
+  exhibit.table(meshes);
+  for (std::size_t n = 1; n <= shown; ++n) {
+    if (n <= r.own().peaks.size()) exhibit.measure(fmt::format("peak_{}", n), peak(r.own(), n));
+    exhibit.measure(fmt::format("peak_{}_theory", n), a * r.theory.amplitude(static_cast<int>(n)));
+  }
+  exhibit.measure("reflected", r.own().reflected);
+  exhibit.measure("reflected_theory", a * r.theory.reflection());
+  exhibit.measure("dissipated", r.own().run.dissipated.back());
+  exhibit.measure("energy_defect", r.own().run.energy_defect);
+  exhibit.measure("mass_defect", r.own().run.mass_defect);
+}
+
+}  // namespace
+
+Case step_variable_mass() {
+  Case c;
+  c.title = "A solitary wave passes over a step of the bottom";
+  c.source =
+      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 5.3; O. S. Madsen, C. C. "
+      "Mei, J. Fluid Mech. 39 (1969) 781";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {
+      real("amplitude", 0.1, "depth", {0.02, 0.3}, "of the wave before the step"),
+      real("shelf_depth", 0.5, "depth", {0.2, 0.9}, "of the water behind it"),
+      integer("ny", {6, 12, 12}, {4, 24}, "rows of cells over the depth on the finest mesh"),
+      real("courant", 0.48, "1", {0.05, 0.6}, "step over the height of a row, in sqrt(depth/g) and depths"),
+      choice("control", std::string("fixed_x"), {"none", "centroid", "mapped", "fixed_x"}, "of the nodes"),
+      real("rate", 1.0, "sqrt(g/depth)", {0, 10}, "of the control"),
+      real("surface_rate", 1.0, "sqrt(g/depth)", {0, 10}, "at which nodes of the surface slide back"),
+      real("stabilisation", 0.01, "1", {0, 10}, "epsilon"),
+      real("crest", 10.0, "depth", {5, 100}, "where the wave starts"),
+      real("step", 24.0, "depth", {15, 200}, "where the step is"),
+      real("shelf_length", 70.0, "depth", {10, 500}, "behind it"),
+      real("time", 92.0, "sqrt(depth/g)", {20, 500}, "of the run"),
+  };
+  c.published = {{.tiles = {"frank-step"},
+                  .values = {},
+                  .tier = Tier::full,
+                  .differs = "the source tells of the run in words and prints neither numbers nor its parameters; the "
+                             "step onto half the depth is taken for it"}};
+  c.study = Study(claims, compute, show);
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,78 @@
+// Solitary waves behind a change of depth: depths known from the literature, limits, refusals.
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "seiche/exact/soliton_fission.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+using seiche::exact::SolitonFission;
+
+}  // namespace
+
+TEST_CASE("a solitary wave falls apart into whole numbers of waves at the depths that are known", "[exact]") {
+  seiche::verification::Check check(
+      "soliton_fission", "Solitary waves behind a change of depth",
+      "On a gentle slope exactly n waves and nothing else arrive where h^(-9/4) = n (n + 1)/2: at the depths 0.614 and "
+      "0.451 for n = 2 and 3, which Johnson gives. There the waves' squared rates of decay are whole numbers. Without "
+      "a "
+      "change of depth the wave stays what it is.");
+  const std::string johnson = "Johnson, Proc. Camb. Phil. Soc. 73 (1973) 183";
+  for (const auto& [n, depth] : {std::pair{2, 0.614}, {3, 0.451}}) {
+    const std::string id = std::to_string(n);
+    const double exact = std::pow(2.0 / (n * (n + 1)), 4.0 / 9);
+    const SolitonFission there(exact, SolitonFission::Passage::gradual);
+    check.that({.id = "depth-" + id,
+                .text = "The depth for " + id + " waves is that of the literature.",
+                .quantity = "depth",
+                .source = johnson},
+               {.value = exact}, Bound{.limit = 5e-4, .reason = "half a unit of the last digit", .expected = depth});
+    check.that(
+        {.id = "order-" + id, .text = "It gives exactly " + id + " waves.", .quantity = "order nu", .source = johnson},
+        {.value = there.order()},
+        Roundoff{.operations = 10, .scale = 4.0, .reason = "two powers and a root", .expected = 1.0 * n});
+    check.that({.id = "second-" + id,
+                .text = "The second wave is to the first as (n - 1)^2 to n^2.",
+                .quantity = "a_2/a_1",
+                .source = johnson},
+               {.value = there.amplitude(2) / there.amplitude(1)},
+               Roundoff{.operations = 20,
+                        .scale = 4.0,
+                        .reason = "squares of the order, which is rounded",
+                        .expected = std::pow((n - 1.0) / n, 2)});
+  }
+  const SolitonFission flat(1);
+  check.that({.id = "flat",
+              .text = "On a flat bottom the wave keeps its height.",
+              .quantity = "a_1/a_0",
+              .source = "identity"},
+             {.value = flat.amplitude(1)},
+             Roundoff{.operations = 10, .scale = 2.0, .reason = "a root and a square", .expected = 1.0});
+  CHECK(flat.solitons() == 1);
+  CHECK(flat.reflection() == 0);
+  CHECK(flat.amplitude(2) == 0);
+  const SolitonFission step(0.5);
+  CHECK(step.solitons() == 3);
+  check.that({.id = "sum-of-levels",
+              .text = "At a step onto half the depth each wave's rate of decay is one less than that before.",
+              .quantity = "sqrt(a_1/a_0)/h - sqrt(a_2/a_0)/h",
+              .source = "Landau & Lifshitz, Quantum mechanics, section 23"},
+             {.value = (std::sqrt(step.amplitude(1)) - std::sqrt(step.amplitude(2))) / 0.5},
+             Roundoff{.operations = 10, .scale = 4.0, .reason = "roots of squares", .expected = 1.0});
+}
+
+TEST_CASE("depths that are no shelf's are refused by name", "[exact]") {
+  for (const double depth : {0.0, 1.2, std::numeric_limits<double>::quiet_NaN()}) {
+    try {
+      SolitonFission fission(depth);
+      FAIL("not refused");
+    } catch (const std::invalid_argument& error) {
+      CHECK(std::string(error.what()).find("depth") != std::string::npos);
+    }
+  }
+  CHECK_THROWS_AS(SolitonFission(0.5).amplitude(0), std::invalid_argument);
+}

@@ -1,0 +1,161 @@
+// What particles of variable mass refuse, and how they break down.
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "seiche/free_lagrangian/stepped_channel.hpp"
+#include "seiche/models/variable_mass/flow.hpp"
+#include "verification/robustness/breakdown.hpp"
+#include "verification/robustness/refusals.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::free_lagrangian;
+using namespace seiche::variable_mass;
+using namespace seiche::verification;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+Mesh box() {
+  return layer_mesh({.begin = 0, .end = 1, .columns = 8, .rows = 8});
+}
+
+/// A wave of this height that a wall at either end sets up.
+Start wave(double height) {
+  return {.elevation = [=](double x) { return height * std::cos(3.141592653589793 * x); }};
+}
+
+/// A run until it breaks down, with the masses among what must be as before.
+template <class Advance>
+Breakdown run_until_break(Flow& flow, double end, const Advance& advance) {
+  std::vector<double> masses;
+  Breakdown result = run_until_breakdown(flow, end, [&](Flow& f) {
+    masses.assign(f.masses().begin(), f.masses().end());
+    advance(f);
+  });
+  result.kept = result.kept && std::equal(masses.begin(), masses.end(), flow.masses().begin());
+  return result;
+}
+
+/// The message of mechanics::Infeasible that an action must throw.
+template <class Action>
+std::string infeasible(Action action) {
+  try {
+    action();
+  } catch (const mechanics::Infeasible& failure) {
+    return failure.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("bad input of variable masses is refused by name", "[robustness]") {
+  Check check("variable_mass_bad_input", "Bad input of particles of variable mass",
+              "Controls out of range or without a surface to follow, steps too long for them, channels that are none.");
+  Refusals refusals(check);
+  const auto control = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
+                           const Control& c,
+                           const Mesh& mesh) { refusals.refused(id, text, words, [&] { Flow flow(mesh, {}, c); }); };
+  control("rate", "A control away from its target.", {"rate", "= -1", "non-negative"}, {ControlKind::mapped, -1, 0.5},
+          box());
+  control("surface-rate", "A surface rate that is not a number.", {"surface_rate", "nan"},
+          {ControlKind::mapped, 1, not_a_number}, box());
+  control("no-surface", "A mapped control of a free patch.", {"no surface between two walls", "centroid"},
+          {ControlKind::mapped, 1, 0}, free_patch(4, 4, {0, 0}, {1, 1}));
+  control("no-surface-sliding", "Sliding along a surface that is not there.", {"surface_rate = 0", "not 0.5"},
+          {ControlKind::centroid, 1, 0.5}, free_patch(4, 4, {0, 0}, {1, 1}));
+  refusals.refused("two-surfaces", "A box whose right wall has a hole.", {"two free stretches", "one"}, [] {
+    Mesh mesh = box();
+    for (std::size_t k = 0; k < mesh.nodes(); ++k) {
+      if (mesh.x[k] == 1 && mesh.y[k] == -0.5) mesh.held[k] = {};
+    }
+    Flow flow(mesh);
+  });
+  refusals.refused("standing-surface", "A surface that is a wall of water.", {"goes back in x"},
+                   [] { Flow flow(layer_mesh({.begin = 0, .end = 1, .columns = 8, .rows = 8, .right_wall = false})); });
+  refusals.refused("control-name", "A control that there is not.", {"\"eulerian\"", "fixed_x"},
+                   [] { (void)control_named("eulerian"); });
+  refusals.refused("elevation", "An elevation that is not a number.", {"elevation at x", "nan"},
+                   [] { Flow flow(box(), {.elevation = [](double) { return not_a_number; }}); });
+  refusals.refused("dry", "A surface below the bottom.", {"outline"},
+                   [] { Flow flow(box(), {.elevation = [](double) { return -1.5; }}); });
+  refusals.refused("velocity", "A velocity that is not a number.", {"u[", "nan", "finite"}, [] {
+    Flow flow(box(), {.velocity = [](Point) { return Point{not_a_number, 0}; }});
+  });
+  refusals.refused("feedback", "More than all of the drift taken back.", {"drift_feedback", "= 1.5", "[0, 1]"},
+                   [] { Flow flow(box(), {}, {}, {}, 1.5); });
+  refusals.refused("lattice", "The rectangular lattice without stabilisation.",
+                   {"singular configuration", "set stabilisation > 0"}, [] {
+                     Flow flow(layer_mesh({.begin = 0, .end = 3, .columns = 24, .rows = 8, .staggered = false}), {}, {},
+                               {.stabilisation = 0});
+                   });
+  Flow flow(box(), {}, {ControlKind::mapped, 4, 8});
+  for (const auto& [id, length] : {std::pair{"zero", 0.0}, {"negative", -0.1}, {"nan", not_a_number}}) {
+    const double tau = length;
+    refusals.refused(std::string("tau-") + id, "A step that is not positive and finite.",
+                     {"tau", "positive and finite"}, [&] { flow.advance(tau); });
+  }
+  refusals.refused("rate-tau", "A step in which nodes would overshoot their targets.",
+                   {"rate * tau", "= 1.2", "[0, 1]"}, [&] { flow.advance(0.3); });
+  refusals.refused("surface-rate-tau", "The same for nodes of the surface.", {"surface_rate * tau", "= 1.6"},
+                   [&] { flow.advance(0.2); });
+  const auto channel = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
+                           const SteppedChannel& c) {
+    refusals.refused(id, text, words, [&] { (void)stepped_channel_mesh(c); });
+  };
+  channel("step-before", "A step before the channel begins.", {"step - begin", "= -1"}, {.step = -1});
+  channel("step-behind", "A step behind its end.", {"end - step", "= -5"}, {.step = 25});
+  channel("step-down", "A step down.", {"shelf - bottom", "= -0.5"}, {.bottom = -0.5, .shelf = -1});
+  channel("shelf-dry", "A shelf above the water.", {"level - shelf", "= -0.1"}, {.shelf = 0.1});
+  channel("rows", "A single row.", {"rows", "= 1", "at least 2"}, {.rows = 1});
+}
+
+TEST_CASE("a step that hands on more than there is, or does not settle, is not taken", "[robustness]") {
+  Check check(
+      "variable_mass_exchange_limits", "Exchanges that no step can hold",
+      "Three bodies of mass 1. One gives away more than it has; or they hand a large mass round in a ring, which "
+      "leaves their masses alone but not the iteration.");
+  const std::vector<double> masses(3, 1.0);
+  const std::vector<double> x{0.25, 0.5, 0.75};
+  const std::vector<double> y(3, 0.0);
+  Convection convection;
+  const std::string given = infeasible([&] { convection.begin(masses, std::vector<Exchange>{{1, 2, 1.5}}, {x, y}); });
+  INFO(given);
+  claim_of_breakdown(check, "mass", "refused", "A mass that would not be positive.",
+                     given.find("mass of node 2 at (0.75, 0) becomes -0.5") != std::string::npos,
+                     "mechanics::Infeasible with the node, its place and the mass", "the root of it is needed");
+  convection.begin(masses, std::vector<Exchange>{{0, 1, 30}, {1, 2, 30}, {2, 0, 30}}, {x, y});
+  const std::vector<double> u{1, 0, -0.5, 0, 0.3, 0.2};
+  std::vector<double> mean = u;
+  const std::string unsettled = infeasible([&] {
+    convection.settle(
+        u,
+        [&](std::span<double> momenta) {
+          for (std::size_t i = 0; i < 6; ++i) momenta[i] /= convection.mean_masses()[i % 3];
+        },
+        0, mean);
+  });
+  INFO(unsettled);
+  claim_of_breakdown(check, "iteration", "refused", "An iteration that does not settle.",
+                     unsettled.find("does not settle in 60 iterations") != std::string::npos,
+                     "mechanics::Infeasible with the number of iterations", "an unsettled step would not be neutral");
+}
+
+TEST_CASE("variable masses that cannot go on stop with time, step and place", "[robustness]") {
+  Check check(
+      "variable_mass_breakdown", "Variable masses break down",
+      "A free patch whose two ends are thrown at each other: nodes of the outline meet. A wave as high as the box "
+      "is deep: its surface turns over. Either stops, with state and masses of before the step.");
+  Flow jet(jittered(free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1),
+           {.velocity =
+                [](Point r) {
+                  return Point{-std::sin(4 * r.x) * std::cosh(4 * r.y), std::cos(4 * r.x) * std::sinh(4 * r.y)};
+                }},
+           {ControlKind::centroid, 1, 0}, {.gravity = 0, .stabilisation = 0.1});
+  claim_breakdown(check, "jet", run_until_break(jet, 20, [](Flow& f) { f.advance(0.02); }), "turns over", -20, 20);
+  Flow high(layer_mesh({.begin = 0, .end = 1, .columns = 16, .rows = 8}), wave(0.45), {ControlKind::mapped, 1, 1});
+  claim_breakdown(check, "high-wave", run_until_break(high, 20, [](Flow& f) { f.advance(0.01); }), "", 0, 1);
+}
