@@ -16,7 +16,8 @@
 /// step gives is chequered by hundreds of times as much.
 ///
 /// Neighbours are found on a uniform grid of cells. A = G W G^T couples particles up to 2 S apart, some 60 in a row;
-/// sparse Cholesky, analysed anew when the pattern changed, beyond 5e4 particles conjugate gradients.
+/// sparse Cholesky, analysed anew when the pattern changed, beyond 5e4 particles conjugate gradients, whose iterations
+/// grow as 1/h.
 ///
 /// **Singular configurations.** A free surface makes A regular. A lattice that fills a box with its mirror images, two
 /// particles that are alone with each other, or one that is alone, make it singular. Stabilisation solves
@@ -31,10 +32,11 @@
 /// walls of others, and the energy with what the stabilisation took, under gravity too (its potential is linear), all
 /// to round-off. The masses in the volumes drift by O(tau^2).
 ///
-/// When not to use it: for more than about one turnover of the largest eddies. The model is right for smooth flow for
-/// that long; then neighbours that shear has parted leave their energy to motions of single particles, without order
-/// and Gaussian like molecules' (a "stochastic regime"): what is right after that are the statistics of an equilibrium,
-/// not the flow. Not for pressures.
+/// When not to use it: for longer than shear takes to part neighbours. The model is right for smooth flow for less than
+/// one turn of an eddy (a quarter of one's energy is lost to noise after a third of a turn); then the energy goes into
+/// motions of single particles, without order and Gaussian like molecules', the "stochastic regime" of the source. What
+/// is right after that are the statistics of an equilibrium, not the flow. Not for pressures. Not where the pressure is
+/// below that of the surroundings, for an unstable surface grows the faster the nearer the particles.
 ///
 /// The class is what mechanics::OneStep steps: q = (x of all particles, y of all), u = (velocities along x, along y).
 ///
