@@ -414,6 +414,13 @@ class Command(unittest.TestCase):
         self.refused(seiche("exact", "riemann", "--set", "left_depth=-1", "--at", "x=0,t=1"), "left_depth")
         self.refused(seiche("exact", "nothing"), "nothing")
 
+    def test_what_others_are_scored_by_is_listed(self):
+        listed = seiche("list", "--scores").stdout
+        scores = [case["name"] for case in json.loads(seiche("list", "--json").stdout)["cases"] if case["scores"]]
+        self.assertEqual([line.split(":")[0] for line in listed.splitlines() if not line.startswith(" ")], scores)
+        self.assertIn("x [m], h [m], u [m/s]", listed)
+        self.assertIn("seiche score thacker --template --table gauges", listed)
+
     def test_a_missing_time_is_not_zero(self):
         for words in (("--at", "x=0"), ("--grid", "x=-1:1:5"), ("--at", "x=0,t=1", "--at", "x=0")):
             self.refused(seiche("exact", "riemann", *words), "t is missing", "t=0")
