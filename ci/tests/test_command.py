@@ -414,6 +414,24 @@ class Command(unittest.TestCase):
         self.refused(seiche("exact", "riemann", "--set", "left_depth=-1", "--at", "x=0,t=1"), "left_depth")
         self.refused(seiche("exact", "nothing"), "nothing")
 
+    def test_what_others_are_scored_by_is_listed(self):
+        listed = seiche("list", "--scores").stdout
+        scores = [case["name"] for case in json.loads(seiche("list", "--json").stdout)["cases"] if case["scores"]]
+        self.assertEqual([line.split(":")[0] for line in listed.splitlines() if not line.startswith(" ")], scores)
+        self.assertIn("x [m], h [m], u [m/s]", listed)
+        self.assertIn("seiche score thacker --template --table gauges", listed)
+
+    def test_a_python_without_h5py_is_named(self):
+        self.assertEqual(seiche("run", "riemann", "--out", self.out).returncode, 0)
+        python = self.out.parent / "python-without"
+        python.write_text("#!/bin/sh\nexec /usr/bin/python3 -c 'import sys, runpy; sys.modules[\"h5py\"] = None; "
+                          "del sys.argv[0]; runpy.run_path(sys.argv[0], run_name=\"__main__\")' \"$@\"\n")
+        python.chmod(0o755)
+        result = seiche("report", self.out, env={**os.environ, "SEICHE_PYTHON": str(python)})
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        for word in ("h5py", "python3", "SEICHE_PYTHON"):
+            self.assertIn(word, result.stderr)
+
     def test_a_missing_time_is_not_zero(self):
         for words in (("--at", "x=0"), ("--grid", "x=-1:1:5"), ("--at", "x=0,t=1", "--at", "x=0")):
             self.refused(seiche("exact", "riemann", *words), "t is missing", "t=0")

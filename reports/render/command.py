@@ -26,6 +26,7 @@ def main(arguments=None):
         if browser is None:
             return _refuse("--pdf needs a headless browser: install chromium, chromium-browser or google-chrome")
     try:
+        import h5py  # noqa: F401  read later, figure by figure, where its absence would only leave figures out
         from render import report
     except ImportError as error:
         return _refuse(f"{sys.executable}: {error}; install python3-jinja2, python3-markdown, python3-numpy, python3-h5py,"

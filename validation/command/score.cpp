@@ -208,6 +208,7 @@ int score(const ScoreOptions& options) {
   }
   record.wall_time = options.seconds;  // of the solver's run: how long the scoring took is nobody's business
   if (options.cell > 0) record.measure("cell_size", options.cell);
+  if (options.threads > 0) record.measure("threads", static_cast<double>(options.threads));
   evidence::write(record, options.out);
   evidence::write_junit(options.out);
   print_reading(files);

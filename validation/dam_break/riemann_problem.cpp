@@ -62,7 +62,7 @@ struct Lost {
   double depth = 0;      ///< integral of |h - exact| [m^2]
   double discharge = 0;  ///< of |h u - exact| [m^3/s]
   double sent = 0;       ///< volume that fans send after the other wave [m^2]
-  double bore = 0;       ///< height of the higher jump [m]
+  double bore = 0;       ///< height of the higher jump [m]; NaN where there is none
 };
 
 /// On a ray x = speed t of a fan h_x = 2 c/(3 g t) and (h u)_x = speed h_x. A viscosity s dx/2 rounds the fan from its
@@ -95,13 +95,14 @@ void add_fan(Lost& lost, const exact::Riemann& solution, const exact::Riemann::W
 
 Lost lost_in(const exact::Riemann& solution, double time, double cell, const Smearing& smearing) {
   Lost lost;
+  Worst bores;
   const State star = solution.star();
   const auto add = [&](const exact::Riemann::Wave& wave, const State& outer) {
     if (wave.kind == exact::Riemann::Kind::jump) {
       const double width = smearing.cells_wide * cell / 4;
       lost.depth += width * std::abs(outer.depth - star.depth);
       lost.discharge += width * std::abs(outer.depth * outer.velocity - star.depth * star.velocity);
-      lost.bore = std::max(lost.bore, std::abs(outer.depth - star.depth));
+      bores.add(outer.depth - star.depth);
     } else if (wave.kind == exact::Riemann::Kind::fan) {
       const double cells = (wave.fastest - wave.slowest) * time / cell;
       add_fan(lost, solution, wave, std::log1p(cells), smearing.viscosity * cell / 2);
@@ -109,6 +110,7 @@ Lost lost_in(const exact::Riemann& solution, double time, double cell, const Sme
   };
   add(solution.left_wave(), solution.left());
   add(solution.right_wave(), solution.right());
+  lost.bore = bores.value();
   return lost;
 }
 

@@ -19,6 +19,8 @@
 namespace seiche::validation {
 namespace {
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 /// A text file, line by line from 1, without ends of lines and a byte order mark.
 struct Text {
   std::string file;
@@ -48,7 +50,9 @@ Text text_of(const std::filesystem::path& path) {
     }
   }
   if (!line.empty()) text.lines.push_back(std::move(line));
-  if (!text.lines.empty() && text.lines.front().starts_with("\xEF\xBB\xBF")) text.lines.front().erase(0, 3);
+  if (!text.lines.empty() && text.lines.front().starts_with(byte_order_mark)) {
+    text.lines.front().erase(0, byte_order_mark.size());
+  }
   return text;
 }
 
@@ -383,7 +387,7 @@ ResultFile read_result(const std::filesystem::path& file, const std::string& for
     std::string head(4096, '\0');
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(in.gcount()));
-    std::istringstream lines(head);
+    std::istringstream lines(head.starts_with(byte_order_mark) ? head.substr(byte_order_mark.size()) : head);
     Text opening{.file = file.string(), .lines = {}};
     for (std::string line; std::getline(lines, line);) opening.lines.push_back(line);
     chosen = columns.empty() ? recognised(opening) : "delimited";
