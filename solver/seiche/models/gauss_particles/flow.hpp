@@ -50,6 +50,7 @@ class Flow {
   [[nodiscard]] long steps() const { return state_.steps; }
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const mechanics::State& state() const { return state_; }
+  /// Places [m] and velocities [m/s] of all particles, markers too, in the order in which they were given.
   [[nodiscard]] std::span<const double> x() const { return Input(state_.q).first(model_.size()); }
   [[nodiscard]] std::span<const double> y() const { return Input(state_.q).last(model_.size()); }
   [[nodiscard]] std::span<const double> u() const { return Input(state_.u).first(model_.size()); }

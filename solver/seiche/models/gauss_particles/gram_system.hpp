@@ -24,6 +24,7 @@ namespace seiche::gauss_particles {
 
 class GramSystem {
  public:
+  /// @param iterate_above  unknowns beyond which conjugate gradients take the factors' place
   explicit GramSystem(std::size_t iterate_above) : iterate_above_(iterate_above) {}
   /// Clears the matrix for these unknowns.
   void begin(const Lattice& lattice, const ActiveFunctions& functions);

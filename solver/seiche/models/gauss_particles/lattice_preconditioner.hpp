@@ -35,6 +35,7 @@ class LatticePreconditioner {
     long first = 0;
     long count = 0;
   };
+  /// @param columns, rows  functions along x and y that make the rectangle
   LatticePreconditioner(const Lattice& lattice, Range columns, Range rows);
 
   /// Replaces the loads of the rectangle's functions, row by row within columns, by coefficients.

@@ -37,7 +37,7 @@ class OccupiedCells {
   /// Places in the cell, from its middle, in cells: within [-1/2, 1/2].
   [[nodiscard]] const double* across() const { return across_.data(); }
   [[nodiscard]] const double* up() const { return up_.data(); }
-  [[nodiscard]] const double* mass() const { return mass_.data(); }
+  [[nodiscard]] const double* mass() const { return mass_.data(); }  ///< [kg/m]; 0 where there is no particle
   /// b' under the particle; empty over level ground.
   [[nodiscard]] const double* slope() const { return slope_.empty() ? nullptr : slope_.data(); }
   /// The particle of a place, or nobody.

@@ -40,7 +40,7 @@ struct Layer {
 Particles layer(const Layer& layer);
 
 /// Disc of the radius about the origin: ring i of so many holds 3 (2 i - 1) particles, whose masses are the ring's area
-/// over their number; second moments are isotropic, to round-off. Markers on the rim.
+/// over their number; second moments are isotropic, to round-off. Markers on the rim. Throws std::invalid_argument.
 Particles disc(double radius, std::size_t rings, std::size_t markers = 0, double density = 1);
 
 }  // namespace seiche::gauss_particles

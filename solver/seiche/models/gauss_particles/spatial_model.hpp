@@ -9,8 +9,8 @@
 ///
 /// @f[ F'' = 2 P_0 F^{-T}, \qquad P_0 = \frac{\mathrm{tr} (F' F^{-1})^2}{2 \, \mathrm{tr} (F F^T)^{-1}} @f]
 ///
-/// there is only the error in time, for four particles as for a million. That the transpose of a motion is a motion,
-/// Dedekind's theorem, holds for the steps as well.
+/// (exact/affine_ellipsoid.hpp) there is only the error in time, for four particles as for a million. That the
+/// transpose of a motion is a motion, Dedekind's theorem, holds for the steps as well.
 ///
 /// When not to use it: walls, flows that are not polynomial; there are no splines in space.
 ///
@@ -46,7 +46,7 @@ class SpatialModel {
   SpatialModel(SpatialParticles particles, SpatialFields fields, double gravity = 0);
 
   using Vector = std::array<double, 3>;
-  /// The particles as they were given, with these velocities.
+  /// The particles as they were given, with these velocities [m/s].
   [[nodiscard]] mechanics::State state(const std::function<Vector(const Vector& place)>& velocity) const;
 
   // What mechanics/constrained_model.hpp asks for; q and u are (along x of all, along y of all, along z of all).

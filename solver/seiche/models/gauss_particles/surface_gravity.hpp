@@ -11,7 +11,9 @@
 ///
 /// Take the inner cells 0.9 full (SplineSpace::Settings): functions that hang on fewer particles are pushed by the
 /// line but hardly weighed by the particles. Waves of 90 per cent of the greatest height need ten particles to a cell's
-/// side, or the penalty.
+/// side, or the penalty: with either, and 24 cells to a wavelength, the surface is off by 0.8 per cent of the height
+/// after five periods. Masses fitted to the moments of cut cells at the beginning are no cure, for the water carries
+/// them to other cells.
 ///
 /// When not to use it: fewer than six particles to a cell's side or masses that are not end-corrected (particles.hpp),
 /// with which line and particles part; surfaces that meet themselves; fewer than ten markers to a cell; dissipative
