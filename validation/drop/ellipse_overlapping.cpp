@@ -64,6 +64,8 @@ struct SetUp {
   overlapping_particles::Settings settings;
   double spacing, tau, end;
 
+  /// About as many as the rows hold.
+  [[nodiscard]] double particles() const { return 2 * std::numbers::pi / std::numbers::sqrt3 / (spacing * spacing); }
   [[nodiscard]] double strain() const { return gradient.norm() / std::numbers::sqrt2; }
   [[nodiscard]] bool usual() const {
     return settings.shape == overlapping_particles::Shape::smoothed && settings.support == usual_smoothing;
@@ -241,10 +243,12 @@ void claim_invariants(const SetUp& s, const Claims<Results>& claims) {
                                      of_scale});
   };
   kept("energy", "energy", &Drop::energy, 1, "the kinetic energy, over which it is taken");
-  kept("momentum", "momentum", &Drop::momentum, std::sqrt(2 * first.kinetic_energy * first.area),
-       "sqrt(2 K M), above the sum of m |u|");
-  kept("angular_momentum", "angular momentum", &Drop::angular_momentum, std::sqrt(2 * first.kinetic_energy * inertia),
-       "sqrt(2 K I) with the moment of inertia at the end, above the sum of m |r| |u|");
+  const double particles = s.particles();
+  kept("momentum", "momentum", &Drop::momentum, std::sqrt(2 * first.kinetic_energy * first.area / particles),
+       "sqrt(2 K M), above the sum of m |u|, over sqrt N, for particles round on their own");
+  kept("angular_momentum", "angular momentum", &Drop::angular_momentum,
+       std::sqrt(2 * first.kinetic_energy * inertia / particles),
+       "sqrt(2 K I) with the moment of inertia at the end, above the sum of m |r| |u|, over sqrt N");
 }
 
 void claims(const Values& values, const Claims<Results>& all) {

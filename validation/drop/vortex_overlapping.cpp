@@ -322,9 +322,9 @@ void claims(const Values& values, const Claims<Results>& all) {
        .source = "Frank (1994), chapter 1"},
       &Results::angular_momentum,
       evidence::Roundoff{.operations = operations,
-                         .scale = s.rate,
-                         .reason = "as for the energy; scale: sum of m |r| |u|, with particles up to 3 away at "
-                                   "speeds of a third of the rate, mass pi"});
+                         .scale = s.rate / std::sqrt(s.particles()),
+                         .reason = "as for the energy; scale: sum of m |r| |u|, with particles up to 3 away at speeds "
+                                   "of a third of the rate, mass pi; over sqrt N, for particles round on their own"});
 }
 
 Results compute(const Run& run) {

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "seiche/models/overlapping_particles/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
@@ -44,12 +46,14 @@ Flow moving_blob(Settings settings) {
 void claim_kept(Check& check, const std::string& id, const std::string& what, const Flow& flow,
                 const std::vector<std::pair<std::string, std::string>>& invariants) {
   for (const auto& [entry, name] : invariants) {
-    check.that(
-        {.id = id + "-" + name, .text = what + ": " + name + ".", .quantity = "largest defect", .source = source},
-        {.value = flow.ledger().largest_defect(entry)},
-        Roundoff{.operations = static_cast<double>(flow.steps()),
-                 .scale = 1,
-                 .reason = "one rounding per step of a sum of order 1; sums are compensated"});
+    check.that({.id = fmt::format("{}-{}", id, name),
+                .text = fmt::format("{}: {}.", what, name),
+                .quantity = "largest defect",
+                .source = source},
+               {.value = flow.ledger().largest_defect(entry)},
+               Roundoff{.operations = static_cast<double>(flow.steps()),
+                        .scale = 1,
+                        .reason = "one rounding per step of a sum of order 1; sums are compensated"});
   }
 }
 

@@ -194,7 +194,7 @@ TEST_CASE("the cell grid finds the neighbours that all pairs give", "[geometry]"
          .text = "Lists are made anew now and then, not every time.",
          .quantity = "between twice and every other time",
          .source = source},
-        {.value = made >= 2 && made <= rounds / 2 ? 1.0 : 0.0},
+        {.value = made >= 2 && 2 * made <= rounds ? 1.0 : 0.0},
         evidence::Qualitative{"lists made in twenty rounds",
                               "random steps of a tenth of the spacing, of which some use up a tenth of the reach"});
     check.measure(id + "lists made", made);
