@@ -36,11 +36,11 @@ nothing restores, the loss of quality that the source reports.
 namespace seiche::validation::cases {
 namespace {
 
-using free_lagrangian::Mesh;
 using evidence::Bound;
 using evidence::Order;
 using evidence::Role;
 using exact::ReleasedColumn;
+using free_lagrangian::Mesh;
 
 const std::string source = "exact series; model: Frank, Discrete models of incompressible fluid (1994), section 5.2";
 const std::string table = "regression_dam_pressure_dirichlet";

@@ -15,9 +15,9 @@ $$\nu (\nu + 1) = \frac{2 T}{h^2}, \qquad \frac{a_n}{a_0} = h^2 (\nu - n + 1)^2 
 relative order $a_1/h$; and, for the source's step, with another program's. Energy and what the stabilisation took.
 
 **What to look at.** The first wave grows for some 80 depths as it leaves the others behind, and ends a few per cent
-below theory; the second is still climbing out of the third. Most of what is dissipated goes while the crest passes the
-corner, where the flow is singular, and less on finer meshes. The reflected wave comes back from the left wall and
-follows over the step.
+below theory; the second is still climbing out of the third. The passage of the corner, where the flow is singular,
+costs little energy; most of what is dissipated goes on the long way over the shelf, whose rows are few for waves that
+short. The reflected wave comes back from the left wall and follows over the step.
 */
 #include <algorithm>
 #include <array>

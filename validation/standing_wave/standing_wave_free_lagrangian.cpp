@@ -12,9 +12,10 @@ wave of a tenth of the depth, how long a model lasts, up to `periods`.
 
 **What to look at.** The source says that the motion of Dirichlet cells, which is not the water's, costs quality. The
 frequency does not show it: it is of second order everywhere. The noise does: without stabilisation it is many times
-that of the quadrilaterals and does not fall with the mesh. High waves end it: nobody restores the place of a node in
-its cell, and after about a period a triangle of the outline turns over. Particles of variable mass last, but the energy
-of their motion goes into short waves after a few periods.
+that of the quadrilaterals and does not fall with the mesh. High waves end it: nothing restores the place of a node in
+its cell, and after about a period a triangle of the outline turns over. The quadrilaterals, here without the force that
+keeps them from folding, last for nearly five. Particles of variable mass last, but the energy of their motion goes into
+short waves after a few periods.
 */
 #include <array>
 #include <cmath>

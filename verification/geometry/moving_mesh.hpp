@@ -9,10 +9,10 @@
 
 #include <boost/polygon/voronoi.hpp>
 
+#include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/geometry/moving_triangulation.hpp"
 #include "seiche/geometry/polygon_triangulation.hpp"
 #include "seiche/geometry/predicates.hpp"
-#include "seiche/free_lagrangian/mesh.hpp"
 #include "verification/noise.hpp"
 
 namespace seiche::verification {
@@ -78,8 +78,8 @@ class WanderingBox {
  public:
   WanderingBox(int columns, int rows, std::uint64_t seed)
       : noise_(seed),
-        mesh_(free_lagrangian::jittered(free_lagrangian::free_patch(columns, rows, {0, 0}, {snapped(1.0), snapped(1.0)}),
-                                       0.3, seed)),
+        mesh_(free_lagrangian::jittered(
+            free_lagrangian::free_patch(columns, rows, {0, 0}, {snapped(1.0), snapped(1.0)}), 0.3, seed)),
         on_outline_(mesh_.on_outline()),
         spacing_(1.0 / columns) {
     for (double& x : mesh_.x) x = snapped(x);

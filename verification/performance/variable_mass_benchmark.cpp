@@ -17,7 +17,11 @@ void variable_mass_steps(benchmark::State& state) {
   const auto rows = static_cast<int>(state.range(0));
   const auto hump = [](double x) { return 0.1 / std::pow(std::cosh(0.26 * (x - 20)), 2); };
   Flow flow(free_lagrangian::layer_mesh({.begin = 0, .end = 40, .columns = 40 * rows, .rows = rows}),
-            {.elevation = hump, .velocity = [&](Point r) { return Point{hump(r.x), 0}; }},
+            {.elevation = hump,
+             .velocity =
+                 [&](Point r) {
+                   return Point{hump(r.x), 0};
+                 }},
             {ControlKind::fixed_x, 1, 1}, {.stabilisation = 0.01});
   for (auto _ : state) flow.advance(0.4 / rows);
   state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.water().nodes()));

@@ -26,6 +26,11 @@ double foot_of(const Mesh& mesh) {
   return corner.count() > 0 ? corner.value() : smallest(mesh.y);
 }
 
+const Mesh& valid(const Mesh& mesh) {
+  mesh.require_valid();
+  return mesh;
+}
+
 }  // namespace
 
 ControlKind control_named(std::string_view name) {
@@ -37,7 +42,7 @@ ControlKind control_named(std::string_view name) {
 }
 
 ControlVelocity::ControlVelocity(const Mesh& rest, Control control)
-    : control_(control), rest_(rest), surface_(rest), freedom_(freedoms(rest)), controlled_(rest.nodes(), true) {
+    : control_(control), rest_(valid(rest)), surface_(rest), freedom_(freedoms(rest)), controlled_(rest.nodes(), true) {
   require_not_negative("rate", control.rate);
   require_not_negative("surface_rate", control.surface_rate);
   if (!surface_.exists() && (lifts() || control.surface_rate > 0)) {

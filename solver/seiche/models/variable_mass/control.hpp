@@ -38,12 +38,12 @@ struct Control {
 class ControlVelocity {
  public:
   /// @param rest  the mesh under a flat surface: where nodes return to
-  /// Throws std::invalid_argument: rates that are negative; mapped, fixed_x or a surface_rate without a surface
-  /// between two walls.
+  /// Throws std::invalid_argument: bad meshes (mesh.hpp), rates that are negative; mapped, fixed_x or a surface_rate
+  /// without a surface between two walls.
   ControlVelocity(const free_lagrangian::Mesh& rest, Control control);
 
   /// The mesh under an elevated surface: every node lifted as `mapped` would have it. Throws std::invalid_argument
-  /// where no water is left.
+  /// for an elevation that is not finite.
   [[nodiscard]] free_lagrangian::Mesh raised(const std::function<double(double x)>& elevation) const;
 
   /// c of all nodes along x, then along y. @param mesh  at the places asked about

@@ -21,7 +21,7 @@ std::size_t index(int k) {
 }  // namespace
 
 Flow::Flow(const Mesh& rest, const Start& start, Control control, Settings settings, double drift_feedback)
-    : control_((rest.require_valid(), rest), control),
+    : control_(rest, control),
       water_(std::make_unique<CellWater>(control_.raised(start.elevation), settings)),
       state_(water_->state(start.velocity)),
       drift_feedback_(drift_feedback),
