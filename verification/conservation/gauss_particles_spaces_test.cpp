@@ -202,3 +202,26 @@ TEST_CASE("spray of free particles flies freely", "[conservation]") {
                .scale = 1,
                .reason = "velocities up to 1 that are rounded in each step displace the drop in all later ones"});
 }
+
+TEST_CASE("markers among free particles are never reflected", "[conservation]") {
+  Check check("gauss_particles_markers", "Free particles: markers ride on the field",
+              "A disc of 48 particles moves uniformly; a marker in it is given another velocity. After one step it has "
+              "the velocity of the water: what it had of its own is forgotten, where a particle would be reflected.");
+  Particles particles = disc(1, 4);
+  particles.add(0.3, -0.2, 0);
+  const std::size_t marker = particles.size() - 1;
+  const std::size_t count = particles.size();
+  const Point water{0.3, -0.2}, own{0.5, 0.4};
+  Model model(std::move(particles), std::make_unique<PolynomialSpace>(linear_fields()), {.gravity = 0, .penalty = 0});
+  State state = model.state([&](Point) { return water; });
+  state.u[marker] = own.x;
+  state.u[count + marker] = own.y;
+  OneStep<Model> step(model);
+  step.step(state, tau);
+  check.that({.id = "velocity",
+              .text = "The marker has the velocity of the water.",
+              .quantity = "distance of the velocities",
+              .source = source},
+             {.value = std::hypot(state.u[marker] - water.x, state.u[count + marker] - water.y)},
+             Roundoff{.operations = 100, .scale = 1, .reason = "a projection of 48 particles onto five fields"});
+}

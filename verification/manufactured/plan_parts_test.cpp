@@ -209,6 +209,85 @@ TEST_CASE("markers on a shore have a sixth of their cells", "[manufactured]") {
              Roundoff{.operations = 8, .scale = 4, .reason = "four products added, of volumes up to 4"});
 }
 
+TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
+  Check check(
+      "plan_shore_moment", "Plan model: the bottom's energy at a shoreline",
+      "int b^2/2 over what the markers of a shore have flooded since the beginning, b linear along each edge. A "
+      "canal 2 wide, 3 x 2 cells, its shore in the east. Over a plane bottom a shore that moves by d as a whole "
+      "has flooded a wedge: 2 s^2 d^3/6. Over a bowl, with markers that move each their own way, the integral "
+      "over both parameters is taken by Gauss's rule of 7 x 7 points.");
+  const auto lattice_over = [](std::vector<PolynomialBottom::Term> terms) {
+    Lattice lattice = rectangular_lattice({.begin = 0, .end = 3, .south = 0, .north = 2, .columns = 3, .rows = 2});
+    lattice.bottom = std::make_shared<PolynomialBottom>(std::move(terms));
+    lattice.sides.east = plan_lattice::ShoreSide{};
+    return lattice;
+  };
+  const auto places = [](const Lattice& lattice) {
+    std::vector<double> q = lattice.x;
+    q.insert(q.end(), lattice.y.begin(), lattice.y.end());
+    q.insert(q.end(), lattice.z.begin(), lattice.z.end());
+    return q;
+  };
+  const Roundoff rounding{.operations = 60, .scale = 4, .reason = "sums of some sixty products, of terms up to 4"};
+
+  const double slope = 0.4, way = 1.5;
+  const Lattice plane = lattice_over({{.coefficient = -3 * slope}, {.coefficient = slope, .x_power = 1}});
+  std::vector<double> q = places(plane);
+  const Shoreline beach(plane.shape, plane.sides, plane.bottom, q);
+  for (std::size_t j = 0; j <= 2; ++j) q[plane.shape.node(3, j)] += way;
+  check.that({.id = "wedge",
+              .text = "A straight shore over a plane bottom has flooded a wedge.",
+              .quantity = "difference of the moments",
+              .source = "closed form"},
+             {.value = beach.bottom_moment(q) - 2 * slope * slope * way * way * way / 6}, rounding);
+
+  const Lattice curved = lattice_over({{.coefficient = -0.9},
+                                       {.coefficient = 0.1, .x_power = 2},
+                                       {.coefficient = 0.05, .y_power = 2},
+                                       {.coefficient = -0.08, .x_power = 1, .y_power = 1}});
+  const std::vector<double> first = places(curved);
+  const Shoreline shore(curved.shape, curved.sides, curved.bottom, first);
+  const std::size_t nodes = curved.shape.nodes();
+  std::vector<double> moved = first;
+  const std::array<Point, 3> ways{Point{0.9, 0.2}, Point{-0.6, -0.1}, Point{0.4, -0.3}};
+  for (std::size_t j = 0; j <= 2; ++j) {
+    moved[curved.shape.node(3, j)] += ways[j].x;
+    moved[nodes + curved.shape.node(3, j)] += ways[j].y;
+  }
+  using Gauss = boost::math::quadrature::gauss<double, 7>;
+  double exact = 0;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const auto marker = [&](std::size_t row, double s) {
+      const std::size_t k = curved.shape.node(3, row);
+      return Point{first[k] + s * ways[row].x, first[nodes + k] + s * ways[row].y};
+    };
+    const auto bed = [&](Point at) { return curved.bottom->slope(at.x, at.y).elevation; };
+    const auto integrand = [&](double s, double t) {
+      const Point p = marker(j, s), r = marker(j + 1, s);
+      const double b = (1 - t) * bed(p) + t * bed(r);
+      const Point sweep{(1 - t) * ways[j].x + t * ways[j + 1].x, (1 - t) * ways[j].y + t * ways[j + 1].y};
+      return 0.5 * b * b * (sweep.x * (r.y - p.y) - sweep.y * (r.x - p.x));
+    };
+    exact += Gauss::integrate(
+        [&](double s) { return Gauss::integrate([&](double t) { return integrand(s, t); }, 0.0, 1.0); }, 0.0, 1.0);
+  }
+  check.that({.id = "bowl",
+              .text = "The moment is the integral over both parameters; Gauss's three points are exact for a bowl.",
+              .quantity = "difference of the moments",
+              .source = "shoreline.hpp"},
+             {.value = shore.bottom_moment(moved) - exact}, rounding);
+
+  std::vector<double> forces(3 * nodes);
+  shore.push_between(first, moved, 1, forces);
+  double work = 0;
+  for (std::size_t k = 0; k < 2 * nodes; ++k) work += forces[k] * (moved[k] - first[k]);
+  check.that({.id = "work",
+              .text = "The mean force over a straight way does the work that the moment gains.",
+              .quantity = "difference of work and moment",
+              .source = "discrete gradient; shoreline.hpp"},
+             {.value = work - exact}, rounding);
+}
+
 TEST_CASE("a moving window appends still water of its own depth", "[manufactured]") {
   Check check("plan_window_cells", "Plan model: the column that a window appends",
               "A lattice whose columns widen to the east, over a level bottom 2 deep and over an inclined one, is "

@@ -63,6 +63,7 @@ const std::vector<ExactSolution>& catalogue() {
       gerstner_entry(),
       overturning_wave_entry(),
       pressure_forced_wave_entry(),
+      released_column_entry(),
       solitary_runup_entry(),
       hall_watts_entry(),
       wall_runup_entry(),

@@ -5,6 +5,7 @@
 #include <new>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include <cholmod.h>
 #include <fmt/format.h>
@@ -34,12 +35,20 @@ class OnOneThread {
 }  // namespace
 
 struct SparseCholesky::Cholmod {
-  explicit Cholmod(Eigen::SparseMatrix<double> matrix) : pattern(std::move(matrix)) {
+  Cholmod(Eigen::SparseMatrix<double> matrix, std::span<const int> ordering) : pattern(std::move(matrix)) {
     cholmod_start(&common);
     common.print = 0;
     common.final_ll = 1;  // L D L^T would accept negative pivots
     cholmod_sparse a = view();
-    factor = cholmod_analyze(&a, &common);
+    if (ordering.empty()) {
+      factor = cholmod_analyze(&a, &common);
+    } else {
+      common.nmethods = 1;
+      common.method[0].ordering = CHOLMOD_GIVEN;
+      std::vector<int> given(ordering.begin(), ordering.end());
+      factor = cholmod_analyze_p(&a, given.data(), nullptr, 0, &common);
+    }
+    entries = common.lnz;
     if (factor == nullptr) {
       cholmod_finish(&common);
       throw std::bad_alloc();
@@ -75,6 +84,7 @@ struct SparseCholesky::Cholmod {
   Eigen::SparseMatrix<double> pattern;
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
+  double entries = 0;
   cholmod_dense* x = nullptr;  // solution and work, kept from one solution to the next
   cholmod_dense* y = nullptr;
   cholmod_dense* e = nullptr;
@@ -100,9 +110,16 @@ void require_lower(const Eigen::SparseMatrix<double>& pattern) {
 
 }  // namespace
 
-SparseCholesky::SparseCholesky(Eigen::SparseMatrix<double> pattern) {
+SparseCholesky::SparseCholesky(Eigen::SparseMatrix<double> pattern)
+    : SparseCholesky(std::move(pattern), std::span<const int>{}) {}
+
+SparseCholesky::SparseCholesky(Eigen::SparseMatrix<double> pattern, std::span<const int> ordering) {
   require_lower(pattern);
-  cholmod_ = std::make_unique<Cholmod>(std::move(pattern));
+  if (!ordering.empty() && ordering.size() != static_cast<std::size_t>(pattern.cols())) {
+    throw std::invalid_argument(
+        fmt::format("ordering has {} unknowns; the pattern has {}", ordering.size(), pattern.cols()));
+  }
+  cholmod_ = std::make_unique<Cholmod>(std::move(pattern), ordering);
 }
 
 SparseCholesky::~SparseCholesky() = default;
@@ -111,6 +128,18 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
 std::size_t SparseCholesky::size() const {
   return cholmod_->factor->n;
+}
+
+std::span<const int> SparseCholesky::ordering() const {
+  return {static_cast<const int*>(cholmod_->factor->Perm), size()};
+}
+
+double SparseCholesky::entries() const {
+  return cholmod_->entries;
+}
+
+double SparseCholesky::pivot_ratio() const {
+  return cholmod_rcond(cholmod_->factor, &cholmod_->common);
 }
 
 void SparseCholesky::factor(std::span<const double> values) {

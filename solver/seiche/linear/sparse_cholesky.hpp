@@ -22,6 +22,8 @@ class SparseCholesky {
   /// @param pattern  lower triangle with its diagonal, compressed; its values do not matter. Throws
   ///                 std::invalid_argument.
   explicit SparseCholesky(Eigen::SparseMatrix<double> pattern);
+  /// @param ordering  the elimination order of a pattern that was nearly the same: spares finding one
+  SparseCholesky(Eigen::SparseMatrix<double> pattern, std::span<const int> ordering);
   ~SparseCholesky();
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;
@@ -33,6 +35,12 @@ class SparseCholesky {
   void solve(std::span<const double> right_hand_side, std::span<double> x) const;
 
   [[nodiscard]] std::size_t size() const;
+  /// Unknowns in the order of their elimination.
+  [[nodiscard]] std::span<const int> ordering() const;
+  /// Entries of the factor that the ordering makes.
+  [[nodiscard]] double entries() const;
+  /// Smallest pivot over the largest, after factor.
+  [[nodiscard]] double pivot_ratio() const;
 
  private:
   struct Cholmod;

@@ -18,10 +18,12 @@
 /// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 1.
 #pragma once
 
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
 #include "seiche/mechanics/step_parts.hpp"
+#include "seiche/require.hpp"
 
 namespace seiche::mechanics {
 
@@ -30,13 +32,15 @@ class OneStep {
  public:
   struct Settings {
     bool drift_feedback = false;    ///< J u~ = -f(q^n)/tau instead of 0: the constraints' drift no longer accumulates
+    double drift_share = 1;         ///< of the drift that a step takes back, in (0, 1]
     bool measure_residual = false;  ///< keep J u~ - target of each step, at the price of one more pass
   };
 
   /// @param model  must outlive the stepper
   /// Throws std::invalid_argument for settings that the model does not support.
   explicit OneStep(Model& model, Settings settings = {})
-      : model_(model), settings_(settings), parts_(model, settings.drift_feedback) {
+      : model_(model), settings_(settings), parts_(model, settings.drift_feedback, settings.drift_share) {
+    require_within("drift_share", settings.drift_share, std::numeric_limits<double>::min(), 1);
     if (settings.measure_residual && !HasMultipliers<Model>) {
       throw std::invalid_argument("measure_residual = true; allowed only for models with constraint_rates");
     }

@@ -19,8 +19,10 @@ namespace seiche::mechanics {
 template <ConstrainedModel Model>
 class StepParts {
  public:
+  /// @param drift_share  of the drift that a step takes back
   /// Throws std::invalid_argument when drift_feedback is asked of a model without constraint_values.
-  StepParts(Model& model, bool drift_feedback) : model_(model), drift_feedback_(drift_feedback), projection_(model) {
+  StepParts(Model& model, bool drift_feedback, double drift_share = 1)
+      : model_(model), drift_feedback_(drift_feedback), drift_share_(drift_share), projection_(model) {
     if (drift_feedback && !HasConstraintValues<Model>) {
       throw std::invalid_argument("drift_feedback = true; allowed only for models with constraint_values");
     }
@@ -37,13 +39,13 @@ class StepParts {
     }
   }
 
-  /// -f(q)/tau with drift feedback, empty without.
+  /// -f(q)/tau with drift feedback, or the share of it; empty without.
   Input drift_target([[maybe_unused]] Input q, [[maybe_unused]] double tau) {
     if constexpr (HasConstraintValues<Model>) {
       if (drift_feedback_) {
         target_.resize(constraint_count(model_));
         model_.constraint_values(q, target_);
-        for (double& t : target_) t /= -tau;
+        for (double& t : target_) t = -drift_share_ * t / tau;
         return target_;
       }
     }
@@ -114,6 +116,7 @@ class StepParts {
  private:
   Model& model_;
   bool drift_feedback_;
+  double drift_share_;
   Projection<Model> projection_;
   std::vector<double> entered_;
   std::vector<double> target_;

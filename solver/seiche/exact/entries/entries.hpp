@@ -37,5 +37,6 @@ ExactSolution thacker_radial_entry();
 ExactSolution thacker_planar_entry();
 ExactSolution overturning_wave_entry();
 ExactSolution pressure_forced_wave_entry();
+ExactSolution released_column_entry();
 
 }  // namespace seiche::exact

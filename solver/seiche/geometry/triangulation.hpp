@@ -1,0 +1,84 @@
+/// Triangles with their neighbours, and the local flips that keep them Delaunay (Frank 1994, 5.2; Lawson 1977).
+///
+/// The edges of the outline are fixed: constrained Delaunay. An edge inside is flipped when the node across it is
+/// strictly inside the circle of the triangle; nodes on one circle keep the edge they have, so that flips end.
+///
+/// References: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), 5.2; Lawson, Software for
+/// C1 surface interpolation, Mathematical Software III (1977) 161.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "seiche/geometry/curve.hpp"
+
+namespace seiche {
+
+/// Places of nodes, x and y apart. Does not own them.
+struct Places {
+  std::span<const double> x;
+  std::span<const double> y;
+  [[nodiscard]] Point operator[](int node) const {
+    const auto k = static_cast<std::size_t>(node);
+    return {x[k], y[k]};
+  }
+  [[nodiscard]] int size() const { return static_cast<int>(x.size()); }
+};
+
+struct Triangle {
+  std::array<int, 3> vertex;  ///< counter-clockwise
+  std::array<int, 3> across;  ///< the triangle opposite each vertex, or Triangulation::outside
+};
+
+class Triangulation {
+ public:
+  static constexpr int outside = -1;
+
+  /// Neighbours are found from the vertices. Throws std::invalid_argument where an edge has three triangles or two that
+  /// run along it in the same direction.
+  explicit Triangulation(std::span<const std::array<int, 3>> triangles);
+
+  [[nodiscard]] std::span<const Triangle> triangles() const { return triangles_; }
+  [[nodiscard]] int size() const { return static_cast<int>(triangles_.size()); }
+  [[nodiscard]] const Triangle& operator[](int t) const { return triangles_[static_cast<std::size_t>(t)]; }
+
+  /// Replaces the edge opposite vertex k of triangle t, which is none of the outline, by the other diagonal: of t =
+  /// (a, b, c) and its neighbour across bc with the vertex d become (a, b, d) and (a, d, c).
+  void flip(int t, int k);
+  /// Flips until no edge can be improved; returns how many flips that took. All triangles must be counter-clockwise.
+  long make_delaunay(Places nodes);
+  /// Puts a node into triangle t, in its inside or on an inner edge of it, and flips around it.
+  void insert(int node, int t, Places nodes);
+  /// A triangle that is not counter-clockwise, or `outside` if there is none.
+  [[nodiscard]] int first_inverted(Places nodes) const;
+  /// Edges whose opposite node is strictly inside the circle.
+  [[nodiscard]] long edges_not_delaunay(Places nodes) const;
+
+ private:
+  struct Edge {
+    int triangle;
+    int opposite;
+  };
+
+  Triangle& at(int t) { return triangles_[static_cast<std::size_t>(t)]; }
+  [[nodiscard]] bool wants_flip(int t, int k, Places nodes) const;
+  /// Which vertex of `of` faces triangle t.
+  [[nodiscard]] int facing(int of, int t) const;
+  void relink(int of, int from, int to);
+  long settle(Places nodes);
+
+  std::vector<Triangle> triangles_;
+  std::vector<Edge> doubtful_;  // stack of edges to look at
+};
+
+/// Vertex k of a triangle counted on from 0, 1, 2: 3 is 0.
+inline std::size_t next(int k) {
+  return k == 2 ? 0 : static_cast<std::size_t>(k) + 1;
+}
+inline std::size_t previous(int k) {
+  return k == 0 ? 2 : static_cast<std::size_t>(k) - 1;
+}
+
+}  // namespace seiche

@@ -1,0 +1,181 @@
+#include "seiche/models/dirichlet_mesh/mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/geometry/polygon_triangulation.hpp"
+#include "seiche/require.hpp"
+#include "seiche/samples.hpp"
+
+namespace seiche::dirichlet_mesh {
+
+namespace {
+
+constexpr double nearest = 1e-12;  // of a node to its wall, in extents of the mesh
+
+double extent(const Mesh& mesh) {
+  return largest(mesh.x) - smallest(mesh.x) + largest(mesh.y) - smallest(mesh.y);
+}
+
+/// Rows of nodes, and the nodes at their ends.
+struct Rows {
+  Mesh mesh;
+  std::vector<int> left, right;  // from the bottom up
+  std::vector<int> bottom, top;  // without the ends
+};
+
+void require_layer(const Layer& layer) {
+  require_finite("begin", layer.begin);
+  require_positive("end - begin", layer.end - layer.begin);
+  require_positive("level - bottom", layer.level - layer.bottom);
+  require_at_least("columns", layer.columns, 1);
+  require_at_least("rows", layer.rows, 1);
+}
+
+Rows rows_of(const Layer& layer) {
+  require_layer(layer);
+  Rows rows;
+  const double width = (layer.end - layer.begin) / layer.columns;
+  const auto put = [&](double x, int j) {
+    const double top = layer.level + (layer.elevation ? layer.elevation(x) : 0.0);
+    if (!(top > layer.bottom)) {
+      throw std::invalid_argument(fmt::format(
+          "no water at x = {:g}: its surface at {:g} is not above the bottom at {:g}", x, top, layer.bottom));
+    }
+    rows.mesh.x.push_back(x);
+    rows.mesh.y.push_back(j == layer.rows ? top : layer.bottom + (top - layer.bottom) * j / layer.rows);
+    return static_cast<int>(rows.mesh.nodes()) - 1;
+  };
+  for (int j = 0; j <= layer.rows; ++j) {
+    const bool shifted = layer.staggered && j % 2 == 1 && j != layer.rows;
+    rows.left.push_back(put(layer.begin, j));
+    for (int i = shifted ? 0 : 1; i < layer.columns; ++i) {
+      const int node = put(layer.begin + (shifted ? i + 0.5 : i) * width, j);
+      if (j == 0) rows.bottom.push_back(node);
+      if (j == layer.rows) rows.top.push_back(node);
+    }
+    rows.right.push_back(put(layer.end, j));
+  }
+  std::vector<int>& outline = rows.mesh.outline;
+  outline.push_back(rows.left.front());
+  outline.insert(outline.end(), rows.bottom.begin(), rows.bottom.end());
+  outline.insert(outline.end(), rows.right.begin(), rows.right.end());
+  outline.insert(outline.end(), rows.top.rbegin(), rows.top.rend());
+  outline.insert(outline.end(), rows.left.rbegin(), rows.left.rend() - 1);
+  rows.mesh.held.resize(rows.mesh.nodes());
+  return rows;
+}
+
+}  // namespace
+
+std::vector<bool> Mesh::on_outline() const {
+  std::vector<bool> on(nodes());
+  for (const int k : outline) on.at(static_cast<std::size_t>(k)) = true;
+  return on;
+}
+
+void Mesh::require_valid() const {
+  if (y.size() != nodes() || held.size() != nodes()) {
+    throw std::invalid_argument(fmt::format("the mesh has {} x, {} y and {} entries of held; allowed: as many", nodes(),
+                                            y.size(), held.size()));
+  }
+  for (std::size_t w = 0; w < walls.size(); ++w) {
+    const Wall& wall = walls[w];
+    const double length = std::hypot(wall.direction.x, wall.direction.y);
+    require_positive(fmt::format("length of the direction of wall {}", w), length);
+    require_finite(fmt::format("place of wall {}", w), wall.through.x + wall.through.y);
+  }
+  for (const int k : outline) {
+    if (k < 0 || static_cast<std::size_t>(k) >= nodes()) {
+      throw std::invalid_argument(fmt::format("the outline names node {}; allowed: 0 to {}", k, nodes() - 1));
+    }
+  }
+  const std::vector<bool> on = on_outline();
+  for (std::size_t k = 0; k < nodes(); ++k) {
+    for (const int w : {held[k].one, held[k].other}) {
+      if (w == Held::by_none) continue;
+      if (w < 0 || static_cast<std::size_t>(w) >= walls.size()) {
+        throw std::invalid_argument(
+            fmt::format("node {} is held by wall {}; there are {} walls, from 0", k, w, walls.size()));
+      }
+      if (!on[k])
+        throw std::invalid_argument(fmt::format("node {} is inside; allowed on walls: nodes of the outline", k));
+      const Wall& wall = walls[static_cast<std::size_t>(w)];
+      const double off = ((x[k] - wall.through.x) * wall.direction.y - (y[k] - wall.through.y) * wall.direction.x) /
+                         std::hypot(wall.direction.x, wall.direction.y);
+      if (!(std::abs(off) <= nearest * extent(*this))) {
+        throw std::invalid_argument(fmt::format("node {} at ({:g}, {:g}) is {:g} off its wall {}; allowed: on it", k,
+                                                x[k], y[k], std::abs(off), w));
+      }
+    }
+  }
+}
+
+Mesh layer_mesh(const Layer& layer) {
+  Rows rows = rows_of(layer);
+  Mesh& mesh = rows.mesh;
+  enum { bottom, left, right };
+  mesh.walls = {{{layer.begin, layer.bottom}, {1, 0}}, {{layer.begin, layer.bottom}, {0, 1}}};
+  if (layer.right_wall) mesh.walls.push_back({{layer.end, layer.bottom}, {0, 1}});
+  const auto held = [&](int node) -> Held& { return mesh.held[static_cast<std::size_t>(node)]; };
+  for (const int node : rows.bottom) held(node).one = bottom;
+  for (const int node : rows.left) held(node).one = left;
+  if (layer.right_wall) {
+    for (const int node : rows.right) held(node).one = right;
+    held(rows.right.front()).other = bottom;
+  } else {
+    held(rows.right.front()).one = bottom;
+  }
+  held(rows.left.front()).other = bottom;
+  return std::move(rows.mesh);
+}
+
+Mesh free_patch(int columns, int rows, Point lower, Point upper, bool staggered) {
+  return rows_of({.begin = lower.x,
+                  .end = upper.x,
+                  .bottom = lower.y,
+                  .level = upper.y,
+                  .columns = columns,
+                  .rows = rows,
+                  .staggered = staggered})
+      .mesh;
+}
+
+Mesh jittered(Mesh mesh, double part, unsigned long seed) {
+  require_within("part", part, 0, 0.3);
+  mesh.require_valid();
+  const double area = enclosed_area(mesh.places(), mesh.outline);
+  // So many nodes of this spacing fill the area: those of the outline count half.
+  const double spacing =
+      std::sqrt(area / (static_cast<double>(mesh.nodes()) - 0.5 * static_cast<double>(mesh.outline.size())));
+  std::mt19937_64 random(seed);
+  const auto by = [&] { return part * spacing * (0x1p-52 * static_cast<double>(random() >> 11) - 1); };
+  const std::vector<bool> on = mesh.on_outline();
+  for (std::size_t k = 0; k < mesh.nodes(); ++k) {
+    const Held& held = mesh.held[k];
+    if (!on[k]) {
+      mesh.x[k] += by();
+      mesh.y[k] += by();
+    } else if (held.one != Held::by_none && held.other == Held::by_none) {
+      const Point along = mesh.walls[static_cast<std::size_t>(held.one)].direction;
+      const double length = std::hypot(along.x, along.y);
+      const double shift = by();
+      // Where the wall ends at the surface, the surface's end stays.
+      const auto here = std::find(mesh.outline.begin(), mesh.outline.end(), static_cast<int>(k)) - mesh.outline.begin();
+      const auto n = static_cast<std::ptrdiff_t>(mesh.outline.size());
+      const auto neighbour = [&](std::ptrdiff_t step) -> const Held& {
+        return mesh.held[static_cast<std::size_t>(mesh.outline[static_cast<std::size_t>((here + step + n) % n)])];
+      };
+      if (neighbour(1).one == Held::by_none || neighbour(-1).one == Held::by_none) continue;
+      mesh.x[k] += shift * along.x / length;
+      mesh.y[k] += shift * along.y / length;
+    }
+  }
+  return mesh;
+}
+
+}  // namespace seiche::dirichlet_mesh

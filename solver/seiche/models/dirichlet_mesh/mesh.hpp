@@ -1,0 +1,65 @@
+/// What a Dirichlet mesh is given by: nodes, the outline of the water, and the straight walls that hold nodes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "seiche/geometry/triangulation.hpp"
+
+namespace seiche::dirichlet_mesh {
+
+/// A straight line without ends.
+struct Wall {
+  Point through;
+  Point direction;  ///< of any length but zero
+};
+
+/// The walls that a node is on, by their number: none, one along which it slides, or two that hold it.
+struct Held {
+  static constexpr int by_none = -1;
+  int one = by_none;
+  int other = by_none;
+};
+
+struct Mesh {
+  std::vector<double> x, y;  ///< nodes
+  std::vector<int> outline;  ///< nodes around the water, counter-clockwise; all others are inside
+  std::vector<Wall> walls = {};
+  std::vector<Held> held = {};  ///< one per node
+
+  [[nodiscard]] std::size_t nodes() const { return x.size(); }
+  [[nodiscard]] Places places() const { return {x, y}; }
+  /// Whether each node is on the outline.
+  [[nodiscard]] std::vector<bool> on_outline() const;
+  /// Throws std::invalid_argument naming the node: arrays of other lengths, nodes on walls that are not there or that
+  /// run through another place, nodes inside that a wall holds. The outline is for triangulate_polygon to judge.
+  void require_valid() const;
+};
+
+/// Rows of nodes between a level bottom and a surface.
+struct Layer {
+  double begin = 0;
+  double end = 1;
+  double bottom = -1;
+  double level = 0;  ///< of the undisturbed surface
+  int columns = 8;
+  int rows = 8;
+  /// Above the level; empty for a flat surface. Rows divide the height evenly.
+  std::function<double(double x)> elevation = {};
+  /// Odd rows are shifted by half a column. A rectangular lattice is singular: the pressure of such a mesh is known
+  /// only with stabilisation.
+  bool staggered = true;
+  bool right_wall = true;  ///< without it the right end is a free surface
+};
+
+/// Between vertical walls at its ends. Throws std::invalid_argument.
+Mesh layer_mesh(const Layer& layer);
+/// The same rows of nodes in a rectangle without walls.
+Mesh free_patch(int columns, int rows, Point lower, Point upper, bool staggered = true);
+/// Nodes inside moved at random, along either axis by up to `part` of the spacing of the mesh, those that slide moved
+/// along their wall; free nodes of the outline stay. @param part  in [0, 0.3]. Throws std::invalid_argument.
+Mesh jittered(Mesh mesh, double part, unsigned long seed);
+
+}  // namespace seiche::dirichlet_mesh

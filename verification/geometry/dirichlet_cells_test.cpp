@@ -1,0 +1,247 @@
+// Dirichlet cells without clipping: their areas, and gradients that are those of the areas.
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "seiche/compensated_sum.hpp"
+#include "seiche/geometry/dirichlet_cells.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+#include "verification/geometry/moving_mesh.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::verification;
+using dirichlet_mesh::Mesh;
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.2";
+
+/// The part of a convex polygon that is nearer to p than to q.
+std::vector<Point> nearer(const std::vector<Point>& polygon, Point p, Point q) {
+  const Point middle{0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
+  const auto side = [&](Point r) { return (r.x - middle.x) * (p.x - q.x) + (r.y - middle.y) * (p.y - q.y); };
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point a = polygon[i];
+    const Point b = polygon[(i + 1) % polygon.size()];
+    const double sa = side(a);
+    const double sb = side(b);
+    if (sa >= 0) kept.push_back(a);
+    if ((sa >= 0) != (sb >= 0)) {
+      const double part = sa / (sa - sb);
+      kept.push_back({a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)});
+    }
+  }
+  return kept;
+}
+
+double area_of(const std::vector<Point>& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point a = polygon[i];
+    const Point b = polygon[(i + 1) % polygon.size()];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return twice / 2;
+}
+
+Mesh block() {
+  return dirichlet_mesh::jittered(dirichlet_mesh::free_patch(8, 6, {0, 0}, {1.25, 1}), 0.1, 5);
+}
+
+Triangulation triangulated(const Mesh& mesh) {
+  return triangulate_polygon(mesh.places(), mesh.outline);
+}
+
+std::size_t index(int k) {
+  return static_cast<std::size_t>(k);
+}
+
+}  // namespace
+
+TEST_CASE("cells are Voronoi's, cut by the outline", "[geometry]") {
+  Check check("dirichlet_cells", "Areas of Dirichlet cells against clipping",
+              "57 nodes in a rectangle, those inside moved at random. The area of every cell from the angles of the "
+              "triangles, beside the rectangle cut by the bisectors with all other nodes. The area is also that of a "
+              "sum over nodes in a box that wander, over many flips.");
+  const Mesh mesh = block();
+  const Triangulation triangles = triangulated(mesh);
+  std::vector<double> areas(mesh.nodes());
+  dirichlet_areas(triangles, mesh.places(), areas);
+  const std::vector<Point> centroids = dirichlet_centroids(triangles, mesh.places());
+  Worst off;
+  Worst moment;
+  for (std::size_t i = 0; i < mesh.nodes(); ++i) {
+    std::vector<Point> cell{{0, 0}, {1.25, 0}, {1.25, 1}, {0, 1}};
+    for (std::size_t j = 0; j < mesh.nodes(); ++j) {
+      if (j != i) cell = nearer(cell, {mesh.x[i], mesh.y[i]}, {mesh.x[j], mesh.y[j]});
+    }
+    off.add(areas[i] - area_of(cell), static_cast<double>(i));
+    Point sum;
+    for (std::size_t k = 1; k + 1 < cell.size(); ++k) {
+      const double part = orientation(cell[0], cell[k], cell[k + 1]) / 2;
+      sum.x += part * (cell[0].x + cell[k].x + cell[k + 1].x) / 3;
+      sum.y += part * (cell[0].y + cell[k].y + cell[k + 1].y) / 3;
+    }
+    moment.add(sum.x - areas[i] * centroids[i].x, static_cast<double>(i));
+    moment.add(sum.y - areas[i] * centroids[i].y, static_cast<double>(i));
+  }
+  const Roundoff of_cell{
+      .operations = 500, .scale = 1, .reason = "57 cuts of a polygon of the size 1, some ten roundings each"};
+  check.that({.id = "areas",
+              .text = "Areas are those of Voronoi's cells.",
+              .quantity = "largest difference",
+              .source = source},
+             {.value = off.value()}, of_cell);
+  check.that(
+      {.id = "centroids", .text = "So are the first moments.", .quantity = "largest difference", .source = source},
+      {.value = moment.value()}, of_cell);
+
+  WanderingBox box(16, 16, 2);
+  MovingTriangulation moving(triangulate_polygon(box.nodes(), box.mesh().outline), box.nodes());
+  std::vector<double> cells(box.mesh().nodes());
+  Worst sum;
+  for (int k = 0; k < 300; ++k) {
+    box.move(0.2);
+    moving.move_to(box.nodes());
+    dirichlet_areas(moving.mesh(), box.nodes(), cells);
+    CompensatedSum total;
+    for (const double a : cells) total.add(a);
+    sum.add(total.value() - enclosed_area(box.nodes(), box.mesh().outline), k);
+  }
+  check.that({.id = "sum",
+              .text = "All cells together are the polygon, whatever flips.",
+              .quantity = "largest difference of the sum",
+              .source = "identity: the shares of a triangle add up to its area"},
+             {.value = sum.value(), .resolution = "297 nodes, 300 motions"},
+             Roundoff{.operations = 6 * 560,
+                      .scale = 0.2,
+                      .reason = "six terms of each of 560 triangles, of the size |ab|^2 cot C/8, which thin ones make "
+                                "a hundred times their area of 1/560"});
+  check.measure("flips", static_cast<double>(moving.flips()));
+}
+
+TEST_CASE("gradients of cell areas are exact", "[geometry]") {
+  Check check("dirichlet_gradients", "Gradients of Dirichlet cells",
+              "All derivatives of the areas of 57 cells, of nodes that are no neighbours too, beside central "
+              "differences with a step of 1e-6. Translations and rotations change no area. A pressure linear in the "
+              "place of the nodes gives every node inside the force of the area of its cell times the gradient, on any "
+              "mesh. Where a quadrangle's nodes are on one circle both diagonals have the same areas and gradients.");
+  const Mesh mesh = block();
+  const Triangulation triangles = triangulated(mesh);
+  DirichletCells cells;
+  cells.connect(triangles, static_cast<int>(mesh.nodes()));
+  cells.measure(triangles, mesh.places());
+  const std::size_t n = mesh.nodes();
+  std::vector<std::vector<Point>> dense(n, std::vector<Point>(n));  // [k][i] = dA_i/dr_k
+  for (std::size_t k = 0; k < n; ++k) {
+    for (int e = cells.begin()[k]; e < cells.begin()[k + 1]; ++e) {
+      dense[k][index(cells.members()[index(e)])] = cells.gradients()[index(e)];
+    }
+  }
+  constexpr double step = 1e-6;
+  Worst off;
+  Mesh moved = mesh;
+  std::vector<double> ahead(n);
+  std::vector<double> behind(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    for (const bool along_x : {true, false}) {
+      double& coordinate = along_x ? moved.x[k] : moved.y[k];
+      const double old = coordinate;
+      coordinate = old + step;
+      dirichlet_areas(triangles, moved.places(), ahead);
+      coordinate = old - step;
+      dirichlet_areas(triangles, moved.places(), behind);
+      coordinate = old;
+      for (std::size_t i = 0; i < n; ++i) {
+        const double exact = along_x ? dense[k][i].x : dense[k][i].y;
+        off.add((ahead[i] - behind[i]) / (2 * step) - exact, static_cast<double>(k));
+      }
+    }
+  }
+  check.that({.id = "differences",
+              .text = "They are those of central differences.",
+              .quantity = "largest difference of a derivative",
+              .source = source},
+             {.value = off.value(), .resolution = "step 1e-6"},
+             Bound{1e-8,
+                   "the rounding 1e-16 of an area over the step, a hundred times; the third derivative, of the "
+                   "order of 1/h, times the step squared is less"});
+  Worst rigid;
+  for (std::size_t i = 0; i < n; ++i) {
+    Point shift;
+    double turn = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      shift.x += dense[k][i].x;
+      shift.y += dense[k][i].y;
+      turn += dense[k][i].y * mesh.x[k] - dense[k][i].x * mesh.y[k];
+    }
+    for (const double rate : {shift.x, shift.y, turn}) rigid.add(rate, static_cast<double>(i));
+  }
+  check.that({.id = "rigid",
+              .text = "Translations and rotations change no area.",
+              .quantity = "largest rate of an area",
+              .source = source},
+             {.value = rigid.value()},
+             Roundoff{.operations = 200, .scale = 0.3, .reason = "some thirty terms of each of seven triangles"});
+  Worst linear;
+  const std::vector<bool> on = mesh.on_outline();
+  constexpr double px = 0.7;
+  constexpr double py = -1.3;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (on[k]) continue;
+    Point force;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double pressure = px * mesh.x[i] + py * mesh.y[i];
+      force.x += pressure * dense[k][i].x;
+      force.y += pressure * dense[k][i].y;
+    }
+    linear.add(force.x + px * cells.areas()[k], static_cast<double>(k));
+    linear.add(force.y + py * cells.areas()[k], static_cast<double>(k));
+  }
+  check.that({.id = "linear-pressure",
+              .text = "The force of a linear pressure is exact.",
+              .quantity = "largest difference of a force",
+              .source = source},
+             {.value = linear.value()},
+             Roundoff{.operations = 200, .scale = 0.5, .reason = "some thirty terms of each of seven triangles"});
+
+  // The same square with either diagonal, inside four triangles that lean on it.
+  const std::vector<double> x{0, 1, 1, 0, 0.5, 1.9, 0.5, -0.9};
+  const std::vector<double> y{0, 0, 1, 1, -0.9, 0.5, 1.9, 0.5};
+  using Triples = std::vector<std::array<int, 3>>;
+  const Triples around{{4, 1, 0}, {5, 2, 1}, {6, 3, 2}, {7, 0, 3}};
+  std::array<DirichletCells, 2> with;
+  std::array<std::vector<Point>, 2> gradients;
+  for (const std::size_t diagonal : {0, 1}) {
+    Triples all = around;
+    const Triples halves = diagonal == 0 ? Triples{{0, 1, 2}, {0, 2, 3}} : Triples{{0, 1, 3}, {1, 2, 3}};
+    all.insert(all.end(), halves.begin(), halves.end());
+    const Triangulation square(all);
+    DirichletCells& one = with[diagonal];
+    one.connect(square, 8);
+    one.measure(square, {x, y});
+    gradients[diagonal].assign(64, Point{});
+    for (std::size_t k = 0; k < 8; ++k) {
+      for (int e = one.begin()[k]; e < one.begin()[k + 1]; ++e) {
+        gradients[diagonal][8 * k + index(one.members()[index(e)])] = one.gradients()[index(e)];
+      }
+    }
+  }
+  Worst jump;
+  for (std::size_t k = 0; k < 8; ++k) jump.add(with[0].areas()[k] - with[1].areas()[k]);
+  for (std::size_t k = 0; k < 64; ++k) {
+    jump.add(gradients[0][k].x - gradients[1][k].x);
+    jump.add(gradients[0][k].y - gradients[1][k].y);
+  }
+  check.that({.id = "flip",
+              .text = "A flip happens without a jump of areas and gradients.",
+              .quantity = "largest difference between both diagonals",
+              .source = source},
+             {.value = jump.value()},
+             Roundoff{.operations = 50, .scale = 1, .reason = "some ten terms of each of five triangles"});
+}

@@ -1,0 +1,181 @@
+// Local flips give the triangles of a full rebuild, decided upon by signs that are right.
+#include <string>
+#include <vector>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+#include "verification/geometry/moving_mesh.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::verification;
+using boost::multiprecision::cpp_rational;
+using seiche::evidence::Bound;
+
+const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.2";
+
+int sign(const cpp_rational& value) {
+  return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+int sign(double value) {
+  return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+cpp_rational rational_orientation(Point a, Point b, Point c) {
+  const cpp_rational cx(c.x);
+  const cpp_rational cy(c.y);
+  return (cpp_rational(a.x) - cx) * (cpp_rational(b.y) - cy) - (cpp_rational(a.y) - cy) * (cpp_rational(b.x) - cx);
+}
+
+cpp_rational rational_in_circle(Point a, Point b, Point c, Point d) {
+  struct Row {
+    cpp_rational x, y, square;
+  };
+  const auto row = [&](Point p) {
+    Row r{cpp_rational(p.x) - cpp_rational(d.x), cpp_rational(p.y) - cpp_rational(d.y), 0};
+    r.square = r.x * r.x + r.y * r.y;
+    return r;
+  };
+  const Row ra = row(a);
+  const Row rb = row(b);
+  const Row rc = row(c);
+  return ra.square * (rb.x * rc.y - rc.x * rb.y) + rb.square * (rc.x * ra.y - ra.x * rc.y) +
+         rc.square * (ra.x * rb.y - rb.x * ra.y);
+}
+
+}  // namespace
+
+TEST_CASE("signs of orientation and in-circle are exact where rounding would decide", "[geometry]") {
+  Check check("predicates", "Signs of orientation and in-circle",
+              "Points on a line and on a circle, moved by a few units in the last place, far from the origin: what "
+              "plain arithmetic gives is noise. The signs are compared with rational arithmetic.");
+  Noise noise(1);
+  const auto nudged = [&](double value) { return value * (1 + 0x1p-52 * std::round(2 * noise())); };
+  long lines = 0;
+  long circles = 0;
+  long plain = 0;
+  constexpr int tries = 5000;
+  for (int k = 0; k < tries; ++k) {
+    const double s = noise();
+    const double t = noise();
+    const Point a{12 + s, 12 + s};
+    const Point b{12 + t, 12 + t};
+    const Point c{nudged(24), nudged(24)};
+    lines += sign(orientation(a, b, c)) != sign(rational_orientation(a, b, c));
+    const double naive = (a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x);
+    plain += sign(naive) != sign(rational_orientation(a, b, c));
+    // 3, 4, 5 and 7, 24, 25: on one circle about (100, 100) until they are nudged.
+    const Point p{nudged(100 + 15.0), nudged(100 + 20.0)};
+    const Point q{nudged(100 - 7.0), nudged(100 + 24.0)};
+    const Point r{nudged(100 - 20.0), nudged(100 - 15.0)};
+    const Point o{nudged(100 + 24.0), nudged(100 - 7.0)};
+    circles += sign(in_circle(p, q, r, o)) != sign(rational_in_circle(p, q, r, o));
+  }
+  const auto none = [&](const std::string& id, const std::string& text, long wrong) {
+    check.that({.id = id, .text = text, .quantity = "wrong signs", .source = "Shewchuk (1997)"},
+               {.value = static_cast<double>(wrong), .resolution = "5000 configurations"},
+               Bound{0, "the arithmetic is exact where the error bound does not settle the sign"});
+  };
+  none("orientation", "Every orientation has its right sign.", lines);
+  none("in-circle", "So has every in-circle determinant.", circles);
+  check.that(
+      {.id = "noise",
+       .text = "Plain arithmetic fails on these points: the test means something.",
+       .quantity = "orientations of the wrong sign, plain",
+       .source = "Shewchuk (1997)"},
+      {.value = plain > 0 ? 1.0 : 0.0},
+      evidence::Qualitative{"at least one wrong sign", "otherwise the points would not be close enough to a line"});
+  check.measure("wrong signs in plain arithmetic", static_cast<double>(plain));
+}
+
+TEST_CASE("flips give the triangles of a full rebuild over random motions", "[geometry]") {
+  Check check(
+      "triangulation_flips", "Local flips against a full rebuild",
+      "Nodes in a box wander at random, those of its sides along them. After every motion the triangles are compared "
+      "with those of Boost.Polygon's Voronoi diagram, an independent method with integer arithmetic. In one run of 37 "
+      "nodes 1e5 motions of all nodes, in another of 919 nodes a few large ones. Nodes have coordinates that are whole "
+      "multiples of $2^{-28}$: both methods see the same numbers.");
+  const auto run = [&](const std::string& id, int columns, int rows, int motions, double part) {
+    WanderingBox box(columns, rows, 7);
+    MovingTriangulation moving(triangulate_polygon(box.nodes(), box.mesh().outline), box.nodes());
+    long different = difference(triangles_of(moving.mesh()), triangles_of_sweep(box.nodes()));
+    const double first = static_cast<double>(different);
+    long doubtful = 0;
+    for (int k = 0; k < motions; ++k) {
+      box.move(part);
+      moving.move_to(box.nodes());
+      different += difference(triangles_of(moving.mesh()), triangles_of_sweep(box.nodes()));
+      doubtful += moving.mesh().edges_not_delaunay(box.nodes());
+    }
+    const std::string resolution = std::to_string(motions) + " motions";
+    check.that({.id = id + "-built",
+                .text = "The mesh at the beginning is that of the rebuild.",
+                .quantity = "triangles in one set alone",
+                .source = source},
+               {.value = first}, Bound{0, "the Delaunay triangulation is unique"});
+    check.that({.id = id,
+                .text = "After every motion the flips have led to the triangles of a rebuild.",
+                .quantity = "triangles in one set alone, all motions",
+                .source = source},
+               {.value = static_cast<double>(different), .resolution = resolution},
+               Bound{0, "the Delaunay triangulation is unique but for nodes on one circle, which random ones are not"});
+    check.that({.id = id + "-edges",
+                .text = "No edge is left that should be flipped.",
+                .quantity = "edges with a node inside the circle",
+                .source = source},
+               {.value = static_cast<double>(doubtful), .resolution = resolution}, Bound{0, "Lawson (1977)"});
+    check.measure(id + ": flips", static_cast<double>(moving.flips()));
+    check.measure(id + ": ways halved", static_cast<double>(moving.bisections()));
+  };
+  run("small", 5, 5, 100000, 0.1);
+  run("large", 28, 30, 50, 0.7);
+}
+
+TEST_CASE("an outline that is not convex keeps its edges", "[geometry]") {
+  Check check("triangulation_outline", "Flips within an outline that is not convex",
+              "A layer of water with a steep wave for its surface, so that triangles of the nodes alone would bridge "
+              "its trough. Nodes inside wander; the triangles are compared with those of the own rebuild from nothing, "
+              "by ears and insertion, and their area with that of the outline.");
+  dirichlet_mesh::Mesh mesh = dirichlet_mesh::layer_mesh(
+      {.end = 4, .columns = 24, .rows = 6, .elevation = [](double x) { return 0.4 * std::cos(3 * x); }});
+  MovingTriangulation moving(triangulate_polygon(mesh.places(), mesh.outline), mesh.places());
+  const std::vector<bool> on = mesh.on_outline();
+  Noise noise(3);
+  long different = 0;
+  Worst area;
+  const std::vector<double> x = mesh.x;
+  const std::vector<double> y = mesh.y;
+  constexpr int motions = 300;
+  for (int k = 0; k < motions; ++k) {
+    for (std::size_t i = 0; i < mesh.nodes(); ++i) {
+      if (on[i]) continue;
+      mesh.x[i] = x[i] + 0.04 * noise();
+      mesh.y[i] = y[i] + 0.04 * noise();
+    }
+    moving.move_to(mesh.places());
+    different +=
+        difference(triangles_of(moving.mesh()), triangles_of(triangulate_polygon(mesh.places(), mesh.outline)));
+    double sum = 0;
+    for (const Triangle& t : moving.mesh().triangles()) {
+      sum += orientation(mesh.places()[t.vertex[0]], mesh.places()[t.vertex[1]], mesh.places()[t.vertex[2]]) / 2;
+    }
+    area.add(sum - enclosed_area(mesh.places(), mesh.outline), k);
+  }
+  check.that({.id = "triangles",
+              .text = "Flips lead to the triangles of a rebuild.",
+              .quantity = "triangles in one set alone, all motions",
+              .source = source},
+             {.value = static_cast<double>(different), .resolution = "300 motions of 175 nodes"},
+             Bound{0, "the constrained Delaunay triangulation is unique"});
+  check.that(
+      {.id = "area",
+       .text = "The triangles fill the outline.",
+       .quantity = "largest difference of areas",
+       .source = "identity"},
+      {.value = area.value()},
+      evidence::Roundoff{.operations = 300, .scale = 4, .reason = "a sum of 300 triangles that ends at the area of 4"});
+  check.measure("flips", static_cast<double>(moving.flips()));
+}

@@ -1,0 +1,144 @@
+// Matrices of rings and their solvers, when the pattern changes.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "seiche/geometry/dirichlet_cells.hpp"
+#include "seiche/geometry/polygon_triangulation.hpp"
+#include "seiche/linear/ring_solver.hpp"
+#include "seiche/models/dirichlet_mesh/mesh.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+#include "verification/noise.hpp"
+#include "verification/robustness/refusals.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::verification;
+using linear::RingMatrix;
+using linear::RingMethod;
+using linear::RingSolver;
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+
+std::size_t index(int k) {
+  return static_cast<std::size_t>(k);
+}
+
+/// The rings of a mesh of 217 nodes, with a positive definite block each.
+struct Rings {
+  DirichletCells cells;
+  std::size_t unknowns;
+  RingMatrix matrix;
+  Eigen::MatrixXd dense;
+
+  explicit Rings(unsigned long seed) {
+    const dirichlet_mesh::Mesh mesh =
+        dirichlet_mesh::jittered(dirichlet_mesh::free_patch(15, 12, {0, 0}, {1.25, 1}), 0.3, seed);
+    unknowns = mesh.nodes();
+    cells.connect(triangulate_polygon(mesh.places(), mesh.outline), static_cast<int>(unknowns));
+    fill();
+  }
+  void fill() {
+    matrix.set_rings(cells.begin(), cells.members(), unknowns);
+    const auto entry = [&](std::size_t k, int p, int q) {
+      const int n = cells.begin()[k + 1] - cells.begin()[k];
+      return p == q ? 2.0 + 0.1 * static_cast<double>(k % 7) : -1.0 / n - 0.002 * p * q;
+    };
+    matrix.sum(entry);
+    const auto size = static_cast<Eigen::Index>(unknowns);
+    dense = Eigen::MatrixXd::Zero(size, size);
+    for (std::size_t k = 0; k < unknowns; ++k) {
+      const int n = cells.begin()[k + 1] - cells.begin()[k];
+      for (int p = 0; p < n; ++p) {
+        for (int q = 0; q < n; ++q) {
+          dense(cells.members()[index(cells.begin()[k] + p)], cells.members()[index(cells.begin()[k] + q)]) +=
+              entry(k, std::max(p, q), std::min(p, q));
+        }
+      }
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("matrices of rings are the sums of their blocks, and are solved", "[linear]") {
+  Check check("ring_solver", "Systems whose pattern changes",
+              "Rings of the nodes of a mesh with a positive definite block each. The sum and its products are compared "
+              "with dense matrices, solutions of both methods with Eigen's. A second mesh has another pattern: it is "
+              "analysed anew, and only then.");
+  Rings first(1);
+  Rings second(2);
+  const std::size_t n = first.unknowns;
+  Noise noise(4);
+  Eigen::VectorXd x(static_cast<Eigen::Index>(n));
+  for (double& value : x) value = noise();
+  const Eigen::VectorXd b = first.dense * x;
+  std::vector<double> y(n);
+  const double product = first.matrix.multiply({x.data(), n}, y);
+  Worst off;
+  for (std::size_t i = 0; i < n; ++i) off.add(y[i] - b[static_cast<Eigen::Index>(i)], static_cast<double>(i));
+  const Roundoff of_row{
+      .operations = 100, .scale = 10, .reason = "some fifty terms in a row, in two orders, of a sum of 10"};
+  check.that({.id = "product",
+              .text = "A x is that of the dense sum.",
+              .quantity = "largest difference",
+              .source = "identity"},
+             {.value = off.value()}, of_row);
+  check.that(
+      {.id = "form", .text = "The product returns x.Ax.", .quantity = "relative difference", .source = "identity"},
+      {.value = product / x.dot(b) - 1},
+      Roundoff{.operations = 20.0 * static_cast<double>(n), .scale = 1, .reason = "a sum over the entries"});
+  for (const auto& [method, id, accuracy] :
+       {std::tuple{RingMethod::direct, std::string("direct"), 1e-13}, {RingMethod::iterative, "iterative", 1e-11}}) {
+    constexpr double shift = 1e-8;  // of the diagonal, for the factors alone: refinement takes it out
+    RingSolver solver(n, method, 1e-13);
+    std::vector<double> solution(n, 0.0);
+    solver.factor(first.matrix, shift);
+    solver.factor(first.matrix, shift);
+    const long once = solver.analyses();
+    solver.solve({b.data(), n}, solution);
+    Worst error;
+    for (std::size_t i = 0; i < n; ++i) error.add(solution[i] - x[static_cast<Eigen::Index>(i)]);
+    const Eigen::VectorXd other = second.dense * x;
+    second.matrix = first.matrix;
+    second.fill();
+    solver.factor(second.matrix, shift);
+    std::fill(solution.begin(), solution.end(), 0.0);
+    solver.solve({other.data(), n}, solution);
+    for (std::size_t i = 0; i < n; ++i) error.add(solution[i] - x[static_cast<Eigen::Index>(i)]);
+    check.that(
+        {.id = id,
+         .text = "Solutions before and after a change of the pattern.",
+         .quantity = "largest error, " + id,
+         .source = "made from the solution"},
+        {.value = error.value()},
+        Bound{accuracy, "condition number below 100 times rounding, or times the tolerance 1e-13 of the residual"});
+    check.that({.id = id + "-analyses",
+                .text = "The pattern is analysed when it is another one, and only then.",
+                .quantity = "analyses for two factorisations and one after a change, " + id,
+                .source = "interface"},
+               {.value = static_cast<double>(10 * once + solver.analyses())},
+               Bound{.limit = 0, .reason = "one, then two", .expected = 12});
+  }
+  RingSolver pivots(n, RingMethod::direct, 1e-13);
+  pivots.factor(first.matrix, 0);
+  const Eigen::LLT<Eigen::MatrixXd> factor(first.dense);
+  const Eigen::VectorXd diagonal = factor.matrixL().toDenseMatrix().diagonal();
+  check.measure("smallest pivot over largest, elimination order of CHOLMOD", pivots.pivot_ratio());
+  check.measure("in the order of the unknowns", std::pow(diagonal.minCoeff() / diagonal.maxCoeff(), 2));
+  Refusals refusals(check);
+  refusals.refused("method", "A solver that does not exist.", {"multigrid", "direct", "iterative"},
+                   [] { linear::ring_method_named("multigrid"); });
+  refusals.refused("tolerance", "A tolerance at which nothing is solved.", {"tolerance", "0.1", "1e-06"},
+                   [] { RingSolver(3, RingMethod::iterative, 0.1); });
+  refusals.refused("unknown", "An unknown without a ring.", {"unknown 2", "no ring"}, [] {
+    RingMatrix matrix;
+    const std::vector<int> begin{0, 2};
+    const std::vector<int> member{0, 1};
+    matrix.set_rings(begin, member, 3);
+  });
+}
