@@ -70,6 +70,7 @@ TEST_CASE("a dam break is judged by the solver's cells, in depth and in discharg
     const auto named = [&](const char* id) { return fmt::format("{}-{}", id, points); };
     const evidence::Record right = scored_riemann(points, 1, [](double, auto state) { return state; });
     is(check, named("right"), "The exact profile has the right depth.", verdict_of(right, "depth"), Verdict::pass);
+    is(check, named("right-volume"), "All its water is there.", verdict_of(right, "volume"), Verdict::pass);
     is(check, named("right-front"), "And the right front.", verdict_of(right, "front"), Verdict::pass);
     const evidence::Record still = scored_riemann(points, 1, [](double, auto state) {
       state.velocity = 0;
