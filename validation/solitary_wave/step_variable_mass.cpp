@@ -22,6 +22,7 @@ short. The reflected wave comes back from the left wall and follows over the ste
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -198,7 +199,24 @@ void claim_digits(const Values& values, const Claims<Results>& all) {
         [](const Passage& p) { return p.reflected; });
 }
 
+/// Throws std::invalid_argument where the first wave reaches the right wall.
+void require_long_shelf(const Values& values) {
+  const double amplitude = values.real("amplitude");
+  const double depth = values.real("shelf_depth");
+  const double first = amplitude * SolitonFission(depth).amplitude(1);
+  const double arrival = (values.real("step") - values.real("crest")) / std::sqrt(1 + amplitude);
+  constexpr double before_the_wall = 4;
+  const double least = std::sqrt(depth + first) * (values.real("time") - arrival) + before_the_wall;
+  if (!(values.real("shelf_length") >= least)) {
+    throw std::invalid_argument(
+        fmt::format("shelf_length = {:g}; allowed: at least {:.1f} for a run of {:g}: the first "
+                    "wave must not reach the wall",
+                    values.real("shelf_length"), least, values.real("time")));
+  }
+}
+
 void claims(const Values& values, const Claims<Results>& claims) {
+  require_long_shelf(values);
   const long rows = values.integer("ny");
   const double tau = step_length(values, rows);
   const double depth = values.real("shelf_depth");
