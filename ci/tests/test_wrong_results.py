@@ -102,6 +102,18 @@ class Standing(Scoring):
         default = exact("standing", "--grid", f"x=0,t=0:{wall['t'][-1]}:{len(wall['t'])}")
         self.judged({"t": default["t"], "eta": default["eta"]}, omega, 0)
 
+    def test_errors_are_printed_as_errors_and_the_time_as_the_solver_s(self):
+        wall, omega = self.wave()
+        numbers = self.table({"omega": [1.0005 * omega]}, "omega.csv")
+        scored = self.score("standing_wave", "--data", self.table(wall), "--data", numbers, "--seconds", 73, "--threads", 4)
+        self.accepted(scored)
+        self.assertIn("error +0.05 %", scored.stdout)
+        self.assertEqual(self.record("standing_wave.mine")["wall_time"], 73)
+        self.assertEqual(self.record("standing_wave.mine")["measurements"]["threads"], 4)
+        self.accepted(self.score("standing_wave", "--data", self.table(wall), "--data", numbers))
+        self.assertEqual(self.record("standing_wave.mine")["wall_time"], 0)
+        self.assertTrue((self.out / "junit.xml").is_file())
+
     def test_a_tank_too_shallow_another_gravity_and_linear_theory_fail(self):
         right, omega = self.wave()
         for depth in (0.85, 0.97):

@@ -17,8 +17,8 @@ const Case& find_case(std::string_view name) {
   if (found != cases.end()) return *found;
   std::vector<std::string> names;
   for (const Case& one : cases) names.push_back(one.name);
-  throw std::invalid_argument(fmt::format("case {} is unknown: did you mean {}? 'seiche list' shows all", name,
-                                          nearest_spelling(name, names)));
+  throw std::invalid_argument(
+      fmt::format("case {} is unknown: did you mean {}? 'seiche list' shows all", name, nearest_spelling(name, names)));
 }
 
 }  // namespace seiche::validation

@@ -67,9 +67,9 @@ struct ScoreOptions {
   std::string table;
   std::string format = "auto";
   std::string columns;  ///< separated by commas
-  double cell = 0;     ///< [m], 0: not said
-  double seconds = 0;  ///< 0: not said
-  long threads = 0;    ///< 0: not said
+  double cell = 0;      ///< [m], 0: not said
+  double seconds = 0;   ///< 0: not said
+  long threads = 0;     ///< 0: not said
   bool template_only = false;
 };
 int score(const ScoreOptions& options);

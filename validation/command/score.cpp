@@ -94,11 +94,11 @@ int print_template(const Case& one, const std::vector<WantedTable>& wanted, cons
   return 0;
 }
 
-/// The distance from what is expected, as a share of it where that is not zero: "-0.08 %", "0.3 m".
+/// The distance from what is expected, as a share of it where the limit is less than it: "-0.08 %", "0.3 m".
 std::string error_text(const evidence::JudgedClaim& claim) {
   const evidence::Judgement& j = claim.judgement;
   const double error = j.measured - j.expected;
-  if (j.expected != 0) {
+  if (j.limit < std::abs(j.expected)) {
     return fmt::format("error {:+.3g} %, limit {:.3g} %", 100 * error / std::abs(j.expected),
                        100 * j.limit / std::abs(j.expected));
   }
