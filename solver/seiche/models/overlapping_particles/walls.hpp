@@ -3,7 +3,7 @@
 /// A particle's image takes part in all control volumes, its own among them:
 ///
 /// @f[ \mathbf{r}^* = \mathbf{r} - 2 \mathbf{n} \, \mathbf{n} \cdot (\mathbf{r} - \mathbf{p}), \qquad
-///     f_s \mathrel{+}= \sum_k m_k \Phi(|\mathbf{r}_k^* - \mathbf{r}_s|) @f]
+///     f_s = \dots + \sum_k m_k \Phi(|\mathbf{r}_k^* - \mathbf{r}_s|) @f]
 ///
 /// so that water beside a wall moves as half of the flow that is symmetric about it, to round-off. Where two walls meet
 /// at a right angle there is the image of the images too, and the water is a quarter of a symmetric flow.
