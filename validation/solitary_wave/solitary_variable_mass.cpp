@@ -12,8 +12,8 @@ measured, and the shape about the crest with that of the wave of the beginning. 
 
 **What to look at.** The wave keeps its height to a thousandth on four rows of cells. Nodes slide along the surface, and
 neither volume nor energy notices: without the two corrections of the sliding the wave would grow. The crest's height
-converges with the second order to the finest mesh; the error of the profile falls to a ten-thousandth of the height, and
-from twelve rows on hardly any more.
+converges with the second order to the finest mesh; the error of the profile falls to a ten-thousandth of the height,
+and from twelve rows on hardly any more.
 */
 #include <array>
 #include <cmath>
