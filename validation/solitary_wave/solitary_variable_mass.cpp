@@ -41,14 +41,8 @@ constexpr double settled = 2;  // when the wave has become that of the mesh
 constexpr double reach = 6;    // of the profile, from the crest
 constexpr std::array ladder{4L, 6L, 8L, 12L, 16L};
 
-/// Rows of the meshes up to the case's own, which is the last.
 std::vector<long> meshes(const Values& values) {
-  std::vector<long> rows;
-  for (const long n : ladder) {
-    if (n < values.integer("ny")) rows.push_back(n);
-  }
-  rows.push_back(values.integer("ny"));
-  return rows;
+  return rows_up_to(values.integer("ny"), ladder);
 }
 
 struct Travel {

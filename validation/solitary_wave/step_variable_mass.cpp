@@ -50,12 +50,7 @@ constexpr double smooth = 2;      // half of what the crest of the reflected wav
 constexpr double interval = 2;    // between the surfaces that are kept
 
 std::vector<long> meshes(const Values& values) {
-  std::vector<long> rows;
-  for (const long n : ladder) {
-    if (n < values.integer("ny")) rows.push_back(n);
-  }
-  rows.push_back(values.integer("ny"));
-  return rows;
+  return rows_up_to(values.integer("ny"), ladder);
 }
 
 /// What the waves of a run on one mesh are.

@@ -14,6 +14,15 @@ namespace seiche::validation {
 
 using variable_mass::Flow;
 
+std::vector<long> rows_up_to(long own, std::span<const long> ladder) {
+  std::vector<long> rows;
+  for (const long n : ladder) {
+    if (n < own) rows.push_back(n);
+  }
+  rows.push_back(own);
+  return rows;
+}
+
 variable_mass::Start solitary_start(const exact::SolitaryWave& wave, double crest) {
   const auto elevation = [&wave, crest](double x) { return wave.elevation(x - crest); };
   return {.elevation = elevation, .velocity = [&wave, crest, elevation](Point place) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "seiche/exact/solitary_wave.hpp"
@@ -10,6 +11,9 @@
 #include "validation/instruments/oscillation.hpp"
 
 namespace seiche::validation {
+
+/// Rows of the meshes of a case: those of a ladder that are coarser than its own, and its own, which is the last.
+std::vector<long> rows_up_to(long own, std::span<const long> ladder);
 
 /// Surface and velocities of the wave with its crest at a place.
 variable_mass::Start solitary_start(const exact::SolitaryWave& wave, double crest);

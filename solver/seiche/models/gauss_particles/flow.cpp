@@ -1,6 +1,5 @@
 #include "seiche/models/gauss_particles/flow.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "seiche/mechanics/book_energy.hpp"
 #include "seiche/mechanics/equal_steps.hpp"
 
 namespace seiche::gauss_particles {
@@ -25,9 +25,6 @@ Flow::Flow(Particles particles, std::unique_ptr<FieldSpace> space, const Velocit
     throw std::invalid_argument("gravity on the surface with dissipative stepping; allowed: conservative stepping");
   }
   mechanics::require_state(state_, model_.coordinates(), model_.rates());
-  const auto& entries = watch_.ledger().entries();
-  const auto energy = std::find_if(entries.begin(), entries.end(), [](const auto& e) { return e.name == "energy"; });
-  energy_entry_ = static_cast<std::size_t>(energy - entries.begin());
 }
 
 double Flow::stable_step() const {
@@ -75,7 +72,7 @@ double Flow::energy() const {
 
 void Flow::observe() {
   const double entered = model_.work() - model_.penalty_loss();
-  watch_.ledger().book(energy_entry_, entered - booked_);
+  mechanics::book_energy(watch_.ledger(), entered - booked_);
   booked_ = entered;
   watch_.record(state_);
 }

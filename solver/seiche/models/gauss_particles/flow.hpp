@@ -79,7 +79,6 @@ class Flow {
   mechanics::OneStep<Model> one_step_;
   mechanics::ProjectedStep<Model> projected_step_;
   mechanics::InvariantsWatch<Model> watch_;
-  std::size_t energy_entry_ = 0;
   double booked_ = 0;
   Largest residual_, free_, beyond_;
   long too_long_ = 0;

@@ -1,9 +1,9 @@
 #include "seiche/models/overlapping_particles/flow.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
+#include "seiche/mechanics/book_energy.hpp"
 #include "seiche/mechanics/equal_steps.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/models/overlapping_particles/integrators.hpp"
@@ -44,9 +44,7 @@ double Flow::energy() const {
 
 void Flow::observe() {
   mechanics::InvariantsLedger& ledger = watch_->ledger();
-  const auto& entries = ledger.entries();
-  const auto energy = std::find_if(entries.begin(), entries.end(), [](const auto& e) { return e.name == "energy"; });
-  ledger.book(static_cast<std::size_t>(energy - entries.begin()), booked_ - loss_.value());
+  mechanics::book_energy(ledger, booked_ - loss_.value());
   booked_ = loss_.value();
   watch_->record(state_);
 }

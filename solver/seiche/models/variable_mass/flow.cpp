@@ -6,6 +6,7 @@
 
 #include "seiche/free_lagrangian/integrators.hpp"
 #include "seiche/free_lagrangian/water_polygon.hpp"
+#include "seiche/mechanics/book_energy.hpp"
 #include "seiche/mechanics/equal_steps.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
@@ -168,10 +169,8 @@ double Flow::largest_drift() const {
 
 void Flow::observe() {
   mechanics::InvariantsLedger& ledger = watch_->ledger();
-  const auto& entries = ledger.entries();
-  const auto energy = std::find_if(entries.begin(), entries.end(), [](const auto& e) { return e.name == "energy"; });
   const double booked = work_.value() - loss_.value();
-  ledger.book(static_cast<std::size_t>(energy - entries.begin()), booked - booked_);
+  mechanics::book_energy(ledger, booked - booked_);
   booked_ = booked;
   watch_->record(state_);
 }
