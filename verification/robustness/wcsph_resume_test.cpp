@@ -71,7 +71,7 @@ bool same(const Flow& a, const Flow& b) {
 
 }  // namespace
 
-TEST_CASE("a flow resumed from a kept state gives the same bytes", "[conservation]") {
+TEST_CASE("a flow resumed from a kept state gives the same bytes", "[robustness]") {
   constexpr int steps = 300;
   constexpr int apart = 13;
   Check check("wcsph_resume", "A run that was interrupted",

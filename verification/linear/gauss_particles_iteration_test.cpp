@@ -61,7 +61,7 @@ Projection projection(int cells, bool walls, std::size_t iterate_above) {
 
 }  // namespace
 
-TEST_CASE("conjugate gradients and factors give one projection", "[conservation]") {
+TEST_CASE("conjugate gradients and factors give one projection", "[linear]") {
   Check check("gauss_particles_iteration", "Free particles: conjugate gradients against factors",
               "The projection by conjugate gradients, which take the place of factors in large systems, is that by "
               "factors, to round-off, and its normal equations are solved as well. The preconditioner, the exact "
