@@ -27,6 +27,14 @@ class SplineSpace final : public FieldSpace {
     std::size_t iterate_above = 50000;
     long margin = 2;  ///< cells between particles and a free end of the lattice
   };
+  /// Wall time that the parts of the work took so far [s]: where a step's cost lies.
+  struct Seconds {
+    double binning = 0;        ///< particles into cells, the choice of functions
+    double assembly = 0;       ///< Gram matrix
+    double factorisation = 0;  ///< of it, or the lattice's modes
+    double solution = 0;       ///< loads, the first solution and its velocities
+    double refinement = 0;     ///< the corrections of it
+  };
 
   /// Throws std::invalid_argument: what LatticePlan::check says, density not positive, fraction not in [0.05, 1].
   explicit SplineSpace(const LatticePlan& plan) : SplineSpace(plan, Settings()) {}
@@ -50,6 +58,7 @@ class SplineSpace final : public FieldSpace {
   [[nodiscard]] std::span<const double> coefficients() const { return coefficients_; }
   /// Iterations of conjugate gradients so far.
   [[nodiscard]] long iterations() const { return system_.iterations(); }
+  [[nodiscard]] const Seconds& seconds() const { return seconds_; }
   /// Symbolic factorisations so far.
   [[nodiscard]] long analyses() const { return system_.analyses(); }
 
@@ -84,6 +93,7 @@ class SplineSpace final : public FieldSpace {
   std::size_t local_ = 0;  // functions of a cell
   std::size_t particles_ = 0;
   SpaceFacts facts_;
+  Seconds seconds_;
   std::vector<std::uint8_t> free_;  // of particles; empty: none
 
   std::vector<double> matrices_;                    // of a chunk of cells
