@@ -2,9 +2,13 @@
 //
 //   items_per_second   nodes / second; its inverse is the time per node
 //   flips              per node and step
+//   iterations         of conjugate gradients per step, where there are more unknowns than are factorised
 #include <benchmark/benchmark.h>
+#include <omp.h>
 
+#include <boost/polygon/voronoi.hpp>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
@@ -49,6 +53,20 @@ void flips_and_geometry(benchmark::State& state) {
   state.counters["flips"] = static_cast<double>(mesh.flips() - before) / work;
 }
 
+/// What the flips save: all cells anew, by the sweep of a library. Whole numbers are what it computes with.
+void rebuild(benchmark::State& state) {
+  const Mesh mesh = box(static_cast<int>(state.range(0)));
+  std::vector<boost::polygon::point_data<std::int32_t>> points;
+  const auto whole = [](double value) { return static_cast<std::int32_t>(std::ldexp(value, 28)); };
+  for (std::size_t i = 0; i < mesh.nodes(); ++i) points.emplace_back(whole(mesh.x[i]), whole(mesh.y[i]));
+  for (auto _ : state) {
+    boost::polygon::voronoi_diagram<double> diagram;
+    boost::polygon::construct_voronoi(points.begin(), points.end(), &diagram);
+    benchmark::DoNotOptimize(diagram.num_vertices());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(mesh.nodes()));
+}
+
 /// Assembly, factor and everything else at a configuration that stays: no new pattern.
 void linearisation(benchmark::State& state) {
   Model model(box(static_cast<int>(state.range(0))), {});
@@ -58,19 +76,34 @@ void linearisation(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<long>(model.nodes()));
 }
 
-/// Whole steps that flip edges.
+/// Whole steps that flip edges: cells along a side, threads, method of the pressures.
 void steps(benchmark::State& state) {
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(static_cast<int>(state.range(1)));
   const auto n = static_cast<int>(state.range(0));
-  Flow flow(box(n), eddy, {.gravity = 0});
+  Flow flow(box(n), eddy, {.gravity = 0, .stabilisation = 0.01, .solver = static_cast<linear::RingMethod>(state.range(2))});
+  flow.advance(0.02 / n);  // the analysis
   const long before = flow.flips();
+  const long solved = flow.model().solver().iterations();
   for (auto _ : state) flow.advance(0.02 / n);
   const double work = static_cast<double>(state.iterations()) * static_cast<double>(flow.model().nodes());
   state.SetItemsProcessed(static_cast<long>(work));
   state.counters["flips"] = static_cast<double>(flow.flips() - before) / work;
+  state.counters["iterations"] = static_cast<double>(flow.model().solver().iterations() - solved) /
+                                 static_cast<double>(state.iterations());
+  omp_set_num_threads(threads);
 }
 
-BENCHMARK(flips_and_geometry)->Arg(100)->Arg(316)->Unit(benchmark::kMillisecond);
-BENCHMARK(linearisation)->Arg(100)->Unit(benchmark::kMillisecond);
-BENCHMARK(steps)->Arg(100)->Unit(benchmark::kMillisecond)->Iterations(20);
+BENCHMARK(flips_and_geometry)->Arg(100)->Arg(316)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(rebuild)->Arg(100)->Arg(316)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(linearisation)->Arg(100)->Arg(316)->Unit(benchmark::kMillisecond);
+constexpr long direct = static_cast<long>(linear::RingMethod::direct);
+constexpr long iterative = static_cast<long>(linear::RingMethod::iterative);
+BENCHMARK(steps)
+    ->ArgsProduct({{100, 316, 1000}, {1, 2}, {direct}})
+    ->ArgsProduct({{100, 316}, {1}, {iterative}})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(4)
+    ->UseRealTime();
 
 }  // namespace

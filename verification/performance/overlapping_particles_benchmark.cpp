@@ -53,8 +53,8 @@ void steps(benchmark::State& state) {
   state.counters["analyses"] = static_cast<double>(flow.model().solver().analyses() - before) / taken;
 }
 
-BENCHMARK(neighbours)->Arg(20)->Arg(50)->Unit(benchmark::kMillisecond);
-BENCHMARK(linearisation)->Arg(20)->Arg(50)->Unit(benchmark::kMillisecond);
-BENCHMARK(steps)->Arg(20)->Arg(50)->Unit(benchmark::kMillisecond)->Iterations(20);
+BENCHMARK(neighbours)->Arg(20)->Arg(50)->Arg(180)->Unit(benchmark::kMillisecond);
+BENCHMARK(linearisation)->Arg(20)->Arg(50)->Arg(180)->Unit(benchmark::kMillisecond);
+BENCHMARK(steps)->Arg(20)->Arg(50)->Arg(180)->Unit(benchmark::kMillisecond)->Iterations(4);
 
 }  // namespace
