@@ -81,7 +81,8 @@ void steps(benchmark::State& state) {
   const int threads = omp_get_max_threads();
   omp_set_num_threads(static_cast<int>(state.range(1)));
   const auto n = static_cast<int>(state.range(0));
-  Flow flow(box(n), eddy, {.gravity = 0, .stabilisation = 0.01, .solver = static_cast<linear::RingMethod>(state.range(2))});
+  Flow flow(box(n), eddy,
+            {.gravity = 0, .stabilisation = 0.01, .solver = static_cast<linear::RingMethod>(state.range(2))});
   flow.advance(0.02 / n);  // the analysis
   const long before = flow.flips();
   const long solved = flow.model().solver().iterations();

@@ -5,9 +5,9 @@
 ///                 refined twice with A itself: the shift leaves no trace unless A is singular.
 ///     iterative   conjugate gradients, preconditioned by an incomplete Cholesky factor
 ///
-/// Automatic takes `direct` up to 1e6 unknowns: in two dimensions the factor is the faster one there, since the number of
-/// iterations grows with that of rows (11 times at 1e5 Dirichlet cells; at 1e6 a step takes 8 s and 3.3 GB). Only the
-/// direct method can tell that a matrix is singular.
+/// Automatic takes `direct` up to 1e6 unknowns: iterations grow as the rows of a mesh, and the factor is the faster one
+/// there (11 times at 1e5 Dirichlet cells; at 1e6 a step takes 8 s and 3.3 GB). Only the direct method can tell that a
+/// matrix is singular.
 ///
 /// References: Chen, Davis, Hager & Rajamanickam, Algorithm 887, ACM Trans. Math. Softw. 35 (2008) 22; Lin & More,
 /// Incomplete Cholesky factorizations with limited memory, SIAM J. Sci. Comput. 21 (1999) 24.

@@ -16,7 +16,7 @@
 /// step gives is chequered by hundreds of times as much.
 ///
 /// Neighbours are found on a uniform grid of cells. A = G W G^T couples particles up to 2 S apart, some 60 in a row;
-/// sparse Cholesky, analysed anew when the pattern changed, beyond 5e4 particles conjugate gradients, whose iterations
+/// sparse Cholesky, analysed anew when the pattern changed, beyond 1e6 particles conjugate gradients, whose iterations
 /// grow as 1/h.
 ///
 /// **Singular configurations.** A free surface makes A regular. A lattice that fills a box with its mirror images, two
