@@ -44,8 +44,8 @@ void say(int pipe, char kind, const std::string& text) {
 
 }  // namespace
 
-Child::Child(const Job& job, const std::filesystem::path& directory, const Keeping& keeping)
-    : job_(job), directory_(directory), begin_(std::chrono::steady_clock::now()) {
+Child::Child(const Job& job, const std::filesystem::path& directory, const Keeping& keeping, std::chrono::seconds limit)
+    : job_(job), directory_(directory), limit_(limit), begin_(std::chrono::steady_clock::now()) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe for a child process");
   const pid_t parent = getpid();
@@ -106,13 +106,12 @@ std::optional<Ending> Child::poll() {
   int status = 0;
   const pid_t ended = waitpid(process_, &status, WNOHANG);
   if (ended == 0) {
-    const std::chrono::seconds limit = job_.definition->time_limit.at(job_.values.tier());
-    if (seconds() < static_cast<double>(limit.count())) return std::nullopt;
+    if (seconds() < static_cast<double>(limit_.count())) return std::nullopt;
     kill(process_, SIGKILL);
     waitpid(process_, nullptr, 0);
     io::remove_partial_files(directory_, process_);
     process_ = -1;
-    return died(fmt::format("stopped at its time limit of {} s", limit.count()));
+    return died(fmt::format("stopped at its time limit of {} s, {:.0f} % done", limit_.count(), 100 * progress_));
   }
   io::remove_partial_files(directory_, process_);
   process_ = -1;

@@ -12,8 +12,8 @@ namespace seiche::validation {
 /// A job in a process of its own: whatever happens to it happens to nobody else.
 class Child {
  public:
-  /// Starts the job. The child dies with its parent.
-  Child(const Job& job, const std::filesystem::path& directory, const Keeping& keeping);
+  /// Starts the job. The child dies with its parent. @param limit  wall time after which it is stopped
+  Child(const Job& job, const std::filesystem::path& directory, const Keeping& keeping, std::chrono::seconds limit);
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   Child(Child&&) = delete;
@@ -35,6 +35,7 @@ class Child {
 
   const Job& job_;
   std::filesystem::path directory_;
+  std::chrono::seconds limit_;
   std::chrono::steady_clock::time_point begin_;
   int process_ = -1;
   int pipe_ = -1;

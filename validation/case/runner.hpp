@@ -1,6 +1,8 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "validation/case/job.hpp"
@@ -12,6 +14,7 @@ struct RunOptions {
   unsigned jobs = 1;
   bool resume = false;  ///< keep what is done already, go on from checkpoints
   std::chrono::seconds checkpoint_every = Keeping{}.every;
+  std::optional<std::chrono::seconds> most_seconds = {};  ///< of one case; without: the case's own limit in its tier
 };
 
 /// Runs the jobs, at most options.jobs at once, shows the progress, and writes junit.xml over all records of the

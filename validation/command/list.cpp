@@ -48,7 +48,12 @@ Json to_json(const Parameter& p) {
                  {"full", to_json(p.standard.full)},
                  {"paper", to_json(p.standard.paper)}}},
                {"range", p.range()}};
-  if (!p.choices.empty()) json["choices"] = p.choices;
+  if (!p.choices.empty()) {
+    json["choices"] = p.choices;
+  } else if (!std::holds_alternative<bool>(p.standard.quick)) {
+    json["lowest"] = p.lowest;
+    json["highest"] = p.highest;
+  }
   return json;
 }
 

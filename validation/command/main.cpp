@@ -58,6 +58,11 @@ void add_run(CLI::App& app, Action& action) {
           [options](long seconds) { options->run.checkpoint_every = std::chrono::seconds(seconds); },
           "seconds after which a long computation keeps its state again (120)")
       ->check(CLI::Range(0L, 86400L));
+  command
+      ->add_option_function<long>(
+          "--most-seconds", [options](long seconds) { options->run.most_seconds = std::chrono::seconds(seconds); },
+          "wall time after which a case is stopped and recorded as unfinished; without: the limit of its tier")
+      ->check(CLI::Range(1L, 100000000L));
   command->add_flag("--help-parameters", options->help_parameters, "show what the cases let you set, and stop");
   command->footer(
       "Examples:\n"
