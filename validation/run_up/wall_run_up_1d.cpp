@@ -211,7 +211,7 @@ Case wall_run_up_1d() {
       "C. H. Su, R. M. Mirie, J. Fluid Mech. 98 (1980) 509; F. Serre, La Houille Blanche 8 (1953) 374; A. M. Frank, "
       "Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3";
   c.tiers = {Tier::quick, Tier::full};
-  c.parameters = joined({{real("amplitude", 0.4, "depth", {0.01, 0.8}, "height of the incident wave")},
+  c.parameters = joined({{real("amplitude", 0.4, "depth", {0.05, 0.6}, "height of the incident wave")},
                          climb_parameters({0.05, 0.025, 0.0125})});
   c.study = Study(claims, compute, show);
   return c;
