@@ -19,9 +19,9 @@ constexpr std::size_t fewest_values = 20;
 
 void require_series(std::span<const double> time, std::span<const double> amplitude, std::size_t fewest) {
   if (time.size() != amplitude.size() || time.size() < fewest) {
-    throw std::invalid_argument(
-        fmt::format("wall history of {} times and {} amplitudes: at least {} of each are needed", time.size(),
-                    amplitude.size(), fewest));
+    throw std::invalid_argument(fmt::format(
+        "wall history of {} times and {} amplitudes; allowed: at least {} of each, which take a longer time",
+        time.size(), amplitude.size(), fewest));
   }
   for (std::size_t k = 0; k < time.size(); ++k) {
     if (!std::isfinite(time[k]) || !std::isfinite(amplitude[k])) {
