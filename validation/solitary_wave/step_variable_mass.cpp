@@ -319,8 +319,8 @@ void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
   draw_budget(r, exhibit);
   evidence::Table meshes{.id = "meshes",
                          .title = "Crests on finer meshes",
-                         .caption = "At the end; the last row is theory.",
-                         .columns = {{"rows", "1"},
+                         .caption = "At the end.",
+                         .columns = {{"rows", ""},
                                      {"a_1", "depth"},
                                      {"a_2", "depth"},
                                      {"a_3", "depth"},
@@ -331,7 +331,7 @@ void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
   const double a = r.wave.amplitude();
   for (const Passage& p : r.passages) {
     auto& row = meshes.rows.emplace_back();
-    row.emplace_back(static_cast<double>(p.run.rows));
+    row.emplace_back(fmt::format("{}", p.run.rows));
     for (std::size_t n = 1; n <= shown; ++n) {
       if (n <= p.peaks.size()) {
         row.emplace_back(peak(p, n));
@@ -343,8 +343,8 @@ void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
       row.emplace_back(value);
     }
   }
-  meshes.rows.push_back({0.0, a * r.theory.amplitude(1), a * r.theory.amplitude(2), a * r.theory.amplitude(3),
-                         a * r.theory.reflection(), 0.0, 0.0, 0.0});
+  meshes.rows.push_back({"theory", a * r.theory.amplitude(1), a * r.theory.amplitude(2), a * r.theory.amplitude(3),
+                         a * r.theory.reflection(), 0.0, "", ""});
   exhibit.table(meshes);
   for (std::size_t n = 1; n <= shown; ++n) {
     if (n <= r.own().peaks.size()) exhibit.measure(fmt::format("peak_{}", n), peak(r.own(), n));
