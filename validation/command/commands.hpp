@@ -66,10 +66,11 @@ struct ScoreOptions {
   std::string out = "evidence";
   std::string table;
   std::string format = "auto";
-  std::string columns;  ///< separated by commas
-  double cell = 0;      ///< [m], 0: not said
-  double seconds = 0;   ///< 0: not said
-  long threads = 0;     ///< 0: not said
+  std::string columns;              ///< separated by commas
+  std::vector<std::string> gauges;  ///< "WG1=1.5,..."
+  double cell = 0;                  ///< [m], 0: not said
+  double seconds = 0;               ///< 0: not said
+  long threads = 0;                 ///< 0: not said
   bool template_only = false;
 };
 int score(const ScoreOptions& options);

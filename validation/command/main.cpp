@@ -106,16 +106,21 @@ void add_score(CLI::App& app, Action& action) {
   command->add_option("CASE", options->name, "name of a case that scores others, see 'seiche list'")->required();
   command
       ->add_option("--data", options->data,
-                   "file with the result: CSV, HDF5, or as solvers write it (--format); repeated where a case takes "
-                   "several tables, or a gauge has a file of its own")
+                   "file with the result: CSV, HDF5, or as solvers write it (--format), or the folder of its times; "
+                   "repeated where a case takes several tables, or a gauge has a file of its own")
       ->allow_extra_args(false)
-      ->check(CLI::ExistingFile);
+      ->check(CLI::ExistingPath);
   command
       ->add_option("--format", options->format,
                    "how the files are written: auto (their content decides), " +
                        fmt::format("{}", fmt::join(validation::solver_formats(), ", ")))
       ->capture_default_str();
   command->add_option("--columns", options->columns, "names of the columns of a file without names, as t,eta");
+  command
+      ->add_option("--gauges", options->gauges,
+                   "NAME=x,...: position of the gauge that a column, or a file of this name, holds; the columns become "
+                   "rows with x, and their values are called gauge")
+      ->allow_extra_args(false);
   command->add_option("--solver", options->solver, "what to call the solver in the report")->capture_default_str();
   command
       ->add_option("--map", options->map,

@@ -147,14 +147,35 @@ std::vector<validation::ResultFile> files_of(const ScoreOptions& options, const 
     throw std::invalid_argument(
         fmt::format("--format {}: must be auto or one of {}", options.format, fmt::join(known, ", ")));
   }
-  std::vector<std::string> columns;
+  validation::Reading how{.format = options.format, .wanted = wanted};
   std::istringstream names(options.columns);
-  for (std::string name; std::getline(names, name, ',');) columns.push_back(name);
+  for (std::string name; std::getline(names, name, ',');) how.columns.push_back(name);
+  for (const auto& [gauge, position] : split_settings("--gauges", options.gauges)) {
+    how.gauges[gauge] = finite_number("--gauges " + gauge, position);
+  }
   std::vector<validation::ResultFile> files;
   for (const std::string& file : options.data) {
-    files.push_back(validation::read_result(file, options.format, columns, wanted));
+    const std::vector<validation::ResultFile> read = validation::read_results(file, how);
+    files.insert(files.end(), read.begin(), read.end());
   }
   return files;
+}
+
+/// Keeps what was judged: the checksum of every file, of a folder that of its files' checksums.
+void note_files(const std::vector<std::string>& data, const std::vector<validation::ResultFile>& files,
+                evidence::Record& record) {
+  auto next = files.begin();
+  for (const std::string& path : data) {
+    while (next != files.end() && next->files.empty()) ++next;
+    if (!std::filesystem::is_directory(path)) {
+      record.reference_data[path] = evidence::sha256_of_file(path);
+    } else {
+      std::string all;
+      for (const auto& file : next->files) all += evidence::sha256_of_file(file);
+      record.reference_data[path] = evidence::sha256(all);
+    }
+    ++next;
+  }
 }
 
 /// What was understood of files that are not our own kind.
@@ -195,13 +216,14 @@ int score(const ScoreOptions& options) {
     wanted = {alone};
   }
   const std::vector<validation::ResultFile> files = files_of(options, validation::names_in_files(wanted, renamed));
-  for (const std::string& file : options.data) record.reference_data[file] = evidence::sha256_of_file(file);
+  note_files(options.data, files, record);
   const validation::Submitted submitted = validation::submitted_from(validation::joined(files), wanted, renamed);
   std::vector<validation::Finding> findings;
   try {
     validation::score(wanted, submitted, uncertainty, record);
     if (one.submission.judge) one.submission.judge(values, submitted, facts_of(options, uncertainty), record);
-    findings = validation::diagnosis(wanted, submitted);
+    const bool shift_fitted = record.measurements().contains("time_shift");
+    findings = validation::diagnosis(wanted, submitted, shift_fitted);
     validation::show_diagnosis(findings, record);
   } catch (const std::invalid_argument& wrong) {
     throw std::invalid_argument(fmt::format("{}: {}", fmt::join(options.data, ", "), wrong.what()));

@@ -53,11 +53,11 @@ io::Table table(const std::string& text, const std::string& name) {
   return io::read_csv(in, name);
 }
 
-std::string profiles(double error_at_two) {
+std::string profiles(double error_at_two, double error_at_one = 0) {
   std::string text = "t [s],x [m],eta [m]\n";
   for (const double t : {0.0, 1.0, 2.0}) {  // the first is not asked for
     for (int k = 0; k <= 50; ++k) {
-      const double factor = t == 2 ? 1 + error_at_two : 1;
+      const double factor = t == 2 ? 1 + error_at_two : 1 + error_at_one;
       text += fmt::format("{},{:.17g},{:.17g}\n", t, 0.2 * k, factor * std::sin(0.2 * k - t));
     }
   }
@@ -67,6 +67,7 @@ std::string profiles(double error_at_two) {
 evidence::Record scored(const std::vector<io::Table>& files, const std::string& uncertainty = "") {
   evidence::Record record;
   record.name = "scored";
+  record.solver = "other";
   std::map<std::string, StatedUncertainty> stated;
   if (!uncertainty.empty()) stated["runup"] = uncertainty_from("runup", uncertainty);
   const std::vector<WantedTable> wanted = wanted_tables();
@@ -77,6 +78,13 @@ evidence::Record scored(const std::vector<io::Table>& files, const std::string& 
 std::string verdict(const evidence::Record& record, const std::string& id) {
   for (const evidence::JudgedClaim& claim : record.claims()) {
     if (claim.claim.id == id) return std::string(evidence::name(claim.judgement.verdict));
+  }
+  return "no such claim";
+}
+
+std::string shown(const evidence::Record& record, const std::string& id) {
+  for (const evidence::JudgedClaim& claim : record.claims()) {
+    if (claim.claim.id == id) return claim.judgement.resolution;
   }
   return "no such claim";
 }
@@ -107,6 +115,9 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   is("good", "Exact profiles pass.", verdict(good, "eta-relative_l2"), "pass");
   const evidence::Record bad = scored({table(profiles(0.1), "p.csv")});
   is("worst", "One time of two that is wrong fails the claim.", verdict(bad, "eta-relative_l2"), "fail");
+  const evidence::Record both = scored({table(profiles(0.1, 0.06), "p.csv")});
+  is("farthest", "Of two times that fail the one that is farther off is shown.", shown(both, "eta-relative_l2"),
+     "t = 2");
   is("missing", "A table that is not submitted fails its coverage.", verdict(bad, "heights-coverage"), "fail");
   is("absent", "Of what it would hold nothing is judged.", verdict(bad, "runup-value"), "no such claim");
   check.that({.id = "second",
