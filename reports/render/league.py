@@ -10,7 +10,8 @@ import math
 import re
 
 # Measurements that say how far a result is off, the first that all share; a suffix names the gauge or the time.
-ERRORS = (r"rms_shifted", r"(\w+?)_relative_l1(_\w+)?", r"(\w+?)_relative_l2(_\w+)?", r"(\w+?)_relative_error")
+ERRORS = {r"rms_shifted": "rms of the front, shifted", r"(\w+?)_relative_l1(_\w+)?": "relative L1 error of {}",
+          r"(\w+?)_relative_l2(_\w+)?": "relative L2 error of {}", r"(\w+?)_relative_error": "relative error of {}"}
 
 
 @dataclasses.dataclass
@@ -37,14 +38,15 @@ def solver_of(name):
 
 
 def error_names(records):
-    """The measurements, one per gauge or time, that say the error: of the first quantity that all records have."""
-    for pattern in ERRORS:
+    """What the error is, and the measurements that say it, one per gauge or time: of the first quantity of all."""
+    for pattern, words in ERRORS.items():
         found = [[name for name in record.measurements if re.fullmatch(pattern, name)] for record in records]
         if all(found):
             first = re.fullmatch(pattern, found[0][0])
             stem = first[1] if first.re.groups else None
-            return [name for name in found[0] if stem is None or re.fullmatch(pattern, name)[1] == stem]
-    return []
+            names = [name for name in found[0] if stem is None or re.fullmatch(pattern, name)[1] == stem]
+            return words.format(stem), names
+    return "", []
 
 
 def error_of(record, names):
@@ -63,7 +65,7 @@ def order_of(runs):
 
 def table(case):
     scored = [record for record in case.records if not record.own]
-    names = error_names(scored)
+    quantity, names = error_names(scored)
     runs = [Run(record, record.by if record.own else solver_of(record.solver), record.measurements.get("cell_size"),
                 error_of(record, names)) for record in case.records]
     by_solver = collections.OrderedDict()
@@ -74,7 +76,6 @@ def table(case):
         members.sort(key=lambda run: -(run.cell or 0))
         members[-1].order = order_of(members)
         ordered += members
-    quantity = names[0].replace("_", " ") if names else ""
     return Table(case, "largest " + quantity if len(names) > 1 else quantity, ordered)
 
 

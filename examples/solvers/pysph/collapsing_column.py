@@ -2,7 +2,8 @@
 
     python3 collapsing_column.py --particles 20 --directory run
 
-The boundary is that of Adami, Hu and Adams (2012), the speed of sound ten times that of a fall through the column.
+Boundary and artificial viscosity (0.02) are those of the dam break of Adami, Hu and Adams (2012), the speed of sound is
+ten times that of a fall through the column.
 """
 import numpy as np
 
@@ -26,7 +27,7 @@ class CollapsingColumn(Application):
 
     def create_scheme(self):
         return AdamiHuAdamsScheme(["fluid"], ["wall"], dim=2, c0=SOUND, nu=0.0, rho0=DENSITY, h0=1.0, p0=0.0,
-                                  gy=-GRAVITY, gamma=1.0, tdamp=0.0, alpha=0.1)
+                                  gy=-GRAVITY, gamma=1.0, tdamp=0.0, alpha=0.02)
 
     def configure_scheme(self):
         self.scheme.configure(h0=self.dx)
