@@ -251,7 +251,7 @@ class Diagnosis(Scoring):
     def test_of_a_right_result_nothing_is_said(self):
         scored = self.score("thacker", "--data", self.table(self.gauge()), "--table", "gauges")
         self.accepted(scored)
-        self.assertNotIn("look", scored.stdout)
+        self.assertNotIn("your result", scored.stdout)
         self.assertNotIn("diagnosis", [table["id"] for table in self.record("thacker.mine")["tables"]])
 
 

@@ -4,13 +4,11 @@
 /// judged is the change since the first row, over the first value. Energy is that of the motion, kinetic and potential,
 /// counted from still water (a column of water: from the floor).
 ///
-/// | quantity | where | limit |
-/// |----------|-------|-------|
-/// | volume   | everywhere but where water runs through | 0.001: the level sinks by that share of the depth, what a
-/// gauge can still tell | | energy   | where waves neither break nor are driven | 0.1: heights go as its root, and
-/// tsunami benchmarks allow 5 per cent of a height | | energy   | where water breaks, jumps or rubs | growth of 0.01:
-/// it can only lose | | momentum | without walls and slopes | 0.1: as the energy, of which a wave has its celerity's
-/// part |
+/// - Volume may change by 0.001 where no water runs through: the level sinks by that share of the depth, what a gauge
+///   can still tell.
+/// - Energy may change by 0.1 where waves neither break nor are driven: heights go as its root, and benchmarks of
+///   tsunamis allow 5 per cent of a height. Where water breaks, jumps or rubs it may not grow by more than 0.01.
+/// - Momentum may change by 0.1 where there are no walls and slopes: a wave's is its energy over the celerity.
 ///
 /// What is not judged is left out, with the reason.
 #pragma once

@@ -225,7 +225,8 @@ FirstLook first_look(const std::vector<WantedTable>& wanted, const Submitted& su
                       fmt::format("figure {}{}", worst.table->name,
                                   worst.table->group ? "-" + worst.quantity->column.name : std::string()));
   }
-  if (worst.table != nullptr && worst.error > 0) {
+  constexpr double rounding = 1e-12;
+  if (worst.table != nullptr && worst.error > rounding) {
     look.emplace_back("where the error is", where_line(worst));
     look.emplace_back("of what kind", worst.kind.words());
   }

@@ -2,16 +2,15 @@
 ///
 /// Of a quantity, over all reference points that every resolution covers, with s the submitted values, r the reference:
 ///
-/// | number            | how |
-/// |-------------------|-----|
-/// | error             | sqrt(sum (s - r)^2 / sum r^2); of a single number abs(s - r)/abs(r); where r is zero, not
-/// divided | | limit             | at every point by evidence::grid_convergence, with 2 for the theoretical order of a
-/// solver that | |                   | nobody stated | | numerical error   | 95 % half-width for the finest, the same
-/// norm of what grid_convergence gives at the points | | order             | of the error where the reference is exact;
-/// where it was measured, whose error ends at that of | |                   | the data, of the distance from the limit.
-/// By evidence::observed_order, of three sizes or more | | error tends to    | evidence::grid_convergence of the errors
-/// | | size for one per cent | h (0.01/e)^(1/p), with error e on the finest size h and order p; its range is that of p
-/// | | time for it       | by the power of the size that the stated times follow |
+/// - error: sqrt(sum (s - r)^2 / sum r^2), not divided where r is zero;
+/// - limit: at every point by evidence::grid_convergence, with 2 for the theoretical order that nobody stated;
+/// - numerical error: the same norm of the half-widths (95 %) that it gives for the finest;
+/// - order, by evidence::order_of_few from three sizes on: of the error where the reference is exact; where it was
+///   measured, and the error ends at that of the data, of the distance from the limit;
+/// - what the error tends to: evidence::grid_convergence of the errors;
+/// - size for one per cent: h (0.01/e)^(1/p), with the error e on the finest size h and the order p, whose interval
+/// gives
+///   its range; the time for it by the power of the size that the stated times follow.
 ///
 /// Between submitted points there are straight lines: sizes must not be confused with the points that are printed.
 #pragma once

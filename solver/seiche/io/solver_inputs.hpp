@@ -1,11 +1,10 @@
 /// Fields and motions in the forms in which other solvers read them.
 ///
-/// | solver       | what it reads | form |
-/// |--------------|---------------|------|
-/// | OpenFOAM     | internalField of a field file, by #include | nonuniform List, one entry per cell in the order of
-/// its centres | | GeoClaw      | topography, and the initial perturbation (qinit) | topotype 1: x y z, rows from north
-/// to south, x ascending | | DualSPHysics | motion of a paddle, mvrectfile with fields 2, fieldtime 0, fieldx 1 |
-/// time;position | | ParaView     | structured points of a curvilinear grid | legacy VTK, text |
+/// - OpenFOAM: the entry internalField of a field file, which includes it; a nonuniform List, one entry per cell in the
+///   order of the centres.
+/// - GeoClaw: topography and initial perturbation (qinit) as topotype 1; x y z, rows from north to south, x ascending.
+/// - DualSPHysics: the motion of a paddle for mvrectfile with fields 2, fieldtime 0, fieldx 1; time;position.
+/// - ParaView: a structured grid as legacy VTK text.
 #pragma once
 
 #include <array>
