@@ -191,7 +191,8 @@ class ColumnFront(Scoring):
 class Templates(Scoring):
     def test_the_commands_that_a_template_prints_give_what_passes(self):
         for case, tables in {"riemann": ["profile"], "standing_wave": ["wall"], "stokes_wave": ["surface"],
-                             "solitary_wave": ["surface"], "wavemaker_start": ["gauge"], "thacker": ["gauges"],
+                             "wave_attenuation": ["surface"], "solitary_wave": ["surface"],
+                             "wavemaker_start": ["gauge"], "thacker": ["gauges"],
                              "wall_run_up_exact": ["numbers"]}.items():
             for table in tables:
                 with self.subTest(case, table=table):

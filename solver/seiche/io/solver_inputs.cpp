@@ -43,11 +43,13 @@ std::vector<Vector3> read_openfoam_centres(const std::filesystem::path& file) {
   const std::string opening = text.substr(0, header);
   if (opening.find("binary") != std::string::npos) fail("is binary: set writeFormat ascii and write the centres again");
   if (header == text.size()) fail("has no internalField: 'postProcess -func writeCellCentres' writes the field C");
-  const std::size_t list = text.find("List<vector>", header);
-  if (list == std::string::npos) fail("internalField is no nonuniform List<vector>");
-  std::string body = text.substr(list + std::string("List<vector>").size());
+  std::string body = text.substr(header);
   const std::size_t boundary = body.find("boundaryField");
   if (boundary != std::string::npos) body.resize(boundary);
+  const std::string type = "List<vector>";
+  const std::size_t list = body.find(type);
+  if (list == std::string::npos) fail("internalField is no nonuniform List<vector>");
+  body.erase(0, list + type.size());
   std::replace_if(
       body.begin(), body.end(), [](char c) { return c == '(' || c == ')' || c == ';'; }, ' ');
   std::istringstream in(body);
