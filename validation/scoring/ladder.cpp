@@ -194,6 +194,7 @@ std::string Ladder::line(const LadderQuantity& q) const {
   text +=
       fmt::format("; {:g} %{} needs dx = {:.2g}", 100 * ladder_target, q.exact ? "" : " numerically", reached->size);
   if (reached->seconds) text += fmt::format(" and {:.2g} s", *reached->seconds);
+  if (reached->least == 0) text += fmt::format(", but {} sizes hardly tell the order", size.size());
   return text;
 }
 

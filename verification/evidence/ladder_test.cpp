@@ -107,6 +107,14 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
          first.line(height).find("1 % needs dx = 0.0033 and 2.7e+04 s") != std::string::npos,
      first.line(height));
 
+  std::vector<Rung> rough;
+  for (const double h : {0.1, 0.05, 0.025}) {
+    rough.push_back({.size = h, .submitted = submitted(h == 0.05 ? 0.09 : h, 1, 0)});
+  }
+  const Ladder scattered = ladder_of(wanted_of(evidence::Role::exact), rough);
+  is("scatter", "Where three sizes scatter, that is said.",
+     scattered.line(scattered.quantities.at(1)).find("but 3 sizes hardly tell the order") != std::string::npos,
+     scattered.line(scattered.quantities.at(1)));
   const Ladder wrong = ladder(1, 0.5);
   is("stays", "An error that stays is said to stay.",
      wrong.line(wrong.quantities.at(1)).find("not to zero") != std::string::npos, wrong.line(wrong.quantities.at(1)));
