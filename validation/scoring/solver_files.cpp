@@ -227,6 +227,7 @@ std::vector<ResultFile> read_results(const std::filesystem::path& path, const Re
   } else {
     results.push_back(read_file(path, how));
   }
+  for (ResultFile& one : results) one.path = path;
   if (!how.gauges.empty()) {
     for (ResultFile& one : results) one.table = with_gauges(one.table, how.gauges, path.filename().string());
   }

@@ -43,6 +43,7 @@ struct ResultFile {
   io::Table table;
   std::string format;                             ///< that was recognised or asked for
   long replaced = 0;                              ///< rows that a restart repeats
+  std::filesystem::path path = {};                ///< the file, or the folder
   std::vector<std::filesystem::path> files = {};  ///< that were read for this and the next tables
 };
 
