@@ -1,8 +1,9 @@
 """Solvers beside each other: for every case that scored somebody else's result, error, cost and order.
 
-Runs of one solver with several cells are records of several names, as in interFoam-16 and interFoam-32: what stands
-before the last number is the solver. The order is the slope of log(error) over log(cell), by least squares; it says how
-far the error falls with the cells that were used, not what it would do in the limit.
+The order is that of the ladder of sizes that was scored. Runs with several cells may also be records of several names,
+as in interFoam-16 and interFoam-32: what stands before the last number is the solver, and the order is the slope of
+log(error) over log(cell), by least squares. It says how far the error falls with the cells that were used, not what it
+would do in the limit.
 """
 import collections
 import dataclasses
@@ -56,7 +57,10 @@ def error_of(record, names):
 
 
 def order_of(runs):
-    """None for fewer than two sizes, or an error that is zero."""
+    """Of the finest's ladder, or of the runs; None for fewer than two sizes, or an error that is zero."""
+    of_ladder = [value for name, value in runs[-1].record.measurements.items() if name.startswith("ladder_order_")]
+    if of_ladder:
+        return of_ladder[0]
     points = [(math.log(run.cell), math.log(run.error)) for run in runs if run.cell and run.error]
     mean_x, mean_y = (sum(p[k] for p in points) / max(len(points), 1) for k in (0, 1))
     spread = sum((x - mean_x) ** 2 for x, _ in points)

@@ -31,6 +31,10 @@ class League(unittest.TestCase):
         self.assertEqual([run.order for run in one.runs[:-1]], [None] * 3)
         self.assertAlmostEqual(one.runs[-1].order, 2)
 
+    def test_order_of_a_ladder_goes_before_the_slope(self):
+        one, = self.table(scored("boxes-10", 0.1, 0.25), scored("boxes-20", 0.05, 0.2, measurements={"ladder_order_eta": 1.5}))
+        self.assertEqual([run.order for run in one.runs], [None, 1.5])
+
     def test_error_is_that_of_the_worst_time(self):
         one, = self.table(scored("boxes", 0.1, 0.25))
         self.assertEqual((one.quantity, one.runs[0].error), ("largest relative L1 error of eta", 0.25))
