@@ -73,6 +73,10 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOC
         PATTERN __pycache__ EXCLUDE PATTERN "*.sh" EXCLUDE)
 install(PROGRAMS ${PROJECT_SOURCE_DIR}/examples/score_your_solver/run.sh
         DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/score_your_solver COMPONENT command)
+foreach(solver IN ITEMS openfoam gerris)
+  install(PROGRAMS ${PROJECT_SOURCE_DIR}/examples/solvers/${solver}/run.sh
+          DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples/solvers/${solver} COMPONENT command)
+endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT licence)
 if(SEICHE_WITH_PETSC)
   install(TARGETS seiche_parallel RUNTIME COMPONENT parallel)
@@ -89,7 +93,9 @@ if(SEICHE_PYTHON_MODULE)
       print(sysconfig.get_path("platlib", *scheme, vars={"base": "", "platbase": ""})[1:])
       ]])
   set(SEICHE_PYTHON_DIRECTORY ${python_directory} CACHE STRING "Where the Python module is installed, below the prefix")
-  install(TARGETS seiche_python LIBRARY DESTINATION ${SEICHE_PYTHON_DIRECTORY} COMPONENT python)
+  install(TARGETS seiche_python LIBRARY DESTINATION ${SEICHE_PYTHON_DIRECTORY}/seiche COMPONENT python)
+  install(FILES ${PROJECT_SOURCE_DIR}/solver/python/adapt.py DESTINATION ${SEICHE_PYTHON_DIRECTORY}/seiche
+          COMPONENT python)
 endif()
 
 include(SeichePackage)

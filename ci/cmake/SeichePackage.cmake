@@ -49,9 +49,9 @@ if(SEICHE_PYTHON_MODULE)
   set(python ${Python_VERSION_MAJOR})
   seiche_package(python python3-seiche SECTION python
     DEPENDS "python3 (>= ${python}.${Python_VERSION_MINOR})" "python3 (<< ${python}.${next_minor})" python3-numpy
-    SUGGESTS seiche
+    SUGGESTS python3-h5py python3-netcdf4 python3-scipy python3-vtk9 python3-xarray seiche
     DESCRIPTION "exact solutions of water waves for Python\n${about}This package has the Python module of the exact \
-solutions.")
+solutions, and a program\nthat turns results of solvers into tables.")
 endif()
 if(SEICHE_WITH_PETSC)
   seiche_package(parallel seiche-parallel SECTION science

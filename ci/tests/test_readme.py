@@ -29,6 +29,7 @@ PATTERN = "a pattern, its words are to be replaced"
 INSTALLS = "installs packages"
 PACKAGES = "builds everything and makes packages of it; ctest ci.packages looks into them"
 CTEST = "a part of ctest, which runs this test"
+SOLVERS = "installs solvers and runs them for minutes; ctest ci.solvers runs the coarsest of those that are there"
 RELEASE = "makes a release"
 
 NOT_RUN = {
@@ -49,11 +50,7 @@ NOT_RUN = {
         "ci/package --test": PACKAGES,
         "apt install ./build/packages/*.deb": INSTALLS,
         "ci/petsc": PETSC,
-        "cmake --preset petsc && cmake --build --preset petsc --target seiche_parallel": PETSC,
-        "mpirun -n 4 build/petsc/seiche-parallel hump --columns 800 --rows 400 --time 20 --every 5 --out run": PETSC,
-        "seiche run mach_reflection --set angle=... --set amplitude=...": PATTERN,
-        "import h5py": "reads the fields of a run that needs PETSc",
-        "#!/bin/bash": "a job of a cluster; its syntax is checked",
+        "ci/solvers": SOLVERS,
     },
     "CONTRIBUTING.md": {
         "ci/build release seiche_command": WHOLE_BUILD,
@@ -78,9 +75,22 @@ NOT_RUN = {
         "clang-format -i $(git ls-files '*.cpp' '*.hpp')": "changes the sources",
         "version=$(sed -nE 's/^project\\(seiche VERSION ([0-9.]+).*/\\1/p' CMakeLists.txt)": RELEASE,
     },
+    "examples/cluster/README.md": {
+        "ci/petsc": PETSC,
+        "cmake --preset petsc && cmake --build --preset petsc --target seiche_parallel": PETSC,
+        "mpirun -n 4 build/petsc/seiche-parallel hump --columns 800 --rows 400 --time 20 --every 5 --out run": PETSC,
+        "seiche run mach_reflection --set angle=... --set amplitude=...": PATTERN,
+        "import h5py": "reads the fields of a run that needs PETSc",
+        "#!/bin/bash": "a job of a cluster; its syntax is checked",
+    },
+    "examples/solvers/README.md": {
+        "ci/solvers": SOLVERS,
+    },
     "examples/score_your_solver/README.md": {
         "./run.sh": "ctest ci.score_walkthrough runs it",
         "ci/build release": WHOLE_BUILD,
+        "seiche score CASE --data coarse.csv --data medium.csv --data fine.csv --sizes 0.1,0.05,0.025 --seconds 2,15,130":
+            PATTERN,
     },
 }
 
@@ -99,6 +109,11 @@ def other_evidence(folder):
     shutil.copytree(folder / "evidence", folder / "other_evidence", dirs_exist_ok=True)
 
 
+def openfoam_folder(folder):
+    """What a run of examples/solvers/openfoam has written."""
+    shutil.copytree(SOURCE / "ci/tests/solver_output/shallowWaterFoam", folder / "run/postProcessing", dirs_exist_ok=True)
+
+
 def textbook_result(folder):
     program = SOURCE / "examples/score_your_solver/textbook_finite_volume.py"
     subprocess.run([sys.executable, program, "--flux", "rusanov", "--order", "1", "--output", "rusanov.csv"],
@@ -109,6 +124,8 @@ def textbook_result(folder):
 BEFORE = {
     "seiche compare evidence other_evidence": other_evidence,
     "seiche score riemann --data rusanov.csv --solver textbook-rusanov --out evidence": textbook_result,
+    "seiche score riemann --data run/postProcessing/profile --map U_x=u --dx 1 --solver shallowWaterFoam --out evidence":
+        openfoam_folder,
     "seiche score riemann --data mine.csv --solver mine --out evidence": fill_in_template,
 }
 

@@ -214,7 +214,7 @@ class Score(Scoring):
         x, h, u = self.riemann()
         data = self.write("x,h,u\n" + "".join(f"{a},{b},{c}\n" for a, b, c in zip(x, h, u)))
         for words, expected in [(["--map", "depth"], ["--map", "name=value"]),
-                                (["--map", "depth=H"], ["--map", "H", "h, u, x"]),
+                                (["--map", "depth=H"], ["--map", "H", "energy, h, momentum, t, u, volume, x"]),
                                 (["--map", "a=h,b=h"], ["--map", "h", "twice"]),
                                 (["--map", "depth=h"], ["column depth is missing"]),
                                 (["--uncertainty", "h=-1"], ["h = -1", "at least 0"]),

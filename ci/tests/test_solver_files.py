@@ -1,10 +1,14 @@
 """Files as solvers write them are read without conversion: the same numbers pass from every format."""
 
+import re
+import shutil
 import unittest
 
 import numpy as np
 
-from submitting import Scoring, rows_of, seiche
+from submitting import SOURCE, Scoring, rows_of, seiche
+
+WRITTEN = SOURCE / "ci/tests/solver_output"  # by real solvers, see its README.md
 
 
 class SolverFiles(Scoring):
@@ -85,6 +89,115 @@ class SolverFiles(Scoring):
                             for n, (t, row) in enumerate(zip(times.tolist(), depths.tolist())))
             self.passes("--data", self.write(text, "elevation.csv"), "--map", "Elevation=h")
 
+    def test_openfoam_sets_of_every_time(self):
+        template = seiche("score", "solitary_wave", "--template", "--table", "surface").stdout
+        for command in re.findall(r"the reference: seiche (.*)", template):
+            names, rows = rows_of(seiche(*command.split()).stdout)
+            x, t, eta = ([row[names.index(name)] for row in rows] for name in ("x [m]", "t [s]", "eta [m]"))
+            folder = self.folder / "surface" / t[0]
+            folder.mkdir(parents=True)
+            (folder / "line_eta_alpha.water.xy").write_text("".join(f"{a} \t{b}\t1\n" for a, b in zip(x, eta)))
+        scored = self.score("solitary_wave", "--data", self.folder / "surface", "--table", "surface")
+        self.accepted(scored)
+        self.assertIn("openfoam, columns x, eta, alpha.water, t", scored.stdout)
+        self.assertLess(self.record("solitary_wave.mine")["measurements"]["eta_relative_l2_t_10"], 1e-12)
+
+    def test_openfoam_sets_as_written(self):
+        folder = WRITTEN / "shallowWaterFoam/profile"
+        for data in ([folder], [folder / "6"]):
+            scored = self.score("riemann", *(word for path in data for word in ("--data", path)), "--map", "U_x=u",
+                                "--dx", 1)
+            self.accepted(scored)
+            self.assertIn("columns x, U_x, U_y, U_z, t, h", scored.stdout)
+        self.assertAlmostEqual(self.record("riemann.mine")["measurements"]["front_position"], 39.4, delta=1)
+
+    def test_openfoam_folder_without_times(self):
+        self.refused(self.score("riemann", "--data", WRITTEN / "shallowWaterFoam"), "without times", "profile")
+
+    def test_openfoam_restart_as_written(self):
+        """Ten times of 0.55 s and later are there twice; the two probes below each other are none of them."""
+        scored = self.score("wavemaker_start", "--data", WRITTEN / "interFoam/probes", "--map", "p_rgh=eta")
+        self.assertEqual(scored.returncode, 2)
+        self.assertIn("must increase", scored.stderr)  # three probes, and the case asks for one gauge
+        alone = self.folder / "probes"
+        shutil.copytree(WRITTEN / "interFoam/probes", alone)
+        for path in alone.glob("*/*"):
+            lines = path.read_text().splitlines(keepends=True)
+            if path.name == "U":
+                path.unlink()
+            else:
+                path.write_text("".join(line for line in lines if "Probe 1" not in line and "Probe 2" not in line and
+                                        line.startswith("#")) +
+                                "".join(" ".join(line.split()[:2]) + "\n" for line in lines if not line.startswith("#")))
+        scored = self.score("wavemaker_start", "--data", alone, "--map", "p_rgh=eta")
+        self.assertIn("10 rows are replaced by a restart", scored.stdout, scored.stderr)
+
+    def test_probes_below_each_other_are_no_restart(self):
+        places, times, depths = self.bowl()
+        text = "".join(f"# Probe {2 * k + j} ({x!r} {0.1 * j} 0)\n" for k, x in enumerate(places) for j in (0, 1))
+        text += "# Time\n" + "".join(f"{t!r} " + " ".join(f"{h!r} {h!r}" for h in row) + "\n"
+                                     for t, row in zip(times.tolist(), depths.tolist()))
+        refused = self.score("thacker", "--data", self.write(text, "h"), "--table", "gauges")
+        self.refused(refused, "must increase")  # two at each x: which of them is asked for is not guessed
+
+    def test_gerris_locations_as_written(self):
+        scored = self.score("riemann", "--data", WRITTEN / "gerris/profile.txt", "--map", "P=h", "--dx", 1)
+        self.accepted(scored)
+        self.assertIn("gerris, columns t, x, y, z, P", scored.stdout)
+
+    def test_geoclaw_grids_with_refinement(self):
+        places = [0.5 + k if k < 25 else 25.25 + 0.5 * (k - 25) for k in range(75)]
+        exact = seiche("exact", "riemann", "--set", "jump=20", "--set", "right_depth=0.1",
+                       *(word for x in places for word in ("--at", f"x={x},t=6")))
+        names, rows = rows_of(exact.stdout)
+        column = {name.split("[")[0].strip(): k for k, name in enumerate(names)}
+        values = [(float(row[column["h"]]), float(row[column["u"]])) for row in rows]
+
+        def patch(number, level, low, size, cells):
+            header = f"{number} grid_number\n{level} AMR_level\n{len(cells)} mx\n{low} xlow\n{size} dx\n\n"
+            return header + "".join(f"{h!r} {h * u!r} {h!r}\n" for h, u in cells) + "\n"
+
+        coarse = values[:25] + [(9.0, 9.0)] * 25  # what the finer patch covers is not looked at
+        output = self.folder / "_output"
+        output.mkdir()
+        (output / "fort.q0001").write_text(patch(1, 1, 0, 1, coarse) + patch(2, 2, 25, 0.5, values[25:]))
+        (output / "fort.t0001").write_text("6.0 time\n")
+        for data in (output, output / "fort.q0001"):
+            scored = self.score("riemann", "--data", data, "--map", "hu=u")
+            self.assertIn("geoclaw, columns x, t, h, hu, eta", scored.stdout, scored.stderr)
+            self.assertLess(self.record("riemann.mine")["measurements"]["h_relative_l1"], 0.02)
+
+    def test_geoclaw_grids_that_are_broken(self):
+        output = self.folder / "_output"
+        output.mkdir()
+        (output / "fort.q0001").write_text("1 grid_number\n1 AMR_level\n3 mx\n0 xlow\n1 dx\n\n1 0 1\n1 0 1\n")
+        self.refused(self.score("riemann", "--data", output), "fort.t0001")
+        (output / "fort.t0001").write_text("6.0 time\n")
+        self.refused(self.score("riemann", "--data", output), "fort.q0001", "line 8", "ends 1 cells before the patch")
+
+    def test_gauges_beside_each_other(self):
+        places, times, depths = self.bowl()
+        wide = "t,WG1,WG2,WG3\n" + "".join(f"{t!r}," + ",".join(map(repr, row)) + "\n"
+                                          for t, row in zip(times.tolist(), depths.tolist()))
+        gauges = ",".join(f"WG{k + 1}={x!r}" for k, x in enumerate(places))
+        self.passes("--data", self.write(wide, "wide.csv"), "--gauges", gauges, "--map", "gauge=h")
+        words = []
+        for k, x in enumerate(places):
+            text = "".join(f"  {t!r}  {h!r}  0.0  0.0\n" for t, h in zip(times.tolist(), depths[:, k].tolist()))
+            words += ["--data", self.write(text, f"sta_{k + 1:04d}")]
+        gauges = ",".join(f"sta_{k + 1:04d}={x!r}" for k, x in enumerate(places))
+        self.passes(*words, "--gauges", gauges, "--map", "eta=h")
+
+    def test_gauge_without_a_position(self):
+        wide = self.write("t,WG1\n0,1\n1,1\n")
+        self.refused(self.score("thacker", "--data", wide, "--gauges", "WG1=left"), "--gauges WG1", "left")
+
+    def test_swash_table_with_its_header(self):
+        t, eta = (values.tolist() for values in self.wave())
+        text = ("%\n% Run:001 Table:GAUGE SWASH version:7.01\n%\n%  Tsec  Watlev\n%  [sec]  [m]\n%\n" +
+                "".join(f"  {a!r}  {b!r}\n" for a, b in zip(t, eta)))
+        self.passes("--data", self.write(text, "gauge.tbl"), case="wavemaker_start")
+
     def test_one_gauge_in_every_delimiter(self):
         t, eta = (values.tolist() for values in self.wave())
         swl = "time [s];swlx [m];swly [m];swlz [m];pos0x [m]\n" + "".join(
@@ -114,7 +227,6 @@ class SolverFiles(Scoring):
         refused("t eta\n0 nan\n1 1\n", "nan.txt", "line 2", "column eta", "nan")
         self.refused(self.score("wavemaker_start", "--data", self.write("t eta\n0 1\n"), "--format", "excel"),
                      "--format excel", "geoclaw")
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -191,7 +191,8 @@ class ColumnFront(Scoring):
 class Templates(Scoring):
     def test_the_commands_that_a_template_prints_give_what_passes(self):
         for case, tables in {"riemann": ["profile"], "standing_wave": ["wall"], "stokes_wave": ["surface"],
-                             "solitary_wave": ["surface"], "wavemaker_start": ["gauge"], "thacker": ["gauges"],
+                             "wave_attenuation": ["surface"], "solitary_wave": ["surface"],
+                             "wavemaker_start": ["gauge"], "thacker": ["gauges"],
                              "wall_run_up_exact": ["numbers"]}.items():
             for table in tables:
                 with self.subTest(case, table=table):
@@ -251,7 +252,7 @@ class Diagnosis(Scoring):
     def test_of_a_right_result_nothing_is_said(self):
         scored = self.score("thacker", "--data", self.table(self.gauge()), "--table", "gauges")
         self.accepted(scored)
-        self.assertNotIn("look", scored.stdout)
+        self.assertNotIn("your result", scored.stdout)
         self.assertNotIn("diagnosis", [table["id"] for table in self.record("thacker.mine")["tables"]])
 
 

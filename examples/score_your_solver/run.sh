@@ -22,6 +22,13 @@ mkdir -p "$out"
 "$seiche" score riemann --data "$out/hll_muscl.h5" --map position=x,depth=h,velocity=u --solver textbook-hll-muscl \
   --out "$out/evidence"
 
+# On three sizes: the order of the solver, and what one per cent would take.
+for cells in 100 200 400; do
+  "$python" "$here/textbook_finite_volume.py" --flux hll --order 2 --cells "$cells" --output "$out/hll_$cells.csv"
+done
+"$seiche" score riemann --data "$out/hll_100.csv" --data "$out/hll_200.csv" --data "$out/hll_400.csv" \
+  --sizes 0.5,0.25,0.125 --solver textbook-hll-sizes --out "$out/evidence"
+
 # 4. Side by side, as text and as a page.
 "$seiche" compare "$out/evidence"
 "$seiche" report "$out/evidence"

@@ -6,11 +6,17 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_fit.h>
 
-#include "reports/evidence/claim.hpp"
+#include "reports/evidence/order_of_few.hpp"
 
 namespace seiche::evidence {
 
 ObservedOrder observed_order(const std::vector<double>& sizes, const std::vector<double>& errors, double floor) {
+  return order_of_few(sizes, errors, 4, floor);
+}
+
+ObservedOrder order_of_few(const std::vector<double>& sizes, const std::vector<double>& errors, std::size_t fewest,
+                           double floor) {
+  if (fewest < 3) throw std::invalid_argument(fmt::format("observed order: fewest = {}, must be at least 3", fewest));
   if (sizes.size() != errors.size() || sizes.empty()) {
     throw std::invalid_argument(fmt::format("observed order: {} sizes and {} errors, must be equally many and not none",
                                             sizes.size(), errors.size()));
@@ -40,10 +46,9 @@ ObservedOrder observed_order(const std::vector<double>& sizes, const std::vector
   if (!left_out.empty()) {
     result.note = fmt::format("at the round-off floor {:.2g}, left out: size {}", floor, fmt::join(left_out, ", "));
   }
-  constexpr std::size_t fewest = 4;
   if (result.sizes.size() < fewest) {
-    result.note += fmt::format("{}only {} usable resolutions, four are needed", result.note.empty() ? "" : "; ",
-                               result.sizes.size());
+    result.note += fmt::format("{}only {} usable resolutions, {} are needed", result.note.empty() ? "" : "; ",
+                               result.sizes.size(), fewest == 3 ? "three" : "four");
     return result;
   }
 

@@ -13,6 +13,7 @@ from render.store import digest
 
 _HERE = pathlib.Path(__file__).resolve().parent
 SIGNS = {"pass": "✓", "fail": "✗", "inconclusive": "?", "error": "!", "none": "–"}
+FIRST_LOOK = "first-look"   # the table that a page shows before anything else
 KIND_NAMES = {"roundoff": "round-off", "order": "order", "bound": "bound", "uncertainty": "uncertainty",
               "qualitative": "qualitative"}
 
@@ -172,10 +173,14 @@ def grouped(cases):
 def case_view(case, drawn, tile_titles):
     """What a case page needs beside the records: figures and claims of several solvers side by side."""
     figures, tables, claims, parameters, measurements = ({} for _ in range(5))
+    first_looks = []
     for record in case.records:
         for figure in record.figures:
             figures.setdefault(figure["id"], []).append((record, figure, drawn[record.stem, figure["id"]]))
         for table in record.tables:
+            if table["id"] == FIRST_LOOK:
+                first_looks.append((record, table["rows"]))
+                continue
             tables.setdefault(table["id"], []).append((record, table))
         for claim in record.claims:
             claims.setdefault(claim.id, {})[record.stem] = claim
@@ -184,6 +189,6 @@ def case_view(case, drawn, tile_titles):
         for name, measured in record.measurements.items():
             measurements.setdefault(name, {})[record.stem] = measured
     tiles = dict.fromkeys(tile for record in case.records for tile in record.tiles)
-    return {"case": case, "figures": figures, "tables": tables, "claims_by_id": claims, "parameters": parameters,
+    return {"case": case, "first_looks": first_looks, "figures": figures, "tables": tables, "claims_by_id": claims, "parameters": parameters,
             "measurements": measurements,
             "tiles": [(tile, tile_titles[tile]) for tile in tiles if tile in tile_titles]}

@@ -3,7 +3,7 @@ import importlib.util
 import pathlib
 import shutil
 
-from render import atlas, badge, defects, files, gallery, pages, records, sharpness
+from render import atlas, badge, defects, files, gallery, league, pages, records, sharpness
 from render.formulas import Formulas
 from render.records import Broken
 from render.store import MARKER, Store, user_cache
@@ -27,7 +27,8 @@ def build(evidence, stage, out, options):
     cases = records.cases(loaded)
     problems = _problems(loaded, surveys, drawn, unknown, evidence)
     fonts = _fonts(stage)
-    shared = {"title": options.title, "fonts": fonts, "surveys": surveys, "drawn": drawn}
+    others = league.survey(cases)
+    shared = {"has_others": bool(others), "title": options.title, "fonts": fonts, "surveys": surveys, "drawn": drawn}
     environment = pages.environment(typesetter)
 
     write = _Writer(environment, stage, shared)
@@ -53,6 +54,8 @@ def build(evidence, stage, out, options):
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
     write("index.html.j2", "index.html", "", **whole)
     write("atlas.html.j2", "atlas.html", "", **whole)
+    if others:
+        write("league.html.j2", "league.html", "", league=others, **whole)
     write("sharpness.html.j2", "sharpness.html", "", **whole)
     write("defects.html.j2", "defects.html", "", **whole)
     write("reading.html.j2", "reading.html", "", **whole)

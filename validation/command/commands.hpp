@@ -52,6 +52,11 @@ struct ExactOptions {
   std::string out;
   bool integrals = false;
   bool self_test = false;
+  std::string write;  ///< a solver, whose input is written
+  std::string centres;
+  std::string up = "z";
+  std::vector<double> origin;
+  double width = 1;
 };
 int exact_command(const ExactOptions& options);
 
@@ -66,11 +71,15 @@ struct ScoreOptions {
   std::string out = "evidence";
   std::string table;
   std::string format = "auto";
-  std::string columns;  ///< separated by commas
-  double cell = 0;      ///< [m], 0: not said
-  double seconds = 0;   ///< 0: not said
-  long threads = 0;     ///< 0: not said
+  std::string columns;              ///< separated by commas
+  std::vector<std::string> gauges;  ///< "WG1=1.5,..."
+  double cell = 0;                  ///< [m], 0: not said
+  std::vector<double> sizes;        ///< of a ladder: so many files for each, [m]
+  std::vector<double> seconds;      ///< none: not said; one, or one for each size
+  long threads = 0;                 ///< 0: not said
   bool template_only = false;
+  std::string baseline;  ///< folder with earlier records
+  bool bless = false;    ///< write this score there
 };
 int score(const ScoreOptions& options);
 

@@ -7,11 +7,14 @@
 #include "reports/evidence/record_files.hpp"
 #include "validation/command/commands.hpp"
 #include "validation/command/solvers_table.hpp"
+#include "validation/scoring/baseline.hpp"
 
 namespace seiche::command {
 namespace {
 
 using evidence::Summary;
+using validation::degraded;
+using validation::error_of;
 
 std::vector<Summary> records_in(const std::string& directory) {
   if (!std::filesystem::is_directory(directory)) {
@@ -32,22 +35,6 @@ std::map<std::string, Summary> by_name(const std::string& directory) {
     records[key] = std::move(s);
   }
   return records;
-}
-
-/// Distance of a claim's measured value from what is expected.
-double error_of(const Summary::Outcome& claim) {
-  return std::abs(claim.measured - claim.expected);
-}
-
-/// An error grew by more than the factor, and by more than its uncertainty and a hundredth of its limit: below that it
-/// is noise. Of a claim to round-off the verdict alone tells.
-bool degraded(const Summary::Outcome& before, const Summary::Outcome& after, double factor) {
-  constexpr double noise = 0.01;
-  if (after.kind == "roundoff" || after.kind == "qualitative") return false;
-  const auto known = [](double uncertainty) { return std::isnan(uncertainty) ? 0 : uncertainty; };
-  const double growth = error_of(after) - error_of(before);
-  return error_of(after) > factor * error_of(before) && growth > noise * std::abs(after.limit) &&
-         growth > std::hypot(known(before.uncertainty), known(after.uncertainty));
 }
 
 /// Prints what changed in one record; returns whether anything got worse: a verdict than declared, or an error.

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 
@@ -7,6 +8,7 @@
 #include "seiche/exact/catalogue.hpp"
 #include "seiche/io/atomic_file.hpp"
 #include "validation/command/commands.hpp"
+#include "validation/command/exact_inputs.hpp"
 #include "validation/command/exact_output.hpp"
 #include "validation/command/exact_points.hpp"
 
@@ -59,6 +61,21 @@ std::vector<std::vector<double>> rows_of(const exact::Evaluator& evaluator, cons
   return rows;
 }
 
+InputOptions inputs_of(const ExactOptions& options) {
+  InputOptions inputs{.format = options.write,
+                      .folder = options.out.empty() ? "." : options.out,
+                      .grid = options.grid,
+                      .points = options.points,
+                      .centres = options.centres,
+                      .up = options.up,
+                      .width = options.width};
+  if (!options.origin.empty()) {
+    inputs.origin_x = options.origin.at(0);
+    inputs.origin_up = options.origin.at(1);
+  }
+  return inputs;
+}
+
 /// Returns whether every identity holds.
 bool print_self_test(const exact::Evaluator& evaluator) {
   bool all = true;
@@ -80,6 +97,12 @@ int exact_command(const ExactOptions& options) {
   }
   const ExactSolution& solution = exact::find_solution(options.name);
   ExactResult result{.solution = &solution, .parameters = parameters_from(solution, options.settings)};
+  if (!options.write.empty() && options.write != "csv") {
+    for (const std::filesystem::path& file : write_inputs(solution, result.parameters, inputs_of(options))) {
+      fmt::print("{}\n", file.string());
+    }
+    return 0;
+  }
   std::vector<Point> points = points_at(solution, options.points);
   if (!options.grid.empty()) {
     const std::vector<Point> grid = points_on_grid(solution, options.grid);
@@ -105,6 +128,13 @@ int exact_command(const ExactOptions& options) {
     const std::string file = options.out.empty() ? options.name + ".h5" : options.out;
     write_hdf5(result, file);
     fmt::print("{}\n", file);
+    return 0;
+  }
+  if (options.write == "csv") {
+    const std::filesystem::path file = std::filesystem::path(options.out) / (options.name + ".csv");
+    if (!options.out.empty()) std::filesystem::create_directories(options.out);
+    io::write_file(file, as_csv(result));
+    fmt::print("{}\n", file.string());
     return 0;
   }
   const std::string text = options.format == "json" ? as_json(result) : as_csv(result);

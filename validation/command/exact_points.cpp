@@ -1,7 +1,6 @@
 #include "validation/command/exact_points.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
@@ -14,21 +13,6 @@ namespace seiche::command {
 namespace {
 
 using exact::ExactSolution;
-
-double number(const std::string& what, std::string_view text) {
-  double value = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (failure != std::errc() || end != text.data() + text.size() || std::isnan(value)) {
-    throw std::invalid_argument(fmt::format("{} = {} is not a number", what, text));
-  }
-  return value;
-}
-
-double finite_number(const std::string& what, std::string_view text) {
-  const double value = number(what, text);
-  if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("{} = {} must be finite", what, text));
-  return value;
-}
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;

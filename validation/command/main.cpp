@@ -16,6 +16,7 @@
 #include "reports/evidence/build_facts.hpp"
 #include "seiche/spelling.hpp"
 #include "validation/command/commands.hpp"
+#include "validation/command/exact_inputs.hpp"
 #include "validation/scoring/solver_files.hpp"
 
 namespace seiche::command {
@@ -95,13 +96,42 @@ void add_exact(CLI::App& app, Action& action) {
       ->check(CLI::IsMember({"csv", "json", "hdf5"}))
       ->capture_default_str();
   command->add_option("--out", options->out, "file to write instead of printing; HDF5 always goes to a file, NAME.h5");
+  command
+      ->add_option(
+          "--write", options->write,
+          "write what another solver starts from, into the folder --out (the current one): openfoam "
+          "(alpha.water.internalField and U.internalField, to be included in 0/alpha.water and 0/U; needs "
+          "--centres, and --at t=... where not from t=0), geoclaw (topo.xyz, eta.xyz for qinit_type 4, hu.xyz, "
+          "topotype 1, on --grid), dualsphysics (paddle.csv, time;position of a piston from rest for mvrectfile "
+          "with fields 2, fieldtime 0, fieldx 1; solitary, solitary_asymptotic, wavemaker; times as "
+          "--grid t=0:20:2001), vtk (legacy structured grid, on --grid), csv (on --grid)")
+      ->check(CLI::IsMember(input_formats()));
+  command->add_option(
+      "--centres", options->centres,
+      "with --write openfoam: centres of the cells, the field C that 'postProcess -func writeCellCentres' "
+      "writes as text");
+  command->add_option("--up", options->up, "with --write openfoam: the axis that points upward, y or z")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->capture_default_str();
+  command
+      ->add_option("--origin", options->origin,
+                   "with --write: X,Z: where the solution's x = 0 and height 0 are in the other solver")
+      ->delimiter(',')
+      ->expected(2);
+  command
+      ->add_option("--width", options->width,
+                   "with --write geoclaw: of the strip over which a solution without y is repeated [m]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command->add_flag("--integrals", options->integrals, "also the scalar results and the numerical uncertainty");
   command->add_flag("--self-test", options->self_test, "by how much the solution misses its own identities, and stop");
   command->footer(
       "Examples:\n"
       "  seiche exact solitary --set amplitude=0.3 --at x=0,y=-0.5,t=0 --integrals\n"
       "  seiche exact riemann --set right_depth=0.1 --grid x=-10:10:401,t=2\n"
-      "  seiche exact stokes --set amplitude=0.3 --grid x=0:6.28:65,y=-1:0.4:29,t=0 --format hdf5 --out wave.h5");
+      "  seiche exact stokes --set amplitude=0.3 --grid x=0:6.28:65,y=-1:0.4:29,t=0 --format hdf5 --out wave.h5\n"
+      "  seiche exact solitary --set depth=0.4,amplitude=0.1,gravity=9.81 --write dualsphysics --out case\n"
+      "  seiche exact solitary --write openfoam --centres 0/C --origin 10,0.4 --out 0");
   command->callback([options, &action] { action = [options] { return exact_command(*options); }; });
 }
 
@@ -111,16 +141,21 @@ void add_score(CLI::App& app, Action& action) {
   command->add_option("CASE", options->name, "name of a case that scores others, see 'seiche list'")->required();
   command
       ->add_option("--data", options->data,
-                   "file with the result: CSV, HDF5, or as solvers write it (--format); repeated where a case takes "
-                   "several tables, or a gauge has a file of its own")
+                   "file with the result: CSV, HDF5, or as solvers write it (--format), or the folder of its times; "
+                   "repeated where a case takes several tables, or a gauge has a file of its own")
       ->allow_extra_args(false)
-      ->check(CLI::ExistingFile);
+      ->check(CLI::ExistingPath);
   command
       ->add_option("--format", options->format,
                    "how the files are written: auto (their content decides), " +
                        fmt::format("{}", fmt::join(validation::solver_formats(), ", ")))
       ->capture_default_str();
   command->add_option("--columns", options->columns, "names of the columns of a file without names, as t,eta");
+  command
+      ->add_option("--gauges", options->gauges,
+                   "NAME=x,...: position of the gauge that a column, or a file of this name, holds; the columns become "
+                   "rows with x, and their values are called gauge")
+      ->allow_extra_args(false);
   command->add_option("--solver", options->solver, "what to call the solver in the report")->capture_default_str();
   command
       ->add_option("--map", options->map,
@@ -138,17 +173,37 @@ void add_score(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "folder for the record")->capture_default_str();
   command->add_option("--dx", options->cell, "size of your cells or spacing of your particles [m]")
       ->check(CLI::PositiveNumber);
-  command->add_option("--seconds", options->seconds, "processor time that your run took")->check(CLI::PositiveNumber);
+  command
+      ->add_option(
+          "--sizes", options->sizes,
+          "H1,H2,H3,...: sizes [m] of three resolutions or more; as many --data for each, in the same order. The "
+          "finest is judged; the page tells your order, its error, what reaches 1 % and what that costs")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--seconds", options->seconds,
+                   "processor time that your run took; with --sizes one for each, T1,T2,T3")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::PositiveNumber);
   command->add_option("--threads", options->threads, "threads that it used")->check(CLI::Range(1L, 100000000L));
   command->add_flag("--template", options->template_only, "print the CSV file to fill in, and stop");
   command->add_option("--table", options->table,
                       "where a case takes several: which one --template shall print, or which one alone is judged");
+  CLI::Option* baseline = command->add_option(
+      "--baseline", options->baseline,
+      "folder with an earlier record of the same case and solver: status 1 where an error grew beyond the "
+      "uncertainties "
+      "of both, and 0 otherwise, whatever the verdicts; claims that pass now and did not are shown");
+  command->add_flag("--bless", options->bless, "make this score the baseline, whatever changed")->needs(baseline);
   command->footer(
       "Between its points a result is joined by straight lines and taken at the reference's points; nothing is\n"
-      "extrapolated.\n"
+      "extrapolated. A further file with columns t and volume, energy or momentum is judged for what is conserved.\n"
       "Examples:\n"
       "  seiche score riemann --template > mine.csv          # fill it in\n"
-      "  seiche score riemann --data mine.csv --solver mine --out evidence");
+      "  seiche score riemann --data mine.csv --solver mine --out evidence\n"
+      "  seiche score riemann --data a.csv --data b.csv --data c.csv --sizes 1,0.5,0.25 --seconds 2,8,35");
   command->callback([options, &action] { action = [options] { return score(*options); }; });
 }
 

@@ -2,18 +2,24 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "reports/evidence/record_files.hpp"
+#include "seiche/io/atomic_file.hpp"
 #include "seiche/io/table.hpp"
 #include "validation/case/job.hpp"
 #include "validation/case/registry.hpp"
 #include "validation/command/commands.hpp"
 #include "validation/command/settings.hpp"
+#include "validation/scoring/baseline.hpp"
+#include "validation/scoring/conservation.hpp"
 #include "validation/scoring/diagnosis.hpp"
+#include "validation/scoring/first_look.hpp"
+#include "validation/scoring/ladder.hpp"
 #include "validation/scoring/score.hpp"
 #include "validation/scoring/solver_files.hpp"
 #include "validation/scoring/submitted.hpp"
@@ -32,6 +38,10 @@ std::vector<std::string> known_columns(const std::vector<WantedTable>& wanted, b
     if (table.group && !with_uncertainty) names.push_back(table.group->name);
     if (table.abscissa) names.push_back(table.abscissa->name);
     for (const validation::WantedQuantity& q : table.quantities) names.push_back(q.column.name);
+  }
+  if (!with_uncertainty) {
+    const std::vector<std::string> history = validation::history_names(wanted, {});
+    names.insert(names.end(), history.begin(), history.end());
   }
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -106,7 +116,9 @@ std::string error_text(const evidence::JudgedClaim& claim) {
   return fmt::format("error {:+.3g}, limit {:.3g}{}", error, j.limit, unit == "1" || unit.empty() ? "" : " " + unit);
 }
 
-void print(const evidence::Record& record, const std::vector<validation::Finding>& findings) {
+void print(const evidence::Record& record, const std::vector<validation::Finding>& findings,
+           const validation::FirstLook& look) {
+  for (const auto& [question, answer] : look) fmt::print("{}: {}\n", question, answer);
   for (const auto& [quantity, value] : record.measurements()) fmt::print("  {:<28} {:.6g}\n", quantity, value);
   for (const evidence::JudgedClaim& claim : record.claims()) {
     const evidence::Judgement& j = claim.judgement;
@@ -131,30 +143,153 @@ void require_solver_name(const std::string& name) {
   }
 }
 
+/// The number of the smallest size; 0 without any.
+std::size_t finest_of(const std::vector<double>& sizes) {
+  return static_cast<std::size_t>(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
+}
+
+void require_ladder(const ScoreOptions& options) {
+  const std::size_t sizes = options.sizes.size();
+  if (options.seconds.size() > 1 && options.seconds.size() != sizes) {
+    throw std::invalid_argument(fmt::format("--seconds {}: must be one number, or one for each of the {} --sizes",
+                                            fmt::join(options.seconds, ","), sizes));
+  }
+  if (sizes == 0) return;
+  if (options.cell > 0) throw std::invalid_argument("--dx: --sizes say how large the cells are");
+  if (options.seconds.size() == 1) {
+    throw std::invalid_argument(
+        fmt::format("--seconds {:g}: must be one for each of the {} --sizes", options.seconds.front(), sizes));
+  }
+  if (options.data.size() % sizes != 0) {
+    throw std::invalid_argument(
+        fmt::format("--data: {} files for {} --sizes: must be as many for each, first those of the first size",
+                    options.data.size(), sizes));
+  }
+}
+
 validation::SolverFacts facts_of(const ScoreOptions& options,
                                  std::map<std::string, validation::StatedUncertainty> uncertainty) {
   validation::SolverFacts facts;
   facts.uncertainty = std::move(uncertainty);
   if (options.cell > 0) facts.cell = options.cell;
-  if (options.seconds > 0) facts.seconds = options.seconds;
+  if (!options.sizes.empty()) facts.cell = options.sizes[finest_of(options.sizes)];
+  if (!options.seconds.empty()) facts.seconds = options.seconds.at(finest_of(options.sizes));
   if (options.threads > 0) facts.threads = options.threads;
   return facts;
 }
 
-std::vector<validation::ResultFile> files_of(const ScoreOptions& options, const std::vector<std::string>& wanted) {
+void require_format(const ScoreOptions& options) {
   const std::vector<std::string>& known = validation::solver_formats();
   if (options.format != "auto" && std::find(known.begin(), known.end(), options.format) == known.end()) {
     throw std::invalid_argument(
         fmt::format("--format {}: must be auto or one of {}", options.format, fmt::join(known, ", ")));
   }
-  std::vector<std::string> columns;
-  std::istringstream names(options.columns);
-  for (std::string name; std::getline(names, name, ',');) columns.push_back(name);
+}
+
+/// What was read of some of the files: the case's tables, and a history of what is conserved.
+struct Read {
   std::vector<validation::ResultFile> files;
-  for (const std::string& file : options.data) {
-    files.push_back(validation::read_result(file, options.format, columns, wanted));
+  validation::Submitted submitted;
+  validation::History history;
+};
+
+Read read(const ScoreOptions& options, const std::vector<std::string>& data, const std::vector<WantedTable>& wanted,
+          const validation::ColumnNames& renamed) {
+  validation::Reading how{.format = options.format, .wanted = validation::names_in_files(wanted, renamed)};
+  const std::vector<std::string> history = validation::history_names(wanted, renamed);
+  how.wanted.insert(how.wanted.end(), history.begin(), history.end());
+  std::istringstream given(options.columns);
+  for (std::string name; std::getline(given, name, ',');) how.columns.push_back(name);
+  for (const auto& [gauge, position] : split_settings("--gauges", options.gauges)) {
+    how.gauges[gauge] = finite_number("--gauges " + gauge, position);
   }
-  return files;
+  Read result;
+  for (const std::string& file : data) {
+    const std::vector<validation::ResultFile> files = validation::read_results(file, how);
+    result.files.insert(result.files.end(), files.begin(), files.end());
+  }
+  std::vector<io::Table> tables = validation::joined(result.files);
+  result.history = validation::take_history(tables, wanted, renamed);
+  if (tables.empty()) {
+    throw std::invalid_argument(fmt::format("{}: holds a history and no table of the case", fmt::join(data, ", ")));
+  }
+  result.submitted = validation::submitted_from(tables, wanted, renamed);
+  return result;
+}
+
+/// Every size's files, coarse or fine first.
+std::vector<Read> read_all(const ScoreOptions& options, const std::vector<WantedTable>& wanted,
+                           const validation::ColumnNames& renamed) {
+  const std::size_t blocks = std::max<std::size_t>(options.sizes.size(), 1);
+  const std::size_t each = options.data.size() / blocks;
+  std::vector<Read> all;
+  for (std::size_t k = 0; k < blocks; ++k) {
+    const auto first = options.data.begin() + static_cast<std::ptrdiff_t>(k * each);
+    all.push_back(read(options, {first, first + static_cast<std::ptrdiff_t>(each)}, wanted, renamed));
+  }
+  return all;
+}
+
+std::optional<validation::Ladder> ladder_of(const ScoreOptions& options, const std::vector<WantedTable>& wanted,
+                                            const std::vector<Read>& all) {
+  if (options.sizes.empty()) return std::nullopt;
+  std::vector<validation::Rung> rungs;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    rungs.push_back({.size = options.sizes[k],
+                     .seconds = options.seconds.empty() ? std::nullopt : std::optional(options.seconds[k]),
+                     .submitted = all[k].submitted});
+  }
+  return validation::ladder_of(wanted, std::move(rungs));
+}
+
+void require_baseline(const ScoreOptions& options, const std::string& stem) {
+  if (options.baseline.empty() || options.bless) return;
+  const std::filesystem::path kept = std::filesystem::path(options.baseline) / (stem + ".json");
+  if (!std::filesystem::is_regular_file(kept)) {
+    throw std::invalid_argument(fmt::format("--baseline {}: has no {}: --bless makes this score the first",
+                                            options.baseline, kept.filename().string()));
+  }
+}
+
+/// Says what changed since the baseline; with --bless, makes the record the baseline. Returns whether anything is
+/// worse.
+bool compare_with_baseline(const ScoreOptions& options, const std::string& stem) {
+  namespace fs = std::filesystem;
+  const fs::path written = fs::path(options.out) / (stem + ".json");
+  const fs::path kept = fs::path(options.baseline) / (stem + ".json");
+  bool worse = false;
+  if (fs::is_regular_file(kept)) {
+    const evidence::Summary after = evidence::read_summary(written);
+    for (const validation::Since& one : validation::changes_since(evidence::read_summary(kept), after)) {
+      using Kind = validation::Since::Kind;
+      const char* kind = one.kind == Kind::worse             ? "WORSE"
+                         : one.kind == Kind::unexpected_pass ? "unexpected pass"
+                                                             : "changed";
+      fmt::print("  {:<15} {}: {}\n", kind, one.claim, one.words);
+      worse = worse || one.kind == Kind::worse;
+    }
+    fmt::print("baseline {}: {}\n", kept.string(), worse ? "something got worse" : "nothing got worse");
+  }
+  if (!options.bless) return worse;
+  fs::create_directories(options.baseline);
+  for (const char* extension : {".h5", ".json"}) {
+    const fs::path from = fs::path(options.out) / (stem + extension);
+    const fs::path to = fs::path(options.baseline) / (stem + extension);
+    if (fs::is_regular_file(from) && !fs::equivalent(options.out, options.baseline))
+      io::write_file(to, io::read_file(from));
+  }
+  fmt::print("baseline {}: is this score now\n", kept.string());
+  return false;
+}
+
+/// Keeps what was judged: the checksum of every file, of a folder that of its files' checksums.
+void note_files(const std::vector<validation::ResultFile>& files, evidence::Record& record) {
+  for (const validation::ResultFile& file : files) {
+    if (file.files.empty()) continue;
+    std::string all;
+    for (const auto& part : file.files) all += evidence::sha256_of_file(part);
+    record.reference_data[file.path.string()] = file.files.size() > 1 ? evidence::sha256(all) : all;
+  }
 }
 
 /// What was understood of files that are not our own kind.
@@ -180,11 +315,14 @@ int score(const ScoreOptions& options) {
   if (options.template_only) return print_template(one, wanted, options.table);
   if (options.data.empty()) throw std::invalid_argument("score: --data FILE is missing (or --template)");
   require_solver_name(options.solver);
+  require_format(options);
+  require_ladder(options);
   const validation::ColumnNames renamed = column_names(one, wanted, options.map);
-  const auto uncertainty = uncertainties(one, wanted, options.uncertainty);
+  auto uncertainty = uncertainties(one, wanted, options.uncertainty);
 
   evidence::Record record = validation::Job{&one, values}.blank_record();
   record.solver = options.solver;
+  require_baseline(options, record.stem());
   if (!options.table.empty()) {
     const WantedTable alone = table_named(wanted, options.table);
     for (const WantedTable& table : wanted) {
@@ -194,26 +332,36 @@ int score(const ScoreOptions& options) {
     }
     wanted = {alone};
   }
-  const std::vector<validation::ResultFile> files = files_of(options, validation::names_in_files(wanted, renamed));
-  for (const std::string& file : options.data) record.reference_data[file] = evidence::sha256_of_file(file);
-  const validation::Submitted submitted = validation::submitted_from(validation::joined(files), wanted, renamed);
+  const std::vector<Read> all = read_all(options, wanted, renamed);
+  const std::optional<validation::Ladder> ladder = ladder_of(options, wanted, all);
+  if (ladder) validation::add_numerical(*ladder, uncertainty);
+  const Read& judged = all[finest_of(options.sizes)];
+  for (const Read& read : all) note_files(read.files, record);
   std::vector<validation::Finding> findings;
+  validation::FirstLook look;
+  const validation::SolverFacts facts = facts_of(options, uncertainty);
   try {
-    validation::score(wanted, submitted, uncertainty, record);
-    if (one.submission.judge) one.submission.judge(values, submitted, facts_of(options, uncertainty), record);
-    findings = validation::diagnosis(wanted, submitted);
+    validation::score(wanted, judged.submitted, uncertainty, record);
+    if (one.submission.judge) one.submission.judge(values, judged.submitted, facts, record);
+    validation::judge_history(one.phenomenon, judged.history, record);
+    const bool shift_fitted = record.measurements().contains("time_shift");
+    findings = validation::diagnosis(wanted, judged.submitted, shift_fitted);
     validation::show_diagnosis(findings, record);
+    if (ladder) validation::show_ladder(*ladder, record);
+    look = validation::first_look(wanted, judged.submitted, record, findings, ladder);
+    validation::show_first_look(look, record);
   } catch (const std::invalid_argument& wrong) {
     throw std::invalid_argument(fmt::format("{}: {}", fmt::join(options.data, ", "), wrong.what()));
   }
-  record.wall_time = options.seconds;  // of the solver's run: how long the scoring took is nobody's business
-  if (options.cell > 0) record.measure("cell_size", options.cell);
+  record.wall_time = facts.seconds.value_or(0);  // of the solver's run: how long the scoring took is nobody's business
+  if (facts.cell) record.measure("cell_size", *facts.cell);
   if (options.threads > 0) record.measure("threads", static_cast<double>(options.threads));
   evidence::write(record, options.out);
   evidence::write_junit(options.out);
-  print_reading(files);
-  print(record, findings);
+  for (const Read& read : all) print_reading(read.files);
+  print(record, findings, look);
   fmt::print("record: {}\n", (std::filesystem::path(options.out) / (record.stem() + ".json")).string());
+  if (!options.baseline.empty()) return compare_with_baseline(options, record.stem()) ? 1 : 0;
   return record.as_declared() ? 0 : 1;
 }
 

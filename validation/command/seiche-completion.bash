@@ -6,7 +6,8 @@ _seiche() {
     --tier) words="quick full paper" ;;
     --as) words=$("$program" list --published 2>/dev/null | sed -n 's/^seiche run .* --as //p' | tr -d ,) ;;
     --format) words="csv json hdf5" ;;
-    --config | --data | --out | --pdf) COMPREPLY=($(compgen -f -- "$word")); return ;;
+    --write) words="openfoam dualsphysics geoclaw vtk csv" ;;
+    --baseline | --centres | --config | --data | --out | --pdf) COMPREPLY=($(compgen -f -- "$word")); return ;;
     *)
       if ((COMP_CWORD == 1)); then
         words="$("$program" --help 2>/dev/null | awk '/^Subcommands:/ {on = 1} on && /^  [a-z]/ {print $1}') --help --version"

@@ -1,6 +1,8 @@
 #include "validation/command/settings.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -41,6 +43,21 @@ std::vector<std::pair<std::string, std::string>> split_settings(const std::strin
     }
   }
   return pairs;
+}
+
+double number(const std::string& what, std::string_view text) {
+  double value = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc() || end != text.data() + text.size() || std::isnan(value)) {
+    throw std::invalid_argument(fmt::format("{} = {} is not a number", what, text));
+  }
+  return value;
+}
+
+double finite_number(const std::string& what, std::string_view text) {
+  const double value = number(what, text);
+  if (!std::isfinite(value)) throw std::invalid_argument(fmt::format("{} = {} must be finite", what, text));
+  return value;
 }
 
 validation::Values values_for(const validation::Case& one, validation::Tier tier, const std::filesystem::path& config,

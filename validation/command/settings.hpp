@@ -19,6 +19,10 @@ std::pair<std::string, std::string> split_setting(const std::string& text);
 std::vector<std::pair<std::string, std::string>> split_settings(const std::string& option,
                                                                 const std::vector<std::string>& texts);
 
+/// A number, which may be infinite; one that is not. @throws std::invalid_argument naming what it is of
+double number(const std::string& what, std::string_view text);
+double finite_number(const std::string& what, std::string_view text);
+
 /// Values for a case: its defaults for the tier, then the configuration file, then the settings, later ones winning.
 ///
 /// @param config  TOML file, see apply_configuration(); empty for none

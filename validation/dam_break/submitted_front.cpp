@@ -36,16 +36,20 @@ struct Counting {
   std::vector<std::size_t> used;
   std::size_t beyond = 0;  ///< the farthest X that counts
   std::size_t later = 0;   ///< than the front is known
+  std::size_t before = 0;  ///< the front is known
 };
 
 Counting counting(Curve computed, const ColumnFront& data, double farthest) {
   Counting count;
   const double latest = computed.x.back() + ShiftRange{}.lowest;
+  const double earliest = known_from(computed);
   for (std::size_t i = 0; i < data.T.size(); ++i) {
     if (data.X[i] > farthest) {
       ++count.beyond;
     } else if (data.T[i] > latest) {
       ++count.later;
+    } else if (data.T[i] < earliest) {
+      ++count.before;
     } else {
       count.used.push_back(i);
     }
@@ -60,6 +64,7 @@ std::string text_of(const Counting& count, const ColumnFront& data, double farth
     text += fmt::format(", {} later than the front is known with every shift, T = {:.3g}", count.later,
                         computed.x.back() + ShiftRange{}.lowest);
   }
+  if (count.before > 0) text += fmt::format(", {} lie before it is known: begin at T = 0", count.before);
   return text;
 }
 

@@ -20,11 +20,18 @@ double front_at(Curve computed, double time) {
 
 }  // namespace
 
+double known_from(Curve computed, ShiftRange range) {
+  constexpr double at_rest = 1.05;  // what is read off a figure is no better
+  if (computed.y.front() <= at_rest) return -std::numeric_limits<double>::infinity();
+  return computed.x.front() + std::max(range.highest, 0.0);
+}
+
 ShiftedFront shifted_front(Curve computed, Curve measured, double farthest, ShiftRange range) {
   const double latest = computed.x.back() + std::min(range.lowest, 0.0);
+  const double earliest = known_from(computed, range);
   std::vector<std::size_t> used;
   for (std::size_t i = 0; i < measured.x.size(); ++i) {
-    if (measured.y[i] <= farthest && measured.x[i] <= latest) used.push_back(i);
+    if (measured.y[i] <= farthest && measured.x[i] <= latest && measured.x[i] >= earliest) used.push_back(i);
   }
   if (used.size() < 2) {
     throw std::invalid_argument(

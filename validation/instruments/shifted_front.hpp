@@ -31,6 +31,10 @@ struct ShiftRange {
   double highest = 0.5;
 };
 
+/// Earliest T at which the computed front is known with every shift. One that is still at rest where it begins, X of no
+/// more than 1.05, stood there before; of another nothing is known before it begins.
+double known_from(Curve computed, ShiftRange range = {});
+
 /// Points that the computed curve covers with every shift and whose X is at most `farthest` count. Throws
 /// std::invalid_argument for fewer than two of them.
 ShiftedFront shifted_front(Curve computed, Curve measured, double farthest, ShiftRange range = {});

@@ -84,13 +84,13 @@ struct Ladder {
   std::vector<Point> surface;                      ///< the finest
   double energy_change = 0;                        ///< of the finest
 
-  void add(const Waves& waves, Travelled travelled) {
-    size.push_back(travelled.size);
-    seconds.push_back(travelled.seconds);
-    error.push_back(surface_rms(waves.elevation(), travelled.surface, waves.length()) / waves.height());
-    lead.push_back(surface_lead(waves.elevation(), waves.length(), travelled.surface, waves.length()));
-    surface = std::move(travelled.surface);
-    energy_change = travelled.energy_change;
+  void add(const Waves& waves, const Followed& followed) {
+    size.push_back(followed.size);
+    seconds.push_back(followed.seconds);
+    surface = followed.last().surface;
+    error.push_back(surface_rms(waves.elevation(), surface, waves.length()) / waves.height());
+    lead.push_back(surface_lead(waves.elevation(), waves.length(), surface, waves.length()));
+    energy_change = followed.last().energy_change;
   }
   [[nodiscard]] evidence::ObservedOrder order() const { return evidence::observed_order(size, error); }
 };
@@ -128,14 +128,14 @@ Results compute(const Run& run) {
     for (const long n : resolutions) work.push_back([&waves, &ladder, travel, n] { ladder.add(waves, travel(n)); });
   };
   each(markers_of(run), r.dispersive, [&](long n) {
-    Travelled travelled = travel_dispersive(waves.serre, waves.period(), n);
-    r.own_error.push_back(surface_rms(waves.serre_elevation(), travelled.surface, waves.serre_crest()) /
+    Followed followed = follow_dispersive(waves.serre, waves.period(), n);
+    r.own_error.push_back(surface_rms(waves.serre_elevation(), followed.last().surface, waves.serre_crest()) /
                           waves.height());
-    return travelled;
+    return followed;
   });
-  each(rows_of(run), r.mesh, [&](long n) { return travel_mesh(waves.euler, n); });
-  each(cells_of(run), r.particles, [&](long n) { return travel_particles(waves.euler, n); });
-  each(sph_rows_of(run), r.sph, [&](long n) { return travel_sph(waves.euler, n); });
+  each(rows_of(run), r.mesh, [&](long n) { return follow_mesh(waves.euler, n); });
+  each(cells_of(run), r.particles, [&](long n) { return follow_particles(waves.euler, n); });
+  each(sph_rows_of(run), r.sph, [&](long n) { return follow_sph(waves.euler, n); });
   // One after another and on one thread each, or their times would be those of their neighbours.
   on_threads(
       work.size(), 1, [&](std::size_t k) { work[k](); },

@@ -16,4 +16,13 @@ double surface_rms(const Elevation& wave, const std::vector<Point>& points, doub
 /// By how much the wave that fits best is ahead of that with its crest at `at`, in wavelengths: up to a twentieth.
 double surface_lead(const Elevation& wave, double wavelength, const std::vector<Point>& points, double at);
 
+/// The fundamental of a periodic surface beside that of a wave with its crest at `at`.
+struct Fundamental {
+  double height = 0;  ///< its amplitude over the wave's
+  double lead = 0;    ///< how far it is ahead, in wavelengths, from -1/2 to 1/2
+};
+
+/// @param points  of one wavelength, ascending in x, three or more; between them straight lines, the last to the first
+Fundamental surface_fundamental(const Elevation& wave, double wavelength, const std::vector<Point>& points, double at);
+
 }  // namespace seiche::validation

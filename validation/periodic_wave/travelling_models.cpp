@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -32,22 +33,15 @@ Point velocity_at(const StokesWave& wave, double x, double y) {
   return {v.u, v.v};
 }
 
-/// Points whose places are within half a wavelength of the crest after one period.
-std::vector<Point> about_crest(const StokesWave& wave, const std::vector<Point>& points) {
-  std::vector<Point> kept;
-  for (const Point& point : points) {
-    if (std::abs(point.x - wave.wavelength()) <= 0.5 * wave.wavelength()) kept.push_back(point);
-  }
-  return kept;
-}
+constexpr double not_counted = std::numeric_limits<double>::quiet_NaN();
 
 /// Exact path of a particle from where it is at the beginning.
 class Path {
  public:
-  Path(const StokesWave& wave, Point from) : step_(period_of(wave) / steps) {
-    // To a step beyond the period, by the classical Runge-Kutta method.
-    for (int n = 0; n <= steps + 1; ++n) {
-      const double t = n * step_;
+  Path(const StokesWave& wave, Point from, long periods) : step_(period_of(wave) / steps) {
+    // To a step beyond the last period, by the classical Runge-Kutta method.
+    for (long n = 0; n <= steps * periods + 1; ++n) {
+      const double t = static_cast<double>(n) * step_;
       const auto rate = [&](Point at, double later) {
         return velocity_at(wave, at.x - wave.phase_speed() * (t + later), at.y);
       };
@@ -98,10 +92,10 @@ class Path {
 };
 
 /// Both ends of a mesh, on exact paths.
-lagrangian_mesh_2d::PrescribedSide led(const StokesWave& wave) {
+lagrangian_mesh_2d::PrescribedSide led(const StokesWave& wave, long periods) {
   const auto paths = std::make_shared<std::map<std::pair<double, double>, Path>>();
-  const auto path = [paths, wave](Point from) -> const Path& {
-    return paths->try_emplace({from.x, from.y}, wave, from).first->second;
+  const auto path = [paths, wave, periods](Point from) -> const Path& {
+    return paths->try_emplace({from.x, from.y}, wave, from, periods).first->second;
   };
   return {.position = [path](Point from, double t) { return path(from).position(t); },
           .velocity = [path](Point from, double t) { return path(from).velocity(t); }};
@@ -153,7 +147,7 @@ std::vector<Point> surface_of(const wcsph::Flow& flow, const StokesWave& wave) {
 
 }  // namespace
 
-Travelled travel_particles(const StokesWave& wave, long cells) {
+Followed follow_particles(const StokesWave& wave, long cells, long periods) {
   using gauss_particles::LatticePlan;
   const double began = processor_seconds();
   const double length = wave.wavelength();
@@ -179,40 +173,49 @@ Travelled travel_particles(const StokesWave& wave, long cells) {
        .penalty = 0,
        .surface = gauss_particles::SurfaceLine{.period = length, .exact_energy = true}});
   const double kinetic = flow.energy();
-  flow.advance_to(period_of(wave), particles_courant * cell / wave.phase_speed());
-  std::vector<Point> surface = flow.markers();
-  for (Point& marker : surface) {
-    marker.x = length + std::remainder(marker.x, length);
+  Followed followed{.size = cell};
+  for (long n = 1; n <= periods; ++n) {
+    flow.advance_to(static_cast<double>(n) * period_of(wave), particles_courant * cell / wave.phase_speed());
+    std::vector<Point> surface = flow.markers();
+    for (Point& marker : surface) {
+      marker.x = length + std::remainder(marker.x, length);
+    }
+    std::ranges::sort(surface, {}, &Point::x);
+    followed.stations.push_back({flow.time(), std::move(surface), flow.energy() / kinetic - 1});
   }
-  std::ranges::sort(surface, {}, &Point::x);
-  return {.size = cell,
-          .seconds = processor_seconds() - began,
-          .surface = std::move(surface),
-          .energy_change = flow.energy() / kinetic - 1};
+  followed.seconds = processor_seconds() - began;
+  return followed;
 }
 
-Travelled travel_mesh(const StokesWave& wave, long rows) {
+Followed follow_mesh(const StokesWave& wave, long rows, long periods) {
   const double began = processor_seconds();
   const double length = wave.wavelength();
   const double h = wave.mean_depth() / static_cast<double>(rows);
-  constexpr double waves = 3;
-  lagrangian_mesh_2d::Mesh mesh =
-      lagrangian_mesh_2d::layer_mesh({.begin = -length,
-                                      .end = 2 * length,
-                                      .depth = wave.mean_depth(),
-                                      .columns = static_cast<std::size_t>(std::lround(waves * length / (2 * h))),
-                                      .rows = static_cast<std::size_t>(rows),
-                                      .elevation = [&](double x) { return wave.elevation(x); }});
-  mesh.sides.left = mesh.sides.right = led(wave);
+  const long waves = periods == 1 ? 3 : periods + 2 + periods / 2;
+  lagrangian_mesh_2d::Mesh mesh = lagrangian_mesh_2d::layer_mesh(
+      {.begin = -length,
+       .end = static_cast<double>(waves - 1) * length,
+       .depth = wave.mean_depth(),
+       .columns = static_cast<std::size_t>(std::lround(static_cast<double>(waves) * length / (2 * h))),
+       .rows = static_cast<std::size_t>(rows),
+       .elevation = [&](double x) { return wave.elevation(x); }});
+  mesh.sides.left = mesh.sides.right = led(wave, periods);
   lagrangian_mesh_2d::Flow flow(mesh, [&](Point r) { return velocity_at(wave, r.x, r.y); });
-  flow.advance_to(period_of(wave), 0.4 * h / std::sqrt(wave.gravity() * wave.mean_depth()));
-  std::vector<Point> surface;
-  for (std::size_t i = 0; i < flow.surface_x().size(); ++i)
-    surface.push_back({flow.surface_x()[i], flow.surface_y()[i]});
-  return {.size = h, .seconds = (processor_seconds() - began) / waves, .surface = about_crest(wave, surface)};
+  Followed followed{.size = h};
+  for (long n = 1; n <= periods; ++n) {
+    flow.advance_to(static_cast<double>(n) * period_of(wave), 0.4 * h / std::sqrt(wave.gravity() * wave.mean_depth()));
+    std::vector<Point> surface;
+    for (std::size_t i = 0; i < flow.surface_x().size(); ++i) {
+      if (std::abs(flow.surface_x()[i] - static_cast<double>(n) * length) > 0.5 * length) continue;
+      surface.push_back({flow.surface_x()[i], flow.surface_y()[i]});
+    }
+    followed.stations.push_back({flow.time(), std::move(surface), not_counted});
+  }
+  followed.seconds = (processor_seconds() - began) / static_cast<double>(waves);
+  return followed;
 }
 
-Travelled travel_dispersive(const exact::SerreCnoidal& wave, double time, long cells) {
+Followed follow_dispersive(const exact::SerreCnoidal& wave, double period, long cells, long periods) {
   using namespace dispersive_shallow_water_1d;
   const double began = processor_seconds();
   const double length = wave.wavelength();
@@ -229,28 +232,39 @@ Travelled travel_dispersive(const exact::SerreCnoidal& wave, double time, long c
                          channel, equal_labels(channel, 0, length, static_cast<std::size_t>(cells)), motion,
                          [&](double x) { return wave.excess_up_to(x); }, 0));
   constexpr double no_courant_limit = 1e9;  // depths hardly change: tau alone decides
-  flow.advance_to(time, 0.25 * spacing / std::sqrt(wave.gravity() * wave.depth()), {}, no_courant_limit);
-  std::vector<Point> surface;
-  for (std::size_t i = 0; i < flow.x().size(); ++i) surface.push_back({flow.x()[i], flow.y()[i]});
-  return {.size = spacing, .seconds = processor_seconds() - began, .surface = std::move(surface)};
+  Followed followed{.size = spacing};
+  for (long n = 1; n <= periods; ++n) {
+    flow.advance_to(static_cast<double>(n) * period, 0.25 * spacing / std::sqrt(wave.gravity() * wave.depth()), {},
+                    no_courant_limit);
+    std::vector<Point> surface;
+    for (std::size_t i = 0; i < flow.x().size(); ++i) surface.push_back({flow.x()[i], flow.y()[i]});
+    followed.stations.push_back({flow.time(), std::move(surface), not_counted});
+  }
+  followed.seconds = processor_seconds() - began;
+  return followed;
 }
 
-Travelled travel_sph(const StokesWave& wave, long rows) {
+Followed follow_sph(const StokesWave& wave, long rows, long periods) {
   const double began = processor_seconds();
   const double depth = wave.mean_depth();
   // A whole number of particles to the wavelength.
   const double spacing = wave.wavelength() / std::round(wave.wavelength() / depth * static_cast<double>(rows));
   wcsph::Settings settings{.kernel = wcsph::KernelName::wendland_c2,
-                           .smoothing = 2,
+                           .smoothing = sph_smoothing,
                            .gravity = wave.gravity(),
                            .density = 1,
-                           .sound_speed = 10 * std::sqrt(wave.gravity() * depth),
-                           .viscosity = wcsph::ArtificialViscosity{0.01}};
+                           .sound_speed = sph_sound * std::sqrt(wave.gravity() * depth),
+                           .viscosity = wcsph::ArtificialViscosity{sph_viscosity}};
   const wcsph::Scene scene = scene_of(wave, spacing, settings);
   settings.period = scene.period;
   wcsph::Flow flow(scene.particles, scene.spacing, settings, scene.paddles);
-  flow.advance_to(period_of(wave));
-  return {.size = spacing, .seconds = processor_seconds() - began, .surface = surface_of(flow, wave)};
+  Followed followed{.size = spacing};
+  for (long n = 1; n <= periods; ++n) {
+    flow.advance_to(static_cast<double>(n) * period_of(wave));
+    followed.stations.push_back({flow.time(), surface_of(flow, wave), not_counted});
+  }
+  followed.seconds = processor_seconds() - began;
+  return followed;
 }
 
 }  // namespace seiche::validation

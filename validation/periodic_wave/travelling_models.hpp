@@ -1,5 +1,5 @@
-/// One period of a periodic wave that travels without a change of shape, by four models: what the surface is
-/// afterwards, and what it took.
+/// A periodic wave that travels without a change of shape, by four models: what the surface is after every period, and
+/// what it took.
 ///
 /// The crest is at x = 0 at the beginning; gravity, density and the mean depth are 1.
 #pragma once
@@ -12,12 +12,19 @@
 
 namespace seiche::validation {
 
-/// What one computation left after one period of the wave: of `wave`, the exact crest is then at the wavelength.
-struct Travelled {
-  double size = 0;             ///< of a cell, or spacing of markers or particles
-  double seconds = 0;          ///< of the processor
-  std::vector<Point> surface;  ///< one wavelength about the crest
-  double energy_change = 0;    ///< over the kinetic energy of the exact wave
+/// What there is at the end of a period.
+struct Station {
+  double time = 0;
+  std::vector<Point> surface;  ///< one wavelength about the crest, ascending; of a periodic model wherever it drifted
+  double energy_change = 0;    ///< over the kinetic energy at the beginning; NaN where the model does not count it
+};
+
+struct Followed {
+  double size = 0;     ///< of a cell, or spacing of markers or particles
+  double seconds = 0;  ///< of the processor, for one wavelength of water
+  std::vector<Station> stations;
+
+  [[nodiscard]] const Station& last() const { return stations.back(); }
 };
 
 /// Way of the wave in a step of the particles, in cells.
@@ -25,20 +32,27 @@ constexpr double particles_courant = 0.15;
 
 /// Free particles under Gauss's principle in a periodic channel, gravity as the potential energy under the line of
 /// markers: six particles to a cell's side.
-Travelled travel_particles(const exact::StokesWave& wave, long cells);
+Followed follow_particles(const exact::StokesWave& wave, long cells, long periods = 1);
 
-/// Lagrangian mesh of cells twice as wide as high, steps of 0.4 rows. Meshes have no period: of three wavelengths the
-/// nodes of both ends and of nothing else are led on exact paths, and the wave in the middle counts, with a third of
-/// the seconds. What the ends know travels with the group, which is slower than the wave, and does not reach it.
-Travelled travel_mesh(const exact::StokesWave& wave, long rows);
+/// Lagrangian mesh of cells twice as wide as high, steps of 0.4 rows. Meshes have no period: of a chain of waves the
+/// nodes of both ends and of nothing else are led on exact paths, and the wave that begins a wavelength from the left
+/// one counts. What the left end knows travels with the group, which is slower than the wave, and does not reach it; of
+/// the right one it is a wavelength away at the end, and half as far again as the wave went where it goes on for more
+/// than a period.
+Followed follow_mesh(const exact::StokesWave& wave, long rows, long periods = 1);
 
 /// Discrete dispersive shallow water in a periodic channel, from the wave of its own equations; steps of a quarter of a
 /// cell.
-/// @param time  of the run
-Travelled travel_dispersive(const exact::SerreCnoidal& wave, double time, long cells);
+/// @param period  after which it is looked at
+Followed follow_dispersive(const exact::SerreCnoidal& wave, double period, long cells, long periods = 1);
 
-/// Weakly compressible SPH in a periodic box, from the exact pressures: kernel of Wendland, h = 2 dx, sound speed
-/// 10 sqrt(g d), artificial viscosity 0.01. The surface is where the share of water is one half.
-Travelled travel_sph(const exact::StokesWave& wave, long rows);
+/// Artificial viscosity of the SPH particles, and their smoothing length in spacings and sound speed in sqrt(g d).
+constexpr double sph_viscosity = 0.01;
+constexpr double sph_smoothing = 2;
+constexpr double sph_sound = 10;
+
+/// Weakly compressible SPH in a periodic box, from the exact pressures, with the kernel of Wendland. The surface is
+/// where the share of water is one half.
+Followed follow_sph(const exact::StokesWave& wave, long rows, long periods = 1);
 
 }  // namespace seiche::validation

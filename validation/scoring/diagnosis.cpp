@@ -71,7 +71,8 @@ struct Said {
   std::optional<Misreading> misread;
 };
 
-std::vector<Said> said_of(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group) {
+std::vector<Said> said_of(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group,
+                          bool shift_fitted) {
   const Points reference = reference_of(table, quantity, group.value);
   const Curve submitted{group.abscissa, group.values.at(quantity.column.name)};
   std::vector<Said> all;
@@ -81,7 +82,7 @@ std::vector<Said> said_of(const WantedTable& table, const WantedQuantity& quanti
   const auto other = misread || before > 0 ? neighbour(table, quantity, group, submitted, before) : std::nullopt;
   if (other && (!misread || other->left < misread->left)) {
     all.push_back({*other, {}});
-  } else if (misread) {
+  } else if (misread && !(shift_fitted && misread->kind == Misreading::Kind::shift)) {
     all.push_back(
         {{where_of(table, quantity, group), misread->words(quantity.column.unit, table.abscissa->unit), misread->left},
          misread});
@@ -95,11 +96,12 @@ bool same(const Said& a, const Said& b) {
          std::abs(a.misread->amount - b.misread->amount) <= 0.05 * std::abs(a.misread->amount);
 }
 
-void add_curves(const WantedTable& table, const std::vector<SubmittedGroup>& groups, std::vector<Finding>& findings) {
+void add_curves(const WantedTable& table, const std::vector<SubmittedGroup>& groups, bool shift_fitted,
+                std::vector<Finding>& findings) {
   for (const WantedQuantity& quantity : table.quantities) {
     std::vector<Said> all;
     for (const SubmittedGroup& group : groups) {
-      for (const Said& one : said_of(table, quantity, group)) all.push_back(one);
+      for (const Said& one : said_of(table, quantity, group, shift_fitted)) all.push_back(one);
     }
     const bool everywhere =
         all.size() > 1 && all.size() == groups.size() &&
@@ -126,7 +128,7 @@ void add_numbers(const WantedTable& table, const std::vector<SubmittedGroup>& gr
 
 }  // namespace
 
-std::vector<Finding> diagnosis(const std::vector<WantedTable>& wanted, const Submitted& submitted) {
+std::vector<Finding> diagnosis(const std::vector<WantedTable>& wanted, const Submitted& submitted, bool shift_fitted) {
   std::vector<Finding> findings;
   for (const WantedTable& table : wanted) {
     const auto found = submitted.find(table.name);
@@ -134,7 +136,7 @@ std::vector<Finding> diagnosis(const std::vector<WantedTable>& wanted, const Sub
     if (table.kind == Kind::scalars) {
       add_numbers(table, found->second, findings);
     } else {
-      add_curves(table, found->second, findings);
+      add_curves(table, found->second, shift_fitted, findings);
     }
   }
   return findings;

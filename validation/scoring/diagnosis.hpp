@@ -18,7 +18,9 @@ struct Finding {
 /// Findings of a whole submission: a curve that misses its reference by what one change would explain
 /// (validation/scoring/misreading.hpp), one that is that of another group, one that ends early, a number in another
 /// unit. The same finding in every group is said once.
-std::vector<Finding> diagnosis(const std::vector<WantedTable>& wanted, const Submitted& submitted);
+/// @param shift_fitted  the case fits a shift along the abscissa and judges it: then none is said here
+std::vector<Finding> diagnosis(const std::vector<WantedTable>& wanted, const Submitted& submitted,
+                               bool shift_fitted = false);
 
 /// As a table of the record; nothing where nothing was found.
 void show_diagnosis(const std::vector<Finding>& findings, evidence::Exhibit& exhibit);

@@ -191,7 +191,8 @@ class QuantityScore {
                  {Measure::peak_error, {a.peak - a.reference_peak, u}},
                  {Measure::peak_shift, {a.peak_at - a.reference_peak_at, u_x}},
                  {Measure::skill, {a.skill, 0}}};
-    if (table_.kind == Kind::series) {
+    // A series that begins in the upper half of its range has nothing that arrives.
+    if (table_.kind == Kind::series && a.reference.front() < 0.5 * (*lowest + *highest)) {
       const double level = a.reference.front() + table_.arrival_fraction * (*highest - a.reference.front());
       const double arrival = first_crossing(submitted, level);
       measures_[Measure::arrival_error] = {arrival - first_crossing({a.x, a.reference}, level), u_x};

@@ -77,6 +77,21 @@ class Reader {
     }
   }
 
+  /// What rows that should be of one gauge or instant differ in, where the file says.
+  [[nodiscard]] std::string several(const std::vector<std::size_t>& chosen) const {
+    for (const char* name : {"t", "x", "y", "z"}) {
+      const bool asked = (wanted_.group && this->name(*wanted_.group) == name) || this->name(*wanted_.abscissa) == name;
+      if (asked || !file_.has(name)) continue;
+      const std::vector<double>& at = file_.column(name);
+      const double first = at[chosen.front()];
+      for (const std::size_t row : chosen) {
+        if (at[row] == first) continue;
+        return fmt::format(": holds {} = {:g} and {:g}, and one alone is asked for", name, first, at[row]);
+      }
+    }
+    return {};
+  }
+
   template <class Belongs>
   [[nodiscard]] SubmittedGroup group(double value, Belongs belongs) const {
     std::vector<std::size_t> chosen;
@@ -99,7 +114,7 @@ class Reader {
       const double x = values(*wanted_.abscissa)[row];
       if (!result.abscissa.empty() && !(x > result.abscissa.back())) {
         fail(*wanted_.abscissa, row,
-             fmt::format("{:g} follows {:g}{}, must increase", x, result.abscissa.back(), where));
+             fmt::format("{:g} follows {:g}{}, must increase{}", x, result.abscissa.back(), where, several(chosen)));
       }
       result.abscissa.push_back(x);
     }

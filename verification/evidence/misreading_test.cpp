@@ -135,9 +135,9 @@ TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says 
     }
     return group;
   };
-  const auto says = [&](const std::string& id, const Submitted& submitted, std::size_t count,
-                        const std::string& words) {
-    const std::vector<Finding> findings = diagnosis(wanted, submitted);
+  const auto says = [&](const std::string& id, const Submitted& submitted, std::size_t count, const std::string& words,
+                        bool shift_fitted = false) {
+    const std::vector<Finding> findings = diagnosis(wanted, submitted, shift_fitted);
     check.that(named(id, "As many findings as there are.", "findings"), {.value = static_cast<double>(findings.size())},
                Bound{.limit = 0, .reason = "by hand", .expected = static_cast<double>(count)});
     bool said = count == 0;
@@ -151,6 +151,7 @@ TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says 
   says("exchanged", {{"gauges", {series(1, at(2)), series(2, at(1))}}}, 2, "is the reference of x = 2 m");
   says("cut", {{"gauges", {series(1, at(1), 12), series(2, at(2))}}}, 1, "ends at t = 12 s, the reference at 20");
   says("late", {{"gauges", {series(1, late(1)), series(2, late(2))}}}, 1, "every x fits the reference 0.5 s earlier");
+  says("fitted", {{"gauges", {series(1, late(1)), series(2, late(2))}}}, 0, "", true);
   says("number", {{"numbers", {{.value = 0, .abscissa = {}, .values = {{"runup", {25}}}}}}}, 1,
        "centimetres for metres");
 }

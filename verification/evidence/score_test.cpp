@@ -53,11 +53,11 @@ io::Table table(const std::string& text, const std::string& name) {
   return io::read_csv(in, name);
 }
 
-std::string profiles(double error_at_two) {
+std::string profiles(double error_at_two, double error_at_one = 0) {
   std::string text = "t [s],x [m],eta [m]\n";
   for (const double t : {0.0, 1.0, 2.0}) {  // the first is not asked for
     for (int k = 0; k <= 50; ++k) {
-      const double factor = t == 2 ? 1 + error_at_two : 1;
+      const double factor = t == 2 ? 1 + error_at_two : 1 + error_at_one;
       text += fmt::format("{},{:.17g},{:.17g}\n", t, 0.2 * k, factor * std::sin(0.2 * k - t));
     }
   }
@@ -67,6 +67,7 @@ std::string profiles(double error_at_two) {
 evidence::Record scored(const std::vector<io::Table>& files, const std::string& uncertainty = "") {
   evidence::Record record;
   record.name = "scored";
+  record.solver = "other";
   std::map<std::string, StatedUncertainty> stated;
   if (!uncertainty.empty()) stated["runup"] = uncertainty_from("runup", uncertainty);
   const std::vector<WantedTable> wanted = wanted_tables();
@@ -77,6 +78,13 @@ evidence::Record scored(const std::vector<io::Table>& files, const std::string& 
 std::string verdict(const evidence::Record& record, const std::string& id) {
   for (const evidence::JudgedClaim& claim : record.claims()) {
     if (claim.claim.id == id) return std::string(evidence::name(claim.judgement.verdict));
+  }
+  return "no such claim";
+}
+
+std::string shown(const evidence::Record& record, const std::string& id) {
+  for (const evidence::JudgedClaim& claim : record.claims()) {
+    if (claim.claim.id == id) return claim.judgement.resolution;
   }
   return "no such claim";
 }
@@ -107,6 +115,9 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   is("good", "Exact profiles pass.", verdict(good, "eta-relative_l2"), "pass");
   const evidence::Record bad = scored({table(profiles(0.1), "p.csv")});
   is("worst", "One time of two that is wrong fails the claim.", verdict(bad, "eta-relative_l2"), "fail");
+  const evidence::Record both = scored({table(profiles(0.1, 0.06), "p.csv")});
+  is("farthest", "Of two times that fail the one that is farther off is shown.", shown(both, "eta-relative_l2"),
+     "t = 2");
   is("missing", "A table that is not submitted fails its coverage.", verdict(bad, "heights-coverage"), "fail");
   is("absent", "Of what it would hold nothing is judged.", verdict(bad, "runup-value"), "no such claim");
   check.that({.id = "second",
@@ -133,9 +144,47 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   is("group", "A missing time is named.", refusal("t,x,eta\n1,0,0\n1,1,0\n"), "mine.csv: column t: 0 rows for t = 2 s");
   is("order", "Disorder within a time is named with its line.", refusal("t,x,eta\n1,1,0\n2,0,0\n1,0,0\n2,1,0\n"),
      "mine.csv: line 4: column x: 0 follows 1 for t = 1 s");
+  is("several", "What the rows differ in is named, where the file says.",
+     refusal("t,x,y,eta\n1,0,0,0\n1,1,0,0\n1,0,3,0\n1,1,3,0\n2,0,0,0\n2,1,0,0\n"), "holds y = 0 and 3, and one alone");
   is("single", "Several rows of single numbers are refused.", refusal("runup\n1\n2\n"),
      "mine.csv: column runup: 2 rows, must be exactly one");
   is("foreign", "A file that holds nothing wanted is refused.", refusal("a,b\n1,2\n"), "column t is missing");
   is("template", "The template has a row per point and time.", template_of(wanted_tables().front(), "# opening\n"),
      "t [s],x [m],eta [m]\n1,0,\n1,0.2");
+}
+
+TEST_CASE("an arrival is measured where something arrives", "[evidence]") {
+  Check check("measured_arrival", "The arrival of a series",
+              "A gauge that rises from rest has an arrival; a wall whose water falls from its highest has none.");
+  std::vector<double> t;
+  for (int k = 0; k <= 100; ++k) t.push_back(0.1 * k);
+  const auto measured = [&](double phase) {
+    const auto eta = [phase](double time) { return std::sin(time + phase); };
+    const std::vector<WantedTable> wanted{
+        {.name = "gauge",
+         .kind = WantedTable::Kind::series,
+         .abscissa = Column{"t", "s", "time"},
+         .quantities = {{.column = {"eta", "m", "elevation"}, .reference = [eta](Place p) { return eta(p.abscissa); }}},
+         .points = [t](double) { return t; }}};
+    SubmittedGroup late{.value = 0, .abscissa = t, .values = {}};
+    for (const double time : t) late.values["eta"].push_back(eta(time - 0.2));
+    evidence::Record record;
+    record.solver = "other";
+    score(wanted, {{"gauge", {late}}}, {}, record);
+    return record.measurements();
+  };
+  const double pi = std::acos(-1.0);
+  check.that({.id = "rises",
+              .text = "What rises 0.2 s late arrives as late.",
+              .quantity = "error of arrival",
+              .unit = "s",
+              .source = "interface of score()"},
+             {.value = measured(-0.5 * pi).at("eta_arrival_error")},
+             Bound{.limit = 0.002, .reason = "lines between points 0.1 apart miss a sine by 0.1^2/8", .expected = 0.2});
+  check.that({.id = "falls",
+              .text = "What falls from the start does not arrive.",
+              .quantity = "an arrival is measured",
+              .source = "interface of score()"},
+             {.value = static_cast<double>(measured(0.5 * pi).count("eta_arrival_error"))},
+             Qualitative{"a measurement eta_arrival_error", "nothing arrives", false});
 }

@@ -1,0 +1,139 @@
+"""`python -m seiche.adapt`: fronts, surfaces and gauges off what solvers write, as files of their own or made here."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+import h5py
+import numpy as np
+
+from submitting import SOURCE, Scoring, rows_of
+
+WRITTEN = SOURCE / "ci/tests/solver_output"  # by real solvers, see its README.md
+ADAPT = SOURCE / "solver/python/adapt.py"
+COLUMN = ("--column", "0.05715")
+
+
+def has(module):
+    try:
+        __import__(module)
+    except ImportError:
+        return False
+    return True
+
+
+class Adapt(Scoring):
+    def adapt(self, *words, **environment):
+        return subprocess.run([sys.executable, ADAPT, *map(str, words)], capture_output=True, text=True, timeout=120,
+                              env={**os.environ, **environment})
+
+    def rows(self, *words):
+        made = self.adapt(*words)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        names, rows = rows_of(made.stdout)
+        return names, np.array([[float(word) for word in row] for row in rows])
+
+    def refuses(self, made, *words):
+        self.assertEqual((made.returncode, made.stdout), (1, ""))
+        self.assertEqual(len(made.stderr.strip().splitlines()), 1, made.stderr)
+        for word in words:
+            self.assertIn(word, made.stderr)
+
+    def test_fronts_of_three_solvers_as_written(self):
+        """At T = 3.7, t = 0.2 s, Martin and Moyce measured X/a = 4.5 to 4.9 with a start that is late by 0.2."""
+        for words in (("interFoam/floor", "--field", "alpha.water"), ("gerris/floor.txt", "--field", "T"),
+                      ("pysph", "--near", 0.005715)):
+            names, front = self.rows("front", WRITTEN / words[0], *words[1:], *COLUMN)
+            self.assertEqual(names, ["T [1]", "X [1]"])
+            self.assertTrue((np.diff(front, axis=0) > 0).all(), front)
+            at = np.interp(3.7056, front[:, 0], front[:, 1])
+            self.assertTrue(4.2 < at < 5.4, (words, at))
+
+    def test_front_is_scored(self):
+        front = self.adapt("front", WRITTEN / "interFoam/floor", "--field", "alpha.water", *COLUMN).stdout
+        scored = self.score("dam_break_sph", "--data", self.write(front), "--set", "judged_to=8", "--dx", 0.00714375)
+        self.accepted(scored, 1)
+        verdicts = self.verdicts("dam_break_sph.mine")
+        self.assertEqual((verdicts["shift"], verdicts["rms"]), ("pass", "pass"))
+        self.assertNotIn("another origin", scored.stdout)
+
+    def test_surface_and_gauge_as_written(self):
+        """Half a period of the standing wave is 1.15 s: at x = 0 the surface falls from 0.05 m to its lowest."""
+        names, surface = self.rows("surface", WRITTEN / "interFoam/surface")
+        self.assertEqual(names, ["t [s]", "x [m]", "eta [m]"])
+        self.assertAlmostEqual(surface[:, 1].max(), np.pi, delta=1e-6)
+        names, gauge = self.rows("gauge", WRITTEN / "interFoam/surface", "--at", "x=0")
+        self.assertEqual(names, ["x [m]", "t [s]", "eta [m]"])
+        self.assertEqual(gauge[:, 1].tolist(), [0.5, 1.15])
+        self.assertTrue(-0.055 < gauge[1, 2] < -0.04, gauge)
+
+    def test_front_between_points_is_on_the_straight_line(self):
+        self.write("t,x,h\n0,0,1\n0,1,1\n0,2,0.2\n0,3,0\n1,0,1\n1,1,1\n1,2,1\n1,3,0\n")
+        _, front = self.rows("front", self.folder / "mine.csv", "--field", "h", "--level", 0.6)
+        np.testing.assert_allclose(front, [[0, 1.5], [1, 2.4]])
+
+    def test_spray_is_no_front(self):
+        folder = self.folder / "run"
+        folder.mkdir()
+        with h5py.File(folder / "a.hdf5", "w") as file:
+            file.create_group("solver_data").attrs["t"] = 0.5
+            x, y = np.meshgrid(np.arange(5) * 0.1, np.arange(3) * 0.1)
+            file["particles/fluid/arrays/x"] = np.append(x.ravel(), 2.0)
+            file["particles/fluid/arrays/y"] = np.append(y.ravel(), 0.0)
+        _, front = self.rows("front", folder, "--near", 0.1)
+        np.testing.assert_allclose(front, [[0.5, 0.4]])
+
+    def test_what_is_missing_is_named(self):
+        self.refuses(self.adapt("front", self.folder / "nothing.vtu"), "is not there")
+        self.refuses(self.adapt("front", self.write("t,x,h\n0,0,1\n"), "--field", "eta"), "no field eta", "h")
+        self.refuses(self.adapt("gauge", self.folder / "mine.csv", "--field", "h"), "--at x=NUMBER")
+        self.refuses(self.adapt("gauge", self.folder / "mine.csv", "--field", "h", "--at", "x=7"), "x=7", "not known")
+        (self.folder / "without").mkdir()
+        (self.folder / "without/xarray.py").write_text("raise ImportError\n")
+        self.refuses(self.adapt("front", self.write("", "run.nc"), PYTHONPATH=str(self.folder / "without")),
+                     "needs the Python package xarray", "apt install python3-xarray")
+
+    @unittest.skipUnless(has("vtk"), "python3-vtk9 is not installed")
+    def test_vtk_contour_of_a_fraction(self):
+        import vtk
+        from vtk.util.numpy_support import numpy_to_vtk
+        grid = vtk.vtkImageData()
+        grid.SetDimensions(11, 21, 2)
+        grid.SetSpacing(0.1, 0.05, 1)
+        x, y = (np.arange(10) + 0.5) * 0.1, (np.arange(20) + 0.5) * 0.05
+        eta = 0.5 + 0.1 * x
+        share = 0.5 + eta[None, :] - y[:, None]  # linear: lines between centres meet the surface exactly
+        values = numpy_to_vtk(share.ravel(), deep=True)
+        values.SetName("alpha.water")
+        grid.GetCellData().AddArray(values)
+        writer = vtk.vtkXMLImageDataWriter()
+        writer.SetFileName(str(self.folder / "run.vti"))
+        writer.SetInputData(grid)
+        writer.Write()
+        words = ("surface", self.folder / "run.vti", "--field", "alpha.water")
+        self.refuses(self.adapt(*words), "does not say its time", "--step")
+        _, surface = self.rows(*words, "--step", 1)
+        np.testing.assert_allclose(surface[:, 1:], np.column_stack([x, eta]), atol=1e-9)
+
+    @unittest.skipUnless(has("xarray") and has("netCDF4"), "python3-xarray or python3-netcdf4 is not installed")
+    def test_netcdf_gauge(self):
+        import xarray
+        x, t = np.linspace(0, 1, 11), np.array([0.0, 0.5])
+        eta = np.add.outer(t, 2 * x)
+        xarray.Dataset({"eta": (("time", "x"), eta)}, coords={"x": x, "time": t}).to_netcdf(self.folder / "run.nc")
+        _, gauge = self.rows("gauge", self.folder / "run.nc", "--field", "eta", "--at", "x=0.25")
+        np.testing.assert_allclose(gauge, [[0.25, 0, 0.5], [0.25, 0.5, 1.0]])
+
+    @unittest.skipUnless(has("scipy"), "python3-scipy is not installed")
+    def test_matlab_gauge(self):
+        import scipy.io
+        x, t = np.linspace(0, 1, 11), np.array([0.0, 0.5, 1.0])
+        scipy.io.savemat(self.folder / "run.mat", {"Xp": x, "Tsec": t, "Watlev": np.add.outer(2 * x, t)})
+        _, gauge = self.rows("gauge", self.folder / "run.mat", "--field", "Watlev", "--at", "x=0.25")
+        np.testing.assert_allclose(gauge[:, 1:], [[0, 0.5], [0.5, 1.0], [1, 1.5]])
+
+
+if __name__ == "__main__":
+    unittest.main()

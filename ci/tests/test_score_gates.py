@@ -1,0 +1,133 @@
+"""`seiche score` beyond one file: ladders of sizes, histories of what is conserved, baselines, the first screen."""
+
+import json
+import unittest
+
+import numpy as np
+
+from submitting import Scoring, seiche
+
+
+class Sines(Scoring):
+    def wave(self, error=0.0, name="mine.csv"):
+        """The standing wave's elevation at the wall, by theory, too high by a share; and its frequency."""
+        template = seiche("score", "standing_wave", "--template", "--table", "wall").stdout
+        command = next(line for line in template.splitlines() if "the reference: seiche " in line)
+        exact = seiche(*command.split("the reference: seiche ")[1].split()).stdout
+        rows = [line.split(",") for line in exact.splitlines() if line and not line.startswith("#")]
+        names = [entry.split(" ")[0] for entry in rows[0]]
+        t, eta = (np.array([float(row[names.index(column)]) for row in rows[1:]]) for column in ("t", "eta"))
+        return self.table({"t": t, "eta": (1 + error) * eta}, name)
+
+    def judged(self, *words, status=0):
+        scored = self.score("standing_wave", *words, "--table", "wall")
+        self.accepted(scored, status)
+        return scored.stdout
+
+
+class Ladders(Sines):
+    def ladder(self, *words, power=1, status=0, sizes=(0.2, 0.1, 0.05)):
+        files = [self.wave(0.4 * h**power, f"{h}.csv") for h in sizes]
+        data = [word for file in files for word in ("--data", file)]
+        return self.judged(*data, "--sizes", ",".join(map(str, sizes)), *words, status=status)
+
+    def test_order_and_what_one_per_cent_needs_are_said_and_shown(self):
+        said = self.ladder("--seconds", "1,8,64")
+        self.assertIn("eta: your order is 1 (1 to 1); error on 0.05 is 2 %; 1 % needs dx = 0.025 and 5.1e+02 s", said)
+        record = self.record("standing_wave.mine")
+        self.assertAlmostEqual(record["measurements"]["ladder_order_eta"], 1, 6)
+        self.assertAlmostEqual(record["measurements"]["ladder_size_for_1_percent_eta"], 0.025, 6)
+        self.assertEqual(record["measurements"]["cell_size"], 0.05)
+        self.assertEqual(record["wall_time"], 64)
+        self.assertIn("ladder", [figure["id"] for figure in record["figures"]])
+        report = seiche("report", self.out)
+        self.assertEqual(report.returncode, 0, report.stderr)
+        page = (self.out / "report/cases/standing_wave.html").read_text()
+        self.assertIn("At first sight: mine", page)
+        self.assertIn("your order is 1", page)
+
+    def test_the_finest_is_judged_in_whatever_order_it_comes(self):
+        self.ladder(sizes=(0.05, 0.2, 0.1))
+        self.assertAlmostEqual(self.record("standing_wave.mine")["measurements"]["eta_amplitude_ratio"], 1.02, 6)
+
+    def test_second_order_is_told(self):
+        self.assertIn("your order is 2 (2 to 2)", self.ladder(power=2))
+
+    def test_wrong_numbers_of_files_sizes_and_times_are_refused(self):
+        file = self.wave()
+        for words, expected in [
+                (["--sizes", "0.1,0.2,0.3"], ["1 files for 3", "as many for each"]),
+                (["--data", file, "--sizes", "0.1,0.2"], ["three or more"]),
+                (["--data", file, "--data", file, "--sizes", "0.1,0.1,0.2"], ["all different"]),
+                (["--data", file, "--data", file, "--sizes", "0.1,0.05,0.2", "--seconds", "3"], ["one for each of the 3"]),
+                (["--data", file, "--data", file, "--sizes", "0.1,0.05,0.2", "--dx", "3"], ["--dx"]),
+                (["--data", file, "--data", file, "--sizes", "0.1,0,0.2"], ["--sizes"]),
+                (["--seconds", "1,2"], ["--seconds 1,2"])]:
+            with self.subTest(words=words[-2:]):
+                self.refused(self.score("standing_wave", "--data", file, "--table", "wall", *words), *expected)
+
+
+class Histories(Sines):
+    def test_a_history_beside_the_result_is_judged(self):
+        t = np.linspace(0, 10, 21)
+        kept = self.table({"t": t, "volume": 3 + 0 * t, "energy": 2 - 0.001 * t}, "kept.csv")
+        self.judged("--data", self.wave(), "--data", kept)
+        self.assertEqual(self.verdicts("standing_wave.mine")["conserved-energy"], "pass")
+        lost = self.table({"t": t, "volume": 3 - 0.001 * t}, "lost.csv")
+        said = self.judged("--data", self.wave(), "--data", lost, status=1)
+        self.assertEqual(self.verdicts("standing_wave.mine")["conserved-volume"], "fail")
+        self.assertIn("at t = 10 s", said)
+
+    def test_a_history_alone_is_refused(self):
+        alone = self.table({"t": [0, 1], "volume": [3, 3]}, "alone.csv")
+        self.refused(self.score("standing_wave", "--data", alone), "a history and no table of the case")
+
+    def test_its_columns_may_be_mapped(self):
+        mass = self.table({"time": [0, 1], "mass": [3, 2]}, "mass.csv")
+        wave = self.wave(name="w.csv")
+        text = wave.read_text().replace("t,", "time,", 1)
+        self.judged("--data", self.write(text, "w.csv"), "--data", mass, "--map", "mass=volume,time=t", status=1)
+        self.assertEqual(self.verdicts("standing_wave.mine")["conserved-volume"], "fail")
+
+
+class Baselines(Sines):
+    def kept(self, error, *words, status=0):
+        return self.judged("--data", self.wave(error), "--baseline", self.folder / "kept", *words, status=status)
+
+    def test_a_baseline_is_made_compared_and_blessed(self):
+        missing = self.score("standing_wave", "--data", self.wave(), "--table", "wall", "--baseline", self.folder / "kept")
+        self.refused(missing, "has no standing_wave.mine.json", "--bless")
+        self.assertIn("is this score now", self.kept(0.01, "--bless"))
+        self.assertIn("nothing got worse", self.kept(0.01))
+        self.assertIn("nothing got worse", self.kept(0.0102))
+        self.assertIn("WORSE", self.kept(0.03, status=1))
+        self.assertIn("nothing got worse", self.kept(0.01))  # what is worse is not kept
+        self.assertIn("is this score now", self.kept(0.2, "--bless"))
+        self.assertIn("nothing got worse", self.kept(0.2))   # a failure that is known
+        self.assertIn("unexpected pass", self.kept(0.01))
+        self.assertTrue((self.folder / "kept/standing_wave.mine.h5").is_file())
+
+    def test_bless_without_baseline_is_refused(self):
+        self.refused(self.score("standing_wave", "--data", self.wave(), "--bless"), "--baseline")
+
+
+class FirstLook(Sines):
+    def test_the_first_lines_say_what_where_whose_and_what_next(self):
+        said = self.judged("--data", self.wave(0.2), status=1)
+        lines = dict(line.split(": ", 1) for line in said.splitlines() if ": " in line)
+        self.assertIn("not met", lines["verdict"])
+        self.assertIn("eta-relative_l2", lines["in one line"])
+        self.assertIn("amplitude: 100 %", lines["of what kind"])
+        self.assertIn("t = ", lines["where the error is"])
+        self.assertIn("amplitude is wrong", lines["look first at"])
+        self.assertIn("check the file", lines["next step"])
+        import jsonschema
+
+        from submitting import SOURCE
+        record = self.record("standing_wave.mine")
+        jsonschema.validate(record, json.loads((SOURCE / "reports/schema/record.schema.json").read_text()))
+        self.assertIn("first-look", [table["id"] for table in record["tables"]])
+
+
+if __name__ == "__main__":
+    unittest.main()

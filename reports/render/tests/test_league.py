@@ -1,0 +1,67 @@
+"""The page of solvers beside each other.
+
+    /usr/bin/python3 reports/render/tests/test_league.py
+"""
+import json
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from test_report import record, render  # noqa: E402
+
+from render import league, records  # noqa: E402
+
+
+def scored(solver, cell, error, **changes):
+    """A record of somebody's solver with that cell, whose error at two times is this and a half of it."""
+    measured = {"cell_size": cell, "eta_relative_l1_t_1": error / 2, "eta_relative_l1_t_2": error, "other": 7.0}
+    return record("wave", solver=solver, measurements={**measured, **changes.pop("measurements", {})}, **changes)
+
+
+class League(unittest.TestCase):
+    def table(self, *raw):
+        loaded = [records.Record(f"{k}.json", one) for k, one in enumerate(raw)]
+        return league.survey([records.Case("wave", loaded)])
+
+    def test_order_is_the_slope_over_the_cells(self):
+        one, = self.table(record("wave"), *(scored(f"boxes-{n}", 1 / n, 3 / n**2) for n in (20, 10, 40)))
+        self.assertEqual([run.record.solver for run in one.runs], ["seiche", "boxes-10", "boxes-20", "boxes-40"])
+        self.assertEqual([run.order for run in one.runs[:-1]], [None] * 3)
+        self.assertAlmostEqual(one.runs[-1].order, 2)
+
+    def test_order_of_a_ladder_goes_before_the_slope(self):
+        one, = self.table(scored("boxes-10", 0.1, 0.25), scored("boxes-20", 0.05, 0.2, measurements={"ladder_order_eta": 1.5}))
+        self.assertEqual([run.order for run in one.runs], [None, 1.5])
+
+    def test_error_is_that_of_the_worst_time(self):
+        one, = self.table(scored("boxes", 0.1, 0.25))
+        self.assertEqual((one.quantity, one.runs[0].error), ("largest relative L1 error of eta", 0.25))
+
+    def test_a_solver_without_the_measurement_has_no_error(self):
+        one, = self.table(scored("boxes", 0.1, 0.25), scored("circles", 0.1, 0.5, measurements={"eta_relative_l1_t_2": None}))
+        self.assertEqual([run.error for run in one.runs], [0.25, None])
+
+    def test_one_run_and_an_exact_one_have_no_order(self):
+        one, = self.table(scored("boxes-10", 0.1, 0.25), scored("circles-10", 0.1, 0.0), scored("circles-20", 0.05, 0.0))
+        self.assertEqual([run.order for run in one.runs], [None] * 3)
+
+    def test_page_is_made_where_others_are(self):
+        with tempfile.TemporaryDirectory() as folder:
+            evidence, out = pathlib.Path(folder, "evidence"), pathlib.Path(folder, "report")
+            evidence.mkdir()
+            (evidence / "wave.json").write_text(json.dumps(record("wave")))
+            self.assertEqual(render(evidence, out)[0], 0)
+            self.assertFalse((out / "league.html").exists())
+            self.assertNotIn("league.html", (out / "index.html").read_text())
+            (evidence / "wave.boxes-10.json").write_text(json.dumps(scored("boxes-10", 0.1, 0.25)))
+            self.assertEqual(render(evidence, out)[0], 0)
+            self.assertIn("league.html", (out / "index.html").read_text())
+            page = (out / "league.html").read_text()
+            for text in ("boxes-10", "0.25", "Largest relative L1 error of eta"):
+                self.assertIn(text, page)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,322 @@
+#include "validation/command/exact_inputs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "seiche/io/atomic_file.hpp"
+#include "seiche/io/solver_inputs.hpp"
+#include "validation/command/exact_points.hpp"
+
+namespace seiche::command {
+namespace {
+
+using exact::ExactSolution;
+namespace fs = std::filesystem;
+
+/// A solution as water over a bed: what a solver's initial state is made of.
+class Water {
+ public:
+  Water(const ExactSolution& solution, const std::map<std::string, double>& parameters)
+      : solution_(solution), evaluator_(solution.evaluator(parameters)) {
+    for (std::size_t k = 0; k < solution.inputs.size(); ++k) {
+      const exact::Coordinate& input = solution.inputs[k];
+      if (input.name == "x") x_ = k;
+      if (input.name == "t") t_ = k;
+      if (input.name == "y") (std::isnan(input.default_value) ? height_ : across_) = k;
+    }
+    for (std::size_t k = 0; k < solution.outputs.size(); ++k) outputs_[solution.outputs[k].name] = k;
+    if (!x_ || evaluator_.curve || !(has("eta") || has("h"))) {
+      throw std::invalid_argument(
+          fmt::format("{}: has no surface over x, which other solvers start from", solution.name));
+    }
+    const auto depth = parameters.find("depth");
+    depth_ = has("h") || depth == parameters.end() ? 0 : depth->second;
+  }
+
+  [[nodiscard]] bool in_plan() const { return across_.has_value(); }
+  void at(double time) { time_ = time; }
+
+  [[nodiscard]] double bed(double x, double y = 0) const {
+    if (has("z")) return value("z", x, y, top);
+    if (std::isfinite(depth_)) return -depth_;
+    throw std::invalid_argument(fmt::format("{}: depth = inf has no bed: set a finite one", solution_.name));
+  }
+  [[nodiscard]] double surface(double x, double y = 0) const {
+    if (has("eta")) return value("eta", x, y, top);
+    return value("h", x, y, top) + (has("z") ? value("z", x, y, top) : 0.0);
+  }
+  /// At a height, or that of the column where the solution knows no heights.
+  [[nodiscard]] double u(double x, double height) const { return has("u") ? value("u", x, 0, height) : 0.0; }
+  [[nodiscard]] double v(double x, double height) const { return has("v") && height_ ? value("v", x, 0, height) : 0.0; }
+  /// Over the depth, by Gauss and Legendre's rule of three points in eight layers.
+  [[nodiscard]] double discharge(double x, double y) const {
+    const double low = bed(x, y);
+    const double high = surface(x, y);
+    if (!height_) return (high - low) * (has("u") ? value("u", x, y, top) : 0.0);
+    constexpr int layers = 8;
+    constexpr std::array nodes{-0.7745966692414834, 0.0, 0.7745966692414834};
+    constexpr std::array weights{5.0 / 9, 8.0 / 9, 5.0 / 9};
+    const double half = 0.5 * (high - low) / layers;
+    double sum = 0;
+    for (int k = 0; k < layers; ++k) {
+      for (std::size_t j = 0; j < nodes.size(); ++j) {
+        sum += weights[j] * half * u(x, low + half * (2 * k + 1 + nodes[j]));
+      }
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr double top = std::numeric_limits<double>::quiet_NaN();
+
+  [[nodiscard]] bool has(const std::string& output) const { return outputs_.contains(output); }
+  [[nodiscard]] double value(const std::string& output, double x, double across, double height) const {
+    Point point;
+    for (const exact::Coordinate& input : solution_.inputs) point.push_back(input.default_value);
+    point[*x_] = x;
+    if (t_) point[*t_] = time_;
+    if (height_) point[*height_] = height;
+    if (across_) point[*across_] = across;
+    return evaluator_.eval(point).at(outputs_.at(output));
+  }
+
+  const ExactSolution& solution_;
+  exact::Evaluator evaluator_;
+  std::optional<std::size_t> x_, t_, height_, across_;
+  std::map<std::string, std::size_t> outputs_;
+  double depth_ = 0;
+  double time_ = 0;
+};
+
+/// The instant of --at, 0 where none is given.
+double instant(const ExactSolution& solution, const InputOptions& options) {
+  if (options.points.empty()) return 0;
+  const std::vector<Point> points = points_at(solution, options.points);
+  for (std::size_t k = 0; k < solution.inputs.size(); ++k) {
+    if (solution.inputs[k].name == "t") return points.front()[k];
+  }
+  return 0;
+}
+
+fs::path write(const InputOptions& options, const std::string& name, const std::string& text) {
+  fs::create_directories(options.folder);
+  const fs::path file = options.folder / name;
+  io::write_file(file, text);
+  return file;
+}
+
+std::vector<fs::path> write_openfoam(Water& water, const InputOptions& options) {
+  if (options.centres.empty()) {
+    throw std::invalid_argument(
+        "--write openfoam: --centres FILE is missing: the field C that 'postProcess -func writeCellCentres' writes");
+  }
+  const std::size_t up = options.up == "y" ? 1 : 2;
+  const std::vector<io::Vector3> centres = io::read_openfoam_centres(options.centres);
+  const auto edges = io::heights_of_cells(centres, up);
+  std::vector<double> share;
+  std::vector<io::Vector3> velocity;
+  for (std::size_t i = 0; i < centres.size(); ++i) {
+    const double x = centres[i][0] - options.origin_x;
+    const double low = edges[i].first - options.origin_up;
+    const double high = edges[i].second - options.origin_up;
+    const double surface = water.surface(x);
+    share.push_back(std::clamp((surface - low) / (high - low), 0.0, 1.0));
+    io::Vector3 moving{};
+    if (share.back() > 0) {
+      // In the middle of the cell's water; the round-off of a surface must not put it into the air.
+      const double height = std::max(0.5 * (low + std::min(high, surface)), water.bed(x));
+      moving[0] = water.u(x, height);
+      moving[up] = water.v(x, height);
+    }
+    velocity.push_back(moving);
+  }
+  return {write(options, "alpha.water.internalField", io::openfoam_field(share)),
+          write(options, "U.internalField", io::openfoam_field(velocity))};
+}
+
+/// Different values of an input over the grid's points, ascending; empty where the solution has it not.
+std::vector<double> along(const ExactSolution& solution, const std::vector<Point>& grid, const std::string& name) {
+  for (std::size_t k = 0; k < solution.inputs.size(); ++k) {
+    if (solution.inputs[k].name != name) continue;
+    std::set<double> values;
+    for (const Point& point : grid) {
+      if (!std::isnan(point[k])) values.insert(point[k]);
+    }
+    return {values.begin(), values.end()};
+  }
+  return {};
+}
+
+std::vector<Point> grid_of(const ExactSolution& solution, const InputOptions& options) {
+  if (options.grid.empty()) throw std::invalid_argument(fmt::format("--write {}: --grid is missing", options.format));
+  std::vector<Point> grid = points_on_grid(solution, options.grid);
+  if (along(solution, grid, "t").size() > 1) {
+    throw std::invalid_argument(fmt::format("--grid {}: must be one instant, as t=0", options.grid));
+  }
+  return grid;
+}
+
+std::vector<fs::path> write_geoclaw(Water& water, const ExactSolution& solution, const InputOptions& options) {
+  const std::vector<Point> grid = grid_of(solution, options);
+  const std::vector<double> times = along(solution, grid, "t");
+  water.at(times.empty() ? 0 : times.front());
+  const std::vector<double> x = along(solution, grid, "x");
+  std::vector<double> y = water.in_plan() ? along(solution, grid, "y") : std::vector<double>{0, options.width};
+  if (x.size() < 2 || y.size() < 2) {
+    throw std::invalid_argument(fmt::format("--grid {}: GeoClaw needs two points or more along x{}", options.grid,
+                                            water.in_plan() ? " and y" : ""));
+  }
+  std::vector<double> bed, surface, discharge;
+  for (const double at_y : y) {
+    const double across = water.in_plan() ? at_y : 0;
+    for (const double at_x : x) {
+      bed.push_back(water.bed(at_x, across) + options.origin_up);
+      surface.push_back(water.surface(at_x, across) + options.origin_up);
+      discharge.push_back(water.discharge(at_x, across));
+    }
+  }
+  std::vector<double> shifted = x;
+  for (double& one : shifted) one += options.origin_x;
+  const auto grid_file = [&](const char* name, const std::vector<double>& z) {
+    return write(options, name, io::geoclaw_grid(shifted, y, z));
+  };
+  return {grid_file("topo.xyz", bed), grid_file("eta.xyz", surface), grid_file("hu.xyz", discharge)};
+}
+
+std::vector<fs::path> write_vtk(const ExactSolution& solution, const exact::Evaluator& evaluator,
+                                const InputOptions& options) {
+  const std::vector<Point> grid = grid_of(solution, options);
+  std::array<std::size_t, 3> counts{1, 1, 1};
+  std::array<std::optional<std::size_t>, 3> place;
+  for (std::size_t k = 0; k < solution.inputs.size(); ++k) {
+    const exact::Coordinate& input = solution.inputs[k];
+    if (input.name == "t") continue;
+    const std::size_t axis = input.name == "x" ? 0 : std::isnan(input.default_value) ? 2 : 1;
+    place.at(axis) = k;
+    counts.at(axis) = std::max<std::size_t>(along(solution, grid, input.name).size(), 1);
+  }
+  if (evaluator.curve) throw std::invalid_argument(fmt::format("{}: is a curve and no field", solution.name));
+  std::vector<io::Vector3> points;
+  std::vector<io::NamedField> fields;
+  for (const exact::Quantity& output : solution.outputs) fields.push_back({output.name, {}});
+  for (const Point& point : grid) {
+    io::Vector3 at{options.origin_x, 0, options.origin_up};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double moved = place.at(axis) ? point[*place.at(axis)] : 0;
+      at.at(axis) += std::isnan(moved) ? 0 : moved;
+    }
+    points.push_back(at);
+    std::vector<double> values(fields.size(), std::numeric_limits<double>::quiet_NaN());
+    try {
+      values = evaluator.eval(point);
+    } catch (const exact::OutsideFluid&) {  // a rectangle never fits a wave
+    }
+    for (std::size_t k = 0; k < fields.size(); ++k) fields[k].values.push_back(values[k]);
+  }
+  return {write(options, solution.name + ".vtk", io::legacy_vtk(solution.title, counts, points, fields))};
+}
+
+/// A piston that makes a wave of permanent form moves with the mean velocity behind it, c eta/(d + eta), which takes
+/// the wave's own eta at the piston (Goring 1978). From where the surface is a ten thousandth of the crest to where it
+/// is again; time 0 is the beginning.
+struct Piston {
+  std::vector<double> times, positions;
+};
+
+Piston solitary_piston(Water& water, double speed, double depth, std::optional<std::vector<double>> times) {
+  water.at(0);
+  const double crest = water.surface(0);
+  double reach = depth;
+  while (water.surface(reach) > 1e-4 * crest) reach += 0.01 * depth;
+  const double start = reach / speed;  // the crest passes the piston's first place then
+  const auto rate = [&](double t, double position) {
+    water.at(t - start);
+    const double eta = water.surface(position);
+    return speed * eta / (depth + eta);
+  };
+  const double step = 1e-3 * depth / speed;
+  Piston piston;
+  double t = 0;
+  double position = 0;
+  std::vector<double> fine_t{0}, fine_x{0};
+  while (t < start || rate(t, position) > 1e-4 * speed * crest / (depth + crest)) {
+    const double k1 = rate(t, position);
+    const double k2 = rate(t + step / 2, position + step / 2 * k1);
+    const double k3 = rate(t + step / 2, position + step / 2 * k2);
+    const double k4 = rate(t + step, position + step * k3);
+    position += step * (k1 + 2 * k2 + 2 * k3 + k4) / 6;
+    t += step;
+    fine_t.push_back(t);
+    fine_x.push_back(position);
+  }
+  if (!times) {
+    for (std::size_t k = 0; k < fine_t.size(); k += 20) {
+      piston.times.push_back(fine_t[k]);
+      piston.positions.push_back(fine_x[k]);
+    }
+    return piston;
+  }
+  for (const double at : *times) {
+    const double place = std::clamp(at / step, 0.0, static_cast<double>(fine_x.size() - 1));
+    const auto k = std::min(static_cast<std::size_t>(place), fine_x.size() - 2);
+    piston.times.push_back(at);
+    piston.positions.push_back(std::lerp(fine_x[k], fine_x[k + 1], place - static_cast<double>(k)));
+  }
+  return piston;
+}
+
+std::vector<fs::path> write_dualsphysics(const ExactSolution& solution, const std::map<std::string, double>& parameters,
+                                         const InputOptions& options) {
+  std::optional<std::vector<double>> times;
+  if (!options.grid.empty()) times = along(solution, points_on_grid(solution, options.grid), "t");
+  if (times && times->front() < 0) throw std::invalid_argument("--grid: t must not be negative: a paddle starts at 0");
+  Piston piston;
+  if (solution.name == "solitary" || solution.name == "solitary_asymptotic") {
+    Water water(solution, parameters);
+    const double speed = solution.evaluator(parameters).scalars().front();
+    piston = solitary_piston(water, speed, parameters.at("depth"), times);
+  } else if (solution.name == "wavemaker" && parameters.at("kind") == 0) {
+    const std::vector<double> scalars = solution.evaluator(parameters).scalars();
+    const double stroke = scalars.at(1);
+    const double period = scalars.at(3);
+    if (!times) times = along(solution, points_on_grid(solution, fmt::format("t=0:{:.17g}:1001", 10 * period)), "t");
+    for (const double t : *times) {
+      piston.times.push_back(t);
+      piston.positions.push_back(0.5 * stroke * std::sin(2 * std::numbers::pi * t / period));
+    }
+  } else {
+    throw std::invalid_argument(fmt::format(
+        "--write dualsphysics: {} has no piston: must be one of solitary, solitary_asymptotic, wavemaker with "
+        "kind=piston",
+        solution.name));
+  }
+  for (double& position : piston.positions) position += options.origin_x;
+  return {write(options, "paddle.csv", io::dualsphysics_motion(piston.times, piston.positions))};
+}
+
+}  // namespace
+
+const std::vector<std::string>& input_formats() {
+  static const std::vector<std::string> formats{"openfoam", "dualsphysics", "geoclaw", "vtk", "csv"};
+  return formats;
+}
+
+std::vector<fs::path> write_inputs(const ExactSolution& solution, const std::map<std::string, double>& parameters,
+                                   const InputOptions& options) {
+  if (options.format == "dualsphysics") return write_dualsphysics(solution, parameters, options);
+  if (options.format == "vtk") return write_vtk(solution, solution.evaluator(parameters), options);
+  Water water(solution, parameters);
+  if (options.format == "geoclaw") return write_geoclaw(water, solution, options);
+  water.at(instant(solution, options));
+  return write_openfoam(water, options);
+}
+
+}  // namespace seiche::command

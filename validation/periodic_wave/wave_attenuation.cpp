@@ -1,0 +1,480 @@
+/*
+How much of a wave does a solver lose on its way, and how much too fast or too slow does it go? A swell has to cross a
+basin before it meets the structure that the computation is about: what is lost on the way is lost there.
+
+**Set-up.** Depth, gravity and density are 1. An exact periodic wave of the Euler equations (`seiche exact stokes`),
+$2\pi$ long, travels in a periodic box of one wavelength over a flat bottom without friction; ours in three heights, of a
+twentieth, a tenth and a fifth of the depth. Free particles, the dispersive model and SPH follow it for ten periods. The
+Lagrangian mesh has no period: there a wave in a longer chain is followed, for fewer. The dispersive model, for which
+the wave is none, starts from the wave of its own equations with the same height and length.
+
+**What is compared.** After every period, the fundamental of the surface: its amplitude over that of the exact wave, and
+its phase. What either changes by in a wavelength is the slope of a straight line through the periods, so that a wrong
+beginning is not counted. Shown against the cells in the height of the wave, and against what a wavelength takes.
+
+**For any solver.** `seiche score wave_attenuation --template` asks for the surface after every period; start from the
+exact surface and velocities (`seiche exact stokes --write` gives them to several solvers) with a crest at $x = 0$, in a
+periodic box; `--set height=0.05` asks for a lower wave. Histories of volume, energy and momentum are judged where they
+are given. Lost may be half a per cent of the height in a wavelength, and as much of a wavelength in phase: after ten
+wavelengths that is the twentieth that benchmarks of tsunamis allow.
+
+**What to look at.** Particles keep the height whatever the lattice, and lag by their steps. The mesh loses a tenth of a
+per cent in a wavelength of ten rows, and less of lower waves. SPH of twelve rows loses a tenth of the
+height in every wavelength, by what its artificial viscosity, $\nu = \alpha h c/8$, takes from a wave: $2 \nu k^2$ in a
+unit of time in the water, and twice as much at the floor, to which its particles stick,
+$k \sqrt{\nu \omega/2}/\sinh 2kd$. It falls with the spacing, to a twentieth at 24 rows: who has ten wavelengths to go
+should not go by it. The dispersive model keeps the height and is late by what its equations are, a hundredth of a
+wavelength in one, however fine it is: for waves this short it is at the end of its own physics, for longer ones within
+it.
+
+**When it is no test.** Of breaking, walls, shores, or of wind and friction.
+*/
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "validation/case/case.hpp"
+#include "validation/case/on_threads.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/agreement.hpp"
+#include "validation/instruments/straight_line.hpp"
+#include "validation/periodic_wave/surface_fit.hpp"
+#include "validation/periodic_wave/travelling_models.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Bound;
+using evidence::Role;
+using exact::SerreCnoidal;
+using exact::StokesWave;
+
+const std::string source = "Schwartz (1974); Synolakis et al., Pure Appl. Geophys. 165 (2008) 2197";
+constexpr double per_wavelength = 0.005;
+const std::string per_wavelength_reason =
+    "half a per cent in a wavelength: after ten the 5 % that tsunami benchmarks allow against exact solutions "
+    "(Synolakis et al. 2008)";
+
+StokesWave wave_of(double height, double length) {
+  return {height / 2, length, 1, 1};
+}
+
+double period_of(const StokesWave& wave) {
+  return wave.wavelength() / wave.phase_speed();
+}
+
+/// What a wavelength changes: slopes of straight lines through the periods.
+struct Rates {
+  double decay = 0;  ///< of the height, relative
+  double lead = 0;   ///< in wavelengths
+};
+
+/// @param way    in wavelengths, of each
+/// @param found  leads from -1/2 to 1/2, which are joined to the nearest
+Rates rates_of(const std::vector<double>& way, const std::vector<Fundamental>& found) {
+  std::vector<double> logs;
+  std::vector<double> leads;
+  for (const Fundamental& one : found) {
+    logs.push_back(std::log(one.height));
+    leads.push_back(leads.empty() ? one.lead : leads.back() + std::remainder(one.lead - leads.back(), 1.0));
+  }
+  return {-straight_line(way, logs).slope, straight_line(way, leads).slope};
+}
+
+/// One computation.
+struct Course {
+  std::string model;
+  double height = 0;  ///< of the wave
+  double size = 0;
+  double seconds = 0;                 ///< for one wavelength of water and of way
+  std::vector<double> way;            ///< in wavelengths
+  std::vector<Fundamental> stations;  ///< the beginning is not among them
+  Rates rates;
+  double energy_change = 0;  ///< at the end
+
+  [[nodiscard]] double cells_per_height() const { return height / size; }
+};
+
+Course course_of(const std::string& model, const StokesWave& wave, const Followed& followed) {
+  Course course{.model = model,
+                .height = 2 * wave.amplitude(),
+                .size = followed.size,
+                .seconds = followed.seconds / static_cast<double>(followed.stations.size())};
+  const Elevation exact = [&](double x) { return wave.elevation(x); };
+  for (const Station& station : followed.stations) {
+    std::vector<Point> surface = station.surface;
+    std::ranges::sort(surface, {}, &Point::x);
+    course.way.push_back(station.time / period_of(wave));
+    course.stations.push_back(
+        surface_fundamental(exact, wave.wavelength(), surface, wave.phase_speed() * station.time));
+  }
+  course.rates = rates_of(course.way, course.stations);
+  course.energy_change = followed.last().energy_change;
+  return course;
+}
+
+using Results = std::vector<Course>;
+
+std::vector<double> heights_of(const Values& values) {
+  const double highest = values.real("height");
+  return {highest / 4, highest / 2, highest};
+}
+
+/// Resolutions of a model, from coarse to fine.
+std::vector<long> ladder(long finest) {
+  return {std::lround(0.5 * static_cast<double>(finest)), std::lround(0.7 * static_cast<double>(finest)), finest};
+}
+
+Results compute(const Run& run) {
+  const double length = run.real("length");
+  const long periods = run.integer("periods");
+  const long mesh_periods = run.integer("mesh_periods");
+  Results results;
+  std::vector<std::function<Course()>> work;
+  for (const double height : heights_of(run)) {
+    const StokesWave wave = wave_of(height, length);
+    for (const long n : ladder(run.integer("cells"))) {
+      work.emplace_back([=] { return course_of("particles", wave, follow_particles(wave, n, periods)); });
+    }
+    for (const long n : ladder(run.integer("markers"))) {
+      work.emplace_back([=] {
+        const SerreCnoidal own(height, length, 1, 1);
+        return course_of("dispersive", wave, follow_dispersive(own, period_of(wave), n, periods));
+      });
+    }
+    for (const long n : ladder(run.integer("rows"))) {
+      work.emplace_back([=] { return course_of("mesh", wave, follow_mesh(wave, n, mesh_periods)); });
+    }
+  }
+  const StokesWave steepest = wave_of(run.real("height"), length);
+  for (const long n : ladder(run.integer("sph_rows"))) {
+    work.emplace_back([=] { return course_of("sph", steepest, follow_sph(steepest, n, periods)); });
+  }
+  results.resize(work.size());
+  // One after another and on one thread each, or their times would be those of their neighbours.
+  on_threads(
+      work.size(), 1, [&](std::size_t k) { results[k] = work[k](); },
+      [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(work.size())); });
+  return results;
+}
+
+/// The finest of a model for the highest wave.
+const Course& finest(const Results& results, const std::string& model) {
+  const Course* found = nullptr;
+  for (const Course& one : results) {
+    if (one.model != model) continue;
+    const bool finer = found != nullptr && one.height == found->height && one.size < found->size;
+    if (found == nullptr || one.height > found->height || finer) found = &one;
+  }
+  if (found == nullptr) throw std::logic_error("no course of " + model);
+  return *found;
+}
+
+/// The worst of the finest courses of a model over the waves.
+template <class Number>
+Measurement worst_over_heights(const Results& results, const std::string& model, Number number) {
+  Worst worst;
+  for (const Course& one : results) {
+    if (one.model != model || one.size > finest(results, model).size) continue;
+    worst.add(number(one), one.height);
+  }
+  return {.value = worst.value(), .where = fmt::format("H = {:g}", worst.where())};
+}
+
+/// What its height adds to the wave's speed, over the speed of low waves.
+double excess_of(const StokesWave& wave) {
+  const double k = wave.wavenumber();
+  return wave.phase_speed() / std::sqrt(std::tanh(k) / k) - 1;
+}
+
+/// Of the dispersive model's own wave, over that of the Euler equations, less 1.
+double own_lead(double height, double length) {
+  return SerreCnoidal(height, length, 1, 1).phase_speed() / wave_of(height, length).phase_speed() - 1;
+}
+
+/// What a viscosity takes from the height in a period: 2 nu k^2 per unit of time in the water (Lamb), and in the layer
+/// at a floor that water sticks to k sqrt(nu omega/2)/sinh(2 k d) (Dean and Dalrymple 1991). That of the particles is
+/// nu = alpha h c/8 in two dimensions (Monaghan 2005), and those of the floor stand still.
+double viscous_decay(const StokesWave& wave, double spacing) {
+  const double nu = sph_viscosity * sph_smoothing * spacing * sph_sound / 8;
+  const double k = wave.wavenumber();
+  const double omega = k * wave.phase_speed();
+  return (2 * nu * k * k + k * std::sqrt(nu * omega / 2) / std::sinh(2 * k)) * period_of(wave);
+}
+
+void claim_height(const Claims<Results>& claims, const std::string& model, const std::string& text) {
+  claims.check(
+      {.id = model + "-height",
+       .text = text,
+       .quantity = "what a wavelength takes from the height, the worst of three waves",
+       .source = source},
+      [model](const Results& r) {
+        return worst_over_heights(r, model, [](const Course& one) { return one.rates.decay; });
+      },
+      Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
+}
+
+void claim_particles(const Claims<Results>& claims, const Values& values) {
+  const long cells = values.integer("cells");
+  const StokesWave steepest = wave_of(values.real("height"), values.real("length"));
+  const double steps = std::ceil(static_cast<double>(cells) / particles_courant);
+  const double turn = 2 * std::numbers::pi / steps;
+  claim_height(claims, "particles", "Free particles keep the height of the wave.");
+  claims.check(
+      {.id = "particles-phase",
+       .text = "Free particles lag by what their steps make them lag.",
+       .quantity = "lead of the phase in a wavelength, the worst of three waves, beside what is expected",
+       .unit = "wavelengths",
+       .source = "Frank (1994), chapter 6"},
+      [turn](const Results& r) {
+        return worst_over_heights(r, "particles", [&](const Course& one) { return one.rates.lead + turn * turn / 12; });
+      },
+      Bound{.limit = 0.02 * excess_of(steepest),
+            .reason = "a fiftieth of what its height adds to the highest wave's speed; expected: "
+                      "-(omega tau)^2/12, the lag of the discrete gradient"});
+  claims.check(
+      {.id = "particles-energy",
+       .text = "Over all periods the free particles keep their energy to round-off.",
+       .quantity = "change over the kinetic energy",
+       .source = "Frank (1994), chapter 6; exact for every space and step"},
+      [](const Results& r) { return finest(r, "particles").energy_change; },
+      evidence::Roundoff{.operations = steps * static_cast<double>(values.integer("periods")),
+                         .scale = 2,
+                         .reason = "one rounding per step of the kinetic and of the potential energy"});
+}
+
+void claim_sph(const Claims<Results>& claims, const Values& values) {
+  const double length = values.real("length");
+  const double spacing = length / std::round(length * static_cast<double>(values.integer("sph_rows")));
+  const double viscous = viscous_decay(wave_of(values.real("height"), length), spacing);
+  const auto decay = [](const Results& r) { return finest(r, "sph").rates.decay; };
+  claims.known_failure({.id = "sph-height",
+                        .text = "SPH keeps the height of the wave.",
+                        .quantity = "what a wavelength takes from the height of the highest wave",
+                        .source = source},
+                       decay, Bound{.limit = per_wavelength, .reason = per_wavelength_reason},
+                       {.value = 0.08,
+                        .width = 0.05,
+                        .reason = "its artificial viscosity, which it needs, takes more than that in the water and at "
+                                  "the floor: sph-viscous"});
+  claims.check({.id = "sph-viscous",
+                .text = "It loses what its artificial viscosity takes, in the water and at the floor.",
+                .quantity = "what a wavelength takes from the height of the highest wave",
+                .source = "Monaghan, Rep. Prog. Phys. 68 (2005) 1703; Lamb, Hydrodynamics, article 348; Dean and "
+                          "Dalrymple, Water Wave Mechanics (1991), ch. 9"},
+               decay,
+               Bound{.limit = 0.3,
+                     .reason = "viscosity alpha h c/8 of a continuum, 2 nu k^2 and k sqrt(nu omega/2)/sinh(2 k d); the "
+                               "layer at the floor is no thicker than a spacing: a third is left to that",
+                     .expected = viscous,
+                     .relative = true});
+}
+
+void claims(const Values& values, const Claims<Results>& all) {
+  const double length = values.real("length");
+  const StokesWave steepest = wave_of(values.real("height"), length);
+  claim_particles(all.at(fmt::format("{} cells to a wavelength", values.integer("cells"))), values);
+  const Claims<Results> mesh = all.at(fmt::format("{} rows", values.integer("rows")));
+  claim_height(mesh, "mesh", "The Lagrangian mesh keeps the height of the wave.");
+  mesh.check(
+      {.id = "mesh-phase",
+       .text = "And its phase.",
+       .quantity = "lead of the phase in a wavelength, the worst of three waves",
+       .unit = "wavelengths",
+       .source = source},
+      [](const Results& r) { return worst_over_heights(r, "mesh", [](const Course& one) { return one.rates.lead; }); },
+      Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
+  const Claims<Results> dispersive = all.at(fmt::format("{} markers to a wavelength", values.integer("markers")));
+  claim_height(dispersive, "dispersive", "The dispersive model keeps the height of its wave.");
+  dispersive.check(
+      {.id = "dispersive-phase",
+       .text = "It is late by what its equations' wave is slower, at every height.",
+       .quantity = "difference over it, the worst of three waves",
+       .source = "Serre (1953); Schwartz (1974)"},
+      [length](const Results& r) {
+        return worst_over_heights(r, "dispersive",
+                                  [&](const Course& one) { return one.rates.lead / own_lead(one.height, length) - 1; });
+      },
+      Bound{.limit = 0.1,
+            .reason = "both exact waves are known to round-off; a tenth of their difference is left to the "
+                      "spacing"});
+  claim_sph(all.at(fmt::format("{} rows", values.integer("sph_rows"))), values);
+}
+
+struct Shown {
+  std::string id, name;
+  Role role;
+};
+const std::vector<Shown>& shown_models() {
+  static const std::vector<Shown> models{{"particles", "free particles", Role::computed},
+                                         {"mesh", "Lagrangian mesh", Role::peer},
+                                         {"dispersive", "dispersive shallow water", Role::data},
+                                         {"sph", "SPH", Role::guide}};
+  return models;
+}
+
+void show(const Results& results, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  auto& figure = exhibit.figure("rates", "What a wavelength changes",
+                                "Magnitudes, against the cells in the height of the wave; three heights and sizes.");
+  auto& decay = figure.panel({.x = "cells in the height", .y = "decay of the height", .log_x = true, .log_y = true});
+  auto& phase = figure.panel({.x = "cells in the height", .y = "phase [wavelengths]", .log_x = true, .log_y = true});
+  auto& cost = exhibit
+                   .figure("cost", "The larger of both against what it takes",
+                           "Processor time for a wavelength of water over a wavelength of way.")
+                   .panel({.x = "processor time [s]", .y = "decay or phase", .log_x = true, .log_y = true});
+  evidence::Table table{.id = "rates",
+                        .title = "What a wavelength changes",
+                        .caption = "Decay of the fundamental and lead of its phase in a wavelength of way.",
+                        .columns = {{"model", ""},
+                                    {"height", "depth"},
+                                    {"size", "depth"},
+                                    {"cells in the height", ""},
+                                    {"decay", "1"},
+                                    {"lead", "wavelengths"},
+                                    {"time", "s"}}};
+  for (const Shown& model : shown_models()) {
+    std::vector<double> cells, decays, phases, seconds, larger;
+    for (const Course& one : results) {
+      if (one.model != model.id) continue;
+      cells.push_back(one.cells_per_height());
+      decays.push_back(std::abs(one.rates.decay));
+      phases.push_back(std::abs(one.rates.lead));
+      seconds.push_back(one.seconds);
+      larger.push_back(std::max(decays.back(), phases.back()));
+      table.rows.push_back(
+          {model.name, one.height, one.size, cells.back(), one.rates.decay, one.rates.lead, one.seconds});
+    }
+    decay.points(model.name, cells, decays, model.role);
+    phase.points(model.name, cells, phases, model.role);
+    cost.points(model.name, seconds, larger, model.role);
+    exhibit.measure(model.id + "_decay", finest(results, model.id).rates.decay);
+    exhibit.measure(model.id + "_lead", finest(results, model.id).rates.lead);
+  }
+  exhibit.table(std::move(table));
+  auto& course = exhibit.figure("course", "The highest wave on its way", "The finest of each: its fundamental.");
+  auto& height = course.panel({.x = "t/T", .y = "height over that of the exact wave"});
+  auto& lead = course.panel({.x = "t/T", .y = "lead [wavelengths]"});
+  for (const Shown& model : shown_models()) {
+    const Course& one = finest(results, model.id);
+    std::vector<double> heights, leads;
+    for (const Fundamental& station : one.stations) {
+      heights.push_back(station.height);
+      leads.push_back(station.lead);
+    }
+    height.line(model.name, one.way, heights, model.role);
+    lead.line(model.name, one.way, leads, model.role);
+  }
+}
+
+constexpr int asked = 129;  ///< points of a surface
+
+std::vector<WantedTable> wanted(const Values& values) {
+  const auto wave = std::make_shared<const StokesWave>(wave_of(values.real("height"), values.real("length")));
+  const long periods = values.integer("periods");
+  std::vector<double> times;
+  for (long n = 1; n <= periods; ++n) times.push_back(static_cast<double>(n) * period_of(*wave));
+  return {{.name = "surface",
+           .kind = WantedTable::Kind::profile,
+           .group = Column{"t", "s", "time since a crest was at x = 0, for gravity 1 m/s^2 and depth 1 m"},
+           .abscissa = Column{"x", "m", "position, over one wavelength"},
+           .quantities = {{.column = {"eta", "m", "surface elevation above the mean level"},
+                           .reference = [wave](Place p) { return wave->elevation(p.abscissa, p.group); },
+                           .requirements = {within_tolerance(Measure::amplitude_ratio, values,
+                                                             "The wave has its height.", source, 1)}}},
+           .groups = times,
+           .points = [wave](double) { return evenly(0, wave->wavelength(), asked); },
+           .exact = {fmt::format("seiche exact stokes --set amplitude={:.17g},wavelength={:.17g},depth=1,gravity=1 "
+                                 "--grid x=0:{:.17g}:{},t={:.17g}:{:.17g}:{}",
+                                 wave->amplitude(), wave->wavelength(), wave->wavelength(), asked, times.front(),
+                                 times.back(), periods)}}};
+}
+
+/// The submitted surface at as many points of a wavelength, through its period where it ends at centres of cells.
+std::vector<Point> surface_of(const SubmittedGroup& group, double length) {
+  const std::vector<double>& eta = group.values.at("eta");
+  std::vector<double> x;
+  std::vector<double> y;
+  if (group.abscissa.back() - length < group.abscissa.front()) {
+    x.push_back(group.abscissa.back() - length);
+    y.push_back(eta.back());
+  }
+  x.insert(x.end(), group.abscissa.begin(), group.abscissa.end());
+  y.insert(y.end(), eta.begin(), eta.end());
+  if (group.abscissa.front() + length > x.back()) {
+    x.push_back(group.abscissa.front() + length);
+    y.push_back(eta.front());
+  }
+  std::vector<Point> surface;
+  for (int k = 0; k < asked - 1; ++k) {
+    const double at = length * k / (asked - 1);
+    surface.push_back({at, linear_at({x, y}, at)});
+  }
+  return surface;
+}
+
+void judge(const Values& values, const Submitted& submitted, const SolverFacts& facts, evidence::Record& record) {
+  const auto found = submitted.find("surface");
+  if (found == submitted.end()) return;
+  const StokesWave wave = wave_of(values.real("height"), values.real("length"));
+  std::vector<double> way;
+  std::vector<Fundamental> stations;
+  for (const SubmittedGroup& group : found->second) {
+    way.push_back(group.value / period_of(wave));
+    stations.push_back(surface_fundamental([&](double x) { return wave.elevation(x); }, wave.wavelength(),
+                                           surface_of(group, wave.wavelength()), wave.phase_speed() * group.value));
+  }
+  const Rates rates = rates_of(way, stations);
+  record.measure("decay_per_wavelength", rates.decay);
+  record.measure("lead_per_wavelength", rates.lead);
+  std::string resolution = fmt::format("{} periods", way.size());
+  if (facts.cell) {
+    record.measure("cells_per_height", values.real("height") / *facts.cell);
+    resolution += fmt::format(", {:.3g} cells in the height", values.real("height") / *facts.cell);
+  }
+  if (facts.seconds) record.measure("seconds_per_wavelength", *facts.seconds / static_cast<double>(way.size()));
+  record.check({.id = "decay",
+                .text = "A wavelength takes next to nothing from the height.",
+                .quantity = "decay of the fundamental in a wavelength",
+                .source = source},
+               {.value = rates.decay, .resolution = resolution},
+               Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
+  record.check({.id = "phase",
+                .text = "The wave travels at its speed.",
+                .quantity = "lead of the phase in a wavelength",
+                .unit = "wavelengths",
+                .source = source},
+               {.value = rates.lead, .resolution = resolution},
+               Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
+}
+
+}  // namespace
+
+Case wave_attenuation() {
+  Case c;
+  c.title = "A wave on a long way: what it loses in a wavelength, and how late it is";
+  c.source =
+      "L. W. Schwartz, J. Fluid Mech. 62 (1974) 553; A. M. Frank, Discrete models of incompressible fluid, "
+      "doctoral thesis (1994)";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {
+      real("height", 0.2, "depth", {0.02, 0.4}, "from trough to crest, of the highest of ours; of the one submitted"),
+      real("length", 2 * std::numbers::pi, "depth", {4, 15}, "of the wave"),
+      integer("periods", 10, {2, 100}, "that it is followed"),
+      integer("mesh_periods", {3, 10, 10}, {2, 100}, "on the mesh, which has no period"),
+      integer("cells", {24, 42, 56}, {20, 140}, "of the particles' lattice to a wavelength, finest of three"),
+      integer("rows", {10, 16, 24}, {6, 96}, "of the mesh, finest of three"),
+      integer("markers", {80, 160, 320}, {40, 2560}, "of the dispersive model to a wavelength, finest of three"),
+      integer("sph_rows", {12, 24, 36}, {8, 96}, "of SPH particles, finest of three"),
+      tolerance_parameter(),
+  };
+  c.study = Study(claims, compute, show);
+  c.submission = {.tables = wanted, .judge = judge};
+  return c;
+}
+
+}  // namespace seiche::validation::cases

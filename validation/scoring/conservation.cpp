@@ -1,0 +1,188 @@
+#include "validation/scoring/conservation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <stdexcept>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "seiche/samples.hpp"
+
+namespace seiche::validation {
+namespace {
+
+const std::string source = "balance of the water; Synolakis et al., Pure Appl. Geophys. 165 (2008) 2197";
+
+/// How far something may change over its first value.
+struct Allowed {
+  double limit = 0;
+  bool growth_alone = false;
+  std::string text;
+  std::string reason;
+};
+
+bool one_of(const std::string& name, std::initializer_list<const char*> names) {
+  return std::any_of(names.begin(), names.end(), [&](const char* one) { return name == one; });
+}
+
+/// What is allowed, or why nothing is judged.
+std::variant<Allowed, std::string> allowed(const std::string& phenomenon, const std::string& quantity) {
+  if (quantity == "volume") {
+    if (phenomenon == "steady_flow" || phenomenon == "hydraulic_jump") return "water runs through";
+    return Allowed{0.001, false, "The water is all there, at every time.",
+                   "a thousandth of the water is a thousandth of the depth: a millimetre in a metre, what a gauge can "
+                   "still tell"};
+  }
+  if (one_of(phenomenon, {"wavemaker", "moving_pressure"})) return "what drives the water does work on it";
+  if (phenomenon == "steady_flow" || phenomenon == "hydraulic_jump") return "water runs through";
+  const bool free = one_of(phenomenon, {"standing_wave", "periodic_wave", "solitary_wave", "basin", "drop"});
+  if (quantity == "energy") {
+    if (free) {
+      return Allowed{
+          0.1, false, "The motion keeps its energy.",
+          "heights go as the root of the energy: the 5 % of a height that tsunami benchmarks allow are 10 %"};
+    }
+    return Allowed{0.01, true, "The water gains no energy.",
+                   "water that breaks, jumps or rubs can only lose; counted by a hundred cells to a length, a "
+                   "hundredth is a cell"};
+  }
+  if (!one_of(phenomenon, {"periodic_wave", "drop"})) return "walls and slopes push the water";
+  return Allowed{0.1, false, "The water keeps its momentum.",
+                 "a wave's momentum is its energy over the celerity: 5 % of a height are 10 %"};
+}
+
+bool asked_for(const std::vector<WantedTable>& wanted, const std::string& name) {
+  return std::any_of(wanted.begin(), wanted.end(), [&](const WantedTable& table) {
+    return std::any_of(table.quantities.begin(), table.quantities.end(),
+                       [&](const WantedQuantity& q) { return q.column.name == name; });
+  });
+}
+
+std::string name_in_file(const std::string& name, const ColumnNames& renamed) {
+  const auto found = renamed.find(name);
+  return found == renamed.end() ? name : found->second;
+}
+
+struct Change {
+  double largest = 0;  ///< over the first value, growth or magnitude
+  double at = 0;
+};
+
+Change change_of(const std::string& name, const std::vector<double>& t, const std::vector<double>& values,
+                 bool growth_alone) {
+  const double first = values.front();
+  if (first == 0) {
+    throw std::invalid_argument(fmt::format(
+        "column {}: is 0 at t = {:g}, must not be: changes are judged over the first value", name, t.front()));
+  }
+  Largest largest;
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    const double change = (values[k] - first) / std::abs(first);
+    largest.add(growth_alone ? change : std::abs(change), t[k]);
+  }
+  return {largest.value(), largest.where()};
+}
+
+void draw(const History& history, evidence::Record& record) {
+  auto& panel = record
+                    .figure("conservation", "Volume, energy and momentum",
+                            "Change since the first row, over the first value, as submitted.")
+                    .panel({.x = "t [s]", .y = "relative change"});
+  const std::vector<double>& t = history.at("t");
+  for (const std::string& name : conserved_names()) {
+    if (!history.contains(name)) continue;
+    std::vector<double> change;
+    for (const double value : history.at(name)) change.push_back(value / history.at(name).front() - 1);
+    panel.line(name, t, change);
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& conserved_names() {
+  static const std::vector<std::string> names{"volume", "energy", "momentum"};
+  return names;
+}
+
+std::vector<std::string> history_names(const std::vector<WantedTable>& wanted, const ColumnNames& renamed) {
+  std::vector<std::string> names{name_in_file("t", renamed)};
+  for (const std::string& name : conserved_names()) {
+    if (!asked_for(wanted, name)) names.push_back(name_in_file(name, renamed));
+  }
+  return names;
+}
+
+History take_history(std::vector<io::Table>& files, const std::vector<WantedTable>& wanted,
+                     const ColumnNames& renamed) {
+  History history;
+  std::string holder;
+  for (auto file = files.begin(); file != files.end();) {
+    const auto holds = [&](const std::string& name) { return file->has(name_in_file(name, renamed)); };
+    std::vector<std::string> names;
+    for (const std::string& name : conserved_names()) {
+      if (!asked_for(wanted, name) && holds(name)) names.push_back(name);
+    }
+    if (names.empty()) {
+      ++file;
+      continue;
+    }
+    if (!holder.empty()) {
+      throw std::invalid_argument(fmt::format("{}: holds a history, which {} holds as well", file->source, holder));
+    }
+    holder = file->source;
+    const std::vector<double>& t = file->column(name_in_file("t", renamed));
+    if (t.size() < 2) throw std::invalid_argument(fmt::format("{}: {} rows, must be at least two", holder, t.size()));
+    for (std::size_t k = 1; k < t.size(); ++k) {
+      if (t[k] > t[k - 1]) continue;
+      throw std::invalid_argument(
+          fmt::format("{}: {}: column t: {:g} follows {:g}, must increase", holder, file->place(k), t[k], t[k - 1]));
+    }
+    history["t"] = t;
+    for (const std::string& name : names) {
+      history[name] = file->column(name_in_file(name, renamed));
+      if (history[name].size() != t.size()) {
+        throw std::invalid_argument(fmt::format("{}: column {}: {} values, must be as many as in column t: {}", holder,
+                                                name, history[name].size(), t.size()));
+      }
+    }
+    const bool also_wanted = std::any_of(wanted.begin(), wanted.end(), [&](const WantedTable& table) {
+      return std::any_of(table.quantities.begin(), table.quantities.end(),
+                         [&](const WantedQuantity& q) { return holds(q.column.name); });
+    });
+    file = also_wanted ? file + 1 : files.erase(file);
+  }
+  return history;
+}
+
+void judge_history(const std::string& phenomenon, const History& history, evidence::Record& record) {
+  if (history.empty()) return;
+  const std::vector<double>& t = history.at("t");
+  for (const std::string& name : conserved_names()) {
+    if (!history.contains(name)) continue;
+    const auto verdict = allowed(phenomenon, name);
+    const Change change = change_of(name, t, history.at(name), false);
+    record.measure(name + "_change", change.largest);
+    const auto* limits = std::get_if<Allowed>(&verdict);
+    evidence::Claim claim{
+        .id = "conserved-" + name,
+        .text = limits != nullptr ? limits->text : fmt::format("The {} is kept.", name),
+        .quantity = fmt::format("largest {} of the {} over its first value",
+                                limits != nullptr && limits->growth_alone ? "growth" : "change", name),
+        .source = source};
+    if (limits == nullptr) {
+      record.leave_out({claim, std::get<std::string>(verdict)});
+      continue;
+    }
+    const Change judged = change_of(name, t, history.at(name), limits->growth_alone);
+    record.check(claim,
+                 {.value = judged.largest,
+                  .resolution = fmt::format("{} rows", t.size()),
+                  .where = fmt::format("t = {:g} s", judged.at)},
+                 evidence::Bound{.limit = limits->limit, .reason = limits->reason});
+  }
+  draw(history, record);
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,254 @@
+#include "validation/scoring/first_look.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "seiche/samples.hpp"
+
+namespace seiche::validation {
+namespace {
+
+using evidence::JudgedClaim;
+using evidence::Verdict;
+
+/// How far a claim is from what is expected, in limits.
+double used(const JudgedClaim& claim) {
+  const evidence::Judgement& j = claim.judgement;
+  const double error = std::abs(j.measured - j.expected);
+  return j.limit > 0 ? error / j.limit : error;
+}
+
+/// The worst of a verdict; null without one.
+const JudgedClaim* worst_of(const evidence::Record& record, Verdict verdict) {
+  const JudgedClaim* worst = nullptr;
+  for (const JudgedClaim& claim : record.claims()) {
+    if (claim.judgement.verdict != verdict) continue;
+    if (worst == nullptr || used(claim) > used(*worst)) worst = &claim;
+  }
+  return worst;
+}
+
+/// The claim that decides: an error, a failure, an undecided one, or the one that uses most of its limit.
+const JudgedClaim* deciding(const evidence::Record& record) {
+  for (const Verdict verdict : {Verdict::error, Verdict::fail, Verdict::inconclusive, Verdict::pass}) {
+    if (const JudgedClaim* claim = worst_of(record, verdict)) return claim;
+  }
+  return nullptr;
+}
+
+std::string verdict_line(const evidence::Record& record) {
+  const std::vector<JudgedClaim>& claims = record.claims();
+  const auto count = [&](Verdict verdict) {
+    return std::count_if(claims.begin(), claims.end(),
+                         [&](const JudgedClaim& claim) { return claim.judgement.verdict == verdict; });
+  };
+  std::vector<std::string> parts{fmt::format("{} of {} claims are met", count(Verdict::pass), claims.size())};
+  for (const auto& [verdict, words] :
+       {std::pair{Verdict::fail, "not met"}, std::pair{Verdict::inconclusive, "undecided"},
+        std::pair{Verdict::error, "in error"}}) {
+    if (count(verdict) > 0) parts.push_back(fmt::format("{} {}", count(verdict), words));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string one_line(const JudgedClaim& claim) {
+  const evidence::Judgement& j = claim.judgement;
+  const std::string unit = claim.claim.unit == "1" || claim.claim.unit.empty() ? "" : " " + claim.claim.unit;
+  return fmt::format("{} {} ({}: off by {:.3g}{}, limit {:.3g}{})", claim.claim.text, evidence::name(j.verdict),
+                     claim.claim.id, j.measured - j.expected, unit, j.limit, unit);
+}
+
+/// The curve that misses its reference by most, over the reference.
+struct WorstCurve {
+  const WantedTable* table = nullptr;
+  const WantedQuantity* quantity = nullptr;
+  const SubmittedGroup* group = nullptr;
+  double error = -1;
+  ErrorKind kind;
+};
+
+WorstCurve worst_curve(const std::vector<WantedTable>& wanted, const Submitted& submitted) {
+  WorstCurve worst;
+  for (const WantedTable& table : wanted) {
+    const auto found = submitted.find(table.name);
+    if (found == submitted.end() || table.kind == WantedTable::Kind::scalars) continue;
+    for (const WantedQuantity& quantity : table.quantities) {
+      for (const SubmittedGroup& group : found->second) {
+        const std::vector<double> x = table.points(group.value);
+        std::vector<double> r;
+        for (const double at : x) r.push_back(quantity.reference({group.value, at}));
+        const Curve curve{group.abscissa, group.values.at(quantity.column.name)};
+        const double error = agreement(curve, {x, r}).relative_l2;
+        if (error > worst.error) worst = {&table, &quantity, &group, error, error_kind(curve, {x, r})};
+      }
+    }
+  }
+  return worst;
+}
+
+std::string where_line(const WorstCurve& worst) {
+  const Column& axis = *worst.table->abscissa;
+  const Column& column = worst.quantity->column;
+  std::string place = column.name;
+  if (worst.table->group) {
+    place += fmt::format(", {} = {:g} {}", worst.table->group->name, worst.group->value, worst.table->group->unit);
+  }
+  return fmt::format("{}: largest at {} = {:.4g} {}, {:+.3g} {}; {:.0f} % of it within a tenth of the range there",
+                     place, axis.name, worst.kind.where, axis.unit, worst.kind.largest, column.unit,
+                     100 * worst.kind.near);
+}
+
+/// A ladder's quantity whose error is more than its numerical error.
+const LadderQuantity* not_numerical(const std::optional<Ladder>& ladder) {
+  if (!ladder) return nullptr;
+  const auto found = std::find_if(ladder->quantities.begin(), ladder->quantities.end(),
+                                  [](const LadderQuantity& q) { return q.error.back() > q.numerical; });
+  return found == ladder->quantities.end() ? nullptr : &*found;
+}
+
+bool is_comparison(const JudgedClaim& claim) {
+  return std::holds_alternative<evidence::Uncertainty>(claim.criterion);
+}
+
+std::string whose_line(const JudgedClaim& claim, bool exact, const std::optional<Ladder>& ladder) {
+  const evidence::Judgement& j = claim.judgement;
+  if (j.verdict == Verdict::error) return "the file's: what was measured is no number";
+  if (is_comparison(claim)) {
+    if (j.verdict == Verdict::fail) {
+      return fmt::format(
+          "your solver's: off by {:.3g}, which the uncertainties of the data and of your result ({:.3g} "
+          "together) do not explain",
+          j.measured - j.expected, j.limit);
+    }
+    if (j.verdict == Verdict::inconclusive) return "cannot be told: " + j.note;
+    return fmt::format("nobody's: within the uncertainties of the data and of your result, {:.3g} together", j.limit);
+  }
+  if (j.verdict == Verdict::pass) return "within every limit";
+  if (j.verdict == Verdict::inconclusive) return "cannot be told: " + j.note;
+  if (!exact) return "your solver's or the data's: this limit knows no uncertainty of the data";
+  if (!ladder) return "your solver's or its set-up's, for the reference is exact: three sizes tell which";
+  if (const LadderQuantity* q = not_numerical(ladder)) {
+    return fmt::format("your model's or set-up's: the error of {} is more than its numerical error", q->name);
+  }
+  return "your resolution's: the error is within the numerical error that your sizes show";
+}
+
+std::string next_line(const evidence::Record& record, const JudgedClaim& claim, const std::vector<Finding>& findings,
+                      const std::optional<Ladder>& ladder, bool exact) {
+  const evidence::Judgement& j = claim.judgement;
+  if (j.verdict == Verdict::pass) {
+    return ladder ? "nothing is to be mended" : "three sizes or more (--sizes) tell your order and what 1 % costs";
+  }
+  for (const JudgedClaim& one : record.claims()) {
+    if (one.claim.id.ends_with("-coverage") && one.judgement.verdict == Verdict::fail) {
+      return fmt::format("submit the rest: {} ({})", one.claim.id, one.judgement.resolution);
+    }
+  }
+  if (!findings.empty()) return fmt::format("check the file: {} {}", findings.front().where, findings.front().words);
+  if (is_comparison(claim) && !j.uncertainty) {
+    return "say how uncertain your result is: --uncertainty, or --sizes with three sizes or more";
+  }
+  if (!ladder) return "run three sizes or more and pass them with --sizes";
+  if (exact && not_numerical(ladder) != nullptr) {
+    return "finer cells do not mend it: look at initial state, boundaries, gravity, friction and viscosity";
+  }
+  for (const LadderQuantity& q : ladder->quantities) {
+    if (const auto reached = ladder->reach(q, ladder_target); reached && reached->size < ladder->size.back()) {
+      return fmt::format("run dx = {:.2g}: 1 % of {}", reached->size, q.name);
+    }
+  }
+  return "look at the figure of the quantity above";
+}
+
+}  // namespace
+
+std::string ErrorKind::words() const {
+  const auto [share, name] =
+      std::max({std::pair{level, "level"}, std::pair{amplitude, "amplitude"}, std::pair{phase, "phase"}});
+  if (share > 0.5) return fmt::format("{}: {:.0f} % of it", name, 100 * share);
+  return "shape: neither level nor amplitude nor phase explains half of it";
+}
+
+ErrorKind error_kind(Curve submitted, Curve reference) {
+  const Agreement a = agreement(submitted, reference);
+  const std::size_t n = a.x.size();
+  double mean = 0;
+  for (const double r : a.reference) mean += r / static_cast<double>(n);
+  double ee = 0, e1 = 0, eq = 0, qq = 0, es = 0, ss = 0;
+  Worst largest;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double e = a.submitted[i] - a.reference[i];
+    const double q = a.reference[i] - mean;
+    const std::size_t before = i == 0 ? 0 : i - 1;
+    const std::size_t after = std::min(i + 1, n - 1);
+    const double slope = after > before ? (a.reference[after] - a.reference[before]) / (a.x[after] - a.x[before]) : 0.0;
+    ee += e * e;
+    e1 += e;
+    eq += e * q;
+    qq += q * q;
+    es += e * slope;
+    ss += slope * slope;
+    largest.add(e, static_cast<double>(i));
+  }
+  ErrorKind kind;
+  if (!(ee > 0)) return kind;
+  kind.level = e1 * e1 / static_cast<double>(n) / ee;
+  kind.amplitude = qq > 0 ? eq * eq / qq / ee : 0;
+  kind.phase = ss > 0 ? es * es / ss / ee : 0;
+  const auto at = static_cast<std::size_t>(largest.where());
+  kind.where = a.x[at];
+  kind.largest = a.submitted[at] - a.reference[at];
+  const double reach = 0.05 * (a.x.back() - a.x.front());
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::abs(a.x[i] - kind.where) <= reach) kind.near += std::pow(a.submitted[i] - a.reference[i], 2) / ee;
+  }
+  return kind;
+}
+
+FirstLook first_look(const std::vector<WantedTable>& wanted, const Submitted& submitted, const evidence::Record& record,
+                     const std::vector<Finding>& findings, const std::optional<Ladder>& ladder) {
+  FirstLook look{{"verdict", verdict_line(record)}};
+  const JudgedClaim* claim = deciding(record);
+  if (claim != nullptr) look.emplace_back("in one line", one_line(*claim));
+  if (ladder) {
+    for (const LadderQuantity& q : ladder->quantities) look.emplace_back("resolution", ladder->line(q));
+  }
+  const WorstCurve worst = worst_curve(wanted, submitted);
+  if (!findings.empty()) {
+    look.emplace_back("look first at",
+                      fmt::format("{}: your result {}", findings.front().where, findings.front().words));
+  } else if (worst.table != nullptr) {
+    look.emplace_back("look first at",
+                      fmt::format("figure {}{}", worst.table->name,
+                                  worst.table->group ? "-" + worst.quantity->column.name : std::string()));
+  }
+  constexpr double rounding = 1e-12;
+  if (worst.table != nullptr && worst.error > rounding) {
+    look.emplace_back("where the error is", where_line(worst));
+    look.emplace_back("of what kind", worst.kind.words());
+  }
+  if (claim != nullptr) {
+    const bool exact = std::all_of(wanted.begin(), wanted.end(), [](const WantedTable& table) {
+      return table.reference_role == evidence::Role::exact;
+    });
+    look.emplace_back("whose it is", whose_line(*claim, exact, ladder));
+    look.emplace_back("next step", next_line(record, *claim, findings, ladder, exact));
+  }
+  return look;
+}
+
+void show_first_look(const FirstLook& look, evidence::Exhibit& exhibit) {
+  evidence::Table table{.id = "first-look",
+                        .title = "At first sight",
+                        .caption = "What the score says in a few lines.",
+                        .columns = {{"question", ""}, {"answer", ""}},
+                        .rows = {},
+                        .atlas = {}};
+  for (const auto& [question, answer] : look) table.rows.push_back({question, answer});
+  exhibit.table(std::move(table));
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,173 @@
+#include "validation/scoring/geoclaw_grids.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace seiche::validation {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view opening = "fort.q";
+
+struct Patch {
+  int level = 0;
+  std::vector<std::size_t> cells;  ///< along x, and y
+  std::vector<double> low, size;   ///< corner and edges of a cell
+  std::size_t first = 0;           ///< line of its first cell
+
+  [[nodiscard]] bool plan() const { return cells.size() == 2; }
+  [[nodiscard]] double at(std::size_t axis, std::size_t cell) const {
+    return low[axis] + (static_cast<double>(cell) + 0.5) * size[axis];
+  }
+  [[nodiscard]] bool covers(const std::vector<double>& place) const {
+    for (std::size_t axis = 0; axis < cells.size(); ++axis) {
+      const double beyond = place[axis] - low[axis];
+      if (beyond < 0 || beyond > static_cast<double>(cells[axis]) * size[axis]) return false;
+    }
+    return true;
+  }
+};
+
+/// Of fort.t: the time stands in its first line, before the word `time`.
+double time_of(const fs::path& grid) {
+  const std::string number = grid.filename().string().substr(opening.size());
+  const Text text = text_of(grid.parent_path() / ("fort.t" + number));
+  if (text.lines.empty()) throw std::invalid_argument(fmt::format("{}: is empty, must say the time", text.file));
+  const std::vector<std::string> words = words_of(text.lines.front(), " \t");
+  return number_at(text, 0, words.empty() ? "" : words.front(), "time");
+}
+
+/// Reads "number   what" lines up to the blank one; `line` is then the first of the cells.
+Patch header_at(const Text& text, std::size_t& line) {
+  Patch patch;
+  for (; line < text.lines.size(); ++line) {
+    const std::vector<std::string> words = words_of(text.lines[line], " \t");
+    if (words.empty()) break;
+    if (words.size() != 2) text.fail(line, "must be a number and what it is: the header of a patch");
+    const double value = number_at(text, line, words[0], words[1]);
+    const std::string& what = words[1];
+    if (what == "AMR_level" || what == "level") patch.level = static_cast<int>(value);
+    if (what == "mx" || what == "my") {
+      if (!(value >= 1 && value <= 1e7)) text.fail(line, fmt::format("{} = {:g}, must be in [1, 1e7]", what, value));
+      patch.cells.push_back(static_cast<std::size_t>(value));
+    }
+    if (what == "xlow" || what == "ylow") patch.low.push_back(value);
+    if (what == "dx" || what == "dy") patch.size.push_back(value);
+  }
+  while (line < text.lines.size() && words_of(text.lines[line], " \t").empty()) ++line;
+  const std::size_t dimensions = patch.cells.size();
+  if (dimensions == 0 || dimensions > 2 || patch.low.size() != dimensions || patch.size.size() != dimensions) {
+    text.fail(std::min(line, text.lines.size() - 1),
+              "a header must have mx, xlow, dx, and in two dimensions my, ylow, dy");
+  }
+  patch.first = line;
+  return patch;
+}
+
+std::size_t skip_cells(const Text& text, const Patch& patch) {
+  std::size_t left = std::accumulate(patch.cells.begin(), patch.cells.end(), std::size_t{1}, std::multiplies<>());
+  std::size_t line = patch.first;
+  for (; left > 0 && line < text.lines.size(); ++line) {
+    if (!words_of(text.lines[line], " \t").empty()) --left;
+  }
+  if (left > 0) text.fail(text.lines.size() - 1, fmt::format("ends {} cells before the patch does", left));
+  while (line < text.lines.size() && words_of(text.lines[line], " \t").empty()) ++line;
+  return line;
+}
+
+std::vector<std::string> names_for(const Text& text, const Patch& patch, std::size_t values) {
+  std::vector<std::string> names{"x"};
+  if (patch.plan()) names.emplace_back("y");
+  names.emplace_back("t");
+  std::vector<std::string> quantities{"h", "hu", "hv", "eta"};
+  if (!patch.plan()) quantities = {"h", "hu", "eta"};
+  if (values + 1 == quantities.size()) quantities.pop_back();  // without eta: Clawpack's shallow water
+  if (values != quantities.size()) {
+    text.fail(patch.first,
+              fmt::format("{} values in a cell, must be h, hu{}, eta", values, patch.plan() ? ", hv" : ""));
+  }
+  names.insert(names.end(), quantities.begin(), quantities.end());
+  return names;
+}
+
+}  // namespace
+
+bool is_geoclaw_grid(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return name.starts_with(opening) && name.size() > opening.size() &&
+         number_in(std::string_view(name).substr(opening.size())).has_value();
+}
+
+io::Table read_geoclaw_grid(const fs::path& file) {
+  const double time = time_of(file);
+  const Text text = text_of(file);
+  std::vector<Patch> patches;
+  for (std::size_t line = 0; line < text.lines.size();) {
+    patches.push_back(header_at(text, line));
+    line = skip_cells(text, patches.back());
+  }
+  if (patches.empty()) throw std::invalid_argument(fmt::format("{}: no patches", text.file));
+  const std::size_t values = words_of(text.lines[patches.front().first], " \t").size();
+  Rows rows(text, names_for(text, patches.front(), values));
+  struct Cell {
+    std::vector<double> row;
+    std::size_t line;
+  };
+  std::vector<Cell> cells;
+  for (const Patch& patch : patches) {
+    std::size_t line = patch.first;
+    for (std::size_t j = 0; j < (patch.plan() ? patch.cells[1] : 1); ++j) {
+      for (std::size_t i = 0; i < patch.cells[0]; ++i, ++line) {
+        while (words_of(text.lines[line], " \t").empty()) ++line;
+        std::vector<double> row{patch.at(0, i)};
+        if (patch.plan()) row.push_back(patch.at(1, j));
+        const bool finer = std::any_of(patches.begin(), patches.end(), [&](const Patch& other) {
+          return other.level > patch.level && other.covers(row);
+        });
+        if (finer) continue;
+        row.push_back(time);
+        const std::vector<double> numbers = numbers_of(text, line, words_of(text.lines[line], " \t"), 0);
+        if (numbers.size() != values) text.fail(line, fmt::format("{} entries, must be {}", numbers.size(), values));
+        row.insert(row.end(), numbers.begin(), numbers.end());
+        cells.push_back({row, line});
+      }
+    }
+  }
+  // Along x whatever patch they are of; in two dimensions row by row.
+  const bool plan = patches.front().plan();
+  std::stable_sort(cells.begin(), cells.end(), [&](const Cell& a, const Cell& b) {
+    return plan ? std::pair(a.row[1], a.row[0]) < std::pair(b.row[1], b.row[0]) : a.row[0] < b.row[0];
+  });
+  for (const Cell& cell : cells) rows.add(cell.line, cell.row);
+  return rows.table();
+}
+
+bool is_geoclaw_output(const fs::path& folder) {
+  return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(),
+                     [](const auto& entry) { return is_geoclaw_grid(entry.path()); });
+}
+
+FolderTables read_geoclaw_output(const fs::path& folder) {
+  FolderTables read{.format = "geoclaw"};
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (is_geoclaw_grid(entry.path())) read.files.push_back(entry.path());
+  }
+  std::sort(read.files.begin(), read.files.end());
+  for (const fs::path& file : read.files) {
+    io::Table now = read_geoclaw_grid(file);
+    if (read.tables.empty()) {
+      now.source = folder.string();
+      read.tables.push_back(std::move(now));
+    } else {
+      put_below(read.tables.front(), now);
+    }
+  }
+  return read;
+}
+
+}  // namespace seiche::validation

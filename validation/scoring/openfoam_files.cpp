@@ -1,0 +1,223 @@
+#include "validation/scoring/openfoam_files.hpp"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace seiche::validation {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Fields in the name of a set's file: what follows the set. Only one usual name has an underscore.
+std::vector<std::string> fields_of(const fs::path& file) {
+  std::vector<std::string> fields;
+  for (const std::string& word : words_of(file.stem().string(), "_")) {
+    if (word == "rgh" && !fields.empty() && fields.back() == "p") {
+      fields.back() = "p_rgh";
+    } else {
+      fields.push_back(word);
+    }
+  }
+  fields.erase(fields.begin());
+  return fields;
+}
+
+std::vector<std::string> components_of(const std::string& field, std::size_t each) {
+  if (each == 1) return {field};
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < each; ++k) {
+    names.push_back(fmt::format("{}_{}", field, each == 3 ? std::string(1, "xyz"[k]) : std::to_string(k)));
+  }
+  return names;
+}
+
+bool is_velocity(const std::string& field) {
+  return field.ends_with('U') || field.starts_with("U.");
+}
+
+/// Names of all columns of a set's file, by the file's name and how many there are; empty where that does not fit.
+std::vector<std::string> names_by_file(const fs::path& file, std::size_t columns) {
+  const std::vector<std::string> fields = fields_of(file);
+  if (fields.empty()) return {};
+  const bool vector_along_line = columns == 1 + 3 * fields.size() && is_velocity(fields.front());
+  for (const std::size_t coordinates : {std::size_t{3}, std::size_t{1}}) {
+    for (const std::size_t each : {std::size_t{1}, std::size_t{3}, std::size_t{6}, std::size_t{9}}) {
+      if (columns != coordinates + each * fields.size() || (vector_along_line && coordinates == 3)) continue;
+      std::vector<std::string> names{"x"};
+      if (coordinates == 3) names.insert(names.end(), {"y", "z"});
+      for (const std::string& field : fields) {
+        const std::vector<std::string> components = components_of(field, each);
+        names.insert(names.end(), components.begin(), components.end());
+      }
+      return names;
+    }
+  }
+  return {};
+}
+
+/// The files of a folder by name; nothing of what is in folders below.
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Folders that are called by a number, by that number.
+std::map<double, fs::path> times_in(const fs::path& folder) {
+  std::map<double, fs::path> times;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::optional<double> time = number_in(entry.path().filename().string());
+    if (entry.is_directory() && time) times[*time] = entry.path();
+  }
+  return times;
+}
+
+/// The sets of one time as one table.
+io::Table sets_in(const std::vector<fs::path>& files, const fs::path& folder) {
+  std::vector<io::Table> parts;
+  for (const fs::path& file : files) parts.push_back(read_openfoam_set(file));
+  const std::vector<io::Table> tables = merged(parts);
+  if (tables.size() > 1) {
+    throw std::invalid_argument(
+        fmt::format("{}: {} sets of different points: name the files of one of them", folder.string(), tables.size()));
+  }
+  return tables.front();
+}
+
+}  // namespace
+
+io::Table read_openfoam(const Text& text) {
+  if (text.lines.empty()) throw std::invalid_argument(fmt::format("{}: no rows of numbers", text.file));
+  std::vector<std::vector<double>> places;
+  const std::string stem = std::filesystem::path(text.file).filename().string();
+  const bool heights = text.lines.front().starts_with("# Location");
+  std::vector<std::string> names;
+  std::optional<Rows> rows;
+  for (std::size_t line = 0; line < text.lines.size(); ++line) {
+    const std::string& whole = text.lines[line];
+    if (is_comment(whole)) {
+      const bool place = whole.starts_with("# Probe") || whole.starts_with("# Location");
+      if (place && whole.find('(') != std::string::npos) places.push_back(bracketed(text, line));
+      continue;
+    }
+    const std::vector<double> numbers = numbers_of(text, line, words_of(whole, " \t()"), 0);
+    const std::size_t values = numbers.size() - 1;
+    if (places.empty() || values == 0 || values % places.size() != 0) {
+      text.fail(line, fmt::format("{} values for {} probes", values, places.size()));
+    }
+    const std::size_t each = values / places.size();
+    if (!rows) {
+      names = {"x", "y", "z", "t"};
+      if (each == 1) {
+        names.push_back(stem);
+      } else if (heights && each == 2) {
+        names.insert(names.end(), {"hB", "hL"});
+      } else {
+        for (std::size_t k = 0; k < each; ++k)
+          names.push_back(fmt::format("{}_{}", stem, each == 3 ? std::string(1, "xyz"[k]) : std::to_string(k)));
+      }
+      rows.emplace(text, names, std::vector<std::string>(names.size()));
+    }
+    if (each + 4 != names.size()) text.fail(line, "holds another number of values than the lines before");
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      std::vector<double> row = places[p];
+      row.resize(3);
+      row.push_back(numbers.front());
+      for (std::size_t k = 0; k < each; ++k) row.push_back(numbers[1 + p * each + k]);
+      rows->add(line, row);
+    }
+  }
+  if (!rows) throw std::invalid_argument(fmt::format("{}: no rows of numbers", text.file));
+  return rows->table();
+}
+
+bool is_openfoam_set(const fs::path& file) {
+  return file.extension() == ".xy";
+}
+
+io::Table read_openfoam_set(const fs::path& file) {
+  const Text text = text_of(file);
+  std::vector<std::string> header;
+  std::size_t first = 0;
+  for (; first < text.lines.size() && is_comment(text.lines[first]); ++first)
+    header = words_of(text.lines[first], "# \t");
+  if (first == text.lines.size()) throw std::invalid_argument(fmt::format("{}: no rows of numbers", text.file));
+  const std::size_t columns = words_of(text.lines[first], " \t").size();
+  std::vector<std::string> names = header.size() == columns ? header : names_by_file(file, columns);
+  if (names.empty()) {
+    text.fail(
+        first,
+        fmt::format("{} columns do not fit the name of the file, SET_FIELD_FIELD.xy: say them by --columns", columns));
+  }
+  const std::optional<double> time = number_in(file.parent_path().filename().string());
+  if (time) names.emplace_back("t");
+  Rows rows(text, names);
+  for (std::size_t line = first; line < text.lines.size(); ++line) {
+    if (is_comment(text.lines[line])) continue;
+    std::vector<double> row = numbers_of(text, line, words_of(text.lines[line], " \t"), 0);
+    if (row.size() != columns) text.fail(line, fmt::format("{} entries, must be {}", row.size(), columns));
+    if (time) row.push_back(*time);
+    rows.add(line, row);
+  }
+  return rows.table();
+}
+
+FolderTables read_openfoam_folder(const fs::path& folder) {
+  FolderTables read{.format = "openfoam"};
+  const fs::path plain = folder.has_filename() ? folder : folder.parent_path();
+  std::map<double, fs::path> times = times_in(plain);
+  if (const auto own = number_in(plain.filename().string()); own && times.empty()) times[*own] = plain;
+  std::vector<std::string> there;
+  for (const auto& entry : fs::directory_iterator(plain)) there.push_back(entry.path().filename().string());
+  std::sort(there.begin(), there.end());
+  if (there.size() > 8) there.resize(8);
+  if (times.empty()) {
+    throw std::invalid_argument(fmt::format(
+        "{}: is a folder without times: name that of one function, as in postProcessing/probes; here are {}",
+        plain.string(), fmt::join(there, ", ")));
+  }
+  std::map<std::string, io::Table> series;  // by name of the file, over the starts of the run
+  std::optional<io::Table> sets;
+  for (const auto& [time, at] : times) {
+    const std::vector<fs::path> files = files_in(at);
+    std::vector<fs::path> lines;
+    std::copy_if(files.begin(), files.end(), std::back_inserter(lines), is_openfoam_set);
+    read.files.insert(read.files.end(), lines.empty() ? files.begin() : lines.begin(),
+                      lines.empty() ? files.end() : lines.end());
+    if (!lines.empty()) {
+      const io::Table now = sets_in(lines, at);
+      if (sets) {
+        put_below(*sets, now);
+      } else {
+        sets = now;
+        sets->source = plain.string();
+      }
+      continue;
+    }
+    for (const fs::path& file : files) {
+      const io::Table now = read_openfoam(text_of(file));
+      const auto [place, fresh] = series.emplace(file.filename().string(), now);
+      if (!fresh) {
+        put_below(place->second, now);
+        place->second.source = (plain / file.filename()).string();
+      }
+    }
+  }
+  if (sets) {
+    read.tables.push_back(*sets);
+    return read;
+  }
+  read.series = true;
+  if (series.empty()) throw std::invalid_argument(fmt::format("{}: its folders of times are empty", plain.string()));
+  for (auto& [name, table] : series) read.tables.push_back(std::move(table));
+  return read;
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,90 @@
+// Waves that lose height or phase on their way are told, by any solver.
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "seiche/exact/stokes_wave.hpp"
+#include "validation/case/job.hpp"
+#include "validation/case/registry.hpp"
+#include "validation/scoring/score.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::validation;
+using evidence::Bound;
+using evidence::Verdict;
+using verification::Check;
+
+/// The exact wave, changed, at the centres of cells of a wavelength.
+evidence::Record scored(const std::function<double(const exact::StokesWave&, double x, double t)>& eta) {
+  const Case& one = find_case("wave_attenuation");
+  const Values values = one.values(Tier::quick);
+  const exact::StokesWave wave(values.real("height") / 2, values.real("length"), 1, 1);
+  const std::vector<WantedTable> wanted = one.submission.tables(values);
+  Submitted submitted;
+  for (const double t : wanted.front().groups) {
+    SubmittedGroup group{.value = t};
+    constexpr int cells = 200;
+    for (int k = 0; k < cells; ++k) {
+      const double x = wave.wavelength() * (k + 0.5) / cells;
+      group.abscissa.push_back(x);
+      group.values["eta"].push_back(eta(wave, x, t));
+    }
+    submitted["surface"].push_back(group);
+  }
+  evidence::Record record = Job{&one, values}.blank_record();
+  score(wanted, submitted, {}, record);
+  one.submission.judge(values, submitted, {.cell = 0.1, .seconds = 20}, record);
+  return record;
+}
+
+Verdict verdict_of(const evidence::Record& record, const std::string& id) {
+  for (const evidence::JudgedClaim& claim : record.claims()) {
+    if (claim.claim.id == id) return claim.judgement.verdict;
+  }
+  return Verdict::error;
+}
+
+}  // namespace
+
+TEST_CASE("a wave that dies away or comes late is told by how much in a wavelength", "[evidence]") {
+  Check check("attenuation_scores", "Waves that lose on their way",
+              "The exact wave after every period, at the centres of 200 cells, with a known loss of height or phase.");
+  const auto measured = [&](const std::string& id, const std::string& text, const evidence::Record& record,
+                            const std::string& quantity, double expected) {
+    check.that({.id = id, .text = text, .quantity = quantity, .source = "made so"},
+               {.value = record.measurements().at(quantity)},
+               Bound{.limit = 1e-4,
+                     .reason = "straight lines between 200 points, the same for every period",
+                     .expected = expected});
+  };
+  const auto is = [&](const std::string& id, const std::string& text, Verdict got, Verdict expected) {
+    check.that({.id = id, .text = text, .quantity = "the verdict is as stated", .source = "what scoring means"},
+               {.value = got == expected ? 1.0 : 0.0, .resolution = std::string(evidence::name(got))},
+               evidence::Qualitative{"verdict " + std::string(evidence::name(expected)), "it was made so"});
+  };
+  const evidence::Record right = scored([](const auto& wave, double x, double t) { return wave.elevation(x, t); });
+  measured("right-decay", "The exact wave loses nothing.", right, "decay_per_wavelength", 0);
+  measured("right-lead", "And is not late.", right, "lead_per_wavelength", 0);
+  measured("cells", "Cells in the height are counted.", right, "cells_per_height", 2);
+  measured("seconds", "The time is that of a wavelength.", right, "seconds_per_wavelength", 2);
+  is("right", "It passes.", verdict_of(right, "decay"), Verdict::pass);
+  const auto dying = [](double rate) {
+    return scored([rate](const auto& wave, double x, double t) {
+      return wave.elevation(x, t) * std::exp(-rate * t * wave.phase_speed() / wave.wavelength());
+    });
+  };
+  measured("decay", "A loss of 0.8 per cent in a wavelength is measured.", dying(0.008), "decay_per_wavelength", 0.008);
+  is("dying", "It fails, although the wave still has most of its height.", verdict_of(dying(0.008), "decay"),
+     Verdict::fail);
+  is("dying-little", "One of 0.3 per cent passes.", verdict_of(dying(0.003), "decay"), Verdict::pass);
+  is("growing", "A wave that grows fails.", verdict_of(dying(-0.008), "decay"), Verdict::fail);
+  // More than half a wavelength late at the end: the phase is followed from period to period.
+  const evidence::Record slow =
+      scored([](const auto& wave, double x, double t) { return wave.elevation(x - 0.92 * wave.phase_speed() * t); });
+  measured("late", "A wave that is 8 per cent slow is 0.08 wavelengths late in one.", slow, "lead_per_wavelength",
+           -0.08);
+  is("slow", "It fails.", verdict_of(slow, "phase"), Verdict::fail);
+}

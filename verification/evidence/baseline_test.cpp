@@ -1,0 +1,77 @@
+// What is worse than an earlier score, and what is noise.
+#include <limits>
+
+#include "validation/scoring/baseline.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::validation;
+using evidence::Qualitative;
+using evidence::Summary;
+using verification::Check;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+Summary::Outcome claim(double measured, const std::string& verdict, double uncertainty = unknown,
+                       const std::string& kind = "bound") {
+  Summary::Outcome outcome;
+  outcome.id = "error";
+  outcome.kind = kind;
+  outcome.measured = measured;
+  outcome.verdict = verdict;
+  outcome.uncertainty = uncertainty;
+  outcome.limit = 1;
+  return outcome;
+}
+
+std::string change(const Summary::Outcome& before, const Summary::Outcome& after) {
+  Summary was;
+  Summary is;
+  was.claims = {before};
+  is.claims = {after};
+  const std::vector<Since> all = changes_since(was, is);
+  if (all.empty()) return "same";
+  return all.front().kind == Since::Kind::worse             ? "worse"
+         : all.front().kind == Since::Kind::unexpected_pass ? "unexpected pass"
+                                                            : "other";
+}
+
+}  // namespace
+
+TEST_CASE("a score is worse than its baseline where an error grew beyond both uncertainties", "[evidence]") {
+  Check check(
+      "score_baseline", "Worse than before, or noise",
+      "One claim with a limit of 1, before and after: what counts as worse, as an unexpected pass, as neither.");
+  const auto is = [&](const std::string& id, const std::string& text, const std::string& got,
+                      const std::string& expected) {
+    check.that({.id = id, .text = text, .quantity = "as stated", .source = "interface of changes_since()"},
+               {.value = got == expected ? 1.0 : 0.0, .resolution = got}, Qualitative{expected, "it was made so"});
+  };
+  is("same", "The same numbers are the same.", change(claim(0.5, "pass"), claim(0.5, "pass")), "same");
+  is("noise", "Less than a hundredth of the limit is noise.", change(claim(0.5, "pass"), claim(0.509, "pass")), "same");
+  is("worse", "More of it is worse, even where the claim is still met.", change(claim(0.5, "pass"), claim(0.6, "pass")),
+     "worse");
+  is("sign", "An error of the other sign is as good.", change(claim(0.5, "pass"), claim(-0.5, "pass")), "same");
+  is("within", "Within both uncertainties it is not.", change(claim(0.5, "pass", 0.1), claim(0.62, "pass", 0.1)),
+     "same");
+  is("beyond", "Beyond both it is.", change(claim(0.5, "pass", 0.1), claim(0.65, "pass", 0.1)), "worse");
+  is("verdict", "A verdict that changes within the uncertainties is shown.",
+     change(claim(0.95, "pass", 0.1), claim(1.05, "fail", 0.1)), "other");
+  is("fails", "A failure that grows is worse, too.", change(claim(2, "fail"), claim(3, "fail")), "worse");
+  is("pass", "A claim that was not met and is now is an unexpected pass.",
+     change(claim(1.5, "fail"), claim(0.5, "pass")), "unexpected pass");
+  is("undecided", "So is one that was undecided.", change(claim(0.5, "inconclusive"), claim(0.5, "pass")),
+     "unexpected pass");
+  is("lost", "What is no number any more is worse.", change(claim(0.5, "pass"), claim(unknown, "error")), "worse");
+  is("feature", "A feature that is gone is worse.",
+     change(claim(0, "pass", unknown, "qualitative"), claim(1, "fail", unknown, "qualitative")), "worse");
+  is("roundoff", "Round-off that stays round-off is the same.",
+     change(claim(0.1, "pass", unknown, "roundoff"), claim(0.9, "pass", unknown, "roundoff")), "same");
+  Summary was;
+  was.claims = {claim(0.5, "pass")};
+  const std::vector<Since> gone = changes_since(was, {});
+  is("gone", "A claim that is gone is worse.",
+     gone.size() == 1 && gone.front().kind == Since::Kind::worse ? "worse" : "other", "worse");
+}

@@ -1,0 +1,103 @@
+// Histories of volume, energy and momentum that come with a result.
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/io/csv_table.hpp"
+#include "validation/scoring/conservation.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::validation;
+using evidence::Qualitative;
+using verification::Check;
+
+std::vector<WantedTable> wanted_gauge() {
+  return {{.name = "gauge",
+           .kind = WantedTable::Kind::series,
+           .abscissa = Column{"t", "s", "time"},
+           .quantities = {{.column = {"eta", "m", "elevation"}, .reference = [](Place) { return 0.0; }}},
+           .points = [](double) {
+             return std::vector<double>{0, 1};
+           }}};
+}
+
+io::Table table(const std::string& text, const std::string& name) {
+  std::istringstream in(text);
+  return io::read_csv(in, name);
+}
+
+/// Verdict of a claim about a history, by phenomenon; "not judged" where it is left out.
+std::string verdict(const std::string& phenomenon, const std::string& quantity, const std::vector<double>& values) {
+  History history{{quantity, values}};
+  for (std::size_t k = 0; k < values.size(); ++k) history["t"].push_back(static_cast<double>(k));
+  evidence::Record record;
+  judge_history(phenomenon, history, record);
+  for (const evidence::JudgedClaim& claim : record.claims()) {
+    if (claim.claim.id == "conserved-" + quantity) return std::string(evidence::name(claim.judgement.verdict));
+  }
+  return record.left_out().empty() ? "no claim" : "not judged";
+}
+
+std::string refusal(const std::string& text) {
+  std::vector<io::Table> files{table(text, "mine.csv")};
+  try {
+    take_history(files, wanted_gauge(), {});
+  } catch (const std::invalid_argument& refused) {
+    return refused.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("histories of volume, energy and momentum are judged by what the water conserves", "[evidence]") {
+  Check check(
+      "conservation_scores", "What a result conserves",
+      "Histories that are kept, lose, gain, or come back, in flows that conserve them and in flows that do not.");
+  const auto is = [&](const std::string& id, const std::string& text, const std::string& got,
+                      const std::string& expected) {
+    check.that({.id = id, .text = text, .quantity = "as stated", .source = "interface of judge_history()"},
+               {.value = got.find(expected) != std::string::npos ? 1.0 : 0.0, .resolution = got},
+               Qualitative{"\"" + expected + "\"", "it was made so"});
+  };
+  is("kept", "Water that is all there passes.", verdict("dam_break", "volume", {5, 5.004, 4.996}), "pass");
+  is("lost", "A thousandth and a half that is lost fails.", verdict("dam_break", "volume", {5, 5, 4.9925}), "fail");
+  is("gained", "So does one that is gained.", verdict("dam_break", "volume", {5, 5.0075}), "fail");
+  is("comes-back", "A loss in between counts, too.", verdict("bore", "volume", {5, 4.9, 5}), "fail");
+  is("through", "Where water runs through, nothing is judged.", verdict("steady_flow", "volume", {5, 7}), "not judged");
+  is("wave-energy", "A wave that dies away fails.", verdict("periodic_wave", "energy", {2, 1.9, 1.7}), "fail");
+  is("wave-energy-kept", "One that keeps nine tenths passes.", verdict("periodic_wave", "energy", {2, 1.9, 1.85}),
+     "pass");
+  is("breaking-loses", "Breaking water may lose energy.", verdict("dam_break", "energy", {2, 1, 0.5}), "pass");
+  is("breaking-gains", "It may not gain any.", verdict("dam_break", "energy", {2, 1, 2.05}), "fail");
+  is("negative", "Energy below zero counts by its magnitude.", verdict("dam_break", "energy", {-2, -1.9}), "fail");
+  is("driven", "What is driven is not judged.", verdict("wavemaker", "energy", {1, 5}), "not judged");
+  is("momentum", "Without walls momentum is kept.", verdict("periodic_wave", "momentum", {1, 0.8}), "fail");
+  is("walls", "Between walls it need not be.", verdict("standing_wave", "momentum", {1, -1}), "not judged");
+
+  std::vector<io::Table> files{table("t,eta\n0,0\n1,0\n", "gauge.csv"), table("t,volume\n0,3\n1,3\n", "volume.csv")};
+  const History found = take_history(files, wanted_gauge(), {});
+  is("taken", "A history is taken out of the files.", fmt::format("{} file, {} columns", files.size(), found.size()),
+     "1 file, 2 columns");
+  std::vector<io::Table> one{table("t,eta,energy\n0,0,1\n1,0,1\n", "both.csv")};
+  const History beside = take_history(one, wanted_gauge(), {});
+  is("beside", "A file with the case's own columns stays.", fmt::format("{} {}", one.size(), beside.count("energy")),
+     "1 1");
+  std::vector<io::Table> named{table("time,mass\n0,3\n1,3\n", "m.csv")};
+  is("mapped", "Columns may have other names.",
+     fmt::format("{}", take_history(named, wanted_gauge(), {{"t", "time"}, {"volume", "mass"}}).count("volume")), "1");
+  is("order", "Times must increase.", refusal("t,volume\n0,1\n0,1\n"), "mine.csv: line 3: column t: 0 follows 0");
+  is("short", "One row is refused.", refusal("t,volume\n0,1\n"), "1 rows, must be at least two");
+  std::string zero;
+  try {
+    verdict("bore", "energy", {0, 1});
+  } catch (const std::invalid_argument& refused) {
+    zero = refused.what();
+  }
+  is("zero", "A change over zero cannot be judged.", zero, "column energy: is 0 at t = 0");
+}

@@ -1,0 +1,143 @@
+// A result on several sizes: order, limit, cost, and what one per cent needs.
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "validation/scoring/ladder.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::validation;
+using evidence::Bound;
+using evidence::Qualitative;
+using verification::Check;
+
+const std::vector<double> sizes{0.1, 0.05, 0.025};
+
+/// sin x over a period at two times, and a number 2.
+std::vector<WantedTable> wanted_of(evidence::Role role) {
+  std::vector<double> x;
+  for (int k = 0; k <= 40; ++k) x.push_back(0.15 * k);
+  return {{.name = "wave",
+           .kind = WantedTable::Kind::profile,
+           .group = Column{"t", "s", "time"},
+           .abscissa = Column{"x", "m", "place"},
+           .quantities = {{.column = {"eta", "m", "elevation"},
+                           .reference = [](Place p) { return std::sin(p.abscissa) + 0.1 * p.group; }}},
+           .groups = {1, 2},
+           .points = [x](double) { return x; },
+           .reference_role = role},
+          {.name = "number",
+           .quantities = {{.column = {"height", "m", "a height"}, .reference = [](Place) { return 2.0; }}},
+           .reference_role = role}};
+}
+
+/// The reference with an error a h^p of the shape of a cosine, and a constant that no size takes away.
+Submitted submitted(double h, double p, double wrong) {
+  Submitted all;
+  const double error = 3 * std::pow(h, p);
+  for (const double t : {1.0, 2.0}) {
+    SubmittedGroup group{.value = t};
+    for (int k = 0; k <= 40; ++k) {
+      const double x = 0.15 * k;
+      group.abscissa.push_back(x);
+      group.values["eta"].push_back(std::sin(x) + 0.1 * t + error * std::cos(x) + wrong);
+    }
+    all["wave"].push_back(group);
+  }
+  all["number"] = {{.value = 0, .abscissa = {}, .values = {{"height", {2 * (1 + error) + wrong}}}}};
+  return all;
+}
+
+Ladder ladder(double p, double wrong = 0, evidence::Role role = evidence::Role::exact, bool timed = true) {
+  std::vector<Rung> rungs;
+  for (const double h : {0.05, 0.1, 0.025}) {  // in whatever order
+    rungs.push_back({.size = h,
+                     .seconds = timed ? std::optional(0.001 / (h * h * h)) : std::nullopt,
+                     .submitted = submitted(h, p, wrong)});
+  }
+  return ladder_of(wanted_of(role), rungs);
+}
+
+std::string refusal(std::vector<Rung> rungs) {
+  try {
+    ladder_of(wanted_of(evidence::Role::exact), std::move(rungs));
+  } catch (const std::invalid_argument& refused) {
+    return refused.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and what it costs", "[evidence]") {
+  Check check("score_ladder", "How fast somebody else's solver converges",
+              "Made-up results with an error of a known power of the size, on three sizes: what the score says of them "
+              "must be what they were made with.");
+  const auto close = [&](const std::string& id, const std::string& text, double value, double expected, double limit,
+                         const std::string& why) {
+    check.that({.id = id, .text = text, .quantity = "relative difference", .source = "made with it"},
+               {.value = value / expected - 1}, Bound{.limit = limit, .reason = why});
+  };
+  const auto is = [&](const std::string& id, const std::string& text, bool holds, const std::string& shown = {}) {
+    check.that({.id = id, .text = text, .quantity = "it is so", .source = "interface of ladder_of()"},
+               {.value = holds ? 1.0 : 0.0, .resolution = shown}, Qualitative{"comparison", "it was made so"});
+  };
+  const std::string rounding = "powers of a few digits, a dozen roundings";
+  const Ladder first = ladder(1);
+  const LadderQuantity& eta = first.quantities.at(0);
+  const LadderQuantity& height = first.quantities.at(1);
+  is("sizes", "Sizes are put in order, coarse first.", first.size == std::vector{0.1, 0.05, 0.025});
+  close("order", "Of a first-order result the order is 1.", eta.order.order, 1, 1e-9, rounding);
+  close("order-number", "That of a number, too.", height.order.order, 1, 1e-9, rounding);
+  close("error", "Its error on the finest is what it was made with.", height.error.back(), 0.075, 1e-12, rounding);
+  close("second", "Of a second-order one it is 2.", ladder(2).quantities.at(0).order.order, 2, 1e-9, rounding);
+  const auto reach = first.reach(height, 0.01);
+  close("reach", "One per cent of 3 h needs h = 1/300.", reach ? reach->size : 0, 1.0 / 300, 1e-9, rounding);
+  close("cost", "At a cost that grows with the cube it takes 27000 times a thousandth of a second.",
+        reach && reach->seconds ? *reach->seconds : 0, 27000, 1e-9, rounding);
+  // A scalar with error a h has 1.25 a h for its half-width: the safety factor of Roache.
+  close("numerical", "The numerical error is 1.25 times that of the finest.", height.numerical, 1.25 * 0.075, 1e-3,
+        "the scan for the order has steps of 0.005");
+  is("says", "The line says it.",
+     first.line(height).find("your order is 1 (") != std::string::npos &&
+         first.line(height).find("1 % needs dx = 0.0033 and 2.7e+04 s") != std::string::npos,
+     first.line(height));
+
+  std::vector<Rung> rough;
+  for (const double h : {0.1, 0.05, 0.025}) {
+    rough.push_back({.size = h, .submitted = submitted(h == 0.05 ? 0.09 : h, 1, 0)});
+  }
+  const Ladder scattered = ladder_of(wanted_of(evidence::Role::exact), rough);
+  is("scatter", "Where three sizes scatter, that is said.",
+     scattered.line(scattered.quantities.at(1)).find("but 3 sizes hardly tell the order") != std::string::npos,
+     scattered.line(scattered.quantities.at(1)));
+  const Ladder wrong = ladder(1, 0.5);
+  is("stays", "An error that stays is said to stay.",
+     wrong.line(wrong.quantities.at(1)).find("not to zero") != std::string::npos, wrong.line(wrong.quantities.at(1)));
+  is("unreachable", "No size reaches one per cent then.", !wrong.reach(wrong.quantities.at(1), 0.01).has_value());
+
+  // Against data, what converges is the distance from the result's own limit, wherever that is.
+  const Ladder measured = ladder(1, 0.5, evidence::Role::data);
+  close("own-order", "Against data the order is that of the result's own convergence.",
+        measured.quantities.at(1).order.order, 1, 0.02, "the scan for the limit has steps of 0.005 in the order");
+  std::map<std::string, StatedUncertainty> uncertainty{{"height", {.value = 0.7}}};
+  add_numerical(measured, uncertainty);
+  close("stated", "A stated uncertainty is kept.", uncertainty.at("height").value, 0.7, 0, "the same number");
+  close("standard", "One that was not is the ladder's, as a standard one.", uncertainty.at("eta").value,
+        measured.quantities.at(0).typical / 2, 1e-15, "the same number");
+  std::map<std::string, StatedUncertainty> none;
+  add_numerical(first, none);
+  is("exact-none", "Against an exact reference nothing is added.", none.empty());
+
+  is("two", "Two sizes are refused.", refusal({{.size = 1}, {.size = 2}}).find("three or more") != std::string::npos);
+  is("same", "So are equal ones.",
+     refusal({{.size = 1}, {.size = 1}, {.size = 2}}).find("all different") != std::string::npos);
+  std::vector<Rung> untimed;
+  for (const double h : sizes) untimed.push_back({.size = h, .submitted = submitted(h, 1, 0)});
+  untimed.back().seconds = 3;
+  is("times", "And times for some sizes alone.", refusal(untimed).find("1 times for 3 sizes") != std::string::npos);
+}
