@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "seiche/samples.hpp"
 #include "validation/case/reference_source.hpp"
 
 namespace seiche::validation::laboratory {
@@ -40,20 +41,19 @@ class Rows {
   }
   [[nodiscard]] double group(std::size_t k) const { return part_.group ? table_.column(part_.group->name)[k] : 0; }
   [[nodiscard]] Row row(std::size_t k) const {
-    double sum = 0;
-    double square = 0;
-    double lowest = table_.column(columns_.front())[k];
-    double highest = lowest;
+    Mean mean;
+    Largest u;
+    Largest highest;
+    Smallest lowest;
     for (const std::string& column : columns_) {
       const double y = table_.column(column)[k];
-      sum += y;
-      lowest = std::min(lowest, y);
-      highest = std::max(highest, y);
-      square = std::max(square, std::pow(stated(source_, column, part_.table).of(y), 2));
+      mean.add(y);
+      highest.add(y);
+      lowest.add(y);
+      u.add(stated(source_, column, part_.table).of(y));
     }
-    const double half = 0.5 * (highest - lowest);
-    return {table_.column(part_.abscissa.name)[k], sum / static_cast<double>(columns_.size()),
-            pointwise(k).value_or(std::sqrt(square + half * half))};
+    const double half = 0.5 * (highest.value() - lowest.value());
+    return {table_.column(part_.abscissa.name)[k], mean.value(), pointwise(k).value_or(std::hypot(u.value(), half))};
   }
   [[nodiscard]] double abscissa_uncertainty() const {
     const auto found = source_.standard_uncertainty.find(part_.abscissa.name);

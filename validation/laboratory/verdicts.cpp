@@ -94,9 +94,9 @@ std::optional<double> Question::stated(const std::map<std::string, StatedUncerta
   const auto of_x = uncertainty.find(part_.abscissa.name);
   if (of_y == uncertainty.end() && of_x == uncertainty.end()) return std::nullopt;
   Measured as_stated = *measured_;
-  double largest = 0;
-  for (const double y : as_stated.y) largest = std::max(largest, std::abs(y));
-  const double u = of_y == uncertainty.end() ? 0 : of_y->second.of(largest);
+  Worst largest;
+  for (const double y : as_stated.y) largest.add(y);
+  const double u = of_y == uncertainty.end() ? 0 : of_y->second.of(largest.value());
   std::fill(as_stated.u.begin(), as_stated.u.end(), u);
   as_stated.u_x = of_x == uncertainty.end() ? 0 : of_x->second.of(as_stated.x.back() - as_stated.x.front());
   if (u == 0 && as_stated.u_x == 0) return 0;

@@ -130,6 +130,17 @@ TEST_CASE("what the tables of laboratories say is read as it is meant", "[eviden
      "half a unit of the last digit");
   is(check, "spread", "And the standard deviation 0.0064 m.", runup.u.front(), 0.0064, 5e-5,
      "half a unit of the last digit");
+  const Series island{.name = "runup",
+                      .table = "briggs_1995_conical_island_runup",
+                      .kind = WantedTable::Kind::profile,
+                      .abscissa = {"angle", "deg", ""},
+                      .quantity = {"R", "m", ""},
+                      .columns = {"R_nthmp", "R_liu"},
+                      .rows = {{"case", 1}},
+                      .readings = {}};
+  const Measured around = measured(island, values_of("island_gauges")).front();
+  is(check, "distributions", "Half of the distance between two distributions of a run-up is an uncertainty of it.",
+     around.u.back(), std::hypot(0.06 * 0.032, 0.5 * (0.032 - 0.0225)), 1e-5, "half a unit of the last digit");
   const Series pressure{.name = "pressure",
                         .table = "lobovsky_2014_dam_break_pressure",
                         .abscissa = {"T", "1", ""},
