@@ -30,7 +30,8 @@ Submitted compute(const Run& run, double coarsening) {
   const Flume flume{.bed_x = {-170, 11.01, 23.04, 27.04, 33.07, 90},
                     .bed_z = {-0.8, -0.8, -0.2, -0.2, -0.8, -0.8},
                     .spacing = coarsening * run.real("spacing"),
-                    .tau = coarsening * run.real("spacing") / 4};
+                    .tau = coarsening * run.real("spacing") / 4,
+                    .gamma = improved};
   dispersive::Flow flow =
       regular_waves(flume, {.depth = 0.8, .amplitude = 0.0202, .period = period, .from = -150, .to = 0});
   return {{"gauges", gauge_records(flow, flume, gauges, gauges, 0.05, 57)}};

@@ -15,14 +15,13 @@ using dispersive::End;
 using dispersive::Flow;
 using dispersive::SurfaceMotion;
 
-constexpr double improved = 1.0 / 15;
 constexpr double courant = 0.3;  // of the longest stable step
 
 /// What moved water needs, from its elevation and velocity alone: slopes and areas by differences.
 Flow moved_water(const Flume& flume, const std::function<double(double)>& elevation,
-                 const std::function<double(double)>& velocity, double anchor) {
+                 const std::function<double(double)>& velocity) {
   const Channel channel = flume.channel();
-  const double begin = flume.bed_x.front();
+  const double begin = flume.bed_x.front() + 1;  // what the waves add may move the first marker
   const double end = flume.shoreline ? 0 : flume.bed_x.back();
   const auto cells = static_cast<std::size_t>(std::round((end - begin) / flume.spacing));
   const double fine = flume.spacing / 8;
@@ -40,7 +39,7 @@ Flow moved_water(const Flume& flume, const std::function<double(double)>& elevat
     return SurfaceMotion{eta, velocity(x), -(eta - channel.bottom->elevation(x)) * slope};
   };
   return {channel, dispersive::moved_markers(channel, dispersive::equal_labels(channel, begin, end, cells), motion,
-                                             excess, anchor)};
+                                             excess, end)};
 }
 
 }  // namespace
@@ -50,8 +49,8 @@ Channel Flume::channel() const {
                   .left = End::wall,
                   .right = shoreline ? End::tip : End::wall,
                   .gravity = gravity};
-  channel.gamma = improved;
-  channel.alpha = 1.0 / 3 + improved;
+  channel.gamma = gamma;
+  channel.alpha = 1.0 / 3 + gamma;
   return channel;
 }
 
@@ -75,7 +74,7 @@ Flow regular_waves(const Flume& flume, const Train& train) {
            (std::cos(phase) + second * std::cos(2 * phase));
   };
   const auto velocity = [=](double x) { return speed * elevation(x) / (train.depth + elevation(x)); };
-  return moved_water(flume, elevation, velocity, train.from - 2 * length);
+  return moved_water(flume, elevation, velocity);
 }
 
 Flow solitary_waves(const Flume& flume, const std::vector<Solitary>& waves) {
@@ -96,7 +95,7 @@ Flow solitary_waves(const Flume& flume, const std::vector<Solitary>& waves) {
     }
     return sum;
   };
-  return moved_water(flume, elevation, velocity, flume.shoreline ? 0 : waves.front().crest);
+  return moved_water(flume, elevation, velocity);
 }
 
 Flow smooth_bore(const Flume& flume, double depth, double jump, double width) {
@@ -107,7 +106,7 @@ Flow smooth_bore(const Flume& flume, double depth, double jump, double width) {
     const double eta = elevation(x);
     return flux * eta / (depth + eta);
   };
-  return moved_water(flume, elevation, velocity, flume.bed_x.back() - 1);
+  return moved_water(flume, elevation, velocity);
 }
 
 std::vector<SubmittedGroup> gauge_records(Flow& flow, const Flume& flume, const std::vector<double>& groups,

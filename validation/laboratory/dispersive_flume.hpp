@@ -1,8 +1,9 @@
 /// Laboratory flumes in the one-dimensional dispersive model: water between a wall and a wall or a shoreline, with
 /// gauges.
 ///
-/// The dispersion is the improved one of Madsen and Sorensen (1992), gamma = 1/15 and alpha = 1/3 + gamma, which is
-/// Airy's law to the fourth order of k h. Lengths in metres, times in seconds.
+/// Periodic waves and bores have the improved dispersion of Madsen and Sorensen (1992), gamma = 1/15 and alpha = 1/3 +
+/// gamma, which is Airy's law to the fourth order of k h; solitary waves are those of Serre's equations, gamma = 0, for
+/// which they are exact at the start. Lengths in metres, times in seconds.
 #pragma once
 
 #include <functional>
@@ -17,11 +18,12 @@ namespace seiche::validation::laboratory {
 namespace dispersive = dispersive_shallow_water_1d;
 
 struct Flume {
-  std::vector<double> bed_x, bed_z;  ///< knots, z from the still-water level
+  std::vector<double> bed_x, bed_z;  ///< knots, z from the still-water level; water begins 1 after the first
   double spacing = 0.1;              ///< of the markers at rest
   double tau = 0.02;                 ///< longest step
   bool shoreline = false;            ///< at the right end, instead of a wall at the last knot
   double gravity = 9.81;
+  double gamma = 0;
 
   [[nodiscard]] dispersive::Channel channel() const;
 };
@@ -33,7 +35,9 @@ struct Train {
   double from = 0, to = 1;  ///< [m]
 };
 
-/// Wavenumber of the model's linear waves.
+inline constexpr double improved = 1.0 / 15;  ///< gamma
+
+/// Wavenumber of linear waves of the improved dispersion.
 double wavenumber(double depth, double period, double gravity);
 
 dispersive::Flow regular_waves(const Flume& flume, const Train& train);

@@ -37,7 +37,8 @@ Submitted compute(const Run& run, double coarsening) {
   const Flume flume{.bed_x = {-90, 6, 12, 14, 17, 60},
                     .bed_z = {-0.4, -0.4, -0.1, -0.1, -0.4, -0.4},
                     .spacing = spacing,
-                    .tau = spacing / 3};
+                    .tau = spacing / 3,
+                    .gamma = improved};
   dispersive::Flow flow = regular_waves(
       flume, {.depth = 0.4, .amplitude = long_wave ? 0.0108 : 0.0206, .period = period_of(run), .from = -80, .to = 0});
   const double steady = long_wave ? 28 : 45;  // when the slowest harmonics have come to the last gauge

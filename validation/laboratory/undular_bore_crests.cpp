@@ -32,7 +32,8 @@ Submitted compute(const Run& run, double coarsening) {
   std::vector<double> froude, crest;
   for (const double jump : {0.02, 0.06, 0.1, 0.15, 0.2, 0.25, 0.28}) {
     const double spacing = coarsening * run.real("spacing");
-    const Flume flume{.bed_x = {-40, 80}, .bed_z = {-depth, -depth}, .spacing = spacing, .tau = spacing / 3};
+    const Flume flume{
+        .bed_x = {-40, 80}, .bed_z = {-depth, -depth}, .spacing = spacing, .tau = spacing / 3, .gamma = improved};
     dispersive::Flow flow = smooth_bore(flume, depth, jump, 5 * depth);
     froude.push_back(std::sqrt((1 + jump) * (1 + jump / 2)));
     flow.advance_to(63.5 / (froude.back() * std::sqrt(flume.gravity * depth)), flume.tau);

@@ -12,9 +12,10 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-std::string plain(std::string text) {
+/// For ids: no points, and a word for a minus.
+std::string plain(std::string text, const char* minus) {
   std::replace(text.begin(), text.end(), '.', '_');
-  std::replace(text.begin(), text.end(), '-', 'm');
+  if (const auto at = text.find('-'); at != std::string::npos) text.replace(at, 1, minus);
   return text;
 }
 
@@ -64,8 +65,8 @@ evidence::Claim Question::claim() const {
   const std::string at = part_.group ? fmt::format(" at {} = {:g}{}", part_.group->name, reading_.group,
                                                    part_.group->unit == "1" ? "" : " " + part_.group->unit)
                                      : "";
-  const std::string suffix = part_.group ? fmt::format("-{}", plain(fmt::format("{:g}", reading_.group))) : "";
-  return {.id = fmt::format("{}-{}{}", part_.name, plain(reading_.id), suffix),
+  const std::string suffix = part_.group ? fmt::format("-{}", plain(fmt::format("{:g}", reading_.group), "m")) : "";
+  return {.id = fmt::format("{}-{}{}", part_.name, plain(reading_.id, "-"), suffix),
           .text = reading_.misfit() ? fmt::format("The {}{} follows the measured one.", quantity.meaning, at)
                                     : fmt::format("The {}{}: {} as measured.", quantity.meaning, at, reading_.words),
           .quantity = reading_.words,
