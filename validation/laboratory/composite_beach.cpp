@@ -61,6 +61,22 @@ Submitted compute(const Run& run, double coarsening) {
   return {{"gauges", records}, {"runup", {{.value = 0, .abscissa = {}, .values = {{"R", {run_up}}}}}}};
 }
 
+/// At the standard parameters; a band is a half more than what twice the spacing changes, or an eighth.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string slow =
+      "between gauges 7 and 8 the measured wave is slower than sqrt(g depth), 1.34 s for 1.46 m instead of 1.29 s: "
+      "bottom and walls of the flume brake it where the water is shallow, and the model has no friction";
+  const std::string bound =
+      "0.0274 m, written as 0.09 feet, is more than the doubling of a long wave after Green's law gives at the wall, "
+      "0.024 m; the gauge before the wall agrees";
+  return {
+      {"gauges-arrival-8", {.value = 276.82, .width = 0.023, .reason = slow}},
+      {"gauges-arrival-9", {.value = 278.08, .width = 0.027, .reason = slow}},
+      {"gauges-arrival-10", {.value = 278.46, .width = 0.031, .reason = slow}},
+      {"runup-at-1", {.value = 0.0214, .width = 0.0009, .reason = bound}},
+  };
+}
+
 Experiment experiment(const Values& values) {
   const Wave wave = wave_of(values);
   Series gauges{.name = "gauges",
@@ -94,7 +110,10 @@ Experiment experiment(const Values& values) {
                  .parts = {gauges, runup},
                  .files = {wave.table + "/bed.csv", wave.table + "/gauges.csv", wave.table + "/paddle.csv"},
                  .model = "dispersive shallow water"};
-  if (wave.letter == 1) one.compute = compute;
+  if (wave.letter == 1) {
+    one.compute = compute;
+    one.misses = misses();
+  }
   return one;
 }
 

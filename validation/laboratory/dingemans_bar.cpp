@@ -31,10 +31,29 @@ Submitted compute(const Run& run, double coarsening) {
                     .bed_z = {-0.8, -0.8, -0.2, -0.2, -0.8, -0.8},
                     .spacing = coarsening * run.real("spacing"),
                     .tau = coarsening * run.real("spacing") / 4,
-                    .gamma = improved};
+                    .gamma = gamma_of(run.text("dispersion"))};
   dispersive::Flow flow =
       regular_waves(flume, {.depth = 0.8, .amplitude = 0.0202, .period = period, .from = -150, .to = 0});
   return {{"gauges", gauge_records(flow, flume, gauges, gauges, 0.05, 57)}};
+}
+
+/// At the standard parameters; a band is a half more than what twice the spacing changes, or an eighth.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string why =
+      "half of the third harmonic that the experiment sets free behind the bar is missing here, and the first is 14 % "
+      "too high: long-wave equations of this order transfer less energy to harmonics of k h above 3, and nothing "
+      "dissipates; finer markers or the kinetic energy of the slope change neither";
+  return {
+      {"gauges-misfit-26_04", {.value = 0.00278, .width = 0.00033, .reason = why}},
+      {"gauges-misfit-30_44", {.value = 0.00476, .width = 0.001, .reason = why}},
+      {"gauges-harmonic-1-30_44", {.value = 0.014, .width = 0.00026, .reason = why}},
+      {"gauges-harmonic-3-30_44", {.value = 0.00723, .width = 0.0012, .reason = why}},
+      {"gauges-height-37_04", {.value = 0.054, .width = 0.001, .reason = why}},
+      {"gauges-misfit-37_04", {.value = 0.0104, .width = 0.0023, .reason = why}},
+      {"gauges-harmonic-1-37_04", {.value = 0.014, .width = 0.00025, .reason = why}},
+      {"gauges-harmonic-2-37_04", {.value = 0.0168, .width = 0.00024, .reason = why}},
+      {"gauges-harmonic-3-37_04", {.value = 0.00704, .width = 0.00056, .reason = why}},
+  };
 }
 
 Experiment experiment(const Values& /*values*/) {
@@ -60,7 +79,8 @@ Experiment experiment(const Values& /*values*/) {
           .parts = {part},
           .files = {"dingemans_1994_bar/bed.csv"},
           .compute = compute,
-          .model = "dispersive shallow water, improved dispersion"};
+          .model = "dispersive shallow water, improved dispersion",
+          .misses = misses()};
 }
 
 }  // namespace
@@ -69,7 +89,7 @@ Case dingemans_bar() {
   Case c;
   c.title = "Regular waves over a submerged bar: the flume of Dingemans";
   c.source = source;
-  c.parameters = {real("spacing", 0.08, "m", {0.02, 0.2}, "of the markers")};
+  c.parameters = {real("spacing", 0.04, "m", {0.02, 0.2}, "of the markers"), dispersion_parameter()};
   set_laboratory<experiment>(c);
   return c;
 }

@@ -48,21 +48,31 @@ Channel Flume::channel() const {
   Channel channel{.bottom = std::make_shared<PiecewiseLinearBottom>(bed_x, bed_z),
                   .left = End::wall,
                   .right = shoreline ? End::tip : End::wall,
-                  .gravity = gravity};
+                  .gravity = gravity,
+                  .kinetics = dispersive::Kinetics::green_naghdi};
   channel.gamma = gamma;
   channel.alpha = 1.0 / 3 + gamma;
   return channel;
 }
 
-double wavenumber(double depth, double period, double gravity) {
+Parameter dispersion_parameter() {
+  return choice("dispersion", std::string("improved"), {"improved", "serre"}, "law of the model's linear waves");
+}
+
+double gamma_of(const std::string& dispersion) {
+  return dispersion == "improved" ? improved : 0;
+}
+
+double wavenumber(double depth, double period, double gravity, double gamma) {
   // nu (1 + alpha s) = s (1 + gamma s), s = (k h)^2
   const double nu = std::pow(2 * std::numbers::pi / period, 2) * depth / gravity;
-  const double linear = 1 - (1.0 / 3 + improved) * nu;
-  return std::sqrt((-linear + std::sqrt(linear * linear + 4 * improved * nu)) / (2 * improved)) / depth;
+  const double linear = 1 - (1.0 / 3 + gamma) * nu;
+  const double root = std::sqrt(linear * linear + 4 * gamma * nu);
+  return std::sqrt(gamma > 0 ? (root - linear) / (2 * gamma) : nu / linear) / depth;
 }
 
 Flow regular_waves(const Flume& flume, const Train& train) {
-  const double k = wavenumber(train.depth, train.period, flume.gravity);
+  const double k = wavenumber(train.depth, train.period, flume.gravity, flume.gamma);
   const double speed = 2 * std::numbers::pi / (train.period * k);
   const double length = 2 * std::numbers::pi / k;
   const double sigma = std::tanh(k * train.depth);

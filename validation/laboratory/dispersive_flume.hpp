@@ -3,7 +3,8 @@
 ///
 /// Periodic waves and bores have the improved dispersion of Madsen and Sorensen (1992), gamma = 1/15 and alpha = 1/3 +
 /// gamma, which is Airy's law to the fourth order of k h; solitary waves are those of Serre's equations, gamma = 0, for
-/// which they are exact at the start. Lengths in metres, times in seconds.
+/// which they are exact at the start. Over slopes the kinetic energy is that of Green and Naghdi. Lengths in metres,
+/// times in seconds.
 #pragma once
 
 #include <functional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "validation/case/parameter.hpp"
 #include "validation/case/submission.hpp"
 
 namespace seiche::validation::laboratory {
@@ -37,8 +39,12 @@ struct Train {
 
 inline constexpr double improved = 1.0 / 15;  ///< gamma
 
-/// Wavenumber of linear waves of the improved dispersion.
-double wavenumber(double depth, double period, double gravity);
+/// "dispersion": improved, or Serre's with gamma = 0.
+Parameter dispersion_parameter();
+double gamma_of(const std::string& dispersion);
+
+/// Wavenumber of linear waves.
+double wavenumber(double depth, double period, double gravity, double gamma);
 
 dispersive::Flow regular_waves(const Flume& flume, const Train& train);
 

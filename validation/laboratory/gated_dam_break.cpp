@@ -55,6 +55,15 @@ Submitted compute(const Run& run, double coarsening) {
   return {{"front", {front}}};
 }
 
+/// At the standard parameters; a band is a half more than what twice the spacing changes, or an eighth.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string why =
+      "shallow water makes one bore of what is a jet that runs ahead of it: the front falls behind by 2.6 cm in 0.6 s";
+  return {
+      {"front-at-0_593", {.value = 0.957, .width = 0.0039, .reason = why}},
+  };
+}
+
 Experiment experiment(const Values& /*values*/) {
   return {.source = source,
           .parts = {{.name = "front",
@@ -66,7 +75,8 @@ Experiment experiment(const Values& /*values*/) {
                                   misfit(0, {})}}},
           .files = {"janosi_2004_wet_bed_dam_break/outlines.csv"},
           .compute = compute,
-          .model = "shallow water, finite volumes"};
+          .model = "shallow water, finite volumes",
+          .misses = misses()};
 }
 
 }  // namespace

@@ -45,6 +45,23 @@ Reading crest(double frame, Window window, const std::string& side) {
   return reading;
 }
 
+/// At the standard parameters; a band is a half more than what twice the spacing changes, or an eighth.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string start =
+      "the waves start with the heights and places that the literature uses, up to 7 mm and 2 % from the frame at 18.5 "
+      "s, and viscosity, some per cent per metre in 0.05 m of water, does not lower them";
+  const std::string top = "at the collision the measured crest is 6 % above third-order theory, which nobody explains";
+  return {
+      {"profiles-misfit-18_5", {.value = 0.000625, .width = 7.5e-05, .reason = start}},
+      {"profiles-left-crest-18_8", {.value = 0.636, .width = 0.0061, .reason = start}},
+      {"profiles-misfit-18_92", {.value = 0.000641, .width = 7.7e-05, .reason = top}},
+      {"profiles-misfit-19", {.value = 0.000945, .width = 0.00011, .reason = top}},
+      {"profiles-misfit-19_05", {.value = 0.000862, .width = 0.0001, .reason = top}},
+      {"profiles-highest-19_15", {.value = 0.0163, .width = 0.00013, .reason = start}},
+      {"profiles-misfit-19_5", {.value = 0.000622, .width = 7.5e-05, .reason = start}},
+  };
+}
+
 Experiment experiment(const Values& /*values*/) {
   Series part{.name = "profiles",
               .table = "henderson_head_on_collision",
@@ -73,7 +90,8 @@ Experiment experiment(const Values& /*values*/) {
       part.readings.push_back(top);
     }
   }
-  return {.source = source, .parts = {part}, .compute = compute, .model = "dispersive shallow water"};
+  return {
+      .source = source, .parts = {part}, .compute = compute, .model = "dispersive shallow water", .misses = misses()};
 }
 
 }  // namespace

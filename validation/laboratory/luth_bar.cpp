@@ -32,18 +32,41 @@ double period_of(const Values& values) {
 }
 
 Submitted compute(const Run& run, double coarsening) {
-  const bool long_wave = is_long(run);
   const double spacing = coarsening * run.real("spacing");
   const Flume flume{.bed_x = {-90, 6, 12, 14, 17, 60},
                     .bed_z = {-0.4, -0.4, -0.1, -0.1, -0.4, -0.4},
                     .spacing = spacing,
                     .tau = spacing / 3,
-                    .gamma = improved};
-  dispersive::Flow flow = regular_waves(
-      flume, {.depth = 0.4, .amplitude = long_wave ? 0.0108 : 0.0206, .period = period_of(run), .from = -80, .to = 0});
-  const double steady = long_wave ? 28 : 45;  // when the slowest harmonics have come to the last gauge
+                    .gamma = gamma_of(run.text("dispersion"))};
+  dispersive::Flow flow =
+      regular_waves(flume, {.depth = 0.4, .amplitude = 0.0108, .period = period_of(run), .from = -80, .to = 0});
+  const double steady = 28;  // when the slowest harmonics have come to the last gauge
   flow.advance_to(steady - 2, flume.tau);
   return {{"gauges", gauge_records(flow, flume, gauges, gauges, 0.02, steady + 7, steady)}};
+}
+
+/// At the standard parameters; a band is a half more than what twice the spacing changes, or an eighth.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string why =
+      "as in the same test at twice the scale: too little of the energy goes to harmonics of k h above 3 over the bar, "
+      "the first stays 15 to 25 % too high, and nothing dissipates";
+  return {
+      {"gauges-height-12_5", {.value = 0.0364, .width = 0.00052, .reason = why}},
+      {"gauges-misfit-12_5", {.value = 0.00238, .width = 0.00029, .reason = why}},
+      {"gauges-misfit-13_5", {.value = 0.00304, .width = 0.00037, .reason = why}},
+      {"gauges-height-14_5", {.value = 0.0373, .width = 0.00063, .reason = why}},
+      {"gauges-misfit-14_5", {.value = 0.0052, .width = 0.00066, .reason = why}},
+      {"gauges-misfit-15_7", {.value = 0.00302, .width = 0.00077, .reason = why}},
+      {"gauges-harmonic-1-15_7", {.value = 0.00722, .width = 0.00018, .reason = why}},
+      {"gauges-height-17_3", {.value = 0.032, .width = 0.00075, .reason = why}},
+      {"gauges-misfit-17_3", {.value = 0.00589, .width = 0.00077, .reason = why}},
+      {"gauges-harmonic-1-17_3", {.value = 0.00665, .width = 0.00021, .reason = why}},
+      {"gauges-height-19", {.value = 0.0294, .width = 0.001, .reason = why}},
+      {"gauges-misfit-19", {.value = 0.00575, .width = 0.00098, .reason = why}},
+      {"gauges-harmonic-1-19", {.value = 0.00726, .width = 0.00016, .reason = why}},
+      {"gauges-misfit-21", {.value = 0.00696, .width = 0.00083, .reason = why}},
+      {"gauges-harmonic-1-21", {.value = 0.00717, .width = 0.00022, .reason = why}},
+  };
 }
 
 Experiment experiment(const Values& values) {
@@ -65,11 +88,15 @@ Experiment experiment(const Values& values) {
     part.readings.push_back(
         harmonic(x, 1, period, window, 0.0005, "two records of the same wave differ by 0.3 to 0.5 mm"));
   }
-  return {.source = source,
-          .parts = {part},
-          .files = {long_wave ? "luth_1994_bar_a/bed.csv" : "luth_1994_bar_c/bed.csv"},
-          .compute = compute,
-          .model = "dispersive shallow water, improved dispersion"};
+  Experiment one{.source = source,
+                 .parts = {part},
+                 .files = {long_wave ? "luth_1994_bar_a/bed.csv" : "luth_1994_bar_c/bed.csv"},
+                 .model = "dispersive shallow water, improved dispersion"};
+  if (long_wave) {
+    one.compute = compute;
+    one.misses = misses();
+  }
+  return one;
 }
 
 }  // namespace
@@ -79,7 +106,7 @@ Case luth_bar() {
   c.title = "Regular waves over a submerged bar: the flume of Luth, Klopman and Kitou";
   c.source = source;
   c.parameters = {choice("wave", std::string("A"), {"A", "C"}, "the waves: 2.02 or 1.01 s"),
-                  real("spacing", 0.04, "m", {0.01, 0.1}, "of the markers")};
+                  real("spacing", 0.02, "m", {0.01, 0.1}, "of the markers"), dispersion_parameter()};
   set_laboratory<experiment>(c);
   return c;
 }

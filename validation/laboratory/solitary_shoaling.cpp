@@ -38,6 +38,21 @@ Submitted compute(const Run& run, double coarsening) {
   return {{"gauges", gauge_records(flow, flume, gauges, places, 0.05, 45.5 - start, -start)}};
 }
 
+/// At the standard parameters; a band is a half more than what twice the spacing changes, or an eighth.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string why =
+      "the model's wave climbs the slope 0.1 to 0.25 sooner in T than the measured one, as published dispersive "
+      "long-wave models do; without bottom friction, and the clock of the first gauge is known to 0.1";
+  return {
+      {"gauges-misfit-20_96", {.value = 0.027, .width = 0.0032, .reason = why}},
+      {"gauges-when-22_55", {.value = 40.334, .width = 0.034, .reason = why}},
+      {"gauges-misfit-22_55", {.value = 0.0316, .width = 0.0038, .reason = why}},
+      {"gauges-misfit-23_68", {.value = 0.0338, .width = 0.0041, .reason = why}},
+      {"gauges-misfit-24_68", {.value = 0.0508, .width = 0.0061, .reason = why}},
+      {"gauges-misfit-25_91", {.value = 0.0736, .width = 0.0088, .reason = why}},
+  };
+}
+
 Experiment experiment(const Values& /*values*/) {
   Series part{.name = "gauges",
               .table = "grilli_1994_solitary_shoaling",
@@ -60,7 +75,8 @@ Experiment experiment(const Values& /*values*/) {
           .parts = {part},
           .files = {"grilli_1994_solitary_shoaling/bed.csv"},
           .compute = compute,
-          .model = "dispersive shallow water"};
+          .model = "dispersive shallow water",
+          .misses = misses()};
 }
 
 }  // namespace
