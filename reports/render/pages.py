@@ -8,6 +8,7 @@ import jinja2
 from markupsafe import Markup
 
 from render import quantities
+from render.experiments import scatter_figure
 from render.records import KINDS, VERDICTS
 from render.store import digest
 
@@ -26,7 +27,8 @@ def environment(typesetter):
                          duration=quantities.duration, block=typesetter.block, inline=typesetter.inline,
                          words=lambda text: text.replace("_", " "), slug=slug, plural=plural, capital=capital)
     pages.globals.update(SIGNS=SIGNS, KINDS=KINDS, KIND_NAMES=KIND_NAMES, with_uncertainty=quantities.with_uncertainty,
-                         gauge=gauge, tally=tally, limit_html=limit_html, readable=readable, short_commit=short_commit)
+                         gauge=gauge, tally=tally, limit_html=limit_html, readable=readable, short_commit=short_commit,
+                         scatter_figure=scatter_figure)
     return pages
 
 

@@ -3,7 +3,7 @@ import importlib.util
 import pathlib
 import shutil
 
-from render import atlas, badge, defects, files, gallery, league, pages, records, sharpness
+from render import atlas, badge, defects, experiments, files, gallery, league, pages, records, sharpness
 from render.formulas import Formulas
 from render.records import Broken
 from render.store import MARKER, Store, user_cache
@@ -50,7 +50,7 @@ def build(evidence, stage, out, options):
     whole = {"summary": summary, "kinds": pages.grouped(cases), "sources": sources, "counts": counts,
              "counts_in_words": atlas.in_words(counts), "has_junit": files.is_regular(evidence / "junit.xml"),
              "sharpness": sharpness.survey([record for case in cases for record in case.records if record.own]),
-             "defects": defects.survey(defects.read(), loaded),
+             "defects": defects.survey(defects.read(), loaded), "experiments": experiments.survey(loaded),
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
     write("index.html.j2", "index.html", "", **whole)
     write("atlas.html.j2", "atlas.html", "", **whole)
@@ -58,6 +58,7 @@ def build(evidence, stage, out, options):
         write("league.html.j2", "league.html", "", league=others, **whole)
     write("sharpness.html.j2", "sharpness.html", "", **whole)
     write("defects.html.j2", "defects.html", "", **whole)
+    write("experiments.html.j2", "experiments.html", "", **whole)
     write("reading.html.j2", "reading.html", "", **whole)
     if options.pdf:
         write("print.html.j2", "print.html", "", views=views, **whole)

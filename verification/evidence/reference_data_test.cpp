@@ -14,7 +14,7 @@ using validation::ReferenceSource;
 
 namespace {
 
-const std::set<std::string> known_units = {"1", "m", "cm", "s", "1/s", "m/s", "m^2", "m^2/s", "deg", "rad"};
+const std::set<std::string> known_units = {"1", "m", "cm", "s", "1/s", "m/s", "m^2", "m^2/s", "deg", "rad", "Pa"};
 
 /// What is wrong with a folder of reference_data; empty if nothing.
 class Faults {

@@ -7,6 +7,7 @@ import copy
 import html.parser
 import io
 import json
+import math
 import os
 import pathlib
 import re
@@ -22,7 +23,7 @@ sys.path.insert(0, str(REPORTS))
 import h5py  # noqa: E402
 import numpy  # noqa: E402
 
-from render import atlas, defects, pages, quantities, records  # noqa: E402
+from render import atlas, defects, experiments, pages, quantities, records  # noqa: E402
 from render.command import main  # noqa: E402
 from render.formulas import Formulas  # noqa: E402
 from render.store import Store  # noqa: E402
@@ -275,6 +276,29 @@ class Report(unittest.TestCase):
         self.assertIn("sharp-claim-wide", marginal)     # its uncertainty uses up the limit
         for neither in ("exact", "middle", "fails", "seen"):
             self.assertNotIn(f"sharp-claim-{neither}", page)
+
+    def test_bias_and_scatter_of_models_over_experiments(self):
+        pairs = [experiments.Pair(None, "c", measured, 0.1 * measured, ratio * measured)
+                 for measured, ratio in ((1.0, 1.1), (2.0, 1.3), (3.0, 1.7))]
+        line = experiments.line_of("mine", "#000", pairs, 0)
+        logs = [math.log(ratio) for ratio in (1.1, 1.3, 1.7)]
+        mean = sum(logs) / 3
+        own = sum((one - mean) ** 2 for one in logs) / 2 - 0.01
+        self.assertAlmostEqual(line.experimental, 0.1)
+        self.assertAlmostEqual(line.scatter, math.sqrt(own))
+        self.assertAlmostEqual(line.bias, math.exp(mean + (own - 0.01) / 2))
+        alike = [experiments.Pair(None, "c", 1.0, 0.1, 1.01) for _ in range(3)]
+        self.assertIsNone(experiments.line_of("mine", "#000", alike, 0).scatter)
+        rows = [["arrival", "a", 31.0, 0.1, 31.1, 0.0, 30.0], ["misfit", "m", 0.0, 1.0, 0.5, 0.0, 0.0],
+                ["arrival", "b", 29.0, 0.1, 31.1, 0.0, 30.0], ["arrival", "c", 32.0, 0.1, None, 0.0, 30.0]]
+        table = {"id": experiments.TABLE, "title": "Our model", "caption": "", "columns": [], "rows": rows, "atlas": []}
+        ours = records.Record("lab.json", record("lab", tables=[table]))
+        theirs = records.Record("lab.theirs.json", record("lab", solver="theirs", tables=[table]))
+        (kind, lines), = experiments.survey([ours, theirs])
+        self.assertEqual((kind, [line.solver for line in lines]), ("arrival", ["Our model", "theirs"]))
+        self.assertEqual([(len(line.pairs), line.left_out, line.bias) for line in lines], [(1, 2, None)] * 2)
+        self.assertAlmostEqual(lines[0].pairs[0].computed, 1.1)
+        self.assertEqual(experiments.scatter_figure(lines).count("<circle"), 2)
 
     def test_planted_defects_are_listed_with_the_claims_that_found_them(self):
         rows = [{"defect": "linear/a", "of": "solver", "what": "a sign", "file": "a.cpp", "check": "a_test.cpp",

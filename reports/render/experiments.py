@@ -1,0 +1,133 @@
+"""Models against experiments over all laboratory cases: bias and relative scatter of every quantity, solver by solver.
+
+After K. McGrattan, B. Toman, Quantifying the predictive uncertainty of complex numerical models, Metrologia 48 (2011)
+173-180, as fire models are judged: with pairs of measured E and computed M, and the mean square s_E^2 of the relative
+uncertainties of E,
+
+    s^2 = variance of ln(M/E),    s_M^2 = s^2 - s_E^2,    bias = exp(mean of ln(M/E) + (s_M^2 - s_E^2)/2).
+
+Where s is below s_E the experiments cannot tell the model's own scatter.
+"""
+import collections
+import dataclasses
+import math
+
+from markupsafe import Markup
+
+from render.looks import COLOURS
+
+TABLE = "laboratory-readings"
+LEAST = 3       # pairs of which a bias and a scatter are given
+SIZE, LEFT, BOTTOM = 250.0, 46.0, 34.0
+
+
+@dataclasses.dataclass
+class Pair:
+    """A reading of an experiment and what a solver has for it."""
+    record: object
+    claim: str
+    measured: float
+    uncertainty: float
+    computed: float
+
+
+@dataclasses.dataclass
+class Line:
+    """One solver's pairs of one quantity, and what follows from them."""
+    solver: str
+    colour: str
+    pairs: list
+    left_out: int                   # of another sign, or without a number
+    bias: float | None = None
+    scatter: float | None = None    # None: below that of the experiments, or too few pairs
+    experimental: float | None = None
+
+    @property
+    def cases(self):
+        return sorted({pair.record.case for pair in self.pairs})
+
+
+def survey(records):
+    """[(quantity, [Line])] of all records that hold readings; the misfit has no measured value and is left out."""
+    pairs, left_out = collections.defaultdict(list), collections.Counter()
+    for record in records:
+        for table in record.tables:
+            if table["id"] != TABLE:
+                continue
+            solver = table["title"] if record.own else record.solver
+            for kind, claim, measured, uncertainty, computed, _, origin in table["rows"]:
+                if kind == "misfit":
+                    continue
+                pair = _pair(record, claim, measured, uncertainty, computed, origin)
+                if pair is None:
+                    left_out[kind, solver] += 1
+                else:
+                    pairs[kind, solver].append(pair)
+    solvers = list(dict.fromkeys(solver for _, solver in list(pairs) + list(left_out)))
+    lines = collections.defaultdict(list)
+    for kind, solver in dict.fromkeys(list(pairs) + list(left_out)):
+        colour = COLOURS[solvers.index(solver) % len(COLOURS)]
+        lines[kind].append(line_of(solver, colour, pairs[kind, solver], left_out[kind, solver]))
+    return sorted(lines.items())
+
+
+def _pair(record, claim, measured, uncertainty, computed, origin):
+    """Counted from the origin; None where there is no ratio of the two."""
+    if None in (measured, uncertainty, computed, origin):
+        return None
+    measured, computed = measured - origin, computed - origin
+    return Pair(record, claim, abs(measured), uncertainty, abs(computed)) if measured * computed > 0 else None
+
+
+def line_of(solver, colour, pairs, left_out):
+    """Bias and scatter; see above."""
+    line = Line(solver, colour, pairs, left_out)
+    if len(pairs) < LEAST:
+        return line
+    logs = [math.log(pair.computed / pair.measured) for pair in pairs]
+    mean = math.fsum(logs) / len(logs)
+    variance = math.fsum((one - mean) ** 2 for one in logs) / (len(logs) - 1)
+    experimental = math.fsum((pair.uncertainty / pair.measured) ** 2 for pair in pairs) / len(pairs)
+    own = max(variance - experimental, 0.0)
+    line.experimental = math.sqrt(experimental)
+    line.scatter = math.sqrt(own) if own > 0 else None
+    line.bias = math.exp(mean + (own - experimental) / 2)
+    return line
+
+
+def scatter_figure(lines):
+    """Computed against measured, both on logarithmic axes; the line is agreement, the band twice the experiments'."""
+    pairs = [pair for line in lines for pair in line.pairs]
+    if not pairs:
+        return Markup("")
+    values = [value for pair in pairs for value in (pair.measured, pair.computed)]
+    low, high = math.log10(min(values)) - 0.1, math.log10(max(values)) + 0.1
+
+    def place(value):
+        return SIZE * (math.log10(value) - low) / (high - low)
+
+    def point(pair):
+        return f"{LEFT + place(pair.measured):.1f}", f"{SIZE - place(pair.computed):.1f}"
+
+    relative = math.sqrt(math.fsum((pair.uncertainty / pair.measured) ** 2 for pair in pairs) / len(pairs))
+    offset = SIZE * math.log10(1 + 2 * relative) / (high - low)
+    parts = [f'<path d="M{LEFT} 0V{SIZE}H{LEFT + SIZE}" fill="none" stroke="currentColor" stroke-width=".6"/>',
+             f'<path d="M{LEFT} {SIZE}L{LEFT + SIZE} 0" stroke="currentColor" stroke-width=".8"/>']
+    for shift in (offset, -offset):
+        parts.append(f'<path d="M{LEFT + max(shift, 0):.1f} {SIZE + min(shift, 0):.1f}L{LEFT + SIZE + min(shift, 0):.1f} '
+                     f'{max(shift, 0):.1f}" stroke="currentColor" stroke-width=".5" stroke-dasharray="3 3"/>')
+    for power in range(math.ceil(low), math.floor(high) + 1):
+        at = place(10.0 ** power)
+        text = f"{10.0 ** power:g}"
+        parts.append(f'<text x="{LEFT + at:.1f}" y="{SIZE + 14}" text-anchor="middle" font-size="11">{text}</text>')
+        parts.append(f'<text x="{LEFT - 4}" y="{SIZE - at + 4:.1f}" text-anchor="end" font-size="11">{text}</text>')
+    parts.append(f'<text x="{LEFT + SIZE / 2}" y="{SIZE + 30}" text-anchor="middle" font-size="12">measured</text>')
+    parts.append(f'<text x="12" y="{SIZE / 2}" text-anchor="middle" font-size="12" '
+                 f'transform="rotate(-90 12 {SIZE / 2})">computed</text>')
+    for line in lines:
+        for pair in line.pairs:
+            x, y = point(pair)
+            parts.append(f'<circle cx="{x}" cy="{y}" r="2.6" fill="{line.colour}" fill-opacity=".75"/>')
+    box = f"0 -6 {LEFT + SIZE + 8:g} {SIZE + BOTTOM + 6:g}"
+    return Markup(f'<svg class="scatter" viewBox="{box}" width="340" role="img" aria-label="computed against measured" '
+                  f'fill="currentColor">{"".join(parts)}</svg>')

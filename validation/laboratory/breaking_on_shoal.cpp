@@ -1,0 +1,39 @@
+/*
+Regular waves break on an elliptic shoal (Vincent and Briggs).
+
+**What is compared.** Wave height over the incident one along a section behind the shoal: on its axis, beside it, and
+the root mean square difference. The case scores others.
+
+**What to look at.** Where waves break on the shoal, the currents they drive spread what would be focused: on the axis
+the waves are lower than beside it. Models without that current have it the other way round.
+*/
+#include "validation/laboratory/laboratory_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using namespace laboratory;
+
+const std::string source = "C. L. Vincent, M. J. Briggs, J. Waterway Port Coastal Ocean Eng. 115 (1989) 269-284";
+
+Experiment experiment(const Values& /*values*/) {
+  return {.source = source,
+          .parts = {{.name = "section",
+                     .table = "vincent_briggs_1989_elliptic_shoal",
+                     .kind = WantedTable::Kind::profile,
+                     .abscissa = {"y", "m", "distance from the shoal's axis, 6.1 m behind its centre"},
+                     .quantity = {"H", "1", "wave height over the incident one"},
+                     .readings = {mean(0, {-1.6, 1.6}), mean(0, {-3.1, -2.2}), mean(0, {2.2, 3.1}), misfit(0, {})}}}};
+}
+
+}  // namespace
+
+Case breaking_on_shoal() {
+  Case c;
+  c.title = "Regular waves break on an elliptic shoal";
+  c.source = source;
+  set_laboratory<experiment>(c);
+  return c;
+}
+
+}  // namespace seiche::validation::cases

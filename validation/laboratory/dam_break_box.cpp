@@ -1,0 +1,61 @@
+/*
+Water of a broken dam meets a box in an open tank (Kleefsman and others; SPHERIC test 2).
+
+**What is compared.** Height of the water at four places: when it comes, its mean over the time to the return wave.
+Pressure on the face of the box: when it comes, and its impulse to one second. The case scores others.
+
+**What to look at.** The distributed file exchanges two of the heights against the drawing: here places are told by
+when they get wet. No peak of pressure is asked for. Broken water is full of air, and a wire probe reads what is
+wetted.
+*/
+#include "validation/laboratory/laboratory_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using namespace laboratory;
+
+const std::string source =
+    "K. M. T. Kleefsman, G. Fekken, A. E. P. Veldman, B. Iwanowski, B. Buchner, J. Comput. Phys. 206 (2005) 363-393";
+
+Experiment experiment(const Values& /*values*/) {
+  const Column time{"t", "s", "time since the door opens"};
+  Series heights{
+      .name = "heights",
+      .table = "kleefsman_2005_dam_break_box",
+      .group = Column{"x", "m", "distance from the wall behind the box"},
+      .abscissa = time,
+      .quantity = {"h", "m", "height of the water"},
+      .telling = 0.2,
+      .readings = {arrival(1.488, 0.04, {0.05, 1}), arrival(0.992, 0.04, {0.05, 1}), arrival(0.496, 0.04, {0.05, 2})}};
+  for (const double x : {0.496, 0.992, 1.488, 2.638}) heights.readings.push_back(mean(x, {0.5, 1.8}));
+  for (const double x : {0.992, 2.638}) heights.readings.push_back(misfit(x, {0, 2}));
+  Series pressure{.name = "pressure",
+                  .table = "kleefsman_2005_dam_break_box_pressure",
+                  .group = Column{"probe", "1", "number, 1 to 4 upwards on the face"},
+                  .abscissa = time,
+                  .quantity = {"p", "Pa", "pressure on the box"},
+                  .input = 0.1,
+                  .input_reason = "calibration of the probes in aerated water, estimated",
+                  .telling = 0.2,
+                  .readings = {},
+                  .alike = 3,
+                  .alike_reason = "probes 0.04 m apart get the same impact, to a tenth"};
+  for (const double probe : {1, 2, 3, 4}) {
+    pressure.readings.push_back(arrival(probe, 1000, {0.1, 1}));
+    pressure.readings.push_back(impulse(probe, {0.39, 1.0}));
+  }
+  return {.source = source, .parts = {heights, pressure}, .files = {"kleefsman_2005_dam_break_box/box.stl"}};
+}
+
+}  // namespace
+
+Case dam_break_box() {
+  Case c;
+  c.title = "A broken dam against a box";
+  c.source = source;
+  set_laboratory<experiment>(c);
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,49 @@
+/*
+A wave of 20 s runs up a shelf of 1:200 and splits into solitons (Matsuyama and others), in a flume of 205 m.
+
+**What is compared.** Surface elevation at six gauges: highest value of the first waves, when, and the root mean
+square difference. The clock is that of the wavemaker, of which the carrier gives the law. The case scores others.
+
+**What to look at.** The first soliton breaks near x = -31 m. Walls and bottom damp the solitons by some per cent over
+160 m: models without friction run high.
+*/
+#include "validation/laboratory/laboratory_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using namespace laboratory;
+
+const std::string source = "M. Matsuyama, M. Ikeno, T. Sakakiyama, T. Takeda, Pure Appl. Geophys. 164 (2007) 617-631";
+
+Experiment experiment(const Values& /*values*/) {
+  Series part{.name = "gauges",
+              .table = "matsuyama_2007_fission",
+              .group = Column{"x", "m", "distance from the still-water shoreline, negative offshore"},
+              .abscissa = {"t", "s", "time since the wavemaker starts"},
+              .quantity = {"eta", "m", "surface elevation"},
+              .input = 0.02,
+              .input_reason = "motion of the paddle, estimated",
+              .telling = 1.5,
+              .readings = {}};
+  const std::vector<std::pair<double, Window>> first{{-80, {15, 30}},   {-50, {25, 45}}, {-40, {35, 50}},
+                                                     {-30.8, {40, 55}}, {-20, {50, 62}}, {-5, {62, 75}}};
+  for (const auto& [x, window] : first) {
+    part.readings.push_back(highest(x, window));
+    part.readings.push_back(when_highest(x, window));
+    part.readings.push_back(misfit(x, window));
+  }
+  return {.source = source, .parts = {part}, .files = {"matsuyama_2007_fission/bed.csv"}};
+}
+
+}  // namespace
+
+Case fission_on_shelf() {
+  Case c;
+  c.title = "A long wave splits into solitons on a shelf";
+  c.source = source;
+  set_laboratory<experiment>(c);
+  return c;
+}
+
+}  // namespace seiche::validation::cases

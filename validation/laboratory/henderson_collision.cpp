@@ -1,0 +1,108 @@
+/*
+Two solitary waves, 0.22 and 0.24 depths high, meet head on in 0.05 m of water (Hammack, Henderson and others).
+
+**What is compared.** Surface profiles before, during and after the collision: their root mean square difference, the
+highest elevation, and the places of both crests before and after. The case scores others, and the one-dimensional
+dispersive model is judged by the same claims. It starts at t = 18.5 s from two solitary waves of Serre's equations,
+as high as measured there.
+
+**What to look at.** The highest elevation, 0.026 m, is 6 % above third-order theory (Su and Mirie 1980), and every
+computation stays below it; a meniscus at the crest is suggested. These frames are therefore taken to be known to 1.5
+mm.
+*/
+#include "validation/laboratory/dispersive_flume.hpp"
+#include "validation/laboratory/laboratory_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using namespace laboratory;
+
+const std::string source =
+    "J. Hammack, D. Henderson, P. Guyenne, M. Yi, Solitary-wave collisions, Proc. OMAE (2004); W. Craig et al., Phys. "
+    "Fluids 18 (2006) 057106";
+const std::vector<double> frames{18.5, 18.6, 18.7, 18.8, 18.92, 19, 19.05, 19.1, 19.15, 19.19, 19.33, 19.5, 19.85, 20};
+
+Submitted compute(const Run& run, double coarsening) {
+  const double spacing = coarsening * run.real("spacing");
+  const Flume flume{.bed_x = {-1.5, 3.1}, .bed_z = {-0.05, -0.05}, .spacing = spacing, .tau = spacing / 2};
+  dispersive::Flow flow =
+      solitary_waves(flume, {{.depth = 0.05, .amplitude = 0.01077, .crest = 0.400},
+                             {.depth = 0.05, .amplitude = 0.01195, .crest = 1.195, .direction = -1}});
+  std::vector<SubmittedGroup> profiles;
+  for (const double frame : frames) {
+    if (frame > frames.front()) flow.advance_to(frame - frames.front(), flume.tau);
+    profiles.push_back({.value = frame,
+                        .abscissa = {flow.x().begin(), flow.x().end()},
+                        .values = {{"eta", {flow.y().begin(), flow.y().end()}}}});
+  }
+  return {{"profiles", profiles}};
+}
+
+Reading crest(double frame, Window window, const std::string& side) {
+  Reading reading = when_highest(frame, window, Kind::place);
+  reading.id = side + "-crest";
+  return reading;
+}
+
+/// At the standard parameters; a band is a half more than what twice the spacing changes, or an eighth.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string start =
+      "the waves start with the heights and places that the literature uses, up to 7 mm and 2 % from the frame at 18.5 "
+      "s, and viscosity, some per cent per metre in 0.05 m of water, does not lower them";
+  const std::string top = "at the collision the measured crest is 6 % above third-order theory, which nobody explains";
+  return {
+      {"profiles-misfit-18_5", {.value = 0.000625, .width = 7.5e-05, .reason = start}},
+      {"profiles-left-crest-18_8", {.value = 0.636, .width = 0.0061, .reason = start}},
+      {"profiles-misfit-18_92", {.value = 0.000641, .width = 7.7e-05, .reason = top}},
+      {"profiles-misfit-19", {.value = 0.000945, .width = 0.00011, .reason = top}},
+      {"profiles-misfit-19_05", {.value = 0.000862, .width = 0.0001, .reason = top}},
+      {"profiles-highest-19_15", {.value = 0.0163, .width = 0.00013, .reason = start}},
+      {"profiles-misfit-19_5", {.value = 0.000622, .width = 7.5e-05, .reason = start}},
+  };
+}
+
+Experiment experiment(const Values& /*values*/) {
+  Series part{.name = "profiles",
+              .table = "henderson_head_on_collision",
+              .kind = WantedTable::Kind::profile,
+              .group = Column{"t", "s", "time of the experiment"},
+              .abscissa = {"x", "m", "distance along the window"},
+              .quantity = {"eta", "m", "surface elevation"},
+              .input = 0.02,
+              .input_reason = "area of the profiles, which should not change: 2.2 %",
+              .telling = 0.05,
+              .readings = {},
+              .alike = 1,
+              .alike_reason = "at 19.00 and 19.05 s the water stands at its highest"};
+  const Window window{0.1, 1.5};
+  for (const double frame : frames) {
+    part.readings.push_back(misfit(frame, window));
+    if (frame < 18.9 || frame == 19.33 || frame == 19.5) {
+      part.readings.push_back(crest(frame, {0.1, 0.79}, "left"));
+      part.readings.push_back(crest(frame, {0.79, 1.5}, "right"));
+    }
+    if (frame < 18.95 || (frame > 19.08 && frame < 19.6)) part.readings.push_back(highest(frame, window));
+    if (frame == 19 || frame == 19.05) {
+      Reading top = highest(frame, window);
+      top.spread = [](const Measured&) { return 0.0015; };
+      top.note = "1.5 mm, the excess over third-order theory that nobody explains";
+      part.readings.push_back(top);
+    }
+  }
+  return {
+      .source = source, .parts = {part}, .compute = compute, .model = "dispersive shallow water", .misses = misses()};
+}
+
+}  // namespace
+
+Case henderson_collision() {
+  Case c;
+  c.title = "Head-on collision of two solitary waves: profiles of the laboratory";
+  c.source = source;
+  c.parameters = {real("spacing", 0.005, "m", {0.001, 0.02}, "of the markers")};
+  set_laboratory<experiment>(c);
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,56 @@
+/// A laboratory experiment as a case: see experiment.hpp.
+///
+///     Experiment experiment(const Values&) { return {.source = source, .parts = {...}}; }
+///
+///     Case submerged_bar() {
+///       Case c;
+///       c.title = "...";
+///       set_laboratory<experiment>(c);
+///       return c;
+///     }
+#pragma once
+
+#include "validation/laboratory/verdicts.hpp"
+
+namespace seiche::validation::laboratory {
+
+/// Wrong results that each group of a part is tried with: a wrong one must miss at least one reading.
+struct Trial {
+  std::string part;
+  long groups = 0;       ///< with readings
+  long alike = 0;        ///< neighbouring pairs that pass for each other
+  long upside_down = 0;  ///< groups that pass with the sign turned
+  long half = 0;         ///< groups that pass with half of the values
+  double dullest = 0;    ///< largest expanded uncertainty of a reading over what still decides
+  std::string where;     ///< of that
+};
+
+struct Computed {
+  std::vector<Trial> trials;
+  Submitted fine, coarse;  ///< of our own model, on the measured clock; empty without one
+  std::map<std::string, double> shifts;
+};
+
+void claim_experiment(const Experiment& experiment, const Values& values, const Claims<Computed>& claims);
+Computed compute_experiment(const Experiment& experiment, const Run& run);
+void show_experiment(const Experiment& experiment, const Computed& computed, const Values& values,
+                     evidence::Exhibit& exhibit);
+
+/// Study and submission of a case.
+template <Experiment (*describe)(const Values&)>
+void set_laboratory(Case& c) {
+  void (*declare)(const Values&, const Claims<Computed>&) = [](const Values& values, const Claims<Computed>& claims) {
+    claim_experiment(describe(values), values, claims);
+  };
+  Computed (*compute)(const Run&) = [](const Run& run) { return compute_experiment(describe(run), run); };
+  void (*show)(const Computed&, const Values&, evidence::Exhibit&) = [](const Computed& computed, const Values& values,
+                                                                        evidence::Exhibit& exhibit) {
+    show_experiment(describe(values), computed, values, exhibit);
+  };
+  c.study = Study(declare, compute, show);
+  c.submission = {.tables = [](const Values& values) { return wanted(describe(values), values); },
+                  .judge = [](const Values& values, const Submitted& submitted, const SolverFacts& facts,
+                              evidence::Record& record) { judge(describe(values), values, submitted, facts, record); }};
+}
+
+}  // namespace seiche::validation::laboratory

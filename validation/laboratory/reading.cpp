@@ -1,0 +1,274 @@
+#include "validation/laboratory/reading.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "seiche/samples.hpp"
+
+namespace seiche::validation::laboratory {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Cut {
+  std::vector<double> x, y;
+  [[nodiscard]] Curve curve() const { return {x, y}; }
+};
+
+Cut within(Curve curve, Window window) {
+  Cut cut;
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (curve.x[i] < window.from || curve.x[i] > window.to) continue;
+    cut.x.push_back(curve.x[i]);
+    cut.y.push_back(curve.y[i]);
+  }
+  return cut;
+}
+
+double largest_of(Curve curve) {
+  Largest largest;
+  for (const double y : curve.y) largest.add(y);
+  return largest.value();
+}
+
+double smallest_of(Curve curve) {
+  Largest largest;
+  for (const double y : curve.y) largest.add(-y);
+  return -largest.value();
+}
+
+double place_of_largest(Curve curve) {
+  const auto top = std::max_element(curve.y.begin(), curve.y.end());
+  return curve.x[static_cast<std::size_t>(top - curve.y.begin())];
+}
+
+double integral(Curve curve) {
+  double sum = 0;
+  for (std::size_t i = 1; i < curve.x.size(); ++i) {
+    sum += 0.5 * (curve.x[i] - curve.x[i - 1]) * (curve.y[i] + curve.y[i - 1]);
+  }
+  return sum;
+}
+
+/// Slope of a curve at its points, one-sided at the ends.
+double slope_at(Curve curve, std::size_t i) {
+  const std::size_t a = i == 0 ? 0 : i - 1;
+  const std::size_t b = std::min(i + 1, curve.x.size() - 1);
+  return b > a ? (curve.y[b] - curve.y[a]) / (curve.x[b] - curve.x[a]) : 0;
+}
+
+double misfit_of(Curve computed, const Measured& measured, Window window, double lag) {
+  Mean square;
+  for (std::size_t i = 0; i < measured.x.size(); ++i) {
+    if (measured.x[i] < window.from || measured.x[i] > window.to) continue;
+    const double difference = linear_at(computed, measured.x[i] + lag) - measured.y[i];
+    square.add(difference * difference);
+  }
+  return std::sqrt(square.value());
+}
+
+double uncertainty_of_misfit(const Measured& measured, Window window) {
+  Mean square;
+  for (std::size_t i = 0; i < measured.x.size(); ++i) {
+    if (measured.x[i] < window.from || measured.x[i] > window.to) continue;
+    const double along = slope_at(measured.curve(), i) * measured.u_x;
+    square.add(measured.u[i] * measured.u[i] + along * along);
+  }
+  return std::sqrt(square.value());
+}
+
+/// Half of what lies within u of the top: where the top is, is not known better.
+double blunt(const Measured& measured, Window window) {
+  const Cut cut = within(measured.curve(), window);
+  const double top = largest_of(cut.curve());
+  double from = nan;
+  double to = nan;
+  for (std::size_t i = 0; i < measured.x.size(); ++i) {
+    const double x = measured.x[i];
+    if (x < window.from || x > window.to || measured.y[i] < top - measured.u[i]) continue;
+    if (std::isnan(from)) from = x;
+    to = x;
+  }
+  return std::hypot(measured.u_x, 0.5 * (to - from) / std::sqrt(3.0));
+}
+
+/// Amplitude of one harmonic by least squares: normal equations of the mean and four harmonics.
+double amplitude(Curve curve, int order, double period) {
+  constexpr std::size_t unknowns = 9;
+  std::array<std::array<double, unknowns + 1>, unknowns> a{};
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    std::array<double, unknowns> row{1};
+    for (std::size_t m = 1; m <= 4; ++m) {
+      const double phase = 2 * std::numbers::pi * static_cast<double>(m) * curve.x[i] / period;
+      row.at(2 * m - 1) = std::cos(phase);
+      row.at(2 * m) = std::sin(phase);
+    }
+    for (std::size_t r = 0; r < unknowns; ++r) {
+      for (std::size_t c = 0; c < unknowns; ++c) a.at(r).at(c) += row.at(r) * row.at(c);
+      a.at(r).at(unknowns) += row.at(r) * curve.y[i];
+    }
+  }
+  for (std::size_t k = 0; k < unknowns; ++k) {
+    for (std::size_t r = 0; r < unknowns; ++r) {
+      if (r == k) continue;
+      const double factor = a.at(r).at(k) / a.at(k).at(k);
+      for (std::size_t c = k; c <= unknowns; ++c) a.at(r).at(c) -= factor * a.at(k).at(c);
+    }
+  }
+  const auto solved = [&](std::size_t k) { return a.at(k).at(unknowns) / a.at(k).at(k); };
+  const auto m = static_cast<std::size_t>(order);
+  return std::hypot(solved(2 * m - 1), solved(2 * m));
+}
+
+}  // namespace
+
+const char* name(Kind kind) {
+  constexpr std::array<const char*, 9> names{"arrival", "place",    "height",    "run-up", "pressure",
+                                             "period",  "velocity", "statistic", "misfit"};
+  return names.at(static_cast<std::size_t>(kind));
+}
+
+double Reading::of(Curve curve, const Measured& measured) const {
+  if (misfit()) return misfit_of(curve, measured, window, 0);
+  const Cut cut = within(curve, window);
+  return cut.x.empty() ? nan : read(cut.curve());
+}
+
+double Reading::expected(const Measured& measured) const {
+  return misfit() ? 0 : of(measured.curve(), measured);
+}
+
+double Reading::uncertainty(const Measured& measured) const {
+  if (misfit()) return uncertainty_of_misfit(measured, window);
+  if (spread) return spread(measured);
+  Measured up = measured;
+  Measured down = measured;
+  for (std::size_t i = 0; i < measured.y.size(); ++i) {
+    up.y[i] += measured.u[i];
+    down.y[i] -= measured.u[i];
+  }
+  const double change = 0.5 * std::abs(of(up.curve(), up) - of(down.curve(), down));
+  return along ? std::hypot(change, measured.u_x) : change;
+}
+
+Reading highest(double group, Window window, Kind kind) {
+  return {
+      .id = "highest", .kind = kind, .words = "highest value", .group = group, .window = window, .read = largest_of};
+}
+
+Reading lowest(double group, Window window, Kind kind) {
+  return {.id = "lowest", .kind = kind, .words = "lowest value", .group = group, .window = window, .read = smallest_of};
+}
+
+Reading height(double group, Window window) {
+  const Reading top = highest(group, window);
+  return {.id = "height",
+          .kind = Kind::height,
+          .words = "height from trough to crest",
+          .group = group,
+          .window = window,
+          .read = [](Curve curve) { return largest_of(curve) - smallest_of(curve); },
+          .spread = [top](const Measured& measured) { return std::sqrt(2.0) * top.uncertainty(measured); }};
+}
+
+Reading when_highest(double group, Window window, Kind kind) {
+  return {.id = "when",
+          .kind = kind,
+          .words = kind == Kind::place ? "where it is highest" : "when it is highest",
+          .group = group,
+          .window = window,
+          .read = place_of_largest,
+          .along = true,
+          .spread = [window](const Measured& measured) { return blunt(measured, window); }};
+}
+
+Reading arrival(double group, double level, Window window) {
+  return {.id = "arrival",
+          .kind = Kind::arrival,
+          .words = fmt::format("first at or above {:g}", level),
+          .group = group,
+          .window = window,
+          .read = [level](Curve curve) { return first_crossing(curve, level); },
+          .along = true};
+}
+
+Reading mean(double group, Window window, Kind kind) {
+  return {.id = fmt::format("mean-{:g}-{:g}", window.from, window.to),
+          .kind = kind,
+          .words = fmt::format("mean from {:g} to {:g}", window.from, window.to),
+          .group = group,
+          .window = window,
+          .read = [](Curve curve) { return integral(curve) / (curve.x.back() - curve.x.front()); }};
+}
+
+Reading impulse(double group, Window window) {
+  return {.id = "impulse",
+          .kind = Kind::pressure,
+          .words = fmt::format("impulse from {:g} to {:g}", window.from, window.to),
+          .group = group,
+          .window = window,
+          .read = integral};
+}
+
+Reading at(double group, double abscissa, Kind kind) {
+  return {.id = fmt::format("at-{:g}", abscissa),
+          .kind = kind,
+          .words = fmt::format("value at {:g}", abscissa),
+          .group = group,
+          .read = [abscissa](Curve curve) { return linear_at(curve, abscissa); },
+          .spread =
+              [abscissa](const Measured& measured) {
+                const double slope =
+                    (linear_at(measured.curve(), std::min(abscissa + measured.u_x, measured.x.back())) -
+                     linear_at(measured.curve(), std::max(abscissa - measured.u_x, measured.x.front()))) /
+                    2;
+                return std::hypot(linear_at({measured.x, measured.u}, abscissa), slope);
+              }};
+}
+
+Reading harmonic(double group, int order, double period, Window window, double uncertainty, std::string note) {
+  return {.id = fmt::format("harmonic-{}", order),
+          .kind = Kind::height,
+          .words = fmt::format("amplitude of harmonic {}", order),
+          .group = group,
+          .window = window,
+          .read = [order, period](Curve curve) { return amplitude(curve, order, period); },
+          .spread = [uncertainty](const Measured&) { return uncertainty; },
+          .note = std::move(note)};
+}
+
+Reading misfit(double group, Window window) {
+  return {.id = "misfit",
+          .kind = Kind::misfit,
+          .words = "root mean square difference from the measured points",
+          .group = group,
+          .window = window};
+}
+
+double lag_of(Curve computed, const Measured& measured, Window window, double range) {
+  constexpr int steps = 200;
+  const double step = range / steps;
+  double best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = -steps; k <= steps; ++k) {
+    const double left = misfit_of(computed, measured, window, k * step);
+    if (left < least) {
+      least = left;
+      best = k * step;
+    }
+  }
+  // A parabola through the squares at the three best lags.
+  const auto square = [&](double lag) { return std::pow(misfit_of(computed, measured, window, lag), 2); };
+  const double before = square(best - step);
+  const double after = square(best + step);
+  const double curvature = before - 2 * least * least + after;
+  if (std::isfinite(curvature) && curvature > 0)
+    best += std::clamp(0.5 * (before - after) / curvature, -1.0, 1.0) * step;
+  return std::isfinite(least) ? best : nan;
+}
+
+}  // namespace seiche::validation::laboratory

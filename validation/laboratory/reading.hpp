@@ -1,0 +1,84 @@
+/// What is read off a gauge's record or a profile, from the measured and from the computed curve by the same rule.
+///
+/// | reading  | what it is | its standard uncertainty, u_i of the points, u_x of the abscissa |
+/// |----------|------------|-------|
+/// | highest, lowest | extreme of the points in the window | what adding u_i changes |
+/// | height   | highest less lowest | sqrt(2) times that |
+/// | when highest | abscissa of the highest point | u_x and half of what lies within u_i of the top, over sqrt(3) |
+/// | arrival  | first abscissa at or above a level, between points on a straight line | u_x, and what u_i changes |
+/// | mean, impulse | trapezoidal mean, and integral, over the window | what adding u_i changes |
+/// | at       | value at an abscissa | u_i there, and the slope times u_x |
+/// | harmonic | amplitude of harmonic n of a given period, least squares with the mean and the harmonics up to 4 |
+/// stated | | misfit   | root mean square of computed less measured at the measured points | that of u_i and of slope
+/// times u_x |
+///
+/// The misfit is expected to be 0, every other reading to be what the measured curve gives. A point of the window that
+/// the computed curve does not cover makes the misfit NaN.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "validation/instruments/agreement.hpp"
+
+namespace seiche::validation::laboratory {
+
+/// What a reading measures: the summary over experiments has a bias and a scatter for each but the misfit.
+enum class Kind { arrival, place, height, run_up, pressure, period, velocity, statistic, misfit };
+const char* name(Kind kind);
+
+struct Window {
+  double from = -std::numeric_limits<double>::infinity();
+  double to = std::numeric_limits<double>::infinity();
+};
+
+/// A measured curve and how well its points are known.
+struct Measured {
+  double group = 0;
+  std::vector<double> x, y;
+  std::vector<double> u;  ///< standard uncertainty of y, point by point
+  double u_x = 0;         ///< of the abscissa
+
+  [[nodiscard]] Curve curve() const { return {x, y}; }
+};
+
+struct Reading {
+  std::string id;
+  Kind kind = Kind::height;
+  std::string words;  ///< "highest elevation"
+  double group = 0;
+  Window window = {};
+  std::function<double(Curve)> read = {};  ///< of the points in the window; empty for the misfit
+  bool along = false;                      ///< read in the unit of the abscissa
+  /// Standard uncertainty of what is read, where it is not what adding the u of the points changes.
+  std::function<double(const Measured&)> spread = {};
+  std::string note = {};  ///< why that is what it is
+
+  [[nodiscard]] bool misfit() const { return !read; }
+  /// What a curve gives; NaN where the window holds no points.
+  [[nodiscard]] double of(Curve curve, const Measured& measured) const;
+  [[nodiscard]] double expected(const Measured& measured) const;
+  [[nodiscard]] double uncertainty(const Measured& measured) const;
+};
+
+Reading highest(double group, Window window, Kind kind = Kind::height);
+Reading lowest(double group, Window window, Kind kind = Kind::height);
+Reading height(double group, Window window);
+Reading when_highest(double group, Window window, Kind kind = Kind::arrival);
+Reading arrival(double group, double level, Window window);
+Reading mean(double group, Window window, Kind kind = Kind::height);
+Reading impulse(double group, Window window);
+Reading at(double group, double abscissa, Kind kind);
+/// @param uncertainty  standard, of the amplitude. @param note  why it is that
+Reading harmonic(double group, int order, double period, Window window, double uncertainty, std::string note);
+Reading misfit(double group, Window window);
+
+/// How much later than the measured curve a computed one is: the lag of at most `range` that leaves the smallest misfit
+/// in the window.
+double lag_of(Curve computed, const Measured& measured, Window window, double range);
+
+}  // namespace seiche::validation::laboratory

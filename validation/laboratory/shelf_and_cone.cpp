@@ -1,0 +1,68 @@
+/*
+A solitary wave, half a depth high, breaks on a triangular shelf on which a conical island stands (Lynett and others;
+NTHMP currents problem 5).
+
+**What is compared.** Surface elevation at nine gauges: highest value and the root mean square difference; velocity
+along the wave's direction at three probes, with the standard deviation of the repeats. One shift of time is fitted at
+gauge 1. The case scores others.
+
+**What to look at.** Velocities across, which the symmetry of the set-up forbids on its axis, are not zero there in
+the experiment, and are not asked for.
+*/
+#include "validation/laboratory/laboratory_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using namespace laboratory;
+
+const std::string source =
+    "P. J. Lynett, D. Swigler, H. El Safty, L. Montoya, A. S. Keen, S. Son, P. Higuera, J. Waterway Port Coastal Ocean "
+    "Eng. 145 (2019) 04019024";
+
+Experiment experiment(const Values& /*values*/) {
+  const Column time{"t", "s", "time of the experiment"};
+  Series gauges{.name = "gauges",
+                .table = "lynett_2010_shelf_cone",
+                .group = Column{"gauge", "1", "number"},
+                .abscissa = time,
+                .quantity = {"eta", "m", "surface elevation"},
+                .telling = 1.5,
+                .origin = 3.62,
+                .clock = Clock{.group = 1, .range = 1.5, .window = {1, 6}},
+                .readings = {},
+                .alike = 1,
+                .alike_reason = "gauges 7 and 8 stand in the same broken wave, 5 m apart along its crest"};
+  for (double gauge = 1; gauge <= 9; ++gauge) {
+    const Window window{1.5, 20};
+    gauges.readings.push_back(highest(gauge, window));
+    gauges.readings.push_back(misfit(gauge, window));
+    if (gauge == 2 || gauge == 3 || gauge == 5) gauges.readings.push_back(when_highest(gauge, window));
+  }
+  Series velocity{.name = "velocity",
+                  .table = "lynett_2010_shelf_cone_velocity",
+                  .group = Column{"probe", "1", "1 to 3 for A, B, C"},
+                  .abscissa = time,
+                  .quantity = {"u", "m/s", "velocity along the wave's direction"},
+                  .spread = "u_rms",
+                  .readings = {}};
+  for (const double probe : {1, 2, 3}) {
+    velocity.readings.push_back(highest(probe, {0, 20}, Kind::velocity));
+    velocity.readings.push_back(misfit(probe, {0, 20}));
+  }
+  return {.source = source,
+          .parts = {gauges, velocity},
+          .files = {"lynett_2010_shelf_cone/bathymetry.asc", "lynett_2010_shelf_cone/gauges.csv"}};
+}
+
+}  // namespace
+
+Case shelf_and_cone() {
+  Case c;
+  c.title = "A solitary wave on a shelf with a conical island";
+  c.source = source;
+  set_laboratory<experiment>(c);
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,79 @@
+/*
+A bore of small height over still water trails waves, Favre's waves. Their first crest is twice as high as the bore or
+higher, until it breaks at a Froude number of about 1.21.
+
+**What is compared.** The height of the first crest over the still depth, against the Froude number, with measurements
+of Favre (0.1 and 0.2 m of water) and Treske (0.16 m) up to a Froude number of 1.2. The case scores others. The
+one-dimensional dispersive model computes bores from a smooth step to 320 depths, as models are compared with these
+data in the literature, and is judged by the same claims.
+
+**What to look at.** The measured crests scatter by 10 to 30 % between depths: friction, capillarity and the distance
+they ran. The theory of modulated waves lets the first crest grow beyond twice the bore, slowly.
+*/
+#include <algorithm>
+#include <cmath>
+
+#include "validation/laboratory/dispersive_flume.hpp"
+#include "validation/laboratory/laboratory_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using namespace laboratory;
+
+const std::string source =
+    "H. Favre, Etude theorique et experimentale des ondes de translation dans les canaux decouverts, Dunod, Paris "
+    "(1935); "
+    "A. Treske, J. Hydraul. Res. 32 (1994) 355-370";
+const std::vector<double> depths{0.1, 0.16, 0.2};
+
+Submitted compute(const Run& run, double coarsening) {
+  constexpr double depth = 0.2;
+  std::vector<double> froude, crest;
+  for (const double jump : {0.02, 0.06, 0.1, 0.15, 0.2, 0.25, 0.28}) {
+    const double spacing = coarsening * run.real("spacing");
+    const Flume flume{
+        .bed_x = {-40, 80}, .bed_z = {-depth, -depth}, .spacing = spacing, .tau = spacing / 3, .gamma = improved};
+    dispersive::Flow flow = smooth_bore(flume, depth, jump, 5 * depth);
+    froude.push_back(std::sqrt((1 + jump) * (1 + jump / 2)));
+    flow.advance_to(63.5 / (froude.back() * std::sqrt(flume.gravity * depth)), flume.tau);
+    crest.push_back(*std::max_element(flow.y().begin(), flow.y().end()) / depth);
+  }
+  std::vector<SubmittedGroup> series;
+  for (const double one : depths)
+    series.push_back({.value = one, .abscissa = froude, .values = {{"a_over_depth", crest}}});
+  return {{"crests", series}};
+}
+
+Experiment experiment(const Values& /*values*/) {
+  Series part{.name = "crests",
+              .table = "favre_treske_undular_bore",
+              .kind = WantedTable::Kind::profile,
+              .group = Column{"depth", "m", "still depth before the bore"},
+              .groups = depths,
+              .abscissa = {"Froude", "1", "speed of the bore over sqrt(g depth)"},
+              .quantity = {"a_over_depth", "1", "first crest over the still depth"},
+              .highest = 1.2,
+              .readings = {},
+              .alike = 2,
+              .alike_reason = "without friction and capillarity all depths have the same bores"};
+  for (const double depth : depths) {
+    part.readings.push_back(misfit(depth, {}));
+    for (const double froude : {1.11, 1.15}) part.readings.push_back(at(depth, froude, Kind::height));
+  }
+  return {
+      .source = source, .parts = {part}, .compute = compute, .model = "dispersive shallow water, improved dispersion"};
+}
+
+}  // namespace
+
+Case undular_bore_crests() {
+  Case c;
+  c.title = "The first crest of an undular bore";
+  c.source = source;
+  c.parameters = {real("spacing", 0.04, "m", {0.01, 0.1}, "of the markers")};
+  set_laboratory<experiment>(c);
+  return c;
+}
+
+}  // namespace seiche::validation::cases

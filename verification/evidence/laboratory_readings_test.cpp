@@ -1,0 +1,237 @@
+// What is read off records of laboratories, how well it is known, and whether a record in the wrong place is told.
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "validation/case/job.hpp"
+#include "validation/case/registry.hpp"
+#include "validation/laboratory/experiment.hpp"
+#include "validation/scoring/score.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::validation;
+using namespace seiche::validation::laboratory;
+using evidence::Bound;
+using verification::Check;
+
+Measured sampled(double from, double to, int count, const std::function<double(double)>& y, double u, double u_x = 0) {
+  Measured curve{.group = 0, .x = {}, .y = {}, .u = {}, .u_x = u_x};
+  for (int k = 0; k <= count; ++k) {
+    curve.x.push_back(from + (to - from) * k / count);
+    curve.y.push_back(y(curve.x.back()));
+    curve.u.push_back(u);
+  }
+  return curve;
+}
+
+void is(Check& check, const std::string& id, const std::string& text, double value, double expected, double limit,
+        const std::string& reason) {
+  check.that({.id = id, .text = text, .quantity = "value", .source = "validation/laboratory/reading.hpp"},
+             {.value = value, .uncertainty = 0, .resolution = "a curve that is known"},
+             Bound{.limit = limit, .reason = reason, .expected = expected});
+}
+
+Values values_of(const std::string& name, const std::string& wave = {}) {
+  Values values = find_case(name).values(Tier::quick);
+  if (!wave.empty()) values.set("wave", wave);
+  return values;
+}
+
+/// A record of a case scored with what its own reference becomes; claims that are not met.
+struct Scored {
+  long missed = 0;
+  std::map<std::string, double> numbers;
+};
+
+Scored scored(const std::string& name, const std::function<void(Submitted&)>& change) {
+  const Case& one = find_case(name);
+  const Values values = one.values(Tier::quick);
+  const std::vector<WantedTable> wanted = one.submission.tables(values);
+  Submitted submitted;
+  SolverFacts facts;
+  for (const WantedTable& table : wanted) {
+    const WantedQuantity& quantity = table.quantities.front();
+    facts.uncertainty[quantity.column.name] = {};
+    if (table.abscissa) facts.uncertainty[table.abscissa->name] = {};
+    for (const double group : table.groups.empty() ? std::vector<double>{0} : table.groups) {
+      SubmittedGroup record{.value = group, .abscissa = table.points(group), .values = {}};
+      for (const double x : record.abscissa) {
+        record.values[quantity.column.name].push_back(quantity.reference({group, x}));
+      }
+      submitted[table.name].push_back(std::move(record));
+    }
+  }
+  change(submitted);
+  evidence::Record record = Job{&one, values}.blank_record();
+  score(wanted, submitted, facts.uncertainty, record);
+  one.submission.judge(values, submitted, facts, record);
+  Scored result{.missed = 0, .numbers = record.measurements()};
+  for (const evidence::JudgedClaim& claim : record.claims()) {
+    if (claim.judgement.verdict != evidence::Verdict::pass) ++result.missed;
+  }
+  return result;
+}
+
+void is_told(Check& check, const std::string& id, const std::string& text, const std::string& name,
+             const std::function<void(Submitted&)>& change) {
+  const Scored result = scored(name, change);
+  check.that({.id = id, .text = text, .quantity = "claims are missed", .source = "what scoring means"},
+             {.value = result.missed > 0 ? 1.0 : 0.0},
+             evidence::Qualitative{.detector = "one claim or more is not met", .reason = "it was planted"});
+}
+
+}  // namespace
+
+TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
+  Check check("laboratory_readings", "Readings of laboratory records",
+              "What is read off a record, from curves of which it is known, and the uncertainty of it.");
+  constexpr double period = 2.5;
+  const auto wave = [](double t) {
+    const double phase = 2 * std::numbers::pi * t / period;
+    return 0.001 + 0.02 * std::cos(phase) + 0.007 * std::cos(2 * phase + 1);
+  };
+  const Measured bar = sampled(0, 10, 400, wave, 0.001, 0.02);
+  const std::string solved = "rounding of nine normal equations over 400 points";
+  is(check, "harmonic", "The second harmonic is found beside the first.",
+     harmonic(0, 2, period, {1, 8.5}, 0, "").expected(bar), 0.007, 1e-12, solved);
+  const auto late = [&](double t) { return wave(t - 0.137); };
+  is(check, "lag", "A record that is 0.137 s late is said to be.",
+     lag_of(sampled(0, 10, 1000, late, 0).curve(), bar, {2, 8}, period / 2), 0.137, 1e-3,
+     "a tenth of the lags that are tried, 0.0125 s, as a parabola goes through their squares");
+  const auto ramp = [](double t) { return t < 3 ? 0 : 0.05 * (t - 3); };
+  const Measured front = sampled(0, 6, 60, ramp, 0.002, 0.03);
+  is(check, "arrival", "A ramp passes 0.02 at 3.4 s.", arrival(0, 0.02, {}).expected(front), 3.4, 1e-12,
+     "a straight line");
+  is(check, "arrival-uncertainty", "Its uncertainty is that of the clock and of the level over the slope.",
+     arrival(0, 0.02, {}).uncertainty(front), std::hypot(0.03, 0.002 / 0.05), 1e-12, "a straight line");
+  is(check, "misfit-uncertainty", "A misfit is known no better than points and the slope times the clock.",
+     misfit(0, {3.5, 5.5}).uncertainty(front), std::hypot(0.002, 0.05 * 0.03), 1e-12, "a straight line");
+  is(check, "height-uncertainty", "Of a height from trough to crest: sqrt(2) of a point's.",
+     height(0, {}).uncertainty(bar), std::sqrt(2.0) * 0.001, 1e-12, "rounding");
+  is(check, "impulse", "The integral of the ramp from 3 to 5 s.", impulse(0, {2.95, 5.05}).expected(front), 0.1, 1e-12,
+     "trapezoids of a straight line");
+}
+
+TEST_CASE("what the tables of laboratories say is read as it is meant", "[evidence]") {
+  Check check("laboratory_tables", "Tables of laboratories",
+              "Repeats, percentiles, levels before arrival, and places, against what is known of each experiment.");
+  const Series runs{.name = "runup",
+                    .table = "matsuyama_tanaka_2001_monai_valley_runup",
+                    .abscissa = {"place", "1", ""},
+                    .quantity = {"R", "m", ""},
+                    .readings = {}};
+  const Measured runup = measured(runs, values_of("monai_valley")).front();
+  is(check, "repeats", "Six runs at the first place have the mean 0.0896 m.", runup.y.front(), 0.0896, 5e-5,
+     "half a unit of the last digit");
+  is(check, "spread", "And the standard deviation 0.0064 m.", runup.u.front(), 0.0064, 5e-5,
+     "half a unit of the last digit");
+  const Series island{.name = "runup",
+                      .table = "briggs_1995_conical_island_runup",
+                      .kind = WantedTable::Kind::profile,
+                      .abscissa = {"angle", "deg", ""},
+                      .quantity = {"R", "m", ""},
+                      .columns = {"R_nthmp", "R_liu"},
+                      .rows = {{"case", 1}},
+                      .readings = {}};
+  const Measured around = measured(island, values_of("island_gauges")).front();
+  is(check, "distributions", "Half of the distance between two distributions of a run-up is an uncertainty of it.",
+     around.u.back(), std::hypot(0.06 * 0.032, 0.5 * (0.032 - 0.0225)), 1e-5, "half a unit of the last digit");
+  const Series pressure{.name = "pressure",
+                        .table = "lobovsky_2014_dam_break_pressure",
+                        .abscissa = {"T", "1", ""},
+                        .quantity = {"p", "1", ""},
+                        .band = {"p_low", "p_high"},
+                        .readings = {}};
+  const Measured median = measured(pressure, values_of("dam_break_wall_pressure")).front();
+  is(check, "band", "The band of the repeats is 0.20 to 0.28 wide on the plateau, 3.92 standard deviations.",
+     linear_at({median.x, median.u}, 4.5), 0.061, 0.0105, "0.24 +- 0.04 over 3.92");
+  is(check, "median-impulse", "The impulse of the median is 1.426.", impulse(0, {2.46, 4.0}).expected(median), 1.426,
+     0.01, "every twentieth row is kept: one row of 1.9 at the ends");
+  const Series gauges{.name = "gauges",
+                      .table = "briggs_1996_composite_beach_c",
+                      .group = Column{"gauge", "1", ""},
+                      .abscissa = {"t", "s", ""},
+                      .quantity = {"eta", "m", ""},
+                      .still = Window{265, 267},
+                      .readings = {}};
+  const Measured fourth = measured(gauges, values_of("composite_beach", "C")).front();
+  is(check, "level", "With its level removed gauge 4 measures a wave of 0.681 depths.",
+     highest(4, {}).expected(fourth) / 0.218, 0.681, 0.0007, "half of the resolution, 0.3 mm, over the depth");
+  const Series heights{.name = "heights",
+                       .table = "kleefsman_2005_dam_break_box",
+                       .group = Column{"x", "m", ""},
+                       .abscissa = {"t", "s", ""},
+                       .quantity = {"h", "m", ""},
+                       .readings = {}};
+  std::vector<double> wet;
+  for (const Measured& one : measured(heights, values_of("dam_break_box"))) {
+    wet.push_back(arrival(one.group, 0.02, {0.05, 2}).expected(one));
+  }
+  const bool order = wet.at(2) < wet.at(1) && wet.at(1) < wet.at(0);
+  check.that({.id = "places",
+              .text = "The probe nearest to the door gets wet first, the one behind the box last.",
+              .quantity = "order of arrivals",
+              .source = "the geometry of the tank"},
+             {.value = order ? 1.0 : 0.0},
+             evidence::Qualitative{.detector = "arrivals at x = 1.488, 0.992, 0.496 m increase",
+                                   .reason = "water runs from the door to the wall"});
+}
+
+TEST_CASE("a record of a laboratory in the wrong place is told, a common shift of time is not held against it",
+          "[evidence]") {
+  Check check("laboratory_scores", "Wrong records of gauges are told",
+              "The measured records are submitted with one thing changed.");
+  const auto each = [](Submitted& all, const std::function<void(SubmittedGroup&)>& change) {
+    for (auto& [name, groups] : all) {
+      for (SubmittedGroup& one : groups) change(one);
+    }
+  };
+  const auto shift = [](double by) {
+    return [by](SubmittedGroup& one) {
+      for (double& x : one.abscissa) x += by;
+    };
+  };
+  const Scored late = scored("dingemans_bar", [&](Submitted& all) { each(all, shift(0.3)); });
+  is(check, "clock", "Where the origin of time is unknown, a common shift of 0.3 s is found.",
+     late.numbers.at("gauges_time_shift"), 0.3, 0.005, "a parabola through lags 0.007 s apart");
+  check.that({.id = "clock-passes",
+              .text = "And it is not held against the record.",
+              .quantity = "claims that are missed",
+              .source = "what scoring means"},
+             {.value = static_cast<double>(late.missed)}, Bound{.limit = 0, .reason = "the shift is common"});
+  const Scored near = scored("henderson_collision", [&](Submitted& all) {
+    each(all, [](SubmittedGroup& one) {
+      for (double& y : one.values.at("eta")) y += 0.0004;
+    });
+  });
+  check.that({.id = "within-data",
+              .text = "What is off by less than twice the uncertainty of the data passes.",
+              .quantity = "claims that are missed",
+              .source = "ASME V&V 20-2009"},
+             {.value = static_cast<double>(near.missed)},
+             Bound{.limit = 0, .reason = "0.4 mm, of points that are known to 0.25 mm"});
+  is_told(check, "own-clock", "One gauge that is late alone is told.", "dingemans_bar",
+          [&](Submitted& all) { shift(0.3)(all.at("gauges").back()); });
+  is_told(check, "neighbour", "A gauge in the place of the next is told.", "luth_bar", [](Submitted& all) {
+    std::swap(all.at("gauges").at(4).values, all.at("gauges").at(5).values);
+    std::swap(all.at("gauges").at(4).abscissa, all.at("gauges").at(5).abscissa);
+  });
+  is_told(check, "datum", "Elevations above the floor instead of still water are told.", "dingemans_bar",
+          [&](Submitted& all) {
+            each(all, [](SubmittedGroup& one) {
+              for (double& y : one.values.at("eta")) y += 0.8;
+            });
+          });
+  is_told(check, "inverted", "Elevations that count downwards are told.", "solitary_shoaling", [&](Submitted& all) {
+    each(all, [](SubmittedGroup& one) {
+      for (double& y : one.values.at("eta")) y = -y;
+    });
+  });
+  is_told(check, "clock-of-paddle", "Where the clock is the wavemaker's, two seconds late is told.", "fission_on_shelf",
+          [&](Submitted& all) { each(all, shift(2)); });
+}
