@@ -120,7 +120,7 @@ Results compute(const Run& run) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  r.contest.show(exhibit, "width", "sqrt(width/g)");
+  r.contest.show(exhibit, {.size = "width", .error = "width", .time = "sqrt(width/g)"});
 }
 
 }  // namespace

@@ -210,7 +210,7 @@ Results compute(const Run& run) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  r.contest.show(exhibit, "radius", "1/strain rate");
+  r.contest.show(exhibit, {.size = "radius", .error = "radius", .time = "1/strain rate"});
 }
 
 }  // namespace

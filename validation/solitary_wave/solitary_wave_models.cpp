@@ -214,7 +214,7 @@ Results compute(const Run& run) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  r.contest.show(exhibit, "height", "sqrt(depth/g)");
+  r.contest.show(exhibit, {.size = "depth", .error = "height", .time = "sqrt(depth/g)"});
 }
 
 }  // namespace

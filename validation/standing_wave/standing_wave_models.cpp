@@ -216,7 +216,7 @@ Results compute(const Run& run) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  r.contest.show(exhibit, "amplitude", "sqrt(depth/g)");
+  r.contest.show(exhibit, {.size = "depth", .error = "amplitude", .time = "sqrt(depth/g)"});
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ Contest contest(const Run& run, const std::vector<Contender>& contenders, const 
   return {std::move(entries), trial};
 }
 
-void Contest::show(evidence::Exhibit& exhibit, const std::string& error_unit, const std::string& time_unit) const {
+void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
   auto& cost = exhibit
                    .figure("cost", "Error against processor time",
                            fmt::format("Of each model on its resolutions, coarse to fine, at t = {:.4g}.", trial_.end))
@@ -132,14 +132,14 @@ void Contest::show(evidence::Exhibit& exhibit, const std::string& error_unit, co
                             trial_.end, trial_.last, trial_.useless_in_words),
                         .columns = {{"model", ""},
                                     {"size of", ""},
-                                    {"size", error_unit},
-                                    {"error", error_unit},
-                                    {"uncertainty", error_unit},
+                                    {"size", units.size},
+                                    {"error", units.error},
+                                    {"uncertainty", units.error},
                                     {"processor time", "s"},
                                     {"energy", "1"},
                                     {"momentum", "1"},
-                                    {"lasted", time_unit},
-                                    {"asked", time_unit},
+                                    {"lasted", units.time},
+                                    {"asked", units.time},
                                     {"broke by", ""}},
                         .rows = {},
                         .atlas = {}};

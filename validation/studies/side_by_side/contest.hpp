@@ -71,6 +71,11 @@ struct Entry {
   [[nodiscard]] evidence::ObservedOrder order() const;
 };
 
+/// Of a problem's numbers: "depth", "amplitude", "sqrt(depth/g)".
+struct Units {
+  std::string size, error, time;
+};
+
 class Contest {
  public:
   Contest() = default;
@@ -82,8 +87,7 @@ class Contest {
   [[nodiscard]] const Entry& of(const std::string& id) const;
 
   /// The table "side_by_side", which the report's page of models reads, the figure "cost" and measurements.
-  /// @param error_unit, time_unit  of the problem: "radius", "sqrt(depth/g)"
-  void show(evidence::Exhibit& exhibit, const std::string& error_unit, const std::string& time_unit) const;
+  void show(evidence::Exhibit& exhibit, const Units& units) const;
 
  private:
   std::vector<Entry> entries_;
