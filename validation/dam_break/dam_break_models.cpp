@@ -23,7 +23,6 @@ every place, and refuse a column. They give out the sooner the finer they are.
 **When it is no test.** After the tongue has become thinner than a cell or a spacing. The discrete dispersive shallow
 water has no vertical front.
 */
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -73,17 +72,8 @@ void claims(const Values& values, const Claims<Results>& all) {
                evidence::Bound{.limit = 2 * data.uncertainty * std::sqrt(2.0),
                                .reason = "two standard uncertainties of a point, in X and in T, along which X runs as "
                                          "fast"});
-    claims_of(claims, model.id)
-        .check(
-            {.id = model.id + "-dissipates",
-             .text = fmt::format("It loses energy and gains none: {}.", model.name),
-             .quantity = "the energy falls, on every resolution",
-             .source = source},
-            [](const Entry& entry) {
-              return std::ranges::all_of(entry.attempts, [](const Attempt& one) { return one.energy < 0; }) ? 1.0 : 0.0;
-            },
-            evidence::Qualitative{.detector = "energy at the end less that of the beginning is negative",
-                                  .reason = "the penalty of the free particles and the viscosity of SPH only take"});
+    claim_dissipates(claims_of(claims, model.id), model,
+                     "the penalty of the free particles and the viscosity of SPH only take", source);
     claim_lasts(
         claims_of(claims.only_if(values.real("last") <= 5, "nobody knows how thin a tongue they follow"), model.id),
         model, trial_of(values).last, source);

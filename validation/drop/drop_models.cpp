@@ -99,17 +99,8 @@ void claim_kept(const Claims<Contest>& all, const Values& values) {
                                .reason = "the sum of all momenta is rounded once in each step"});
   }
   for (const Named& model : {names[2], names[3]}) {
-    claims_of(all, model.id)
-        .check(
-            {.id = model.id + "-dissipates",
-             .text = fmt::format("What stabilises the pressure of {} takes energy and gives none.", model.name),
-             .quantity = "the energy falls, on every resolution",
-             .source = source},
-            [](const Entry& entry) {
-              return std::ranges::all_of(entry.attempts, [](const Attempt& one) { return one.energy < 0; }) ? 1.0 : 0.0;
-            },
-            evidence::Qualitative{.detector = "energy at the end less that of the beginning is negative",
-                                  .reason = "in each step it takes a square of differences of the multipliers"});
+    claim_dissipates(claims_of(all, model.id), model,
+                     "in each step the stabilisation takes a square of differences of the multipliers", source);
   }
   claims_of(all, "sph")
       .check({.id = "sph-energy",

@@ -166,17 +166,8 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
                              .reason = "both exact waves are known to round-off; of use where the spacing matters a "
                                        "tenth of what the equations do",
                              .expected = apart});
-  claims_of(all, "sph")
-      .check(
-          {.id = "sph-dissipates",
-           .text = "SPH loses energy to its viscosity, and gains none.",
-           .quantity = "the energy falls, on every resolution",
-           .source = source},
-          [](const Entry& entry) {
-            return std::ranges::all_of(entry.attempts, [](const Attempt& one) { return one.energy < 0; }) ? 1.0 : 0.0;
-          },
-          evidence::Qualitative{.detector = "energy at the end less that of the beginning is negative",
-                                .reason = "the viscosity acts on approaching pairs against their approach"});
+  claim_dissipates(claims_of(all, "sph"), {"sph", "SPH"},
+                   "the viscosity acts on approaching pairs against their approach", source);
 }
 
 void claims(const Values& values, const Claims<Results>& all) {

@@ -58,7 +58,7 @@ const Entry& Contest::of(const std::string& id) const {
 }
 
 Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool may_refuse) {
-  Attempt result{.error = nan, .uncertainty = nan, .energy = nan, .momentum = nan, .cause = {}};
+  Attempt result{.error = nan, .uncertainty = nan, .energy = nan, .momentum = nan, .asked = trial.last, .cause = {}};
   double began = processor_seconds();
   try {
     const Racer racer = start();
@@ -148,7 +148,7 @@ void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
     std::vector<double> errors;
     for (const Attempt& one : entry.attempts) {
       table.rows.push_back({entry.name, entry.size_of, one.size, one.error, one.uncertainty, one.seconds, one.energy,
-                            one.momentum, one.lasted, trial_.last, one.cause});
+                            one.momentum, one.lasted, one.asked, one.cause});
       if (std::isnan(one.error)) continue;
       seconds.push_back(one.seconds);
       errors.push_back(one.error);
@@ -195,10 +195,22 @@ void claim_breaks(const Claims<Entry>& claims, const Named& model, const std::st
        .text = fmt::format("Not to the end: {}.", model.name),
        .quantity = "on one of its resolutions it breaks down before",
        .source = source},
-      [](const Entry& entry) {
-        return std::ranges::any_of(entry.attempts, [](const Attempt& one) { return !one.cause.empty(); }) ? 1.0 : 0.0;
-      },
+      [](const Entry& entry) { return std::ranges::any_of(entry.attempts, &Attempt::broke) ? 1.0 : 0.0; },
       evidence::Qualitative{.detector = "it stops, or its error says that it has lost the flow", .reason = reason});
+}
+
+void claim_dissipates(const Claims<Entry>& claims, const Named& model, const std::string& reason,
+                      const std::string& source) {
+  claims.check(
+      {.id = model.id + "-dissipates",
+       .text = fmt::format("It loses energy and gains none: {}.", model.name),
+       .quantity = "the energy falls, on every resolution",
+       .source = source},
+      [](const Entry& entry) {
+        const auto falls = [](const Attempt& one) { return one.energy < 0; };
+        return std::ranges::all_of(entry.attempts, falls) ? 1.0 : 0.0;
+      },
+      evidence::Qualitative{.detector = "energy at the end less that of the beginning is negative", .reason = reason});
 }
 
 void claim_energy(const Claims<Entry>& claims, const Named& model, double operations, double scale,

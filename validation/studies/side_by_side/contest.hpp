@@ -59,7 +59,10 @@ struct Attempt {
   double energy = 0;       ///< change from the beginning to `end`, over the scale
   double momentum = 0;     ///< the same of the momentum; NaN where walls take it
   double lasted = 0;
+  double asked = 0;   ///< how long it was to last
   std::string cause;  ///< of the breakdown; empty: none
+
+  [[nodiscard]] bool broke() const { return !cause.empty() && lasted < asked; }
 };
 
 struct Entry {
@@ -116,6 +119,9 @@ void claim_lasts(const Claims<Entry>& claims, const Named& model, double last, c
 /// "<id>-breaks": on one of its resolutions it is not. @param reason  known beforehand
 void claim_breaks(const Claims<Entry>& claims, const Named& model, const std::string& reason,
                   const std::string& source);
+/// "<id>-dissipates": its energy falls on every resolution. @param reason  known beforehand
+void claim_dissipates(const Claims<Entry>& claims, const Named& model, const std::string& reason,
+                      const std::string& source);
 /// "<id>-energy": changed by round-off. @param operations  roundings of a number of the size `scale`
 void claim_energy(const Claims<Entry>& claims, const Named& model, double operations, double scale,
                   const std::string& reason, const std::string& source);
