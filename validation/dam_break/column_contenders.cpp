@@ -164,7 +164,7 @@ std::vector<Contender> column_contenders(const ColumnFront& measured, const Colu
       {"variable-mass", "variable mass", "cell", Role::peer, {sizes.cells}, over, starting(start_variable_mass), true},
       {"overlapping", "overlapping particles", "particle spacing", Role::data, ladder_to(sizes.overlapping, three),
        over, starting(start_overlapping)},
-      {"sph", "SPH", "particle spacing", Role::guide, ladder_to(sizes.sph, three), over, starting(start_sph)}};
+      {"sph", "SPH", "particle spacing", Role::peer, ladder_to(sizes.sph, three), over, starting(start_sph)}};
 }
 
 }  // namespace seiche::validation

@@ -240,7 +240,7 @@ std::vector<Contender> drop_contenders(const StretchingDrop& drop, const DropSiz
        starting(start_variable_mass)},
       {"overlapping", "overlapping particles", "particle spacing", Role::data,
        ladder_to(sizes.overlapping, {0.25, 0.5, 0.75, 1}), over(1), starting(start_overlapping)},
-      {"sph", "SPH", "particle spacing", Role::guide, ladder_to(sizes.sph, {0.5, 0.7071, 1}), over(1),
+      {"sph", "SPH", "particle spacing", Role::peer, ladder_to(sizes.sph, {0.5, 0.7071, 1}), over(1),
        starting(start_sph)}};
 }
 

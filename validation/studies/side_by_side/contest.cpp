@@ -81,7 +81,8 @@ Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool ma
         result.energy = (sight.energy - first.energy) / trial.energy_scale;
         result.momentum = std::abs(sight.momentum - first.momentum) / trial.momentum_scale;
       }
-      if (!sight.off.empty() && !(error <= trial.useless) && result.cause.empty()) {
+      const bool known = at_end || !sight.off.empty();
+      if (known && !(error <= trial.useless) && result.cause.empty()) {
         result.cause = std::isnan(error) ? "nothing is left of its surface" : trial.useless_in_words;
       }
       if (result.cause.empty()) result.lasted = to;
@@ -100,6 +101,11 @@ Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool ma
 }
 
 Contest contest(const Run& run, const std::vector<Contender>& contenders, const Trial& trial) {
+  if (trial.end > trial.last) {
+    throw std::invalid_argument(
+        fmt::format("last: the models are followed until t = {:g}, and compared at t = {:g}; must not be earlier",
+                    trial.last, trial.end));
+  }
   std::vector<Entry> entries;
   std::vector<std::function<void()>> work;
   entries.reserve(contenders.size());
@@ -120,10 +126,12 @@ Contest contest(const Run& run, const std::vector<Contender>& contenders, const 
 }
 
 void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
-  auto& cost = exhibit
-                   .figure("cost", "Error against processor time",
-                           fmt::format("Of each model on its resolutions, coarse to fine, at t = {:.4g}.", trial_.end))
-                   .panel({.x = "processor time [s]", .y = "error", .log_x = true, .log_y = true});
+  auto& cost =
+      exhibit
+          .figure("cost", "Error against processor time",
+                  fmt::format("Of each model on its resolutions, coarse to fine, at t = {:.4g}.", trial_.end))
+          .panel(
+              {.x = "processor time [s]", .y = fmt::format("error [{}]", units.error), .log_x = true, .log_y = true});
   evidence::Table table{.id = "side_by_side",
                         .title = "The models side by side",
                         .caption = fmt::format(
@@ -146,14 +154,16 @@ void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
   for (const Entry& entry : entries_) {
     std::vector<double> seconds;
     std::vector<double> errors;
+    std::vector<double> uncertainties;
     for (const Attempt& one : entry.attempts) {
       table.rows.push_back({entry.name, entry.size_of, one.size, one.error, one.uncertainty, one.seconds, one.energy,
                             one.momentum, one.lasted, one.asked, one.cause});
       if (std::isnan(one.error)) continue;
       seconds.push_back(one.seconds);
       errors.push_back(one.error);
+      uncertainties.push_back(one.uncertainty);
     }
-    cost.points(entry.name, seconds, errors, entry.role);
+    if (!errors.empty()) cost.points(entry.name, seconds, errors, entry.role, uncertainties);
     exhibit.measure(entry.id + "_error", entry.finest().error);
     exhibit.measure(entry.id + "_energy", entry.finest().energy);
     exhibit.measure(entry.id + "_lasted", entry.finest().lasted);
@@ -181,7 +191,7 @@ double energy_of_finest(const Entry& entry) {
 void claim_lasts(const Claims<Entry>& claims, const Named& model, double last, const std::string& source) {
   claims.check(
       {.id = model.id + "-lasts",
-       .text = fmt::format("To the end: {}.", model.name),
+       .text = fmt::format("Followed to the end: {}.", model.name),
        .quantity = "time until it breaks down",
        .source = source},
       [](const Entry& entry) { return entry.finest().lasted; },
@@ -192,7 +202,7 @@ void claim_breaks(const Claims<Entry>& claims, const Named& model, const std::st
                   const std::string& source) {
   claims.check(
       {.id = model.id + "-breaks",
-       .text = fmt::format("Not to the end: {}.", model.name),
+       .text = fmt::format("Breaks down before the end: {}.", model.name),
        .quantity = "on one of its resolutions it breaks down before",
        .source = source},
       [](const Entry& entry) { return std::ranges::any_of(entry.attempts, &Attempt::broke) ? 1.0 : 0.0; },

@@ -97,6 +97,7 @@ class Contest {
   Trial trial_;
 };
 
+/// Throws std::invalid_argument where the models are compared later than they are followed.
 Contest contest(const Run& run, const std::vector<Contender>& contenders, const Trial& trial);
 /// One racer on its way, as contest() follows it.
 Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool may_refuse = false);

@@ -158,7 +158,7 @@ std::vector<Contender> tank_contenders(const TankWave& wave, const DispersiveSta
           {"dispersive", "dispersive shallow water", "marker spacing", Role::data,
            ladder_to(sizes.markers, {0.125, 0.25, 0.5, 1}), over,
            [&wave, dispersive](long n) { return start_dispersive(wave, dispersive, n); }},
-          {"sph", "SPH", "particle spacing", Role::guide, ladder_to(sizes.sph, {0.5, 0.75, 1}), over,
+          {"sph", "SPH", "particle spacing", Role::peer, ladder_to(sizes.sph, {0.5, 0.75, 1}), over,
            starting(start_in_box)}};
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "seiche/divergence.hpp"
 #include "seiche/models/wcsph/free_surface.hpp"
 
 namespace seiche::validation {
@@ -48,7 +48,7 @@ std::vector<Point> surface_of(const wcsph::Flow& flow, const PeriodicWater& wate
   const std::vector<wcsph::Contour> curves =
       wcsph::free_surface(fraction, {from, to, 0.5 * water.depth, water.depth + water.highest}, 0.5 * flow.spacing());
   const wcsph::Contour* main = wcsph::main_surface(curves);
-  if (main == nullptr) throw std::runtime_error("no water surface");
+  if (main == nullptr) throw Divergence("there is no water surface", flow.time(), flow.steps(), from);
   std::vector<Point> points;
   for (std::size_t k = 0; k < main->x.size(); ++k) points.push_back({main->x[k], main->z[k] - water.depth});
   return points;

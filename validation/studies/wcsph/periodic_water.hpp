@@ -24,7 +24,7 @@ struct PeriodicWater {
 
 /// @param spacing  of the particles; changed so that a whole number of them fills the period
 wcsph::Flow start_sph(const PeriodicWater& water, double spacing);
-/// Where the share of water is one half, for from <= x <= to. Throws std::runtime_error where there is no surface.
+/// Where the share of water is one half, for from <= x <= to. Throws Divergence where there is no surface.
 std::vector<Point> surface_of(const wcsph::Flow& flow, const PeriodicWater& water, double from, double to);
 
 }  // namespace seiche::validation
