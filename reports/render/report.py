@@ -3,7 +3,7 @@ import importlib.util
 import pathlib
 import shutil
 
-from render import atlas, badge, defects, experiments, files, gallery, league, pages, records, sharpness
+from render import atlas, badge, defects, experiments, files, gallery, league, pages, records, sharpness, side_by_side
 from render.formulas import Formulas
 from render.records import Broken
 from render.store import MARKER, Store, user_cache
@@ -51,9 +51,11 @@ def build(evidence, stage, out, options):
              "counts_in_words": atlas.in_words(counts), "has_junit": files.is_regular(evidence / "junit.xml"),
              "sharpness": sharpness.survey([record for case in cases for record in case.records if record.own]),
              "defects": defects.survey(defects.read(), loaded), "experiments": experiments.survey(loaded),
+             "models": side_by_side.survey(cases, drawn),
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
     write("index.html.j2", "index.html", "", **whole)
     write("atlas.html.j2", "atlas.html", "", **whole)
+    write("models.html.j2", "models.html", "", **whole)
     if others:
         write("league.html.j2", "league.html", "", league=others, **whole)
     write("sharpness.html.j2", "sharpness.html", "", **whole)

@@ -21,16 +21,14 @@ on them, on every lattice: it is thin sooner, and there is no friction on bed an
 */
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "seiche/models/gauss_particles/flow.hpp"
-#include "seiche/models/gauss_particles/spline_space.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/dam_break/column_front.hpp"
+#include "validation/dam_break/gauss_column.hpp"
 #include "validation/instruments/fine_limit.hpp"
 
 namespace seiche::validation::cases {
@@ -39,28 +37,13 @@ namespace {
 using evidence::Bound;
 using evidence::Role;
 using gauss_particles::Flow;
-using gauss_particles::LatticePlan;
-using gauss_particles::SplineSpace;
 
 const std::string experiment = "Martin and Moyce (1952)";
 constexpr double first_speed = 1.9;  ///< between these T the front's speed is taken
 constexpr double last_speed = 3.4;
 constexpr double farthest = 4.2;  ///< X/a of the points that are compared
 
-struct Column {
-  double aspect = 2;  ///< n^2
-  long cells = 8;     ///< to the width
-  long per_cell = 10;
-
-  [[nodiscard]] double spacing() const { return 1 / static_cast<double>(cells); }
-  [[nodiscard]] double tau() const { return 0.16 * spacing(); }
-  [[nodiscard]] double unit() const { return std::sqrt(aspect); }
-  [[nodiscard]] double energy() const { return aspect * aspect / 2; }
-  [[nodiscard]] std::string resolution() const {
-    return fmt::format("{} cells to the width, {} particles to a side", cells, per_cell);
-  }
-  [[nodiscard]] Flow start() const;
-};
+using Column = GaussColumn;
 
 Column column_of(const Values& values) {
   return {.aspect = static_cast<double>(values.integer("aspect")),
@@ -81,28 +64,6 @@ void refuse_after_end(const Values& values) {
 constexpr long parts = 4;
 bool has_coarser(const Column& column) {
   return column.cells % parts == 0 && column.per_cell % parts == 0;
-}
-
-/// Markers go from the wall along the top and down the front.
-Flow Column::start() const {
-  const auto across = static_cast<std::size_t>(cells * per_cell);
-  const std::size_t up = across * static_cast<std::size_t>(aspect);
-  gauss_particles::Particles particles = gauss_particles::layer({.begin = 0,
-                                                                 .end = 1,
-                                                                 .columns = across,
-                                                                 .rows = up,
-                                                                 .surface = [this](double) { return aspect; },
-                                                                 .bottom = [](double) { return 0.0; },
-                                                                 .end_corrected = false,
-                                                                 .markers = across + 1,
-                                                                 .marker_at_end = true});
-  for (std::size_t k = 1; k <= up; ++k) {
-    particles.add(1, aspect * static_cast<double>(up - k) / static_cast<double>(up), 0);
-  }
-  return Flow(std::move(particles),
-              std::make_unique<SplineSpace>(LatticePlan{.cell_x = spacing(), .left_wall = 0.0, .bottom = true},
-                                            SplineSpace::Settings{.inner_fraction = 0.3}),
-              {}, {.gravity = 1, .penalty = 0.01});
 }
 
 struct Frame {

@@ -31,6 +31,7 @@ It is an exact solution too, but its surface is unstable, and any method loses i
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/refinement.hpp"
+#include "validation/drop/round_patch.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases {
@@ -47,12 +48,7 @@ const std::string source = "Dirichlet (1860); Longuet-Higgins, J. Fluid Mech. 55
 
 Mesh disc(std::size_t n) {
   Mesh mesh = lagrangian_mesh_2d::free_patch(n, n, {-1, -1}, {1, 1});
-  for (std::size_t k = 0; k < mesh.nodes(); ++k) {
-    const double xi = mesh.x[k];
-    const double eta = mesh.y[k];
-    mesh.x[k] = xi * std::sqrt(1 - eta * eta / 2);
-    mesh.y[k] = eta * std::sqrt(1 - xi * xi / 2);
-  }
+  make_round(mesh.x, mesh.y);
   return mesh;
 }
 

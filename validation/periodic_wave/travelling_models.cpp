@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
@@ -13,10 +12,8 @@
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
-#include "seiche/models/wcsph/flow.hpp"
-#include "seiche/models/wcsph/free_surface.hpp"
-#include "seiche/models/wcsph/scene.hpp"
 #include "validation/instruments/processor_time.hpp"
+#include "validation/studies/wcsph/periodic_water.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -101,48 +98,19 @@ lagrangian_mesh_2d::PrescribedSide led(const StokesWave& wave, long periods) {
           .velocity = [path](Point from, double t) { return path(from).velocity(t); }};
 }
 
-wcsph::Scene scene_of(const StokesWave& wave, double spacing, const wcsph::Settings& settings) {
-  const double depth = wave.mean_depth();
-  const auto pressure = [&](double x, double z) {
-    const double y = std::max(z - depth, -depth);
-    const Point v = velocity_at(wave, x, y);
-    const double relative = v.x - wave.phase_speed();
-    const double inside = wave.bernoulli_constant() - 0.5 * (relative * relative + v.y * v.y) - wave.gravity() * y;
-    return settings.density * (inside + wave.gravity() * std::max(0.0, -z));
-  };
-  wcsph::Scene scene = wcsph::periodic_layer({.period = wave.wavelength(),
-                                              .depth = depth,
-                                              .elevation = [&](double x) { return wave.elevation(x); },
-                                              .velocity =
-                                                  [&](double x, double z) {
-                                                    const Point v = velocity_at(wave, x, z - depth);
-                                                    return wcsph::Velocity{v.x, v.y};
-                                                  },
-                                              .pressure = pressure,
-                                              .spacing = spacing},
-                                             settings);
-  const wcsph::TaitFluid fluid(settings.density, settings.sound_speed, settings.exponent);
-  wcsph::Particles& p = scene.particles;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.kind[i] == wcsph::Kind::wall) p.density[i] = fluid.density_at(pressure(p.x[i], p.z[i]));
-  }
-  return scene;
-}
-
-std::vector<Point> surface_of(const wcsph::Flow& flow, const StokesWave& wave) {
-  const double length = wave.wavelength();
-  const double depth = wave.mean_depth();
-  wcsph::Box basin = wcsph::unbounded;
-  basin.bottom = 0;
-  const wcsph::VolumeFraction fraction(flow.particles(), flow.smoothing_length(), basin, flow.settings().kernel,
-                                       {.x = length});
-  const std::vector<wcsph::Contour> curves = wcsph::free_surface(
-      fraction, {0.5 * length, 1.5 * length, 0.5 * depth, depth + 4 * wave.amplitude()}, 0.5 * flow.spacing());
-  const wcsph::Contour* main = wcsph::main_surface(curves);
-  if (main == nullptr) throw std::runtime_error("no water surface");
-  std::vector<Point> points;
-  for (std::size_t k = 0; k < main->x.size(); ++k) points.push_back({main->x[k], main->z[k] - depth});
-  return points;
+PeriodicWater water_of(const StokesWave& wave) {
+  return {.period = wave.wavelength(),
+          .depth = wave.mean_depth(),
+          .gravity = wave.gravity(),
+          .highest = 4 * wave.amplitude(),
+          .elevation = [wave](double x) { return wave.elevation(x); },
+          .velocity = [wave](Point at) { return velocity_at(wave, at.x, at.y); },
+          .pressure =
+              [wave](Point at) {
+                const Point v = velocity_at(wave, at.x, at.y);
+                const double relative = v.x - wave.phase_speed();
+                return wave.bernoulli_constant() - 0.5 * (relative * relative + v.y * v.y) - wave.gravity() * at.y;
+              }};
 }
 
 }  // namespace
@@ -246,22 +214,13 @@ Followed follow_dispersive(const exact::SerreCnoidal& wave, double period, long 
 
 Followed follow_sph(const StokesWave& wave, long rows, long periods) {
   const double began = processor_seconds();
-  const double depth = wave.mean_depth();
-  // A whole number of particles to the wavelength.
-  const double spacing = wave.wavelength() / std::round(wave.wavelength() / depth * static_cast<double>(rows));
-  wcsph::Settings settings{.kernel = wcsph::KernelName::wendland_c2,
-                           .smoothing = sph_smoothing,
-                           .gravity = wave.gravity(),
-                           .density = 1,
-                           .sound_speed = sph_sound * std::sqrt(wave.gravity() * depth),
-                           .viscosity = wcsph::ArtificialViscosity{sph_viscosity}};
-  const wcsph::Scene scene = scene_of(wave, spacing, settings);
-  settings.period = scene.period;
-  wcsph::Flow flow(scene.particles, scene.spacing, settings, scene.paddles);
-  Followed followed{.size = spacing};
+  const PeriodicWater water = water_of(wave);
+  wcsph::Flow flow = start_sph(water, wave.mean_depth() / static_cast<double>(rows));
+  const double length = wave.wavelength();
+  Followed followed{.size = flow.spacing()};
   for (long n = 1; n <= periods; ++n) {
     flow.advance_to(static_cast<double>(n) * period_of(wave));
-    followed.stations.push_back({flow.time(), surface_of(flow, wave), not_counted});
+    followed.stations.push_back({flow.time(), surface_of(flow, water, 0.5 * length, 1.5 * length), not_counted});
   }
   followed.seconds = processor_seconds() - began;
   return followed;

@@ -1,0 +1,234 @@
+/*
+Which model should one take? A high solitary wave travels along a tank, by six models: free particles under Gauss's
+principle, the Lagrangian mesh, Dirichlet cells, particles of variable mass, the discrete dispersive shallow water in
+one dimension, and weakly compressible SPH. The exact wave of the Euler equations tells how far off each is.
+
+**Set-up.** Depth, gravity and density are 1; the wave is half as high as the water is deep. All begin with the exact
+surface and velocities (SPH: and pressures) in a tank so long that at its ends the wave is less than four thousandths of
+its height; walls at the ends, but a periodic box for SPH. The dispersive model, for which the wave is none, starts from
+the solitary wave of its own equations with the same height. Nodes of variable mass are drawn back to their places, and
+cells have a hundredth of stabilisation. Each is refined in space and time together.
+
+**What is compared.** Elevations of markers, nodes or the surface's curve within six depths of the exact crest, when
+that has travelled eight depths: the root mean square over the height. Then each goes on for eighteen depths, unless it
+breaks down or its surface is off by a tenth of the height.
+
+**What to look at.** Free particles are the nearest, with an error of some ten-thousandths: the lag of their steps.
+Mesh, Dirichlet cells and variable mass give some thousandths, the mesh in the least time. The dispersive model ends
+five per cent off, however fine: its wave of this height has another shape and speed. SPH loses height by its viscosity.
+Particles of variable mass on the finest rows give out: the surface slides over a cell beneath until that has no water
+left.
+
+**When it is no test.** No shore, no breaking: `frank_runup`, `run_up_gauss` and `overturning_gauss` have those. A lower
+wave is kinder to the dispersive model.
+*/
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/solitary_wave.hpp"
+#include "seiche/samples.hpp"
+#include "validation/case/case.hpp"
+#include "validation/studies/side_by_side/tank_wave.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using exact::SolitaryWave;
+
+const std::string source = "exact wave; Frank, Discrete models of incompressible fluid (1994)";
+const Named particles{"particles", "free particles"};
+const Named mesh{"mesh", "the Lagrangian mesh"};
+const Named variable_mass{"variable-mass", "particles of variable mass"};
+
+constexpr double reach = 6;  ///< of the surface that counts, from the crest
+
+SolitaryWave wave_of(const Values& values) {
+  return SolitaryWave(values.real("amplitude"));
+}
+
+/// Distance at which the wave is less than four thousandths of its height.
+double room(const SolitaryWave& wave) {
+  return std::ceil(-std::log(0.001) / wave.decay_rate());
+}
+
+TankWave tank_of(const SolitaryWave& wave, double way) {
+  const double start = room(wave);
+  const double length = 2 * start + std::ceil(way);
+  const auto velocity = [wave, start](Point at) {
+    // The surface itself is the end of the exact field: points above it are put on it.
+    const auto v = wave.velocity(at.x - start, std::min(at.y, wave.elevation(at.x - start) - 1e-13));
+    return Point{v.u, v.v};
+  };
+  return {.length = length,
+          .water = {.period = length,
+                    .highest = 2 * wave.amplitude(),
+                    .elevation = [wave, start](double x) { return wave.elevation(x - start); },
+                    .velocity = velocity,
+                    .pressure =
+                        [wave, velocity](Point at) {
+                          const Point v = velocity(at);
+                          const double c = wave.speed();
+                          return 0.5 * (c * c - (v.x - c) * (v.x - c) - v.y * v.y) - at.y;
+                        }},
+          .speed = wave.speed(),
+          .amplitude = wave.amplitude(),
+          .surface = [wave, start](double x, double t) { return wave.elevation(x - start, t); },
+          .part =
+              [start, c = wave.speed()](double t) {
+                const double crest = start + c * t;
+                return TankWave::Part{crest - reach, crest + reach};
+              }};
+}
+
+Trial trial_of(const Values& values) {
+  const SolitaryWave wave = wave_of(values);
+  return {.end = values.real("way") / wave.speed(),
+          .last = values.real("last") / wave.speed(),
+          .looks = 8,
+          .useless = 0.1,
+          .useless_in_words = "the surface is off by a tenth of the height",
+          .energy_scale = wave.kinetic_energy(),
+          .reference_uncertainty = wave.uncertainty() / wave.amplitude()};
+}
+
+struct Results {
+  Contest contest;
+};
+
+/// Of the wave of Serre's equations, of the same height, from the exact one at the time that is compared; equal weights
+/// for equal water, as markers have.
+double equations_apart(const Values& values) {
+  const SolitaryWave wave = wave_of(values);
+  const double a = values.real("amplitude");
+  const double speed = std::sqrt(1 + a);
+  const double rate = std::sqrt(3 * a / (1 + a)) / 2;
+  const double lead = (speed - wave.speed()) * values.real("way") / wave.speed();
+  constexpr int samples = 2000;
+  Mean squares;
+  for (int k = 0; k <= samples; ++k) {
+    const double x = reach * (2.0 * k / samples - 1);
+    const double serre = a / std::pow(std::cosh(rate * (x - lead)), 2);
+    squares.add((serre - wave.elevation(x)) / a, 1 + serre);
+  }
+  return squares.rms();
+}
+
+void claim_accuracy(const Claims<Contest>& all, const Values& values) {
+  const SolitaryWave wave = wave_of(values);
+  const double k = wave.decay_rate();
+  const double turn = k * 0.15 / static_cast<double>(values.integer("particles"));
+  claims_of(all, "particles")
+      .check({.id = "particles-surface",
+              .text = "Free particles are off by less than what their steps make them lag.",
+              .quantity = "rms error of the surface over the height",
+              .source = source},
+             error_of_finest,
+             evidence::Bound{
+                 .limit = turn * turn / 12 * values.real("way") * std::tan(wave.maximum_slope()) / wave.amplitude(),
+                 .reason = "the discrete gradient lags by (k c tau)^2/12 of its way, k the rate of decay of "
+                           "the wave's tails: that, times the steepest slope of the surface; cells are to "
+                           "add less"});
+  claims_of(all, "mesh")
+      .check(
+          {.id = "mesh-order",
+           .text = "The mesh is of second order.",
+           .quantity = "order of the rms error of the surface",
+           .source = source},
+          [](const Entry& entry) { return entry.order(); },
+          evidence::Order{.theory = 2,
+                          .tolerance = 0.3,
+                          .reason =
+                              "second order in space and time; at a crest half as high as the depth cells of a ninth "
+                              "of it are not small, and the next terms are seen"});
+  for (const Named& model : {Named{"dirichlet", "Dirichlet cells"}, variable_mass}) {
+    const double kh = k / static_cast<double>(values.integer("cells"));
+    claims_of(all, model.id)
+        .check({.id = model.id + "-surface",
+                .text = fmt::format("The wave keeps shape and place: {}.", model.name),
+                .quantity = "rms error of the surface over the height",
+                .source = source},
+               error_of_finest,
+               evidence::Bound{.limit = kh * kh,
+                               .reason = "(k h)^2, k the rate of decay of the wave's tails: the exact wave is that of "
+                                         "the cells but for terms of second order"});
+  }
+  const double apart = equations_apart(values);
+  claims_of(all, "dispersive")
+      .check({.id = "dispersive-surface",
+              .text = "The dispersive model ends where its equations do.",
+              .quantity = "rms error of the surface over the height",
+              .source = "Serre (1953); exact wave"},
+             error_of_finest,
+             evidence::Bound{.limit = 0.1 * apart,
+                             .reason = "both exact waves are known to round-off; of use where the spacing matters a "
+                                       "tenth of what the equations do",
+                             .expected = apart});
+  claim_dissipates(claims_of(all, "sph"), {"sph", "SPH"},
+                   "the viscosity acts on approaching pairs against their approach", source);
+}
+
+void claims(const Values& values, const Claims<Results>& all) {
+  const Claims<Contest> claims =
+      all.at(fmt::format("the finest, after {:g} depths", values.real("way"))).of(&Results::contest);
+  claim_accuracy(claims, values);
+  const double steps = values.real("way") * static_cast<double>(values.integer("particles")) / 0.15;
+  claim_energy(claims_of(claims, "particles"), particles, steps, 2,
+               "one rounding per step of the kinetic and of the potential energy",
+               "Frank (1994), chapter 6; exact for every space and step");
+  const auto moderate = claims.only_if(values.real("amplitude") <= 0.5 && values.real("last") <= 18,
+                                       "higher waves, and longer ways, end them");
+  for (const Named& model : {particles, mesh, Named{"dispersive", "dispersive shallow water"}}) {
+    claim_lasts(claims_of(moderate, model.id), model, trial_of(values).last, source);
+  }
+}
+
+Results compute(const Run& run) {
+  const SolitaryWave wave = wave_of(run);
+  const TankWave tank = tank_of(wave, run.real("last"));
+  const auto dispersive = [&](double spacing) {
+    using namespace dispersive_shallow_water_1d;
+    const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
+    return Flow(channel, solitary_markers(channel, 0, tank.length, spacing,
+                                          {.amplitude = wave.amplitude(), .crest = room(wave)}));
+  };
+  return {contest(run,
+                  tank_contenders(tank, dispersive,
+                                  {.particles = run.integer("particles"),
+                                   .mesh = run.integer("mesh"),
+                                   .cells = run.integer("cells"),
+                                   .sph = run.integer("sph"),
+                                   .markers = run.integer("markers")}),
+                  trial_of(run))};
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  r.contest.show(exhibit, {.size = "depth", .error = "height", .time = "sqrt(depth/g)"});
+}
+
+}  // namespace
+
+Case solitary_wave_models() {
+  Case c;
+  c.title = "Which model should one take? A solitary wave by six of them";
+  c.source =
+      "D. Dutykh, D. Clamond, Wave Motion 51 (2014) 86; A. M. Frank, Discrete models of incompressible fluid, doctoral "
+      "thesis (1994)";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {
+      real("amplitude", 0.5, "depth", {0.05, 0.6}, "crest above still water"),
+      real("way", 8.0, "depth", {1, 50}, "of the crest until errors are compared"),
+      real("last", 18.0, "depth", {1, 100}, "way of the crest for which the models are followed"),
+      integer("particles", {4, 8, 8}, {2, 16}, "cells of the free particles to the depth, finest of three"),
+      integer("mesh", {24, 48, 48}, {8, 64}, "rows of the Lagrangian mesh, finest of four"),
+      integer("cells", {8, 16, 16}, {8, 32}, "rows of Dirichlet cells and variable masses, the finest"),
+      integer("markers", {32, 64, 64}, {8, 512}, "of the dispersive model to the depth, finest of four"),
+      integer("sph", {8, 16, 16}, {6, 96}, "rows of SPH particles, finest of three"),
+  };
+  c.study = Study(claims, compute, show);
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,246 @@
+/*
+Which model should one take? A standing wave in a tank, by six models: free particles under Gauss's principle, the
+Lagrangian mesh, Dirichlet cells, particles of variable mass, the discrete dispersive shallow water in one dimension,
+and weakly compressible SPH. The standing wave of Tadjbakhsh and Keller tells how far off each is.
+
+**Set-up.** Depth, gravity and density are 1; the tank is half a wave long. All begin at rest under the highest surface.
+Free particles, mesh and cells stand between walls. SPH, whose walls are rows of particles, has the wave and its mirror
+image in a periodic box instead, of which half is looked at. Nodes of variable mass are drawn back to their places, and
+cells have a hundredth of stabilisation. Each is refined in space and time together.
+
+**What is compared.** Elevations with the exact ones after a period and a quarter, when the surface is nearly level and
+falls fastest, so that the phase counts in full: the root mean square over the amplitude. The exact wave is of second
+order in $e = ka$, and known to $e^2$. Then each goes on for six periods, unless it breaks down or its surface is off by
+a quarter of the amplitude.
+
+**What to look at.** Free particles are as near as the exact wave is known, on any lattice. The mesh takes a hundredth
+of their time and is nearly as near. The energy of the mesh is that of its steps: they make it swing by
+$(\omega\tau)^2/4$. The dispersive model ends where its equations do, five per cent off after this time, by the phase,
+and takes a millisecond. Dirichlet cells are noisy, and lose the wave within a few periods; particles of variable mass
+keep it, with short waves on it. SPH loses height.
+
+**When it is no test.** Longer waves have less dispersion, and higher ones fold the mesh after some periods
+(`standing_wave_mesh_life`) and break the cells at once (`standing_wave_free_lagrangian`).
+*/
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/dispersive_standing_wave.hpp"
+#include "seiche/exact/standing_wave.hpp"
+#include "validation/case/case.hpp"
+#include "validation/studies/side_by_side/tank_wave.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using exact::StandingWave;
+
+const std::string source = "Tadjbakhsh and Keller (1960); Frank, Discrete models of incompressible fluid (1994)";
+const Named particles{"particles", "free particles"};
+const Named mesh{"mesh", "the Lagrangian mesh"};
+const Named variable_mass{"variable-mass", "particles of variable mass"};
+const Named dispersive{"dispersive", "dispersive shallow water"};
+
+StandingWave wave_of(const Values& values) {
+  return {values.real("amplitude"), values.real("wavelength"), 1, 1};
+}
+
+TankWave tank_of(const StandingWave& wave, double amplitude) {
+  const double length = std::numbers::pi / wave.wavenumber();
+  return {.length = length,
+          .water = {.period = 2 * length,
+                    .highest = 3 * amplitude,
+                    .elevation = [wave](double x) { return wave.elevation(x, 0); },
+                    .velocity = [](Point) { return Point{}; },
+                    .pressure =
+                        [wave](Point at) {
+                          return wave.pressure(at.x, std::min(at.y, wave.elevation(at.x, 0) - 1e-13), 0);
+                        }},
+          .speed = wave.frequency() / wave.wavenumber(),
+          .amplitude = amplitude,
+          .surface = [wave](double x, double t) { return wave.elevation(x, t); },
+          .part =
+              [length](double) {
+                return TankWave::Part{0, length};
+              }};
+}
+
+/// Markers at rest under the surface of the beginning, cells of equal volume.
+dispersive_shallow_water_1d::Flow dispersive_of(const StandingWave& wave, double length, double spacing) {
+  using namespace dispersive_shallow_water_1d;
+  const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
+  const auto cells = static_cast<std::size_t>(std::lround(length / spacing));
+  const double k = wave.wavenumber();
+  // What the surface adds up to x: it is e cos kx + B cos 2kx.
+  const double first = (wave.elevation(0, 0) - wave.elevation(length, 0)) / 2;
+  const double second = (wave.elevation(0, 0) + wave.elevation(length, 0)) / 2;
+  return Flow(channel,
+              moved_markers(
+                  channel, equal_labels(channel, 0, length, cells),
+                  [&](double x) {
+                    return SurfaceMotion{wave.elevation(x, 0), 0, 0};
+                  },
+                  [=](double x) { return (first * std::sin(k * x) + second / 2 * std::sin(2 * k * x)) / k; }, 0));
+}
+
+Trial trial_of(const Values& values) {
+  const StandingWave wave = wave_of(values);
+  const double a = values.real("amplitude");
+  const double length = std::numbers::pi / wave.wavenumber();
+  return {.end = values.real("periods") * wave.period(),
+          .last = values.real("last") * wave.period(),
+          .looks = std::lround(4 * values.real("last")),
+          .useless = 0.25,
+          .useless_in_words = "the surface is off by a quarter of the amplitude",
+          .energy_scale = a * a * length / 4,
+          .reference_uncertainty = std::pow(wave.wavenumber() * a, 2)};
+}
+
+struct Results {
+  Contest contest;
+};
+
+/// Of the surface of the dispersive model's own wave from the exact one, in the first harmonic, which a phase moves.
+double equations_apart(const Values& values) {
+  const StandingWave wave = wave_of(values);
+  const exact::DispersiveStandingWave own(values.real("amplitude"), values.real("wavelength"), 1, 1);
+  const double time = values.real("periods") * wave.period();
+  return std::abs(std::cos(own.frequency() * time) - std::cos(wave.frequency() * time)) / std::numbers::sqrt2;
+}
+
+/// What steps of such a length make the energy swing by.
+void claim_swing(const Claims<Contest>& all, const Named& model, double turn) {
+  claims_of(all, model.id)
+      .check(
+          {.id = model.id + "-swing",
+           .text = fmt::format("The energy changes by what the steps make it swing: {}.", model.name),
+           .quantity = "change over the energy",
+           .source = "Frank (1994), chapter 1; potential turned into kinetic energy"},
+          energy_of_finest,
+          evidence::Bound{.limit = 0.1 * turn * turn / 4,
+                          .reason = "the scheme keeps K (1 - (omega tau)^2/4) + P of a linear wave, hence that swing "
+                                    "from rest to a level surface; a tenth for what is not linear and not level",
+                          .expected = turn * turn / 4});
+}
+
+void claim_accuracy(const Claims<Contest>& all, const Values& values) {
+  const Trial trial = trial_of(values);
+  claims_of(all, "particles")
+      .check({.id = "particles-surface",
+              .text = "Free particles are as near as the exact wave is known.",
+              .quantity = "rms error of the surface over the amplitude",
+              .source = source},
+             error_of_finest,
+             evidence::Bound{.limit = trial.reference_uncertainty,
+                             .reason = "(ka)^2: the exact wave is of second order; steps and cells add less"});
+  claims_of(all, "mesh")
+      .check(
+          {.id = "mesh-order",
+           .text = "The mesh is of second order.",
+           .quantity = "order of the rms error of the surface",
+           .source = source},
+          [](const Entry& entry) { return entry.order(); },
+          evidence::Order{.theory = 2,
+                          .tolerance = 0.4,
+                          .reason =
+                              "second order in space and time; the exact wave is known to half of the error of the "
+                              "finest mesh, which takes or adds a quarter of an order between the last two"});
+  const double apart = equations_apart(values);
+  claims_of(all, "dispersive")
+      .check(
+          {.id = "dispersive-surface",
+           .text = "The dispersive model is off by what its equations' wave is late or early.",
+           .quantity = "rms error of the surface over the amplitude",
+           .source = "Tadjbakhsh and Keller (1960); averaged Lagrangian of the model's equations"},
+          error_of_finest,
+          evidence::Bound{.limit = 0.1 * apart,
+                          .reason = "expected: from the two frequencies alone; a tenth for what harmonics, of second "
+                                    "order in ka, and the spacing of the markers add",
+                          .expected = apart});
+  claims_of(all, "sph")
+      .check(
+          {.id = "sph-falls",
+           .text = "The finest lattice of SPH is nearer than one of half as many rows.",
+           .quantity = "it is",
+           .source = source},
+          [](const Entry& entry) { return entry.finest().error < entry.attempts.front().error ? 1.0 : 0.0; },
+          evidence::Qualitative{.detector = "rms error of the surface",
+                                .reason =
+                                    "its sums over neighbours converge, and its viscosity is in proportion to the "
+                                    "spacing: with a quarter of the water in a particle it must show"});
+}
+
+void claims(const Values& values, const Claims<Results>& all) {
+  const Claims<Contest> claims =
+      all.at(fmt::format("the finest, after {:g} periods", values.real("periods"))).of(&Results::contest);
+  claim_accuracy(claims, values);
+  const Trial trial = trial_of(values);
+  const double omega = wave_of(values).frequency();
+  const double speed = omega / wave_of(values).wavenumber();
+  claim_energy(claims_of(claims, "particles"), particles,
+               trial.end * speed * static_cast<double>(values.integer("particles")) / 0.15, 2,
+               "one rounding per step of the kinetic and of the potential energy",
+               "Frank (1994), chapter 6; exact for every space and step");
+  const auto from_rest =
+      claims.only_if(values.real("periods") == 1.25, "all energy is kinetic after a quarter of a period more");
+  claim_swing(from_rest, mesh, omega * 0.4 / static_cast<double>(values.integer("mesh")));
+  claim_swing(from_rest, dispersive, omega * 0.25 / static_cast<double>(values.integer("markers")));
+  const auto low = claims.only_if(values.real("amplitude") <= 0.05 && values.real("last") <= 8,
+                                  "higher waves, and longer times, end them");
+  for (const Named& model : {particles, mesh, variable_mass}) {
+    claim_lasts(claims_of(low, model.id), model, trial.last, source);
+  }
+  claim_breaks(
+      claims_of(claims.only_if(values.real("amplitude") >= 0.05 && values.real("last") >= 6, "small waves last longer"),
+                "dirichlet"),
+      {"dirichlet", "Dirichlet cells"},
+      "the offset of a node in its cell feels no restoring force, and noise grows until it is as high as the wave",
+      "Frank (1994), section 5.2, in words");
+}
+
+Results compute(const Run& run) {
+  const StandingWave wave = wave_of(run);
+  const TankWave tank = tank_of(wave, run.real("amplitude"));
+  return {contest(run,
+                  tank_contenders(tank, [&](double spacing) { return dispersive_of(wave, tank.length, spacing); },
+                                  {.particles = run.integer("particles"),
+                                   .mesh = run.integer("mesh"),
+                                   .cells = run.integer("cells"),
+                                   .sph = run.integer("sph"),
+                                   .markers = run.integer("markers")}),
+                  trial_of(run))};
+}
+
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  r.contest.show(exhibit, {.size = "depth", .error = "amplitude", .time = "sqrt(depth/g)"});
+}
+
+}  // namespace
+
+Case standing_wave_models() {
+  Case c;
+  c.title = "Which model should one take? A standing wave by six of them";
+  c.source =
+      "I. Tadjbakhsh, J. B. Keller, J. Fluid Mech. 8 (1960) 442; A. M. Frank, Discrete models of incompressible fluid, "
+      "doctoral thesis (1994)";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {
+      real("amplitude", 0.05, "depth", {0.01, 0.2}, "first-order coefficient of cos kx"),
+      real("wavelength", 6.0, "depth", {3, 12}, "of the wave; the walls are half of it apart"),
+      real("periods", 1.25, "1", {0.25, 10}, "after which errors are compared"),
+      real("last", 6.0, "1", {0.25, 50}, "periods for which the models are followed"),
+      integer("particles", {6, 12, 12}, {4, 40}, "cells of the free particles to the depth, finest of three"),
+      integer("mesh", {16, 32, 32}, {8, 96}, "rows of the Lagrangian mesh, finest of four"),
+      integer("cells", {12, 24, 24}, {12, 48}, "rows of Dirichlet cells and variable masses, the finest"),
+      integer("markers", {32, 64, 64}, {8, 512}, "of the dispersive model to the depth, finest of four"),
+      integer("sph", {12, 32, 32}, {8, 96}, "rows of SPH particles, finest of three"),
+  };
+  c.study = Study(claims, compute, show);
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,235 @@
+#include "validation/studies/side_by_side/contest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "seiche/divergence.hpp"
+#include "seiche/samples.hpp"
+#include "validation/case/on_threads.hpp"
+#include "validation/instruments/processor_time.hpp"
+
+namespace seiche::validation {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+double rms(const std::vector<double>& off) {
+  Mean mean;
+  for (const double one : off) mean.add(one);
+  return mean.rms();
+}
+
+/// Standard error of the rms of so many points.
+double standard_error(const std::vector<double>& off) {
+  Mean squares;
+  for (const double one : off) squares.add(one * one);
+  const double variance = squares.rms() * squares.rms() - squares.value() * squares.value();
+  const double root = std::sqrt(squares.value());
+  return root > 0 ? std::sqrt(std::max(variance, 0.0) / static_cast<double>(off.size())) / (2 * root) : 0;
+}
+
+/// What went wrong, without its time and place, which the table has beside it.
+std::string cause_of(const Divergence& divergence) {
+  const std::string words = divergence.what();
+  return words.substr(0, words.rfind(" at x = "));
+}
+
+}  // namespace
+
+evidence::ObservedOrder Entry::order() const {
+  std::vector<double> sizes;
+  std::vector<double> errors;
+  for (const Attempt& one : attempts) {
+    sizes.push_back(one.size);
+    errors.push_back(one.error);
+  }
+  return evidence::observed_order(sizes, errors);
+}
+
+const Entry& Contest::of(const std::string& id) const {
+  for (const Entry& entry : entries_) {
+    if (entry.id == id) return entry;
+  }
+  throw std::logic_error("no model of the contest is called \"" + id + "\"");
+}
+
+Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool may_refuse) {
+  Attempt result{.error = nan, .uncertainty = nan, .energy = nan, .momentum = nan, .asked = trial.last, .cause = {}};
+  double began = processor_seconds();
+  try {
+    const Racer racer = start();
+    result.seconds = processor_seconds() - began;
+    const Sight first = racer.look();
+    const double interval = trial.last / static_cast<double>(trial.looks);
+    bool at_end = false;
+    for (long n = 1; n <= trial.looks && (result.cause.empty() || !at_end);) {
+      const double look = interval * static_cast<double>(n);
+      const double to = at_end ? look : std::min(look, trial.end);
+      began = processor_seconds();
+      racer.advance_to(to);
+      if (!at_end) result.seconds += processor_seconds() - began;
+      const Sight sight = racer.look();
+      const double error = rms(sight.off);
+      if (!at_end && to >= trial.end) {
+        at_end = true;
+        result.error = error;
+        result.uncertainty = std::hypot(standard_error(sight.off), trial.reference_uncertainty);
+        result.energy = (sight.energy - first.energy) / trial.energy_scale;
+        result.momentum = std::abs(sight.momentum - first.momentum) / trial.momentum_scale;
+      }
+      const bool known = at_end || !sight.off.empty();
+      if (known && !(error <= trial.useless) && result.cause.empty()) {
+        result.cause = std::isnan(error) ? "nothing is left of its surface" : trial.useless_in_words;
+      }
+      if (result.cause.empty()) result.lasted = to;
+      if (to >= look) ++n;
+    }
+  } catch (const Divergence& divergence) {
+    if (result.cause.empty()) {
+      result.lasted = divergence.time();
+      result.cause = cause_of(divergence);
+    }
+  } catch (const std::invalid_argument& refusal) {
+    if (!may_refuse) throw;
+    result.cause = fmt::format("refuses to start: {}", refusal.what());
+  }
+  return result;
+}
+
+Contest contest(const Run& run, const std::vector<Contender>& contenders, const Trial& trial) {
+  if (trial.end > trial.last) {
+    throw std::invalid_argument(
+        fmt::format("last: the models are followed until t = {:g}, and compared at t = {:g}; must not be earlier",
+                    trial.last, trial.end));
+  }
+  std::vector<Entry> entries;
+  std::vector<std::function<void()>> work;
+  entries.reserve(contenders.size());
+  for (const Contender& one : contenders) {
+    Entry& entry = entries.emplace_back(Entry{one.id, one.name, one.size_of, one.role, {}});
+    for (const long n : one.resolutions) {
+      work.emplace_back([&entry, &one, &trial, n] {
+        entry.attempts.push_back(attempt([&] { return one.start(n); }, trial, one.may_refuse));
+        entry.attempts.back().size = one.size(n);
+      });
+    }
+  }
+  // One after another and on one thread each, or their times would be those of their neighbours.
+  on_threads(
+      work.size(), 1, [&](std::size_t k) { work[k](); },
+      [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(work.size())); });
+  return {std::move(entries), trial};
+}
+
+void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
+  auto& cost =
+      exhibit
+          .figure("cost", "Error against processor time",
+                  fmt::format("Of each model on its resolutions, coarse to fine, at t = {:.4g}.", trial_.end))
+          .panel(
+              {.x = "processor time [s]", .y = fmt::format("error [{}]", units.error), .log_x = true, .log_y = true});
+  evidence::Table table{.id = "side_by_side",
+                        .title = "The models side by side",
+                        .caption = fmt::format(
+                            "Error, processor time and what energy and momentum change by until t = {:.4g}; then on to "
+                            "t = {:.4g}, or until {}.",
+                            trial_.end, trial_.last, trial_.useless_in_words),
+                        .columns = {{"model", ""},
+                                    {"size of", ""},
+                                    {"size", units.size},
+                                    {"error", units.error},
+                                    {"uncertainty", units.error},
+                                    {"processor time", "s"},
+                                    {"energy", "1"},
+                                    {"momentum", "1"},
+                                    {"lasted", units.time},
+                                    {"asked", units.time},
+                                    {"broke by", ""}},
+                        .rows = {},
+                        .atlas = {}};
+  for (const Entry& entry : entries_) {
+    std::vector<double> seconds;
+    std::vector<double> errors;
+    std::vector<double> uncertainties;
+    for (const Attempt& one : entry.attempts) {
+      table.rows.push_back({entry.name, entry.size_of, one.size, one.error, one.uncertainty, one.seconds, one.energy,
+                            one.momentum, one.lasted, one.asked, one.cause});
+      if (std::isnan(one.error)) continue;
+      seconds.push_back(one.seconds);
+      errors.push_back(one.error);
+      uncertainties.push_back(one.uncertainty);
+    }
+    if (!errors.empty()) cost.points(entry.name, seconds, errors, entry.role, uncertainties);
+    exhibit.measure(entry.id + "_error", entry.finest().error);
+    exhibit.measure(entry.id + "_energy", entry.finest().energy);
+    exhibit.measure(entry.id + "_lasted", entry.finest().lasted);
+  }
+  exhibit.table(std::move(table));
+}
+
+std::vector<long> ladder_to(long finest, const std::vector<double>& parts) {
+  std::vector<long> all;
+  for (const double part : parts) all.push_back(std::lround(static_cast<double>(finest) * part));
+  return all;
+}
+
+Claims<Entry> claims_of(const Claims<Contest>& claims, const std::string& id) {
+  return claims.of([id](const Contest& all) -> const Entry& { return all.of(id); });
+}
+
+double error_of_finest(const Entry& entry) {
+  return entry.finest().error;
+}
+double energy_of_finest(const Entry& entry) {
+  return entry.finest().energy;
+}
+
+void claim_lasts(const Claims<Entry>& claims, const Named& model, double last, const std::string& source) {
+  claims.check(
+      {.id = model.id + "-lasts",
+       .text = fmt::format("Followed to the end: {}.", model.name),
+       .quantity = "time until it breaks down",
+       .source = source},
+      [](const Entry& entry) { return entry.finest().lasted; },
+      evidence::Bound{.limit = 1e-9, .reason = "the time that was asked for", .expected = last});
+}
+
+void claim_breaks(const Claims<Entry>& claims, const Named& model, const std::string& reason,
+                  const std::string& source) {
+  claims.check(
+      {.id = model.id + "-breaks",
+       .text = fmt::format("Breaks down before the end: {}.", model.name),
+       .quantity = "on one of its resolutions it breaks down before",
+       .source = source},
+      [](const Entry& entry) { return std::ranges::any_of(entry.attempts, &Attempt::broke) ? 1.0 : 0.0; },
+      evidence::Qualitative{.detector = "it stops, or its error says that it has lost the flow", .reason = reason});
+}
+
+void claim_dissipates(const Claims<Entry>& claims, const Named& model, const std::string& reason,
+                      const std::string& source) {
+  claims.check(
+      {.id = model.id + "-dissipates",
+       .text = fmt::format("It loses energy and gains none: {}.", model.name),
+       .quantity = "the energy falls, on every resolution",
+       .source = source},
+      [](const Entry& entry) {
+        const auto falls = [](const Attempt& one) { return one.energy < 0; };
+        return std::ranges::all_of(entry.attempts, falls) ? 1.0 : 0.0;
+      },
+      evidence::Qualitative{.detector = "energy at the end less that of the beginning is negative", .reason = reason});
+}
+
+void claim_energy(const Claims<Entry>& claims, const Named& model, double operations, double scale,
+                  const std::string& reason, const std::string& source) {
+  claims.check({.id = model.id + "-energy",
+                .text = fmt::format("The energy is kept to round-off: {}.", model.name),
+                .quantity = "relative change",
+                .source = source},
+               energy_of_finest, evidence::Roundoff{.operations = operations, .scale = scale, .reason = reason});
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,165 @@
+#include "validation/studies/side_by_side/tank_wave.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "seiche/models/dirichlet_mesh/flow.hpp"
+#include "seiche/models/gauss_particles/flow.hpp"
+#include "seiche/models/gauss_particles/spline_space.hpp"
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/models/variable_mass/flow.hpp"
+
+namespace seiche::validation {
+namespace {
+
+using evidence::Role;
+
+/// A flow in equal steps; `surface` reads its surface.
+template <class Flow, class Surface>
+Racer racer_of(const std::shared_ptr<Flow>& flow, const TankWave& wave, double tau, Surface surface) {
+  return {[flow, tau](double time) { flow->advance_to(time, tau); },
+          [flow, &wave, surface] {
+            return Sight{.off = wave.off(surface(*flow), flow->time()), .energy = flow->energy()};
+          }};
+}
+
+std::vector<Point> joined(std::span<const double> x, std::span<const double> y) {
+  std::vector<Point> points;
+  for (std::size_t k = 0; k < x.size(); ++k) points.push_back({x[k], y[k]});
+  return points;
+}
+
+Racer start_mesh(const TankWave& wave, long rows) {
+  using lagrangian_mesh_2d::Flow;
+  const double h = 1 / static_cast<double>(rows);
+  const auto flow = std::make_shared<Flow>(
+      lagrangian_mesh_2d::layer_mesh({.end = wave.length,
+                                      .columns = static_cast<std::size_t>(std::lround(wave.length / (2 * h))),
+                                      .rows = static_cast<std::size_t>(rows),
+                                      .elevation = wave.water.elevation}),
+      wave.water.velocity);
+  return racer_of(flow, wave, 0.4 * h, [](const Flow& f) { return joined(f.surface_x(), f.surface_y()); });
+}
+
+/// Square cells, in staggered rows.
+free_lagrangian::Mesh cells_at_rest(const TankWave& wave, long rows) {
+  return free_lagrangian::layer_mesh({.end = wave.length,
+                                      .columns = static_cast<int>(std::lround(wave.length * static_cast<double>(rows))),
+                                      .rows = static_cast<int>(rows)});
+}
+
+constexpr double stabilisation = 0.01;  ///< of the pressures of cells: what travelling waves are to have
+constexpr variable_mass::Control control{.kind = variable_mass::ControlKind::mapped, .rate = 1, .surface_rate = 0.5};
+
+template <class At>
+std::vector<Point> chosen(std::span<const int> nodes, const At& at) {
+  std::vector<Point> points;
+  for (const int node : nodes) points.push_back(at[node]);
+  return points;
+}
+
+Racer start_dirichlet(const TankWave& wave, long rows) {
+  using dirichlet_mesh::Flow;
+  const free_lagrangian::Mesh rest = cells_at_rest(wave, rows);
+  const auto top = std::make_shared<variable_mass::Surface>(rest);
+  const auto flow =
+      std::make_shared<Flow>(variable_mass::ControlVelocity(rest, control).raised(wave.water.elevation),
+                             wave.water.velocity, dirichlet_mesh::Settings{.stabilisation = stabilisation});
+  return racer_of(flow, wave, 0.4 / static_cast<double>(rows), [top](const Flow& f) {
+    return chosen(top->nodes(), Places{f.x(), f.y()});
+  });
+}
+
+Racer start_variable_mass(const TankWave& wave, long rows) {
+  using variable_mass::Flow;
+  const free_lagrangian::Mesh rest = cells_at_rest(wave, rows);
+  const auto top = std::make_shared<variable_mass::Surface>(rest);
+  const auto flow = std::make_shared<Flow>(
+      rest, variable_mass::Start{.elevation = wave.water.elevation, .velocity = wave.water.velocity}, control,
+      variable_mass::Settings{.stabilisation = stabilisation});
+  return racer_of(flow, wave, 0.4 / static_cast<double>(rows),
+                  [top](const Flow& f) { return chosen(top->nodes(), f.nodes()); });
+}
+
+Racer start_particles(const TankWave& wave, long cells) {
+  using gauss_particles::Flow;
+  using gauss_particles::SplineSpace;
+  const double cell = 1 / static_cast<double>(cells);
+  constexpr double side = 6;  // particles to a cell's
+  const auto across = static_cast<std::size_t>(std::lround(wave.length * static_cast<double>(cells)));
+  const auto flow = std::make_shared<Flow>(
+      gauss_particles::layer({.begin = 0,
+                              .end = wave.length,
+                              .columns = across * static_cast<std::size_t>(side),
+                              .rows = static_cast<std::size_t>(cells) * static_cast<std::size_t>(side),
+                              .surface = wave.water.elevation,
+                              .bottom = [](double) { return -1.0; },
+                              .markers = 20 * across,
+                              .marker_at_end = true}),
+      std::make_unique<SplineSpace>(
+          gauss_particles::LatticePlan{
+              .cell_x = cell, .left_wall = 0.0, .right_wall = wave.length, .bottom = true, .ground = {.level = -1}},
+          SplineSpace::Settings{.inner_fraction = 0.9}),
+      wave.water.velocity,
+      gauss_particles::Settings{
+          .gravity = 1, .penalty = 0, .surface = gauss_particles::SurfaceLine{.exact_energy = true}});
+  return racer_of(flow, wave, 0.15 * cell / wave.speed, [](const Flow& f) { return f.markers(); });
+}
+
+Racer start_in_box(const TankWave& wave, long rows) {
+  const auto flow = std::make_shared<wcsph::Flow>(start_sph(wave.water, 1 / static_cast<double>(rows)));
+  const double share = wave.length / wave.water.period;  // of the box, whose parts are mirror images
+  return {[flow](double time) { flow->advance_to(time); },
+          [flow, &wave, share] {
+            return Sight{.off = wave.off(surface_of(*flow, wave.water, 0, wave.length), flow->time()),
+                         .energy = share * flow->totals().energy()};
+          }};
+}
+
+Racer start_dispersive(const TankWave& wave, const DispersiveStart& start, long markers) {
+  using dispersive_shallow_water_1d::Flow;
+  const double spacing = 1 / static_cast<double>(markers);
+  const auto flow = std::make_shared<Flow>(start(spacing));
+  constexpr double no_courant_limit = 1e9;  // depths hardly change: tau alone decides
+  return {[flow, spacing](double time) { flow->advance_to(time, 0.25 * spacing, {}, no_courant_limit); },
+          [flow, &wave] {
+            return Sight{.off = wave.off(joined(flow->x(), flow->y()), flow->time()), .energy = flow->energy()};
+          }};
+}
+
+}  // namespace
+
+std::vector<double> TankWave::off(const std::vector<Point>& points, double time) const {
+  const auto [from, to] = part(time);
+  std::vector<double> heights;
+  for (const Point& point : points) {
+    if (point.x < from || point.x > to) continue;
+    heights.push_back((point.y - surface(point.x, time)) / amplitude);
+  }
+  return heights;
+}
+
+std::vector<Contender> tank_contenders(const TankWave& wave, const DispersiveStart& dispersive,
+                                       const TankSizes& sizes) {
+  const auto over = [](long n) { return 1 / static_cast<double>(n); };
+  const auto starting = [&wave](Racer (*start)(const TankWave&, long)) {
+    return [&wave, start](long n) { return start(wave, n); };
+  };
+  const std::vector<double> four{0.375, 0.5, 0.75, 1};
+  return {{"particles", "free particles", "cell", Role::computed, ladder_to(sizes.particles, {0.5, 0.75, 1}), over,
+           starting(start_particles)},
+          {"mesh", "Lagrangian mesh", "row", Role::peer, ladder_to(sizes.mesh, four), over, starting(start_mesh)},
+          {"dirichlet", "Dirichlet cells", "row", Role::peer, ladder_to(sizes.cells, {0.5, 1}), over,
+           starting(start_dirichlet)},
+          {"variable-mass", "variable mass", "row", Role::peer, ladder_to(sizes.cells, {0.333, 0.5, 0.667, 1}), over,
+           starting(start_variable_mass)},
+          {"dispersive", "dispersive shallow water", "marker spacing", Role::data,
+           ladder_to(sizes.markers, {0.125, 0.25, 0.5, 1}), over,
+           [&wave, dispersive](long n) { return start_dispersive(wave, dispersive, n); }},
+          {"sph", "SPH", "particle spacing", Role::peer, ladder_to(sizes.sph, {0.5, 0.75, 1}), over,
+           starting(start_in_box)}};
+}
+
+}  // namespace seiche::validation
