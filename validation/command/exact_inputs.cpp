@@ -108,7 +108,7 @@ double instant(const ExactSolution& solution, const InputOptions& options) {
 
 fs::path write(const InputOptions& options, const std::string& name, const std::string& text) {
   fs::create_directories(options.folder);
-  const fs::path file = options.folder / name;
+  fs::path file = options.folder / name;
   io::write_file(file, text);
   return file;
 }

@@ -79,6 +79,7 @@ WorstCurve worst_curve(const std::vector<WantedTable>& wanted, const Submitted& 
       for (const SubmittedGroup& group : found->second) {
         const std::vector<double> x = table.points(group.value);
         std::vector<double> r;
+        r.reserve(x.size());
         for (const double at : x) r.push_back(quantity.reference({group.value, at}));
         const Curve curve{group.abscissa, group.values.at(quantity.column.name)};
         const double error = agreement(curve, {x, r}).relative_l2;

@@ -85,7 +85,8 @@ std::vector<std::pair<double, double>> heights_of_cells(const std::vector<Vector
     columns[{std::llround(centres[i][0] / unit), std::llround(centres[i][across] / unit)}].push_back(i);
   }
   std::vector<std::pair<double, double>> edges(centres.size());
-  for (auto& [place, cells] : columns) {
+  for (auto& column : columns) {
+    std::vector<std::size_t>& cells = column.second;
     if (cells.size() < 2) {
       throw std::invalid_argument(
           fmt::format("one cell alone at x = {:g}: cells must stand above each other, two or more, with {} upward",
