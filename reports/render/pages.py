@@ -170,6 +170,12 @@ def grouped(cases):
     return [(kind, list(groups.items())) for kind, groups in kinds.items()]
 
 
+def is_first_look(table):
+    """Questions with their answers; a table of that name with anything else in it is a table."""
+    return table["id"] == FIRST_LOOK and all(len(row) == 2 and all(isinstance(entry, str) for entry in row)
+                                             for row in table["rows"])
+
+
 def case_view(case, drawn, tile_titles):
     """What a case page needs beside the records: figures and claims of several solvers side by side."""
     figures, tables, claims, parameters, measurements = ({} for _ in range(5))
@@ -178,7 +184,7 @@ def case_view(case, drawn, tile_titles):
         for figure in record.figures:
             figures.setdefault(figure["id"], []).append((record, figure, drawn[record.stem, figure["id"]]))
         for table in record.tables:
-            if table["id"] == FIRST_LOOK:
+            if is_first_look(table):
                 first_looks.append((record, table["rows"]))
                 continue
             tables.setdefault(table["id"], []).append((record, table))

@@ -3,10 +3,10 @@ How much of a wave does a solver lose on its way, and how much too fast or too s
 basin before it meets the structure that the computation is about: what is lost on the way is lost there.
 
 **Set-up.** Depth, gravity and density are 1. An exact periodic wave of the Euler equations (`seiche exact stokes`),
-$2\pi$ long, travels in a periodic box of one wavelength over a flat bottom without friction; ours in three heights, of a
-twentieth, a tenth and a fifth of the depth. Free particles, the dispersive model and SPH follow it for ten periods. The
-Lagrangian mesh has no period: there a wave in a longer chain is followed, for fewer. The dispersive model, for which
-the wave is none, starts from the wave of its own equations with the same height and length.
+$2\pi$ long, travels in a periodic box of one wavelength over a flat bottom without friction; ours in three heights, of
+a twentieth, a tenth and a fifth of the depth. Free particles, the dispersive model and SPH follow it for ten periods.
+The Lagrangian mesh has no period: there a wave in a longer chain is followed, for fewer. The dispersive model, for
+which the wave is none, starts from the wave of its own equations with the same height and length.
 
 **What is compared.** After every period, the fundamental of the surface: its amplitude over that of the exact wave, and
 its phase. What either changes by in a wavelength is the slope of a straight line through the periods, so that a wrong
@@ -14,9 +14,11 @@ beginning is not counted. Shown against the cells in the height of the wave, and
 
 **For any solver.** `seiche score wave_attenuation --template` asks for the surface after every period; start from the
 exact surface and velocities (`seiche exact stokes --write` gives them to several solvers) with a crest at $x = 0$, in a
-periodic box; `--set height=0.05` asks for a lower wave. Histories of volume, energy and momentum are judged where they
-are given. Lost may be half a per cent of the height in a wavelength, and as much of a wavelength in phase: after ten
-wavelengths that is the twentieth that benchmarks of tsunamis allow.
+periodic box; `--set height=0.05` asks for a lower wave. A solver without periodic boxes makes the wave in a flume:
+`--set tank=flume` asks for gauges after every wavelength, over four periods once the waves are settled, and counts
+wavelengths of way in place of periods. Histories of volume, energy and momentum are judged where they are given. Lost
+may be half a per cent of the height in a wavelength, and as much of a wavelength in phase: after ten wavelengths that
+is the twentieth that benchmarks of tsunamis allow.
 
 **What to look at.** Particles keep the height whatever the lattice, and lag by their steps. The mesh loses a tenth of a
 per cent in a wavelength of ten rows, and less of lower waves. SPH of twelve rows loses a tenth of the
@@ -371,10 +373,40 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
   }
 }
 
-constexpr int asked = 129;  ///< points of a surface
+constexpr int asked = 129;       ///< points of a surface
+constexpr int seen_periods = 4;  ///< at a gauge
+
+using Wave = std::shared_ptr<const StokesWave>;
+
+std::string exact_command(const StokesWave& wave, const std::string& grid) {
+  return fmt::format("seiche exact stokes --set amplitude={:.17g},wavelength={:.17g},depth=1,gravity=1 --grid {}",
+                     wave.amplitude(), wave.wavelength(), grid);
+}
+
+/// Gauges along a flume, a wavelength from each other.
+WantedTable wanted_gauges(const Wave& wave, const Values& values) {
+  const long count = values.integer("periods");
+  std::vector<double> places;
+  for (long n = 1; n <= count; ++n) places.push_back(static_cast<double>(n) * wave->wavelength());
+  const double last = seen_periods * period_of(*wave);
+  return {
+      .name = "gauges",
+      .kind = WantedTable::Kind::series,
+      .group = Column{"x", "m", "place of the gauge, from where a crest is at t = 0"},
+      .abscissa = Column{"t", "s", "time, once the waves are settled at every gauge; for gravity 1 m/s^2, depth 1 m"},
+      .quantities = {{.column = {"eta", "m", "surface elevation above the mean level"},
+                      .reference = [wave](Place p) { return wave->elevation(p.group, p.abscissa); },
+                      .requirements = {within_tolerance(Measure::amplitude_ratio, values, "The wave has its height.",
+                                                        source, 1)}}},
+      .groups = places,
+      .points = [last](double) { return evenly(0, last, seen_periods * (asked - 1) / 4 + 1); },
+      .exact = {exact_command(*wave, fmt::format("x={:.17g}:{:.17g}:{},t=0:{:.17g}:{}", places.front(), places.back(),
+                                                 count, last, seen_periods * (asked - 1) / 4 + 1))}};
+}
 
 std::vector<WantedTable> wanted(const Values& values) {
-  const auto wave = std::make_shared<const StokesWave>(wave_of(values.real("height"), values.real("length")));
+  const Wave wave = std::make_shared<const StokesWave>(wave_of(values.real("height"), values.real("length")));
+  if (values.text("tank") == "flume") return {wanted_gauges(wave, values)};
   const long periods = values.integer("periods");
   std::vector<double> times;
   for (long n = 1; n <= periods; ++n) times.push_back(static_cast<double>(n) * period_of(*wave));
@@ -388,10 +420,8 @@ std::vector<WantedTable> wanted(const Values& values) {
                                                              "The wave has its height.", source, 1)}}},
            .groups = times,
            .points = [wave](double) { return evenly(0, wave->wavelength(), asked); },
-           .exact = {fmt::format("seiche exact stokes --set amplitude={:.17g},wavelength={:.17g},depth=1,gravity=1 "
-                                 "--grid x=0:{:.17g}:{},t={:.17g}:{:.17g}:{}",
-                                 wave->amplitude(), wave->wavelength(), wave->wavelength(), asked, times.front(),
-                                 times.back(), periods)}}};
+           .exact = {exact_command(*wave, fmt::format("x=0:{:.17g}:{},t={:.17g}:{:.17g}:{}", wave->wavelength(), asked,
+                                                      times.front(), times.back(), periods))}}};
 }
 
 /// The submitted surface at as many points of a wavelength, through its period where it ends at centres of cells.
@@ -417,21 +447,40 @@ std::vector<Point> surface_of(const SubmittedGroup& group, double length) {
   return surface;
 }
 
+/// The fundamental at a gauge: all its periods laid over each other, in time.
+Fundamental at_gauge(const StokesWave& wave, const SubmittedGroup& group) {
+  const double period = period_of(wave);
+  std::vector<Point> folded;
+  for (std::size_t k = 0; k < group.abscissa.size(); ++k) {
+    if (group.abscissa[k] < 0 || group.abscissa[k] >= seen_periods * period * (1 - 1e-9)) continue;
+    folded.push_back({std::fmod(group.abscissa[k], period), group.values.at("eta")[k]});
+  }
+  std::ranges::sort(folded, {}, &Point::x);
+  const Elevation in_time = [&](double t) { return wave.elevation(wave.phase_speed() * t); };
+  const Fundamental late = surface_fundamental(in_time, period, folded, group.value / wave.phase_speed());
+  return {late.height, -late.lead};
+}
+
+Fundamental at_instant(const StokesWave& wave, const SubmittedGroup& group) {
+  return surface_fundamental([&](double x) { return wave.elevation(x); }, wave.wavelength(),
+                             surface_of(group, wave.wavelength()), wave.phase_speed() * group.value);
+}
+
 void judge(const Values& values, const Submitted& submitted, const SolverFacts& facts, evidence::Record& record) {
-  const auto found = submitted.find("surface");
+  const bool flume = values.text("tank") == "flume";
+  const auto found = submitted.find(flume ? "gauges" : "surface");
   if (found == submitted.end()) return;
   const StokesWave wave = wave_of(values.real("height"), values.real("length"));
   std::vector<double> way;
   std::vector<Fundamental> stations;
   for (const SubmittedGroup& group : found->second) {
-    way.push_back(group.value / period_of(wave));
-    stations.push_back(surface_fundamental([&](double x) { return wave.elevation(x); }, wave.wavelength(),
-                                           surface_of(group, wave.wavelength()), wave.phase_speed() * group.value));
+    way.push_back(group.value / (flume ? wave.wavelength() : period_of(wave)));
+    stations.push_back(flume ? at_gauge(wave, group) : at_instant(wave, group));
   }
   const Rates rates = rates_of(way, stations);
   record.measure("decay_per_wavelength", rates.decay);
   record.measure("lead_per_wavelength", rates.lead);
-  std::string resolution = fmt::format("{} periods", way.size());
+  std::string resolution = fmt::format("{} {}", way.size(), flume ? "gauges" : "periods");
   if (facts.cell) {
     record.measure("cells_per_height", values.real("height") / *facts.cell);
     resolution += fmt::format(", {:.3g} cells in the height", values.real("height") / *facts.cell);
@@ -464,6 +513,8 @@ Case wave_attenuation() {
   c.parameters = {
       real("height", 0.2, "depth", {0.02, 0.4}, "from trough to crest, of the highest of ours; of the one submitted"),
       real("length", 2 * std::numbers::pi, "depth", {4, 15}, "of the wave"),
+      choice("tank", std::string("box"), {"box", "flume"},
+             "what a submitted wave travels in: a periodic box, or a flume with a gauge after every wavelength"),
       integer("periods", 10, {2, 100}, "that it is followed"),
       integer("mesh_periods", {3, 10, 10}, {2, 100}, "on the mesh, which has no period"),
       integer("cells", {24, 42, 56}, {20, 140}, "of the particles' lattice to a wavelength, finest of three"),

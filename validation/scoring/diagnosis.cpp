@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "seiche/samples.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/scoring/misreading.hpp"
 
@@ -28,6 +29,18 @@ Points reference_of(const WantedTable& table, const WantedQuantity& quantity, do
   Points points{.x = table.points(group), .y = {}};
   for (const double at : points.x) points.y.push_back(quantity.reference({group, at}));
   return points;
+}
+
+/// Of a misfit over the reference, below which there is none.
+constexpr double rounding = 1e-9;
+
+/// Root mean square of what is known.
+double size_of(const Points& reference) {
+  Mean squares;
+  for (const double y : reference.y) {
+    if (!std::isnan(y)) squares.add(y);
+  }
+  return squares.rms();
 }
 
 /// That the curve is the one of another group: leaves less than the third of the misfit that explains one.
@@ -79,7 +92,9 @@ std::vector<Said> said_of(const WantedTable& table, const WantedQuantity& quanti
   if (const auto cut = short_of(table, quantity, group, reference.curve())) all.push_back({*cut, {}});
   const auto misread = misreading(submitted, reference.curve());
   const double before = misfit(submitted, reference.curve());
-  const auto other = misread || before > 0 ? neighbour(table, quantity, group, submitted, before) : std::nullopt;
+  const auto other = misread || before > rounding * size_of(reference)
+                         ? neighbour(table, quantity, group, submitted, before)
+                         : std::nullopt;
   if (other && (!misread || other->left < misread->left)) {
     all.push_back({*other, {}});
   } else if (misread && !(shift_fitted && misread->kind == Misreading::Kind::shift)) {

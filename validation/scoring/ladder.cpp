@@ -167,7 +167,7 @@ std::optional<Reach> Ladder::reach(const LadderQuantity& q, double target) const
   if (!q.relative || !(order > 0) || stays(q)) return std::nullopt;
   const double error = q.converging().back();
   const auto with = [&](double p) { return p > 0 ? size.back() * std::pow(target / error, 1 / p) : 0.0; };
-  const auto [least, most] = std::minmax(with(order - q.order.half_width), with(order + q.order.half_width));
+  const auto [least, most] = std::minmax({with(order - q.order.half_width), with(order + q.order.half_width)});
   Reach reached{.size = with(order), .least = least, .most = most, .seconds = {}};
   if (seconds.empty()) return reached;
   const evidence::ObservedOrder cost = evidence::order_of_few(size, seconds, fewest_sizes);

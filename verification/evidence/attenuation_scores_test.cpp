@@ -6,6 +6,7 @@
 #include "seiche/exact/stokes_wave.hpp"
 #include "validation/case/job.hpp"
 #include "validation/case/registry.hpp"
+#include "validation/scoring/diagnosis.hpp"
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
@@ -37,6 +38,31 @@ evidence::Record scored(const std::function<double(const exact::StokesWave&, dou
   evidence::Record record = Job{&one, values}.blank_record();
   score(wanted, submitted, {}, record);
   one.submission.judge(values, submitted, {.cell = 0.1, .seconds = 20}, record);
+  return record;
+}
+
+/// The same at gauges along a flume, 37 times in a period.
+evidence::Record scored_flume(double rate, double slow) {
+  const Case& one = find_case("wave_attenuation");
+  Values values = one.values(Tier::quick);
+  values.set("tank", std::string("flume"));
+  const exact::StokesWave wave(values.real("height") / 2, values.real("length"), 1, 1);
+  const std::vector<WantedTable> wanted = one.submission.tables(values);
+  const double period = wave.wavelength() / wave.phase_speed();
+  Submitted submitted;
+  for (const double x : wanted.front().groups) {
+    SubmittedGroup group{.value = x};
+    for (int k = 0; k <= 4 * 37; ++k) {
+      const double t = period * k / 37;
+      group.abscissa.push_back(t);
+      group.values["eta"].push_back(std::exp(-rate * x / wave.wavelength()) *
+                                    wave.elevation((1 + slow) * x - wave.phase_speed() * t));
+    }
+    submitted["gauges"].push_back(group);
+  }
+  evidence::Record record = Job{&one, values}.blank_record();
+  score(wanted, submitted, {}, record);
+  one.submission.judge(values, submitted, {}, record);
   return record;
 }
 
@@ -87,4 +113,25 @@ TEST_CASE("a wave that dies away or comes late is told by how much in a waveleng
   measured("late", "A wave that is 8 per cent slow is 0.08 wavelengths late in one.", slow, "lead_per_wavelength",
            -0.08);
   is("slow", "It fails.", verdict_of(slow, "phase"), Verdict::fail);
+
+  measured("flume-right", "In a flume the exact wave loses nothing.", scored_flume(0, 0), "decay_per_wavelength", 0);
+  measured("flume-decay", "Along a flume a loss is measured by the way.", scored_flume(0.008, 0),
+           "decay_per_wavelength", 0.008);
+  measured("flume-late", "Waves a hundredth too short are late by it in a wavelength.", scored_flume(0, 0.01),
+           "lead_per_wavelength", -0.01);
+
+  // Every period has the same surface: one that is right but for rounding is not taken for another's.
+  const Case& one = find_case("wave_attenuation");
+  const std::vector<WantedTable> wanted = one.submission.tables(one.values(Tier::quick));
+  Submitted exact;
+  for (const double t : wanted.front().groups) {
+    SubmittedGroup group{.value = t, .abscissa = wanted.front().points(t), .values = {}};
+    for (const double x : group.abscissa) {
+      group.values["eta"].push_back(wanted.front().quantities.front().reference({wanted.front().groups.back(), x}));
+    }
+    exact["surface"].push_back(group);
+  }
+  check.that({.id = "silent", .text = "Of a right wave nothing is said.", .quantity = "findings", .source = "made so"},
+             {.value = static_cast<double>(diagnosis(wanted, exact).size())},
+             Bound{.limit = 0, .reason = "nothing differs"});
 }

@@ -99,6 +99,10 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
   close("reach", "One per cent of 3 h needs h = 1/300.", reach ? reach->size : 0, 1.0 / 300, 1e-9, rounding);
   close("cost", "At a cost that grows with the cube it takes 27000 times a thousandth of a second.",
         reach && reach->seconds ? *reach->seconds : 0, 27000, 1e-9, rounding);
+  const Ladder second = ladder(2);
+  const auto sooner = second.reach(second.quantities.at(1), 0.01);
+  close("reach-second", "Of 3 h^2 it needs h = sqrt(1/300).", sooner ? sooner->size : 0, std::sqrt(1.0 / 300), 1e-9,
+        rounding);
   // A scalar with error a h has 1.25 a h for its half-width: the safety factor of Roache.
   close("numerical", "The numerical error is 1.25 times that of the finest.", height.numerical, 1.25 * 0.075, 1e-3,
         "the scan for the order has steps of 0.005");

@@ -102,6 +102,11 @@ def tile_table(tile):
     return [{"id": "t", "title": "t", "caption": "c", "columns": [], "rows": [], "atlas": [tile]}]
 
 
+def first_look(rows):
+    return {"id": "first-look", "title": "t", "caption": "c", "columns": [{"name": "question", "unit": ""}], "rows": rows,
+            "atlas": []}
+
+
 def figure(name, **changes):
     return {**{"id": name, "title": "A figure", "caption": "With $h_0$.", "drawing": "panels", "atlas": []}, **changes}
 
@@ -142,7 +147,8 @@ def write_evidence(folder):
                claims=[claim("one", "roundoff"), claim("two", "order", measured=2.04, uncertainty=0.05, expected=2.0),
                        claim("three", "uncertainty"), claim("four", "qualitative", measured=1, expected=1)]))
     write_arrays(folder / "two_solvers.h5", {"f": [every_style, every_style[:3]], "long": [many]})
-    put(record("two_solvers", solver="another", data="two_solvers.another.h5", figures=[figure("f")]), "two_solvers.another")
+    put(record("two_solvers", solver="another", data="two_solvers.another.h5", figures=[figure("f")],
+               tables=[first_look([["whose it is", "that of nobody"]])]), "two_solvers.another")
     write_arrays(folder / "two_solvers.another.h5", {"f": [every_style[:2]]})
     put(record("hostile", kind="verification", group=HOSTILE, solver="seiche", title=HOSTILE, source=HOSTILE,
                article=HOSTILE + "\n\n[link](javascript:alert(1)) ![p](http://example.org/p.png) <img src=x onerror=y>",
@@ -153,7 +159,7 @@ def write_evidence(folder):
                tables=[{"id": "t", "title": HOSTILE, "caption": HOSTILE, "columns": [{"name": HOSTILE, "unit": HOSTILE}],
                         "rows": [[HOSTILE], [None], [True], [1e-300]], "atlas": ["frank-table-celerity", "no-such-tile"]}]))
     write_arrays(folder / "hostile.h5", {"f": [[(HOSTILE, "computed", "line", x, x)]]})
-    put(record("nulls", wall_time=None, measurements={"m": None},
+    put(record("nulls", wall_time=None, tables=[first_look([["one"], [None, 1.0, "three"]])], measurements={"m": None},
                claims=[claim("one", verdict="fail", measured=None, uncertainty=None, expected=None,
                              criterion={"kind": "bound", "limit": None, "reason": "r", "relative": True}),
                        claim("late", verdict="fail", declared="fail", declared_reason="known"),
@@ -241,6 +247,12 @@ class Report(unittest.TestCase):
         self.assertIn("tier", self.index)
         page = (self.out / "cases/two_solvers.html").read_text(encoding="utf-8")
         self.assertIn("another", page)
+
+    def test_what_is_seen_first_comes_first_and_anything_else_of_that_name_is_a_table(self):
+        page = (self.out / "cases/two_solvers.html").read_text(encoding="utf-8")
+        self.assertLess(page.index("that of nobody"), page.index("Solvers side by side"))
+        self.assertNotIn('id="two_solvers.another-table-first-look"', page)
+        self.assertIn('id="nulls-table-first-look"', (self.out / "cases/nulls.html").read_text(encoding="utf-8"))
 
     def test_surprises_are_called_out_and_declared_failures_explained(self):
         alarm = self.index[self.index.index('id="unexpected"'):self.index.index('id="declared"')]
