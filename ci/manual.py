@@ -57,8 +57,9 @@ def literal(text):
     return re.sub(r"(?m)^([.'])", r"\\&\1", text.replace("\\", "\\e").replace("-", r"\-"))
 
 
-# An option's value in the help of CLI11: "TEXT", "TEXT:{csv,json}=csv", "UINT:INT in [1 - 1024]", "TEXT ...".
-VALUE = re.compile(r"^(?P<kind>\w+)?(?::(?P<check>.*?))?(?:=(?P<default>.*?))?(?P<many> \.\.\.)?(?: REQUIRED)?$")
+# An option's value in the help of CLI11: "TEXT", "TEXT:{csv,json}=csv", "UINT:INT in [1 - 1024]", "TEXT ...", "FLOAT x 2".
+VALUE = re.compile(r"^(?P<kind>\w+)?(?::(?P<check>.*?))?(?:=(?P<default>.*?))?(?: x (?P<count>\d+))?(?P<many> \.\.\.)?"
+                   r"(?: REQUIRED)?$")
 KINDS = {"TEXT": "text", "INT": "number", "UINT": "number", "FLOAT": "number"}
 
 
@@ -78,7 +79,8 @@ def entry(term, explanation):
         notes.append(f"default {value['default']}")
     shown = ", ".join(rf"\fB{literal(name)}\fR" for name in names.split(","))
     if value["kind"] and names.startswith("-"):
-        shown += rf" \fI{KINDS.get(value['kind'], value['kind'])}\fR"
+        kind = KINDS.get(value["kind"], value["kind"])
+        shown += rf" \fI{','.join([kind] * int(value['count'] or 1))}\fR"
     if value["many"]:
         shown += r" \&..."
     text = "; ".join([explanation, *notes] if explanation else notes)

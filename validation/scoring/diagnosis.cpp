@@ -97,7 +97,7 @@ std::vector<Said> said_of(const WantedTable& table, const WantedQuantity& quanti
                          : std::nullopt;
   if (other && (!misread || other->left < misread->left)) {
     all.push_back({*other, {}});
-  } else if (misread && !(shift_fitted && misread->kind == Misreading::Kind::shift)) {
+  } else if (misread && !(shift_fitted && misread->kind >= Misreading::Kind::level)) {
     all.push_back(
         {{where_of(table, quantity, group), misread->words(quantity.column.unit, table.abscissa->unit), misread->left},
          misread});

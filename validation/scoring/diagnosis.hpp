@@ -18,7 +18,9 @@ struct Finding {
 /// Findings of a whole submission: a curve that misses its reference by what one change would explain
 /// (validation/scoring/misreading.hpp), one that is that of another group, one that ends early, a number in another
 /// unit. The same finding in every group is said once.
-/// @param shift_fitted  the case fits a shift along the abscissa and judges it: then none is said here
+/// @param shift_fitted  the case fits a shift along the abscissa and judges it: then no fitted number is said here, as
+/// a
+///                      front that is late looks like one that is too short as well
 std::vector<Finding> diagnosis(const std::vector<WantedTable>& wanted, const Submitted& submitted,
                                bool shift_fitted = false);
 

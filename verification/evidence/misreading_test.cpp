@@ -152,6 +152,9 @@ TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says 
   says("cut", {{"gauges", {series(1, at(1), 12), series(2, at(2))}}}, 1, "ends at t = 12 s, the reference at 20");
   says("late", {{"gauges", {series(1, late(1)), series(2, late(2))}}}, 1, "every x fits the reference 0.5 s earlier");
   says("fitted", {{"gauges", {series(1, late(1)), series(2, late(2))}}}, 0, "", true);
+  const auto large = [&](double x) { return [&, x](double t) { return 1.2 * reference({x, t}); }; };
+  says("scaled", {{"gauges", {series(1, large(1)), series(2, large(2))}}}, 1, "amplitude");
+  says("fitted-scaled", {{"gauges", {series(1, large(1)), series(2, large(2))}}}, 0, "", true);
   says("number", {{"numbers", {{.value = 0, .abscissa = {}, .values = {{"runup", {25}}}}}}}, 1,
        "centimetres for metres");
 }
