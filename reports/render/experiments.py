@@ -37,7 +37,7 @@ class Line:
     solver: str
     colour: str
     pairs: list
-    left_out: int                   # of another sign, or without a number
+    left_out: int                   # of another sign, without a number, or too near zero to be a ratio
     bias: float | None = None
     scatter: float | None = None    # None: below that of the experiments, or too few pairs
     experimental: float | None = None
@@ -72,10 +72,12 @@ def survey(records):
 
 
 def _pair(record, claim, measured, uncertainty, computed, origin):
-    """Counted from the origin; None where there is no ratio of the two."""
+    """Counted from the origin; None where there is no ratio of the two, or the measured one is not known to a half."""
     if None in (measured, uncertainty, computed, origin):
         return None
     measured, computed = measured - origin, computed - origin
+    if uncertainty > abs(measured) / 2:
+        return None
     return Pair(record, claim, abs(measured), uncertainty, abs(computed)) if measured * computed > 0 else None
 
 
