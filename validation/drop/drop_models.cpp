@@ -18,9 +18,9 @@ drop at that time.
 **What to look at.** The fields are linear, and the space of the free particles holds them: they are nearer than all
 others by a factor of a hundred, and last. The mesh errs to first order along its outline, but takes least time and
 lasts. Cells come nearer than the mesh where they last; they end when a node of the outline reaches another, or when a
-cell inside has given all its water away, the sooner the finer they are. Overlapping particles lose the order of their
-rows, and finer ones are no nearer. SPH lasts, at ten times the cost of the free particles and with a hundred times
-their error. All keep the momentum; cells and SPH change the energy, the others do not.
+cell inside has given all its water away, and finer ones do not last longer. Overlapping particles are off by a
+spacing, or nearly so, at a hundred times the cost of the mesh. SPH lasts, at ten times the cost of the free particles
+and with a hundred times their error. All keep the momentum; cells and SPH change the energy, the others do not.
 
 **When it is no test.** Linear fields flatter the free particles, and no model has walls or gravity here. The discrete
 dispersive shallow water has no drop: its water stands on a bottom.
@@ -155,8 +155,8 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
            .source = source},
           [](const Entry& entry) { return entry.attempts.at(1).error / entry.attempts.at(1).size; },
           evidence::Bound{.limit = 1,
-                          .reason = "a surface is not known by less than the spacing; on the finest rows single "
-                                    "particles have lost their places by then"});
+                          .reason = "a surface is not known by less than the spacing; on finer rows noise of single "
+                                    "particles is in it, which nobody can foretell"});
   all.check(
       {.id = "nearest",
        .text = "None is nearer than the free particles.",

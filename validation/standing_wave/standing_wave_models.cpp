@@ -13,7 +13,7 @@ falls fastest, so that the phase counts in full: the root mean square over the a
 order in $e = ka$, and known to $e^2$. Then each goes on for six periods, unless it breaks down or its surface is off by
 a quarter of the amplitude.
 
-**What to look at.** Free particles are as near as the exact wave is known, on any lattice. The mesh takes a hundredth
+**What to look at.** Free particles are as near as the exact wave is known, on any lattice. The mesh takes a fiftieth
 of their time and is nearly as near. The energy of the mesh is that of its steps: they make it swing by
 $(\omega\tau)^2/4$. The dispersive model ends where its equations do, five per cent off after this time, by the phase,
 and takes a millisecond. Dirichlet cells are noisy, and lose the wave within a few periods; particles of variable mass
