@@ -171,7 +171,7 @@ class Score(Scoring):
                 (",".join(f"c{k}" for k in range(5000)) + "\n", ["line 1", "1000 columns"])]:
             with self.subTest(text=text[:40]):
                 self.refused(self.score("riemann", "--data", self.write(text)), "mine.csv", *words)
-        self.refused(self.score("riemann", "--data", self.folder), "data")
+        self.refused(self.score("riemann", "--data", self.folder), "is a folder without times")
         self.refused(self.score("riemann", "--data", self.folder / "none.csv"), "none.csv")
 
     def test_a_line_of_a_gigabyte_is_refused_at_once_and_in_little_memory(self):

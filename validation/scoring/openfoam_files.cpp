@@ -82,6 +82,7 @@ std::map<double, fs::path> times_in(const fs::path& folder) {
 /// The sets of one time as one table.
 io::Table sets_in(const std::vector<fs::path>& files, const fs::path& folder) {
   std::vector<io::Table> parts;
+  parts.reserve(files.size());
   for (const fs::path& file : files) parts.push_back(read_openfoam_set(file));
   const std::vector<io::Table> tables = merged(parts);
   if (tables.size() > 1) {
