@@ -53,9 +53,9 @@ class Command(InstalledTest):
     def test_python_module(self):
         if cache("SEICHE_PYTHON_MODULE") != "ON":
             self.skipTest("built without the Python module")
-        module, = PREFIX.rglob("seiche.*.so")
+        module, = PREFIX.rglob("seiche/__init__.*.so")
         example = PREFIX / "share/doc/seiche/examples/exact_solutions/particles.py"
-        result = self.somebody.run(PYTHON, example, PYTHONPATH=str(module.parent))
+        result = self.somebody.run(PYTHON, example, PYTHONPATH=str(module.parent.parent))
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertGreater(len(result.stdout.splitlines()), 10)
 

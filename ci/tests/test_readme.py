@@ -37,6 +37,7 @@ NOT_RUN = {
         "ci/report": WHOLE_BUILD,
         "ci/test": WHOLE_BUILD,
         "ci/setup": INSTALLS,
+        "ci/corners": LONG,
         "ci/defects": LONG,
         "ci/long full": LONG,
         "ci/long paper": LONG,

@@ -6,6 +6,7 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_fit.h>
 
+#include "reports/evidence/claim.hpp"
 #include "reports/evidence/order_of_few.hpp"
 
 namespace seiche::evidence {
