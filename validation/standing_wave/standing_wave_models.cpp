@@ -17,7 +17,7 @@ a quarter of the amplitude.
 of their time and is nearly as near. The energy of the mesh is that of its steps: they make it swing by
 $(\omega\tau)^2/4$. The dispersive model ends where its equations do, five per cent off after this time, by the phase,
 and takes a millisecond. Dirichlet cells are noisy, and lose the wave within a few periods; particles of variable mass
-keep it, with short waves on it. SPH loses height.
+keep it, with short waves on it. SPH loses height, and beyond some twelve rows is no nearer on finer lattices.
 
 **When it is no test.** Longer waves have less dispersion, and higher ones fold the mesh after some periods
 (`standing_wave_mesh_life`) and break the cells at once (`standing_wave_free_lagrangian`).
@@ -138,6 +138,7 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
              evidence::Bound{.limit = trial.reference_uncertainty,
                              .reason = "(ka)^2: the exact wave is of second order; steps and cells add less"});
   claims_of(all, "mesh")
+      .only_if(values.integer("mesh") <= 16, "finer meshes are nearer to the water than the exact wave of second order")
       .check(
           {.id = "mesh-order",
            .text = "The mesh is of second order.",
@@ -161,17 +162,27 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
                           .reason = "expected: from the two frequencies alone; a tenth for what harmonics, of second "
                                     "order in ka, and the spacing of the markers add",
                           .expected = apart});
-  claims_of(all, "sph")
-      .check(
-          {.id = "sph-falls",
-           .text = "The finest lattice of SPH is nearer than one of half as many rows.",
-           .quantity = "it is",
-           .source = source},
-          [](const Entry& entry) { return entry.finest().error < entry.attempts.front().error ? 1.0 : 0.0; },
-          evidence::Qualitative{.detector = "rms error of the surface",
-                                .reason =
-                                    "its sums over neighbours converge, and its viscosity is in proportion to the "
-                                    "spacing: with a quarter of the water in a particle it must show"});
+  const evidence::Claim falls{.id = "sph-falls",
+                              .text = "The finest lattice of SPH is nearer than one of half as many rows.",
+                              .quantity = "it is",
+                              .source = source};
+  const auto nearer = [](const Entry& entry) {
+    return entry.finest().error < entry.attempts.front().error ? 1.0 : 0.0;
+  };
+  const evidence::Qualitative seen{.detector = "rms error of the surface",
+                                   .reason =
+                                       "its sums over neighbours converge, and its viscosity is in proportion to "
+                                       "the spacing: with a quarter of the water in a particle it must show"};
+  const auto sph = claims_of(all, "sph");
+  if (values.integer("sph") <= 12) {
+    sph.check(falls, nearer, seen);
+  } else {
+    sph.known_failure(falls, nearer, seen,
+                      {.value = 0,
+                       .reason = "beyond some twelve rows the error stays near 0.02: the lattice of the beginning is "
+                                 "not at rest under its own sums, and the energy of its settling, a tenth to a third "
+                                 "of the wave's, does not fall with the spacing"});
+  }
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
