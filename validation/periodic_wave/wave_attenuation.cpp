@@ -12,13 +12,14 @@ which the wave is none, starts from the wave of its own equations with the same 
 its phase. What either changes by in a wavelength is the slope of a straight line through the periods, so that a wrong
 beginning is not counted. Shown against the cells in the height of the wave, and against what a wavelength takes.
 
-**For any solver.** `seiche score wave_attenuation --template` asks for the surface after every period; start from the
-exact surface and velocities (`seiche exact stokes --write` gives them to several solvers) with a crest at $x = 0$, in a
-periodic box; `--set height=0.05` asks for a lower wave. A solver without periodic boxes makes the wave in a flume:
-`--set tank=flume` asks for gauges after every wavelength, over four periods once the waves are settled, and counts
-wavelengths of way in place of periods. Histories of volume, energy and momentum are judged where they are given. Lost
-may be half a per cent of the height in a wavelength, and as much of a wavelength in phase: after ten wavelengths that
-is the twentieth that benchmarks of tsunamis allow.
+**For any solver.** `seiche score wave_attenuation --template` asks for the surface after every three quarters of a
+period: after whole ones a wave that stands still, or runs the other way, looks right. Start from the exact surface and
+velocities (`seiche exact stokes --write` gives them to several solvers) with a crest at $x = 0$, in a periodic box;
+`--set height=0.05` asks for a lower wave. A solver without periodic boxes makes the wave in a flume:
+`--set tank=flume` asks for gauges three quarters of a wavelength apart, over four periods once the waves are settled,
+and counts wavelengths of way in place of periods. Histories of volume, energy and momentum are judged where they are
+given. Lost may be half a per cent of the height in a wavelength, and as much of a wavelength in phase: after ten
+wavelengths that is the twentieth that benchmarks of tsunamis allow.
 
 **What to look at.** Particles keep the height whatever the lattice, and lag by their steps. The mesh loses a tenth of a
 per cent in a wavelength of ten rows, and less of lower waves. SPH of twelve rows loses a tenth of the
@@ -373,8 +374,20 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
   }
 }
 
-constexpr int asked = 129;       ///< points of a surface
+constexpr int asked = 129;  ///< points of a surface
+/// Of the instants that others are asked for, in periods, or of their gauges, in wavelengths: no whole number, nor
+/// half.
+constexpr double apart = 0.75;
 constexpr int seen_periods = 4;  ///< at a gauge
+
+/// The way to every one of them, in wavelengths, over so many periods.
+std::vector<double> ways(const Values& values) {
+  std::vector<double> all;
+  for (long n = 1; apart * static_cast<double>(n) <= static_cast<double>(values.integer("periods")); ++n) {
+    all.push_back(apart * static_cast<double>(n));
+  }
+  return all;
+}
 
 using Wave = std::shared_ptr<const StokesWave>;
 
@@ -383,11 +396,10 @@ std::string exact_command(const StokesWave& wave, const std::string& grid) {
                      wave.amplitude(), wave.wavelength(), grid);
 }
 
-/// Gauges along a flume, a wavelength from each other.
+/// Gauges along a flume.
 WantedTable wanted_gauges(const Wave& wave, const Values& values) {
-  const long count = values.integer("periods");
   std::vector<double> places;
-  for (long n = 1; n <= count; ++n) places.push_back(static_cast<double>(n) * wave->wavelength());
+  for (const double way : ways(values)) places.push_back(way * wave->wavelength());
   const double last = seen_periods * period_of(*wave);
   return {
       .name = "gauges",
@@ -401,15 +413,14 @@ WantedTable wanted_gauges(const Wave& wave, const Values& values) {
       .groups = places,
       .points = [last](double) { return evenly(0, last, seen_periods * (asked - 1) / 4 + 1); },
       .exact = {exact_command(*wave, fmt::format("x={:.17g}:{:.17g}:{},t=0:{:.17g}:{}", places.front(), places.back(),
-                                                 count, last, seen_periods * (asked - 1) / 4 + 1))}};
+                                                 places.size(), last, seen_periods * (asked - 1) / 4 + 1))}};
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
   const Wave wave = std::make_shared<const StokesWave>(wave_of(values.real("height"), values.real("length")));
   if (values.text("tank") == "flume") return {wanted_gauges(wave, values)};
-  const long periods = values.integer("periods");
   std::vector<double> times;
-  for (long n = 1; n <= periods; ++n) times.push_back(static_cast<double>(n) * period_of(*wave));
+  for (const double way : ways(values)) times.push_back(way * period_of(*wave));
   return {{.name = "surface",
            .kind = WantedTable::Kind::profile,
            .group = Column{"t", "s", "time since a crest was at x = 0, for gravity 1 m/s^2 and depth 1 m"},
@@ -421,7 +432,7 @@ std::vector<WantedTable> wanted(const Values& values) {
            .groups = times,
            .points = [wave](double) { return evenly(0, wave->wavelength(), asked); },
            .exact = {exact_command(*wave, fmt::format("x=0:{:.17g}:{},t={:.17g}:{:.17g}:{}", wave->wavelength(), asked,
-                                                      times.front(), times.back(), periods))}}};
+                                                      times.front(), times.back(), times.size()))}}};
 }
 
 /// The submitted surface at as many points of a wavelength, through its period where it ends at centres of cells.
@@ -480,12 +491,13 @@ void judge(const Values& values, const Submitted& submitted, const SolverFacts& 
   const Rates rates = rates_of(way, stations);
   record.measure("decay_per_wavelength", rates.decay);
   record.measure("lead_per_wavelength", rates.lead);
-  std::string resolution = fmt::format("{} {}", way.size(), flume ? "gauges" : "periods");
+  std::string resolution =
+      fmt::format("{} {} over {:g} wavelengths", way.size(), flume ? "gauges" : "instants", way.back());
   if (facts.cell) {
     record.measure("cells_per_height", values.real("height") / *facts.cell);
     resolution += fmt::format(", {:.3g} cells in the height", values.real("height") / *facts.cell);
   }
-  if (facts.seconds) record.measure("seconds_per_wavelength", *facts.seconds / static_cast<double>(way.size()));
+  if (facts.seconds) record.measure("seconds_per_wavelength", *facts.seconds / way.back());
   record.check({.id = "decay",
                 .text = "A wavelength takes next to nothing from the height.",
                 .quantity = "decay of the fundamental in a wavelength",
@@ -514,7 +526,7 @@ Case wave_attenuation() {
       real("height", 0.2, "depth", {0.02, 0.4}, "from trough to crest, of the highest of ours; of the one submitted"),
       real("length", 2 * std::numbers::pi, "depth", {4, 15}, "of the wave"),
       choice("tank", std::string("box"), {"box", "flume"},
-             "what a submitted wave travels in: a periodic box, or a flume with a gauge after every wavelength"),
+             "what a submitted wave travels in: a periodic box, or a flume with gauges"),
       integer("periods", 10, {2, 100}, "that it is followed"),
       integer("mesh_periods", {3, 10, 10}, {2, 100}, "on the mesh, which has no period"),
       integer("cells", {24, 42, 56}, {20, 140}, "of the particles' lattice to a wavelength, finest of three"),

@@ -18,11 +18,12 @@ case $name in
   solitary_wave) echo "along $((42 * cells / 2)); up $((16 * cells / 10));" ;;
   wave_attenuation)
     echo "along $((63 * cells / 10)); up $((13 * cells / 10));"
-    # The wave and its period are those that the case asks for.
+    # The wave and the instants are those that the case asks for, t=FIRST:LAST:COUNT.
     reference=$("${SEICHE:-seiche}" score wave_attenuation --template | sed -n 's/^# the reference: //p')
-    wave=${reference#*--set } period=${reference##*,t=}
-    wave=${wave%% *} period=${period%%:*}
-    awk "BEGIN { printf \"period %.12g;\nendTime %.12g;\n\", $period, 10 * $period }" >system/period
+    wave=${reference#*--set } instants=${reference##*,t=}
+    wave=${wave%% *}
+    IFS=: read -r first last _ <<<"$instants"
+    awk "BEGIN { printf \"interval %.12g;\nendTime %.12g;\n\", $first, $last }" >system/instants
     ;;
   *) echo "run.sh: no case $name" >&2; exit 2 ;;
 esac >system/cells
