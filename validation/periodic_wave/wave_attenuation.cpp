@@ -36,7 +36,6 @@ it.
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -44,8 +43,7 @@ it.
 #include "validation/case/case.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/case/reference_case.hpp"
-#include "validation/instruments/agreement.hpp"
-#include "validation/instruments/straight_line.hpp"
+#include "validation/periodic_wave/attenuation.hpp"
 #include "validation/periodic_wave/surface_fit.hpp"
 #include "validation/periodic_wave/travelling_models.hpp"
 
@@ -56,38 +54,6 @@ using evidence::Bound;
 using evidence::Role;
 using exact::SerreCnoidal;
 using exact::StokesWave;
-
-const std::string source = "Schwartz (1974); Synolakis et al., Pure Appl. Geophys. 165 (2008) 2197";
-constexpr double per_wavelength = 0.005;
-const std::string per_wavelength_reason =
-    "half a per cent in a wavelength: after ten the 5 % that tsunami benchmarks allow against exact solutions "
-    "(Synolakis et al. 2008)";
-
-StokesWave wave_of(double height, double length) {
-  return {height / 2, length, 1, 1};
-}
-
-double period_of(const StokesWave& wave) {
-  return wave.wavelength() / wave.phase_speed();
-}
-
-/// What a wavelength changes: slopes of straight lines through the periods.
-struct Rates {
-  double decay = 0;  ///< of the height, relative
-  double lead = 0;   ///< in wavelengths
-};
-
-/// @param way    in wavelengths, of each
-/// @param found  leads from -1/2 to 1/2, which are joined to the nearest
-Rates rates_of(const std::vector<double>& way, const std::vector<Fundamental>& found) {
-  std::vector<double> logs;
-  std::vector<double> leads;
-  for (const Fundamental& one : found) {
-    logs.push_back(std::log(one.height));
-    leads.push_back(leads.empty() ? one.lead : leads.back() + std::remainder(one.lead - leads.back(), 1.0));
-  }
-  return {-straight_line(way, logs).slope, straight_line(way, leads).slope};
-}
 
 /// One computation.
 struct Course {
@@ -215,7 +181,7 @@ void claim_height(const Claims<Results>& claims, const std::string& model, const
       {.id = model + "-height",
        .text = text,
        .quantity = "what a wavelength takes from the height, the worst of three waves",
-       .source = source},
+       .source = attenuation_source},
       [model](const Results& r) {
         return worst_over_heights(r, model, [](const Course& one) { return one.rates.decay; });
       },
@@ -259,7 +225,7 @@ void claim_sph(const Claims<Results>& claims, const Values& values) {
   claims.known_failure({.id = "sph-height",
                         .text = "SPH keeps the height of the wave.",
                         .quantity = "what a wavelength takes from the height of the highest wave",
-                        .source = source},
+                        .source = attenuation_source},
                        decay, Bound{.limit = per_wavelength, .reason = per_wavelength_reason},
                        {.value = 0.08,
                         .width = 0.05,
@@ -289,7 +255,7 @@ void claims(const Values& values, const Claims<Results>& all) {
        .text = "And its phase.",
        .quantity = "lead of the phase in a wavelength, the worst of three waves",
        .unit = "wavelengths",
-       .source = source},
+       .source = attenuation_source},
       [](const Results& r) { return worst_over_heights(r, "mesh", [](const Course& one) { return one.rates.lead; }); },
       Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
   const Claims<Results> dispersive = all.at(fmt::format("{} markers to a wavelength", values.integer("markers")));
@@ -374,145 +340,6 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
   }
 }
 
-constexpr int asked = 129;  ///< points of a surface
-/// Of the instants that others are asked for, in periods, or of their gauges, in wavelengths: no whole number, nor
-/// half.
-constexpr double apart = 0.75;
-constexpr int seen_periods = 4;  ///< at a gauge
-
-/// The way to every one of them, in wavelengths, over so many periods.
-std::vector<double> ways(const Values& values) {
-  std::vector<double> all;
-  for (long n = 1; apart * static_cast<double>(n) <= static_cast<double>(values.integer("periods")); ++n) {
-    all.push_back(apart * static_cast<double>(n));
-  }
-  return all;
-}
-
-using Wave = std::shared_ptr<const StokesWave>;
-
-std::string exact_command(const StokesWave& wave, const std::string& grid) {
-  return fmt::format("seiche exact stokes --set amplitude={:.17g},wavelength={:.17g},depth=1,gravity=1 --grid {}",
-                     wave.amplitude(), wave.wavelength(), grid);
-}
-
-/// Gauges along a flume.
-WantedTable wanted_gauges(const Wave& wave, const Values& values) {
-  std::vector<double> places;
-  for (const double way : ways(values)) places.push_back(way * wave->wavelength());
-  const double last = seen_periods * period_of(*wave);
-  return {
-      .name = "gauges",
-      .kind = WantedTable::Kind::series,
-      .group = Column{"x", "m", "place of the gauge, from where a crest is at t = 0"},
-      .abscissa = Column{"t", "s", "time, once the waves are settled at every gauge; for gravity 1 m/s^2, depth 1 m"},
-      .quantities = {{.column = {"eta", "m", "surface elevation above the mean level"},
-                      .reference = [wave](Place p) { return wave->elevation(p.group, p.abscissa); },
-                      .requirements = {within_tolerance(Measure::amplitude_ratio, values, "The wave has its height.",
-                                                        source, 1)}}},
-      .groups = places,
-      .points = [last](double) { return evenly(0, last, seen_periods * (asked - 1) / 4 + 1); },
-      .exact = {exact_command(*wave, fmt::format("x={:.17g}:{:.17g}:{},t=0:{:.17g}:{}", places.front(), places.back(),
-                                                 places.size(), last, seen_periods * (asked - 1) / 4 + 1))}};
-}
-
-std::vector<WantedTable> wanted(const Values& values) {
-  const Wave wave = std::make_shared<const StokesWave>(wave_of(values.real("height"), values.real("length")));
-  if (values.text("tank") == "flume") return {wanted_gauges(wave, values)};
-  std::vector<double> times;
-  for (const double way : ways(values)) times.push_back(way * period_of(*wave));
-  return {{.name = "surface",
-           .kind = WantedTable::Kind::profile,
-           .group = Column{"t", "s", "time since a crest was at x = 0, for gravity 1 m/s^2 and depth 1 m"},
-           .abscissa = Column{"x", "m", "position, over one wavelength"},
-           .quantities = {{.column = {"eta", "m", "surface elevation above the mean level"},
-                           .reference = [wave](Place p) { return wave->elevation(p.abscissa, p.group); },
-                           .requirements = {within_tolerance(Measure::amplitude_ratio, values,
-                                                             "The wave has its height.", source, 1)}}},
-           .groups = times,
-           .points = [wave](double) { return evenly(0, wave->wavelength(), asked); },
-           .exact = {exact_command(*wave, fmt::format("x=0:{:.17g}:{},t={:.17g}:{:.17g}:{}", wave->wavelength(), asked,
-                                                      times.front(), times.back(), times.size()))}}};
-}
-
-/// The submitted surface at as many points of a wavelength, through its period where it ends at centres of cells.
-std::vector<Point> surface_of(const SubmittedGroup& group, double length) {
-  const std::vector<double>& eta = group.values.at("eta");
-  std::vector<double> x;
-  std::vector<double> y;
-  if (group.abscissa.back() - length < group.abscissa.front()) {
-    x.push_back(group.abscissa.back() - length);
-    y.push_back(eta.back());
-  }
-  x.insert(x.end(), group.abscissa.begin(), group.abscissa.end());
-  y.insert(y.end(), eta.begin(), eta.end());
-  if (group.abscissa.front() + length > x.back()) {
-    x.push_back(group.abscissa.front() + length);
-    y.push_back(eta.front());
-  }
-  std::vector<Point> surface;
-  for (int k = 0; k < asked - 1; ++k) {
-    const double at = length * k / (asked - 1);
-    surface.push_back({at, linear_at({x, y}, at)});
-  }
-  return surface;
-}
-
-/// The fundamental at a gauge: all its periods laid over each other, in time.
-Fundamental at_gauge(const StokesWave& wave, const SubmittedGroup& group) {
-  const double period = period_of(wave);
-  std::vector<Point> folded;
-  for (std::size_t k = 0; k < group.abscissa.size(); ++k) {
-    if (group.abscissa[k] < 0 || group.abscissa[k] >= seen_periods * period * (1 - 1e-9)) continue;
-    folded.push_back({std::fmod(group.abscissa[k], period), group.values.at("eta")[k]});
-  }
-  std::ranges::sort(folded, {}, &Point::x);
-  const Elevation in_time = [&](double t) { return wave.elevation(wave.phase_speed() * t); };
-  const Fundamental late = surface_fundamental(in_time, period, folded, group.value / wave.phase_speed());
-  return {late.height, -late.lead};
-}
-
-Fundamental at_instant(const StokesWave& wave, const SubmittedGroup& group) {
-  return surface_fundamental([&](double x) { return wave.elevation(x); }, wave.wavelength(),
-                             surface_of(group, wave.wavelength()), wave.phase_speed() * group.value);
-}
-
-void judge(const Values& values, const Submitted& submitted, const SolverFacts& facts, evidence::Record& record) {
-  const bool flume = values.text("tank") == "flume";
-  const auto found = submitted.find(flume ? "gauges" : "surface");
-  if (found == submitted.end()) return;
-  const StokesWave wave = wave_of(values.real("height"), values.real("length"));
-  std::vector<double> way;
-  std::vector<Fundamental> stations;
-  for (const SubmittedGroup& group : found->second) {
-    way.push_back(group.value / (flume ? wave.wavelength() : period_of(wave)));
-    stations.push_back(flume ? at_gauge(wave, group) : at_instant(wave, group));
-  }
-  const Rates rates = rates_of(way, stations);
-  record.measure("decay_per_wavelength", rates.decay);
-  record.measure("lead_per_wavelength", rates.lead);
-  std::string resolution =
-      fmt::format("{} {} over {:g} wavelengths", way.size(), flume ? "gauges" : "instants", way.back());
-  if (facts.cell) {
-    record.measure("cells_per_height", values.real("height") / *facts.cell);
-    resolution += fmt::format(", {:.3g} cells in the height", values.real("height") / *facts.cell);
-  }
-  if (facts.seconds) record.measure("seconds_per_wavelength", *facts.seconds / way.back());
-  record.check({.id = "decay",
-                .text = "A wavelength takes next to nothing from the height.",
-                .quantity = "decay of the fundamental in a wavelength",
-                .source = source},
-               {.value = rates.decay, .resolution = resolution},
-               Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
-  record.check({.id = "phase",
-                .text = "The wave travels at its speed.",
-                .quantity = "lead of the phase in a wavelength",
-                .unit = "wavelengths",
-                .source = source},
-               {.value = rates.lead, .resolution = resolution},
-               Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
-}
-
 }  // namespace
 
 Case wave_attenuation() {
@@ -536,7 +363,7 @@ Case wave_attenuation() {
       tolerance_parameter(),
   };
   c.study = Study(claims, compute, show);
-  c.submission = {.tables = wanted, .judge = judge};
+  c.submission = {.tables = wanted_waves, .judge = judge_waves};
   return c;
 }
 
