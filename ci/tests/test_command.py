@@ -51,6 +51,14 @@ class Command(unittest.TestCase):
         written = [p.name for p in self.out.glob("*")] if self.out.exists() else []
         self.assertEqual([name for name in written if name != "junit.xml"], [])
 
+    def test_a_run_is_stopped_after_the_most_seconds(self):
+        result = seiche("run", "lake_at_rest_1d", "--set", "time=1000000", "--most-seconds", "1", "--out", self.out)
+        self.assertEqual(result.returncode, 3, result.stdout + result.stderr)
+        record = self.record("lake_at_rest_1d")
+        self.assertEqual(record["status"], "error")
+        self.assertRegex(record["error"], r"time limit of 1 s, \d+ % done")
+        self.assertEqual([claim["verdict"] for claim in record["claims"] if claim["verdict"] != "error"], [])
+
     def test_list_names_every_case_and_parameter(self):
         cases = json.loads(seiche("list", "--json").stdout)["cases"]
         names = [case["name"] for case in cases]

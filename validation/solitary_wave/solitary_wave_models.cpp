@@ -13,11 +13,11 @@ cells have a hundredth of stabilisation. Each is refined in space and time toget
 that has travelled eight depths: the root mean square over the height. Then each goes on for eighteen depths, unless it
 breaks down or its surface is off by a tenth of the height.
 
-**What to look at.** Free particles are the nearest, with an error of some ten-thousandths: the lag of their steps. Mesh,
-Dirichlet cells and variable mass give some thousandths, the mesh the least for the time that it takes. The dispersive
-model ends five per cent off, however fine: its wave of this height has another shape and speed. SPH loses height by its
-viscosity. Particles of variable mass on the finest rows give out near the end of the way: the surface slides over a cell
-beneath until that has no water left.
+**What to look at.** Free particles are the nearest, with an error of some ten-thousandths: the lag of their steps.
+Mesh, Dirichlet cells and variable mass give some thousandths, the mesh the least for the time that it takes. The
+dispersive model ends five per cent off, however fine: its wave of this height has another shape and speed. SPH loses
+height by its viscosity. Particles of variable mass on the finest rows give out near the end of the way: the surface
+slides over a cell beneath until that has no water left.
 
 **When it is no test.** No shore, no breaking: `run_up_gauss` and `overturning_gauss` have those. A lower
 wave is kinder to the dispersive model.
@@ -194,14 +194,7 @@ Results compute(const Run& run) {
     return Flow(channel, solitary_markers(channel, 0, tank.length, spacing,
                                           {.amplitude = wave.amplitude(), .crest = room(wave)}));
   };
-  return {contest(run,
-                  tank_contenders(tank, dispersive,
-                                  {.particles = run.integer("particles"),
-                                   .mesh = run.integer("mesh"),
-                                   .cells = run.integer("cells"),
-                                   .sph = run.integer("sph"),
-                                   .markers = run.integer("markers")}),
-                  trial_of(run))};
+  return {contest(run, tank_contenders(tank, dispersive, tank_sizes(run)), trial_of(run))};
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {

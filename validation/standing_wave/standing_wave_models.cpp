@@ -217,12 +217,8 @@ Results compute(const Run& run) {
   const StandingWave wave = wave_of(run);
   const TankWave tank = tank_of(wave, run.real("amplitude"));
   return {contest(run,
-                  tank_contenders(tank, [&](double spacing) { return dispersive_of(wave, tank.length, spacing); },
-                                  {.particles = run.integer("particles"),
-                                   .mesh = run.integer("mesh"),
-                                   .cells = run.integer("cells"),
-                                   .sph = run.integer("sph"),
-                                   .markers = run.integer("markers")}),
+                  tank_contenders(
+                      tank, [&](double spacing) { return dispersive_of(wave, tank.length, spacing); }, tank_sizes(run)),
                   trial_of(run))};
 }
 

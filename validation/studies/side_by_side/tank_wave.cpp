@@ -141,6 +141,14 @@ std::vector<double> TankWave::off(const std::vector<Point>& points, double time)
   return heights;
 }
 
+TankSizes tank_sizes(const Values& values) {
+  return {.particles = values.integer("particles"),
+          .mesh = values.integer("mesh"),
+          .cells = values.integer("cells"),
+          .sph = values.integer("sph"),
+          .markers = values.integer("markers")};
+}
+
 std::vector<Contender> tank_contenders(const TankWave& wave, const DispersiveStart& dispersive,
                                        const TankSizes& sizes) {
   const auto over = [](long n) { return 1 / static_cast<double>(n); };

@@ -36,6 +36,9 @@ struct TankSizes {
   long markers = 16;
 };
 
+/// By the parameters of these names.
+TankSizes tank_sizes(const Values& values);
+
 /// Of the dispersive model: its channel and markers that are so far apart at rest.
 using DispersiveStart = std::function<dispersive_shallow_water_1d::Flow(double spacing)>;
 
