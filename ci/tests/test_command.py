@@ -59,6 +59,17 @@ class Command(unittest.TestCase):
         self.assertRegex(record["error"], r"time limit of 1 s, \d+ % done")
         self.assertEqual([claim["verdict"] for claim in record["claims"] if claim["verdict"] != "error"], [])
 
+    def test_threads_are_as_asked_and_change_no_number(self):
+        found = {}
+        for threads in ("1", "2"):
+            result = seiche("run", "moving_bore", "--threads", threads, "--out", self.out)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+            record = self.record("moving_bore")
+            self.assertEqual(record["provenance"]["threads"], int(threads))
+            found[threads] = [(claim["id"], claim["measured"]) for claim in record["claims"]]
+        self.assertEqual(found["1"], found["2"])
+        self.refused(seiche("run", "moving_bore", "--threads", "0", "--out", self.out / "none"), "--threads")
+
     def test_list_names_every_case_and_parameter(self):
         cases = json.loads(seiche("list", "--json").stdout)["cases"]
         names = [case["name"] for case in cases]

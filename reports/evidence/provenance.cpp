@@ -11,6 +11,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <gsl/gsl_version.h>
+#include <omp.h>
 #include <openssl/evp.h>
 #include <sys/utsname.h>
 #include <boost/version.hpp>
@@ -57,7 +58,7 @@ Provenance provenance() {
        fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
   p.processor = processor_name();
   p.cores = static_cast<int>(std::thread::hardware_concurrency());
-  p.threads = 1;
+  p.threads = omp_get_max_threads();
   p.system = system_name();
   p.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   return p;

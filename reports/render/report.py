@@ -3,7 +3,8 @@ import importlib.util
 import pathlib
 import shutil
 
-from render import atlas, badge, defects, experiments, files, gallery, league, pages, records, sharpness, side_by_side
+from render import (atlas, badge, defects, experiments, files, gallery, league, pages, records, sharpness, side_by_side,
+                    speed)
 from render.formulas import Formulas
 from render.records import Broken
 from render.store import MARKER, Store, user_cache
@@ -51,7 +52,7 @@ def build(evidence, stage, out, options):
              "counts_in_words": atlas.in_words(counts), "has_junit": files.is_regular(evidence / "junit.xml"),
              "sharpness": sharpness.survey([record for case in cases for record in case.records if record.own]),
              "defects": defects.survey(defects.read(), loaded), "experiments": experiments.survey(loaded),
-             "models": side_by_side.survey(cases, drawn),
+             "models": side_by_side.survey(cases, drawn), "speed": speed.survey(speed.read()),
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
     write("index.html.j2", "index.html", "", **whole)
     write("atlas.html.j2", "atlas.html", "", **whole)
@@ -60,6 +61,7 @@ def build(evidence, stage, out, options):
         write("league.html.j2", "league.html", "", league=others, **whole)
     write("sharpness.html.j2", "sharpness.html", "", **whole)
     write("defects.html.j2", "defects.html", "", **whole)
+    write("speed.html.j2", "speed.html", "", **whole)
     write("experiments.html.j2", "experiments.html", "", **whole)
     write("reading.html.j2", "reading.html", "", **whole)
     if options.pdf:

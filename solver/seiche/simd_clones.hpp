@@ -2,8 +2,9 @@
 /// chosen when the program starts. The binary still runs everywhere; results differ between them by round-off only.
 #pragma once
 
-// Sanitizers start before the choice is made, so they get the plain function.
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
+// Sanitizers start before the choice is made, so they get the plain function. So does a build whose flags have the
+// instructions: what is compiled for this machine cannot be inlined into a version for a named one.
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && !defined(__AVX2__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define SEICHE_SIMD_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else

@@ -9,7 +9,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <omp.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -29,8 +28,6 @@ void say(int pipe, char kind, const std::string& text) {
 }
 
 [[noreturn]] void live(const Job& job, const std::filesystem::path& directory, const Keeping& keeping, int pipe) {
-  // Cases run side by side, one on a core; records say so (evidence/provenance.cpp).
-  omp_set_num_threads(1);
   double said = -1;
   const auto progress = [&](double fraction) {
     if (fraction - said < 0.005) return;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include "reports/evidence/record_files.hpp"
 #include "validation/case/child.hpp"
@@ -46,6 +47,12 @@ Outcome run_all(const std::vector<Job>& jobs, const RunOptions& options) {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
 
+  // The children inherit it. Cases side by side keep to a core each.
+  if (options.threads > 0) {
+    omp_set_num_threads(options.threads);
+  } else if (jobs.size() > 1) {
+    omp_set_num_threads(1);
+  }
   Display display(jobs.size());
   Outcome worst = Outcome::as_declared;
   std::vector<std::unique_ptr<Child>> children;

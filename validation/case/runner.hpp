@@ -12,6 +12,7 @@ namespace seiche::validation {
 struct RunOptions {
   std::filesystem::path directory = "evidence";
   unsigned jobs = 1;
+  int threads = 0;      ///< of each case; 0: one, and for a case that runs alone all that OpenMP would take
   bool resume = false;  ///< keep what is done already, go on from checkpoints
   std::chrono::seconds checkpoint_every = Keeping{}.every;
   std::optional<std::chrono::seconds> most_seconds = {};  ///< of one case; without: the case's own limit in its tier

@@ -142,7 +142,7 @@ void write_ctest(const std::string& file, const std::string& evidence) {
         const std::string set = values.set_name();
         text += fmt::format(
             "if(\";${{seiche_tiers}};\" MATCHES \";{0};\")\n"
-            "  add_test([=[{1}]=] [=[{2}]=] run {3} {7} --jobs 1 --out [=[{4}]=])\n"
+            "  add_test([=[{1}]=] [=[{2}]=] run {3} {7} --jobs 1 --threads 1 --out [=[{4}]=])\n"
             "  set_tests_properties([=[{1}]=] PROPERTIES LABELS \"{0};validation;{5}\" TIMEOUT {6}\n"
             "    FIXTURES_SETUP evidence.{0})\n"
             "endif()\n",

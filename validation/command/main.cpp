@@ -2,12 +2,16 @@
 /// commands together.
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
+
+#include <omp.h>
+#include <unistd.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -50,6 +54,11 @@ void add_run(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   command->add_option("--config", options->config, "TOML file with parameters; tables [CASE] for single cases");
   command->add_option("--jobs,-j", options->run.jobs, "how many cases run at once")->check(CLI::Range(1U, 1024U));
+  command
+      ->add_option("--threads", options->run.threads,
+                   "threads of each case; without: one, and for a case that runs alone one per core. Results do not "
+                   "depend on it")
+      ->check(CLI::Range(1, 1024));
   command->add_option("--out", options->run.directory, "folder for the records")->capture_default_str();
   command->add_flag("--resume", options->run.resume,
                     "keep what an earlier run of the same program finished, go on from its checkpoints");
@@ -294,10 +303,22 @@ int parse_and_call(int argc, char** argv) {
   return action();
 }
 
+/// Threads that wait sleep instead of spinning, unless the user has chosen: on a busy machine spinning ones take the
+/// processor from those that work. The runtime reads this as it is loaded, hence the second start.
+void let_waiting_threads_sleep(char** argv) {
+  if (omp_get_max_threads() == 1 || std::getenv("OMP_WAIT_POLICY") != nullptr ||
+      std::getenv("GOMP_SPINCOUNT") != nullptr) {
+    return;
+  }
+  setenv("OMP_WAIT_POLICY", "passive", 1);
+  execv("/proc/self/exe", argv);  // returns where there is no /proc: threads spin, the results are the same
+}
+
 }  // namespace
 }  // namespace seiche::command
 
 int main(int argc, char** argv) {
+  seiche::command::let_waiting_threads_sleep(argv);
   try {
     const int status = seiche::command::parse_and_call(argc, argv);
     std::cout.flush();

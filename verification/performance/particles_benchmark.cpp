@@ -25,8 +25,8 @@ Particles standing_wave(std::size_t count) {
 /// Riemann problem are about 110 operations, reconstruction and predictor about 60.
 void count_work(benchmark::State& state, std::size_t particles, double operations) {
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(particles));
-  state.counters["bytes/particle-step"] = 64;
-  state.counters["operations/particle-step"] = operations;
+  state.counters["bytes_per_step"] = 64 * static_cast<double>(particles);
+  state.counters["operations_per_step"] = operations * static_cast<double>(particles);
 }
 
 void standing_wave_steps(benchmark::State& state, Level level) {

@@ -3,9 +3,11 @@
 
 #include "seiche/models/shallow_water_finite_volume/fluxes.hpp"
 #include "seiche/models/shallow_water_finite_volume/roe_average.hpp"
+#include "seiche/simd_clones.hpp"
 
 namespace seiche::shallow_water_finite_volume {
 
+SEICHE_SIMD_CLONES
 void update_primitives(double gravity, double dry_depth, std::size_t first, std::size_t last, Cells& cells) {
   const double* h = cells.depth.data();
   const double* q = cells.discharge.data();
@@ -19,6 +21,7 @@ void update_primitives(double gravity, double dry_depth, std::size_t first, std:
   }
 }
 
+SEICHE_SIMD_CLONES
 void lax_friedrichs_fluxes(double gravity, double viscosity, double ratio, const Cells& cells, Fluxes& fluxes) {
   const double* h = cells.depth.data() + ghosts;
   const double* q = cells.discharge.data() + ghosts;
@@ -36,6 +39,7 @@ void lax_friedrichs_fluxes(double gravity, double viscosity, double ratio, const
   }
 }
 
+SEICHE_SIMD_CLONES
 void MacCormackFluxes::operator()(double gravity, double ratio, const Cells& cells, Fluxes& fluxes) {
   const double* h = cells.depth.data() + ghosts;
   const double* q = cells.discharge.data() + ghosts;
@@ -69,6 +73,7 @@ void MacCormackFluxes::operator()(double gravity, double ratio, const Cells& cel
   }
 }
 
+SEICHE_SIMD_CLONES
 void roe_fluxes(double gravity, const Cells& cells, Fluxes& fluxes) {
   const double* h = cells.depth.data() + ghosts;
   const double* q = cells.discharge.data() + ghosts;

@@ -9,6 +9,7 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/require.hpp"
+#include "seiche/simd_clones.hpp"
 
 namespace seiche::shallow_water_finite_volume {
 namespace {
@@ -108,6 +109,7 @@ double FiniteVolumeFlow::courant_limit() const {
   return settings_.scheme == Scheme::lax_friedrichs ? std::sqrt(settings_.viscosity) : 1.0;
 }
 
+SEICHE_SIMD_CLONES
 double FiniteVolumeFlow::courant_number(double tau) const {
   const double* u = now_.velocity.data() + ghosts;
   const double* c = now_.celerity.data() + ghosts;
@@ -230,6 +232,7 @@ void FiniteVolumeFlow::compute_fluxes(double ratio) {
   if (settings_.right.kind == End::Kind::wall) fluxes_.mass.back() = 0;
 }
 
+SEICHE_SIMD_CLONES
 void FiniteVolumeFlow::apply_fluxes(double ratio, double weight) {
   double* __restrict h = now_.depth.data() + ghosts;
   double* __restrict q = now_.discharge.data() + ghosts;

@@ -3,12 +3,13 @@
 #include <utility>
 
 #include "seiche/models/shallow_water_finite_volume/fluxes.hpp"
+#include "seiche/simd_clones.hpp"
 
 namespace seiche::shallow_water_finite_volume {
 namespace {
 
 /// Half the generalised minmod slope (limited_slope.hpp) without a branch, so that the loop vectorises.
-inline double half_slope(double before, double here, double after, double theta) {
+SEICHE_INLINE double half_slope(double before, double here, double after, double theta) {
   const double backward = here - before;
   const double forward = after - here;
   const double one_sided = theta * std::min(std::abs(backward), std::abs(forward));
@@ -23,7 +24,7 @@ struct Flux {
 };
 
 /// HLL flux with Einfeldt's two-rarefaction speeds. A dry side takes the speed of the dry front of the other.
-inline Flux hll(double gravity, double hl, double ul, double hr, double ur) {
+SEICHE_INLINE Flux hll(double gravity, double hl, double ul, double hr, double ur) {
   const double cl = std::sqrt(gravity * hl);
   const double cr = std::sqrt(gravity * hr);
   const double um = 0.5 * (ul + ur) + cl - cr;
@@ -55,6 +56,7 @@ MusclHllFluxes::MusclHllFluxes(std::size_t n, std::vector<double> bed)
       bed_left_(bed_.empty() ? 0 : n + 2),
       bed_right_(bed_.empty() ? 0 : n + 2) {}
 
+SEICHE_SIMD_CLONES
 void MusclHllFluxes::operator()(double gravity, double theta, const Cells& cells, Fluxes& fluxes) {
   // Step 1: values at the edges of each cell. Entry j of the edge arrays is entry j + 1 of the cells.
   const double* h = cells.depth.data() + 1;
@@ -95,6 +97,7 @@ void MusclHllFluxes::operator()(double gravity, double theta, const Cells& cells
 }
 
 // Step 2 on a flat bed: one flux per face.
+SEICHE_SIMD_CLONES
 void MusclHllFluxes::flat(double gravity, Fluxes& fluxes) const {
   const double* hl = depth_left_.data();
   const double* hr = depth_right_.data();
@@ -113,6 +116,7 @@ void MusclHllFluxes::flat(double gravity, Fluxes& fluxes) const {
 
 // Step 2 on an uneven bed: depths above the higher of the two beds, thrust of the step added to either side
 // (Audusse et al. 2004, formulas 2.9-2.14), and the centred source of the second-order scheme (formula 4.6).
+SEICHE_SIMD_CLONES
 void MusclHllFluxes::uneven(double gravity, Fluxes& fluxes) const {
   const double* hl = depth_left_.data();
   const double* hr = depth_right_.data();

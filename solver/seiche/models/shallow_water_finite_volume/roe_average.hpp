@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "seiche/simd_clones.hpp"
+
 namespace seiche::shallow_water_finite_volume {
 
 /// Change of the flux across a face by the two waves of Roe's linearisation.
@@ -18,8 +20,8 @@ struct WaveSum {
 /// delta = max(0, lam - lam_L, lam_R - lam). With `excess_only` the weight is psi(lam) - |lam|: zero except where the
 /// entropy correction activates.
 template <bool excess_only>
-inline WaveSum roe_waves(double gravity, double hl, double ql, double ul, double cl, double hr, double qr, double ur,
-                         double cr) {
+SEICHE_INLINE WaveSum roe_waves(double gravity, double hl, double ql, double ul, double cl, double hr, double qr,
+                                double ur, double cr) {
   // The celerities are sqrt(g h), and the factor sqrt(g) cancels from the average. 1e-300: two dry cells give 0/0.
   const double u = (cl * ul + cr * ur) / std::max(cl + cr, 1e-300);
   const double c = std::sqrt(0.5 * gravity * (hl + hr));

@@ -192,7 +192,7 @@ void Neighbours::list_share(std::span<const Record> records, std::size_t thread,
 }
 
 void Neighbours::list(std::span<const Record> records) {
-  const auto threads = static_cast<std::size_t>(omp_get_max_threads());
+  const auto threads = clusters_.size() > worth_threads ? static_cast<std::size_t>(omp_get_max_threads()) : 1;
   lists_.resize(std::max(lists_.size(), threads));
   ranges_.resize(lists_.size());
   tallies_.resize(lists_.size());

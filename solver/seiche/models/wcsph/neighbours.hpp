@@ -57,7 +57,7 @@ class Neighbours {
   /// Calls loop(first, last) for shares of the clusters [begin, end) of about equal work, on all threads.
   template <class Loop>
   void share(std::size_t begin, std::size_t end, const Loop& loop) const {
-#pragma omp parallel if (end - begin > 64)
+#pragma omp parallel if (end - begin > worth_threads)
     {
       const auto threads = static_cast<std::size_t>(omp_get_num_threads());
       const auto thread = static_cast<std::size_t>(omp_get_thread_num());
@@ -68,6 +68,10 @@ class Neighbours {
   }
 
  private:
+  /// Clusters below which one thread does it all: a pass over 4096 particles takes a millisecond, less than a time slice
+  /// on a machine whose cores are busy.
+  static constexpr std::size_t worth_threads = 4096 / static_cast<std::size_t>(abreast);
+
   struct Tally {
     long long pairs = 0;
     double neighbours = 0;     ///< largest mean of a cluster

@@ -1,0 +1,29 @@
+"""How fast the models are, beside what the machine can do, as the last run of ci/benchmarks --table left it."""
+import collections
+import csv
+import pathlib
+
+RECORD = pathlib.Path(__file__).resolve().parent.parent / "record" / "speed.csv"
+MACHINE = "machine"     # the program that measures the limits
+
+
+def _numbers(row):
+    return {key: (float(value) if value else None) if key not in ("program", "benchmark", "processor", "date") else value
+            for key, value in row.items()}
+
+
+def read(path=RECORD):
+    """Rows of the record with numbers as such, None where nothing was counted; none where there is no such file."""
+    if not path.is_file():
+        return []
+    with path.open(encoding="utf-8", newline="") as file:
+        return [_numbers(row) for row in csv.DictReader(file)]
+
+
+def survey(rows):
+    """What the page shows: the benchmarks by program, the machine's own apart."""
+    programs = collections.defaultdict(list)
+    for row in rows:
+        programs[row["program"]].append(row)
+    return {"machine": programs.pop(MACHINE, []), "programs": dict(programs), "count": len(rows),
+            "processors": sorted({row["processor"] for row in rows}), "dates": sorted({row["date"] for row in rows})}
