@@ -32,8 +32,8 @@ at the beginning. Watch the corners.
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "validation/case/case.hpp"
-#include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
+#include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -90,8 +90,8 @@ void steps(benchmark::State& state) {
   const double work = static_cast<double>(state.iterations()) * static_cast<double>(flow.model().nodes());
   state.SetItemsProcessed(static_cast<long>(work));
   state.counters["flips"] = static_cast<double>(flow.flips() - before) / work;
-  state.counters["iterations"] = static_cast<double>(flow.model().solver().iterations() - solved) /
-                                 static_cast<double>(state.iterations());
+  state.counters["iterations"] =
+      static_cast<double>(flow.model().solver().iterations() - solved) / static_cast<double>(state.iterations());
   omp_set_num_threads(threads);
 }
 

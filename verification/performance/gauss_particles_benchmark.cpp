@@ -40,8 +40,7 @@ void wave_steps(benchmark::State& state) {
                    .rows = 3 * cells,
                    .surface = [](double x) { return 0.2 * std::cos(x); },
                    .bottom = [](double) { return -std::numbers::pi; }}),
-            std::move(space),
-            [](Point r) {
+            std::move(space), [](Point r) {
               const double speed = 0.2 * std::exp(r.y);
               return Point{speed * std::cos(r.x), speed * std::sin(r.x)};
             });

@@ -1,6 +1,7 @@
 // What this machine can do on one core, beside which the other benchmarks are read.
 //
-//   triad   a = b + s c over arrays of the given length: bytes_per_second of the two reads and the write that the source
+//   triad   a = b + s c over arrays of the given length: bytes_per_second of the two reads and the write that the
+//   source
 //           names. 1000 entries stay in the first cache, 1e7 are 240 MB.
 //   fused   multiplications and additions on registers: operations_per_second, the peak of the vector unit that the
 //           flags of this build allow.

@@ -12,8 +12,8 @@
 ///
 /// From rest, linear theory gives the surface in closed form: see linear_response.
 ///
-/// When not to use it: after touch-down; near touch-down for more digits than uncertainty(t) says; up to a jet with fewer
-/// than 192 markers, whose balances then err by more than the steps explain.
+/// When not to use it: after touch-down; near touch-down for more digits than uncertainty(t) says; up to a jet with
+/// fewer than 192 markers, whose balances then err by more than the steps explain.
 ///
 /// Reference: Longuet-Higgins & Cokelet, The deformation of steep surface waves on water I, Proc. R. Soc. Lond. A 350
 /// (1976) 1. The amplitude of the pressure is the user's: 0.1 is fitted to the times of the frames of Frank (1994),

@@ -13,7 +13,8 @@ class BentLine final : public Curve {
  public:
   /// @param corner  where the lines would meet;  @param before, after  directions of the lines, of any length but zero
   /// @param rounding  length of either line that the arc replaces
-  /// Throws std::invalid_argument: values that are not finite, no rounding, lines that do not turn, or by a right angle or more.
+  /// Throws std::invalid_argument: values that are not finite, no rounding, lines that do not turn, or by a right angle
+  /// or more.
   BentLine(Point corner, Point before, Point after, double rounding);
   [[nodiscard]] Point position(double s) const override;
   [[nodiscard]] Point tangent(double s) const override;

@@ -8,8 +8,7 @@
 namespace seiche::dispersive_shallow_water_1d {
 
 bool Model::fuses_step() const {
-  return !channel_.periodic() && channel_.gamma == 0 && !forcing_.surface_pressure &&
-         !forcing_.body_force;
+  return !channel_.periodic() && channel_.gamma == 0 && !forcing_.surface_pressure && !forcing_.body_force;
 }
 
 /// Ghosts beside the first and the last block; see close() and bound_ends().

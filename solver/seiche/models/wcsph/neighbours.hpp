@@ -68,8 +68,8 @@ class Neighbours {
   }
 
  private:
-  /// Clusters below which one thread does it all: a pass over 4096 particles takes a millisecond, less than a time slice
-  /// on a machine whose cores are busy.
+  /// Clusters below which one thread does it all: a pass over 4096 particles takes a millisecond, less than a time
+  /// slice on a machine whose cores are busy.
   static constexpr std::size_t worth_threads = 4096 / static_cast<std::size_t>(abreast);
 
   struct Tally {
