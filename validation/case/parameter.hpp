@@ -48,7 +48,7 @@ using NamedValues = std::vector<std::pair<std::string, Value>>;
 struct Published {
   std::vector<std::string>
       tiles;                ///< of reports/atlas.toml that a run with these values shows; the first names the set
-  NamedValues values;          ///< what differs from the defaults of the tier
+  NamedValues values;       ///< what differs from the defaults of the tier
   Tier tier = Tier::quick;  ///< in which the set is run: the least one that can afford it
   std::string differs;      ///< where it still is not what the source did, and why; empty if nowhere
 
