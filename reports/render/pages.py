@@ -7,7 +7,7 @@ import re
 import jinja2
 from markupsafe import Markup
 
-from render import quantities
+from render import quantities, trust
 from render.experiments import scatter_figure
 from render.records import KINDS, VERDICTS
 from render.store import digest
@@ -28,7 +28,7 @@ def environment(typesetter):
                          words=lambda text: text.replace("_", " "), slug=slug, plural=plural, capital=capital)
     pages.globals.update(SIGNS=SIGNS, KINDS=KINDS, KIND_NAMES=KIND_NAMES, with_uncertainty=quantities.with_uncertainty,
                          gauge=gauge, tally=tally, limit_html=limit_html, readable=readable, short_commit=short_commit,
-                         scatter_figure=scatter_figure)
+                         scatter_figure=scatter_figure, plain=quantities.plain, SHOWN=trust.SHOWN)
     return pages
 
 
