@@ -53,7 +53,7 @@ def build(evidence, stage, out, options):
              "defects": defects.survey(defects.read(), loaded), "experiments": experiments.survey(loaded),
              "models": side_by_side.survey(cases, drawn),
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
-    whole["trust"] = trust.survey(cases, whole["models"]["problems"])
+    whole["trust"] = trust.survey(cases, whole["models"]["problems"], others)
     whole["scorable"] = trust.scorable(options.scorable, cases)
     whole["others"] = len(others)
     write("index.html.j2", "index.html", "", **whole)

@@ -50,6 +50,7 @@ class Trust:
     records: list = dataclasses.field(default_factory=list)
     claims: list = dataclasses.field(default_factory=list)          # [(record, claim)]
     contests: list = dataclasses.field(default_factory=list)
+    scored: list = dataclasses.field(default_factory=list)          # [(quantity, league.Run)] of somebody else's
 
     @property
     def tried(self):
@@ -71,7 +72,8 @@ class Trust:
     def comparisons(self):
         """The largest error first; claims that fail, as declared or not, are among the limits."""
         found = [Comparison(record, claim, error) for record, claim in self.claims
-                 if claim.verdict == "pass" and claim.kind in COMPARISONS and (error := share(claim)) is not None]
+                 if claim.verdict == "pass" and claim.kind in COMPARISONS and not claim.id.endswith("-coverage")
+                 and (error := share(claim)) is not None]
         return sorted(found, key=lambda one: -one.error)
 
     @property
@@ -142,12 +144,14 @@ class Models:
         return next((model for word, model in self._claims.items() if claim.startswith(f"{word}-")), "")
 
 
-def survey(cases, contests, models=None):
+def survey(cases, contests, others, models=None):
     """[(phenomenon, [Trust])] of the validations: our models by name, then other solvers.
 
     @param contests  the problems of side_by_side.survey()
+    @param others    the tables of league.survey()
     """
     models = models or Models()
+    runs = {run.record.stem: (table.quantity, run) for table in others for run in table.runs}
     groups = {}
 
     def of(group, model, own):
@@ -164,6 +168,8 @@ def survey(cases, contests, models=None):
             if model:
                 one = of(record.group, model, record.own)
                 one.records.append(record)
+                if not record.own:
+                    one.scored += [runs[record.stem]] if record.stem in runs else []
                 one.claims += [(record, claim) for claim in record.claims]
             elif several:
                 for claim in record.claims:
