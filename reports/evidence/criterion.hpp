@@ -67,9 +67,9 @@ struct Bound {
   bool relative = false;
 };
 
-/// |value - expected| <= coverage sqrt(u_num^2 + u_input^2 + u_data^2) (ASME V&V 20-2009). Agreement is inconclusive
-/// when that uncertainty exceeds `useful`, for within an uncertainty so large it says nothing, and when u_num was not
-/// estimated; then a difference fails that exceeds coverage sqrt(u_input^2 + u_data^2) + useful, whatever u_num is.
+/// |value - expected| <= coverage sqrt(u_num^2 + u_input^2 + u_data^2) (ASME V&V 20-2009). Inconclusive when that
+/// uncertainty exceeds `useful`, for agreement within an uncertainty that large says nothing, and when u_num was not
+/// estimated.
 struct Uncertainty {
   Amount expected = 0;
   Amount data = 0;    ///< standard uncertainty of the reference

@@ -83,6 +83,8 @@ Judgement apply(const Measurement& m, const Bound& c) {
   return capped(within(m, c.expected.value(), limit), {{"limit", c.limit}, {"expected", c.expected}});
 }
 
+/// Beyond `useful` an uncertainty says nothing of agreement; a difference larger than the uncertainty is one, however
+/// large that is. Where the numerical one was not estimated it is taken for the largest that decides anything.
 Judgement apply(const Measurement& m, const Uncertainty& c) {
   require_reason(c.reason);
   // m.uncertainty is an expanded (95 %) half-width; the criterion combines standard uncertainties.

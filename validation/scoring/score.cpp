@@ -201,6 +201,13 @@ class QuantityScore {
     }
   }
 
+  /// Of a number that was not computed before it was asked for.
+  [[nodiscard]] std::optional<double> told_expected(const Requirement& requirement) const {
+    const auto* bound = std::get_if<evidence::Bound>(&requirement.criterion);
+    if (bound == nullptr || bound->expected.stated()) return std::nullopt;
+    return quantity_.reference({group_.value, 0});
+  }
+
   void claim(const Requirement& requirement, evidence::Record& record) const {
     const MeasureText& text = text_of(requirement.measure);
     const auto found = measures_.find(requirement.measure);
@@ -218,7 +225,8 @@ class QuantityScore {
     record.check(claimed,
                  {.value = measured.value,
                   .uncertainty = times(coverage, measured.uncertainty),
-                  .resolution = resolution() + ", " + stated_text},
+                  .resolution = resolution() + ", " + stated_text,
+                  .told = {.expected = told_expected(requirement)}},
                  requirement.criterion);
   }
 
