@@ -249,6 +249,48 @@ class Steps(unittest.TestCase):
             self.assertEqual(status, 2, said)
             self.assertIn("h = -1", said)
 
+    def too_deep(self, share, name):
+        """The good result with a depth too large by that share."""
+        names, *rows = csv.reader(line for line in (self.folder / "mine.csv").read_text().splitlines() if line[:1] != "#")
+        at = next(k for k, column in enumerate(names) if column.split(" ")[0] == "h")
+        for row in rows:
+            row[at] = repr((1 + share) * float(row[at]))
+        (self.folder / name).write_text("\n".join(",".join(row) for row in [names, *rows]) + "\n")
+        return str(self.folder / name)
+
+    def test_several_sizes_give_order_and_cost(self):
+        files = [self.too_deep(0.02 * size, f"{size}.csv") for size in (4, 2, 1)]
+        for steps in (self.github, self.gitlab):
+            status, said, work = steps(case="riemann", data="\n".join(files), solver="mine", sizes="4,2,1", seconds="1,2,4",
+                                       threads="2")
+            self.assertIn("h: your order is 1 ", said)
+            self.assertIn(status, (0, 1), said)
+            record = json.loads((work / "seiche/riemann.mine.json").read_text())
+            self.assertEqual((record["wall_time"], record["measurements"]["cell_size"]), (4, 1))
+            self.assertEqual(record["measurements"]["threads"], 2)
+            self.assertIn("Error against cost", (work / "seiche/report/cases/riemann.html").read_text())
+
+    def test_a_baseline_is_made_only_where_that_is_said_and_kept(self):
+        good, worse = self.too_deep(0.001, "good.csv"), self.too_deep(0.02, "worse.csv")
+        for number, steps in enumerate((self.github, self.gitlab)):
+            kept = self.folder / f"kept-{number}"
+            given = {"case": "riemann", "solver": "mine", "baseline": str(kept)}
+            status, said, _ = steps(**given, data=good)
+            self.assertEqual(status, 2, said)
+            self.assertIn("--bless", said)
+            self.assertFalse(kept.exists())
+            status, said, _ = steps(**given, data=good, bless="true")
+            self.assertEqual(status, 0, said)
+            first = (kept / "riemann.mine.json").read_bytes()
+            status, said, work = steps(**given, data=worse)
+            self.assertEqual(status, 1, said)
+            self.assertIn("WORSE", said)
+            self.assertTrue((work / "seiche/report/index.html").is_file())
+            self.assertEqual((kept / "riemann.mine.json").read_bytes(), first)
+            status, said, _ = steps(**given, data=good, bless="yes")
+            self.assertEqual(status, 2, said)
+            self.assertIn("true or false", said)
+
     def test_wrong_input_is_status_2(self):
         for given, word in [({"case": "rieman", "data": "mine.csv"}, "mine.csv"),
                             ({"case": "rieman", "data": str(self.folder / "mine.csv")}, "rieman")]:

@@ -4,6 +4,7 @@ What is not run is named in NOT_RUN with the reason; nothing else is left out, a
 """
 
 import csv
+import json
 import os
 import pathlib
 import re
@@ -256,6 +257,8 @@ class Readme(unittest.TestCase):
                 self.succeed(text, self.place.run("bash", "-n", input=text))
             if kind in ("shell", "inline"):
                 left_out |= self.run_commands(kind, commands_in(text) if kind == "shell" else [text], not_run)
+            elif kind == "output":
+                self.is_said(text)
             elif first in not_run:
                 left_out.add(first)
             elif kind == "python":
@@ -268,6 +271,20 @@ class Readme(unittest.TestCase):
             else:
                 self.fail(f"{path}: neither run nor left out:\n{text}")
         return left_out
+
+    def is_said(self, text):
+        """What a text shows of a score is what the walk-through's command says."""
+        data = SOURCE / "ci/tests/solver_output/shallowWaterFoam/profile"
+        scored = self.place.run(SEICHE, "score", "riemann", "--data", data, "--map", "U_x=u", "--dx", "1", "--solver",
+                                "shallowWaterFoam", "--out", self.place.folder / "tmp/shown")
+        self.succeed(text, scored)
+        self.assertIn(" ".join(text.split()), " ".join(scored.stdout.split()))
+
+    def test_the_readme_names_the_cases_that_score_others(self):
+        listed = json.loads(self.place.run(SEICHE, "list", "--json").stdout)["cases"]
+        section = (SOURCE / "README.md").read_text().split("## A solver, judged")[1].split("\n## ")[0]
+        named = re.findall(r"\w+", " ".join(re.findall(r"^\|.*?\|(.*)\|$", section, re.M)[1:]))
+        self.assertEqual(sorted(named), sorted(one["name"] for one in listed if one["scores"]))
 
     def prepare(self, command):
         name = command.removeprefix("./")

@@ -125,8 +125,12 @@ class Score(Scoring):
         x, h, u = self.riemann()
         for solver, factor in (("good", 1.0), ("high", 2.0)):
             data = self.write("x,h,u\n" + "".join(f"{a},{b},{c}\n" for a, b, c in zip(x, factor * h, u)))
-            self.score("riemann", "--data", data, solver=solver)
+            cost = ("--dx", 0.5, "--seconds", 73, "--threads", 4) if solver == "good" else ()
+            self.score("riemann", "--data", data, *cost, solver=solver)
         table = seiche("compare", self.out)
+        costs = {line.split("  ")[1]: line.split()[-2:] for line in table.stdout.splitlines() if "cost: " in line}
+        self.assertEqual(costs, {"cost: time [s]": ["73", "-"], "cost: cell [m]": ["0.5", "-"],
+                                 "cost: threads": ["4", "-"]})
         self.assertEqual(table.returncode, 1, table.stdout)
         header = next(line for line in table.stdout.splitlines() if "good" in line)
         self.assertIn("high", header)

@@ -77,8 +77,18 @@ class Riemann(Scoring):
         slow = {name: np.interp(self.JUMP + (right["x"] - self.JUMP) / 0.9, right["x"], right[name]) for name in "hu"}
         self.assertEqual(self.judged({"x": right["x"], **slow}, *cells, status=1)["front"], "fail")
         self.assertEqual(self.judged(self.profile(800, gravity=0.9 * 9.81), *cells, status=1)["front"], "fail")
+        coarse = self.profile(50)
+        slow = {name: np.interp(self.JUMP + (coarse["x"] - self.JUMP) / 0.88, right["x"], right[name]) for name in "hu"}
+        self.assertEqual(self.judged({"x": coarse["x"], **slow}, "--dx", 1, status=1)["front"], "fail")
         mirrored = {name: right[name][::-1] for name in "hu"}
         self.assertEqual(self.judged({"x": right["x"], **mirrored}, *cells, status=1)["depth"], "fail")
+
+
+    def test_our_own_on_cells_too_coarse_to_tell_says_so_and_decides_the_rest(self):
+        self.accepted(seiche("run", "riemann", "--set", "particles=20", "--out", self.out))
+        record = self.record("riemann")
+        self.assertEqual({claim["verdict"] for claim in record["claims"]}, {"pass"})
+        self.assertIn("depth", [one["id"] for one in record["left_out"]])
 
 
 class Standing(Scoring):
@@ -165,6 +175,12 @@ class ColumnFront(Scoring):
                 with self.subTest(name, late=late):
                     verdicts, _ = self.judged({**front, "T": np.append(0, late + front["T"][1:])}, status=1)
                     self.assertEqual(verdicts["rate"], "fail")
+
+    def test_a_front_a_quarter_too_slow_fails_whatever_its_uncertainty(self):
+        right = self.front()
+        verdicts, said = self.judged({**right, "T": right["T"] / 0.73}, status=1, uncertainty=None)
+        self.assertEqual(verdicts["rate"], "fail")
+        self.assertIn("its numerical uncertainty was not estimated, but", said)
 
     def test_noise_fails(self):
         right = self.front()

@@ -83,6 +83,8 @@ Judgement apply(const Measurement& m, const Bound& c) {
   return capped(within(m, c.expected.value(), limit), {{"limit", c.limit}, {"expected", c.expected}});
 }
 
+/// Beyond `useful` an uncertainty says nothing of agreement; a difference larger than the uncertainty is one, however
+/// large that is. Where the numerical one was not estimated it is taken for the largest that decides anything.
 Judgement apply(const Measurement& m, const Uncertainty& c) {
   require_reason(c.reason);
   // m.uncertainty is an expanded (95 %) half-width; the criterion combines standard uncertainties.
@@ -97,8 +99,15 @@ Judgement apply(const Measurement& m, const Uncertainty& c) {
   j.uncertainty = m.uncertainty;
   if (j.verdict == Verdict::error) return j;
   j = capped(std::move(j), {{"expected", c.expected}, {"data", c.data}, {"input", c.input}});
-  if (!m.uncertainty) return unfit(std::move(j), Verdict::inconclusive, "its numerical uncertainty was not estimated");
-  if (expanded <= c.useful) return j;
+  if (!m.uncertainty) {
+    const bool beyond = j.verdict == Verdict::fail && std::abs(m.value - c.expected.value()) > expanded + c.useful;
+    if (!beyond) return unfit(std::move(j), Verdict::inconclusive, "its numerical uncertainty was not estimated");
+    return unfit(std::move(j), Verdict::fail,
+                 fmt::format("its numerical uncertainty was not estimated, but it is off by more than the {:.3g} of "
+                             "data and inputs and the {:.3g} that is the most with which anything can be decided",
+                             expanded, c.useful));
+  }
+  if (expanded <= c.useful || j.verdict == Verdict::fail) return j;
   return unfit(std::move(j), Verdict::inconclusive,
                fmt::format("the expanded uncertainty {:.3g} exceeds {:.3g}, the largest that still decides", expanded,
                            c.useful));

@@ -10,6 +10,8 @@ import dataclasses
 import math
 import re
 
+from render import costs
+
 # Measurements that say how far a result is off, the first that all share; a suffix names the gauge or the time.
 ERRORS = {r"rms_shifted": "rms of the front, shifted", r"(\w+?)_relative_l1(_\w+)?": "relative L1 error of {}",
           r"(\w+?)_relative_l2(_\w+)?": "relative L2 error of {}", r"(\w+?)_relative_error": "relative error of {}"}
@@ -31,6 +33,7 @@ class Table:
     case: object
     quantity: str
     runs: list
+    costs: object = None        # costs.Costs, where somebody scored several sizes
 
 
 def solver_of(name):
@@ -58,9 +61,9 @@ def error_of(record, names):
 
 def order_of(runs):
     """Of the finest's ladder, or of the runs; None for fewer than two sizes, or an error that is zero."""
-    of_ladder = [value for name, value in runs[-1].record.measurements.items() if name.startswith("ladder_order_")]
-    if of_ladder:
-        return of_ladder[0]
+    of_ladder = costs.of(runs[-1].record, "order")
+    if of_ladder is not None:
+        return of_ladder
     points = [(math.log(run.cell), math.log(run.error)) for run in runs if run.cell and run.error]
     mean_x, mean_y = (sum(p[k] for p in points) / max(len(points), 1) for k in (0, 1))
     spread = sum((x - mean_x) ** 2 for x, _ in points)
@@ -80,7 +83,8 @@ def table(case):
         members.sort(key=lambda run: -(run.cell or 0))
         members[-1].order = order_of(members)
         ordered += members
-    return Table(case, "largest " + quantity if len(names) > 1 else quantity, ordered)
+    return Table(case, "largest " + quantity if len(names) > 1 else quantity, ordered,
+                 costs.survey(case.records))
 
 
 def survey(cases):

@@ -7,7 +7,7 @@ import re
 import jinja2
 from markupsafe import Markup
 
-from render import quantities
+from render import costs, quantities, trust
 from render.experiments import scatter_figure
 from render.records import KINDS, VERDICTS
 from render.store import digest
@@ -28,7 +28,8 @@ def environment(typesetter):
                          words=lambda text: text.replace("_", " "), slug=slug, plural=plural, capital=capital)
     pages.globals.update(SIGNS=SIGNS, KINDS=KINDS, KIND_NAMES=KIND_NAMES, with_uncertainty=quantities.with_uncertainty,
                          gauge=gauge, tally=tally, limit_html=limit_html, readable=readable, short_commit=short_commit,
-                         scatter_figure=scatter_figure)
+                         scatter_figure=scatter_figure, plain=quantities.plain, SHOWN=trust.SHOWN, cost_figure=costs.figure,
+                         cost_of=costs.of)
     return pages
 
 
@@ -197,6 +198,7 @@ def case_view(case, drawn, tile_titles):
         for name, measured in record.measurements.items():
             measurements.setdefault(name, {})[record.stem] = measured
     tiles = dict.fromkeys(tile for record in case.records for tile in record.tiles)
-    return {"case": case, "first_looks": first_looks, "figures": figures, "tables": tables, "claims_by_id": claims, "parameters": parameters,
+    return {"case": case, "costs": costs.survey(case.records), "first_looks": first_looks, "figures": figures,
+            "tables": tables, "claims_by_id": claims, "parameters": parameters,
             "measurements": measurements,
             "tiles": [(tile, tile_titles[tile]) for tile in tiles if tile in tile_titles]}

@@ -4,7 +4,7 @@ import pathlib
 import shutil
 
 from render import (atlas, badge, defects, experiments, files, gallery, league, pages, records, sharpness, side_by_side,
-                    speed)
+                    speed, trust)
 from render.formulas import Formulas
 from render.records import Broken
 from render.store import MARKER, Store, user_cache
@@ -54,6 +54,9 @@ def build(evidence, stage, out, options):
              "defects": defects.survey(defects.read(), loaded), "experiments": experiments.survey(loaded),
              "models": side_by_side.survey(cases, drawn), "speed": speed.survey(speed.read()),
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
+    whole["trust"] = trust.survey(cases, whole["models"]["problems"], others)
+    whole["scorable"] = trust.scorable(options.scorable, cases)
+    whole["others"] = len(others)
     write("index.html.j2", "index.html", "", **whole)
     write("atlas.html.j2", "atlas.html", "", **whole)
     write("models.html.j2", "models.html", "", **whole)

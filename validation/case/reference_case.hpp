@@ -1,6 +1,7 @@
 /// What cases share that show an exact solution and judge others by it.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +28,10 @@ Requirement within_tolerance(Measure measure, const Values& values, const std::s
 /// A number that must be the reference's, to the tolerance.
 WantedQuantity wanted_number(const Column& column, double reference, const Values& values, const std::string& text,
                              const std::string& source);
+
+/// The same of a number that takes long: it is computed when it is first asked for, and kept.
+WantedQuantity wanted_number(const Column& column, std::function<double()> reference, const Values& values,
+                             const std::string& text, const std::string& source);
 
 /// `count` numbers from first to last, both included.
 std::vector<double> evenly(double first, double last, int count);

@@ -6,9 +6,11 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "validation/case/data_folder.hpp"
+#include "validation/case/registry.hpp"
 #include "validation/command/commands.hpp"
 
 namespace seiche::command {
@@ -18,6 +20,15 @@ namespace {
 std::string python() {
   const char* chosen = std::getenv("SEICHE_PYTHON");  // NOLINT(concurrency-mt-unsafe): no threads here
   return chosen != nullptr && *chosen != '\0' ? chosen : SEICHE_PYTHON;
+}
+
+/// "phenomenon/case,..." of all cases that score others.
+std::string scorable() {
+  std::vector<std::string> names;
+  for (const validation::Case& one : validation::all_cases()) {
+    if (one.submission) names.push_back(one.phenomenon + "/" + one.name);
+  }
+  return fmt::format("{}", fmt::join(names, ","));
 }
 
 }  // namespace
@@ -36,7 +47,9 @@ int report(const ReportOptions& options) {
                                  "--out",
                                  out,
                                  "--jobs",
-                                 std::to_string(options.jobs)};
+                                 std::to_string(options.jobs),
+                                 "--scorable",
+                                 scorable()};
   if (!options.pdf.empty()) words.insert(words.end(), {"--pdf", options.pdf});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());

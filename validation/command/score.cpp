@@ -23,6 +23,7 @@
 #include "validation/scoring/score.hpp"
 #include "validation/scoring/solver_files.hpp"
 #include "validation/scoring/submitted.hpp"
+#include "validation/scoring/units.hpp"
 
 namespace seiche::command {
 namespace {
@@ -112,8 +113,7 @@ std::string error_text(const evidence::JudgedClaim& claim) {
     return fmt::format("error {:+.3g} %, limit {:.3g} %", 100 * error / std::abs(j.expected),
                        100 * j.limit / std::abs(j.expected));
   }
-  const std::string& unit = claim.claim.unit;
-  return fmt::format("error {:+.3g}, limit {:.3g}{}", error, j.limit, unit == "1" || unit.empty() ? "" : " " + unit);
+  return fmt::format("error {:+.3g}, limit {:.3g}{}", error, j.limit, validation::after_number(claim.claim.unit));
 }
 
 void print(const evidence::Record& record, const std::vector<validation::Finding>& findings,

@@ -1,6 +1,7 @@
 #include "validation/command/solvers_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -39,6 +40,33 @@ std::string describe(const Summary::Outcome* claim) {
   return fmt::format("{} {:.2g}", claim->verdict, distance / claim->limit);
 }
 
+std::string measured(const Summary& one, const std::string& quantity) {
+  const auto found = one.measurements.find(quantity);
+  return found == one.measurements.end() ? "-" : fmt::format("{:.5g}", found->second);
+}
+
+/// What each result took and how fast its error falls, where a solver said: shown even if the others did not.
+constexpr std::array<std::pair<const char*, const char*>, 2> stated_costs{
+    {{"cell_size", "cost: cell [m]"}, {"threads", "cost: threads"}}};
+
+bool is_stated_cost(const std::string& quantity) {
+  return std::ranges::any_of(stated_costs, [&](const auto& cost) { return quantity == cost.first; });
+}
+
+bool is_of_ladder(const std::string& quantity) {
+  return quantity.starts_with("ladder_");
+}
+
+void print_costs(const std::vector<const Summary*>& solvers) {
+  print_row("cost: time [s]", solvers,
+            [](const Summary& one) { return one.wall_time > 0 ? fmt::format("{:.3g}", one.wall_time) : "-"; });
+  for (const auto& [quantity, label] : stated_costs) {
+    const bool anybody =
+        std::ranges::any_of(solvers, [&](const Summary* one) { return one->measurements.contains(quantity); });
+    if (anybody) print_row(label, solvers, [&](const Summary& one) { return measured(one, quantity); });
+  }
+}
+
 void print_case(const std::vector<const Summary*>& solvers) {
   fmt::print("{}\n", solvers.front()->name);
   print_row("claim: error over limit", solvers,
@@ -54,12 +82,10 @@ void print_case(const std::vector<const Summary*>& solvers) {
   for (const std::string& id : ids) {
     print_row(id, solvers, [&](const Summary& one) { return describe(find_claim(one, id)); });
   }
+  print_costs(solvers);
   for (const auto& [quantity, count] : shared) {
-    if (count < 2) continue;
-    print_row(quantity, solvers, [&, name = quantity](const Summary& one) {
-      const auto found = one.measurements.find(name);
-      return found == one.measurements.end() ? "-" : fmt::format("{:.5g}", found->second);
-    });
+    if (is_stated_cost(quantity) || (count < 2 && !is_of_ladder(quantity))) continue;
+    print_row(quantity, solvers, [&, name = quantity](const Summary& one) { return measured(one, name); });
   }
 }
 

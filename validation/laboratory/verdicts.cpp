@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
+#include "validation/scoring/units.hpp"
 
 namespace seiche::validation::laboratory {
 namespace {
@@ -62,9 +63,9 @@ Question::Question(const Experiment& experiment, const Series& part, const Readi
 
 evidence::Claim Question::claim() const {
   const Column& quantity = part_.quantity;
-  const std::string at = part_.group ? fmt::format(" at {} = {:g}{}", part_.group->name, reading_.group,
-                                                   part_.group->unit == "1" ? "" : " " + part_.group->unit)
-                                     : "";
+  const std::string at =
+      part_.group ? fmt::format(" at {} = {:g}{}", part_.group->name, reading_.group, after_number(part_.group->unit))
+                  : "";
   const std::string suffix = part_.group ? fmt::format("-{}", plain(fmt::format("{:g}", reading_.group), "m")) : "";
   return {.id = fmt::format("{}-{}{}", part_.name, plain(reading_.id, "-"), suffix),
           .text = reading_.misfit() ? fmt::format("The {}{} follows the measured one.", quantity.meaning, at)

@@ -17,20 +17,8 @@ using exact::StokesWave;
 
 namespace {
 
-constexpr int asked = 129;  ///< points of a surface
-/// Of the instants that others are asked for, in periods, or of their gauges, in wavelengths: no whole number, nor
-/// half.
-constexpr double apart = 0.75;
+constexpr int asked = 129;       ///< points of a surface
 constexpr int seen_periods = 4;  ///< at a gauge
-
-/// The way to every one of them, in wavelengths, over so many periods.
-std::vector<double> ways(const Values& values) {
-  std::vector<double> all;
-  for (long n = 1; apart * static_cast<double>(n) <= static_cast<double>(values.integer("periods")); ++n) {
-    all.push_back(apart * static_cast<double>(n));
-  }
-  return all;
-}
 
 using Wave = std::shared_ptr<const StokesWave>;
 
@@ -42,7 +30,7 @@ std::string exact_command(const StokesWave& wave, const std::string& grid) {
 /// Gauges along a flume.
 WantedTable wanted_gauges(const Wave& wave, const Values& values) {
   std::vector<double> places;
-  for (const double way : ways(values)) places.push_back(way * wave->wavelength());
+  for (const double way : ways(values.integer("periods"))) places.push_back(way * wave->wavelength());
   const double last = seen_periods * period_of(*wave);
   return {
       .name = "gauges",
@@ -103,6 +91,14 @@ Fundamental at_instant(const StokesWave& wave, const SubmittedGroup& group) {
 
 }  // namespace
 
+std::vector<double> ways(long periods) {
+  std::vector<double> all;
+  for (long n = 1; apart * static_cast<double>(n) <= static_cast<double>(periods); ++n) {
+    all.push_back(apart * static_cast<double>(n));
+  }
+  return all;
+}
+
 StokesWave wave_of(double height, double length) {
   return {height / 2, length, 1, 1};
 }
@@ -125,7 +121,7 @@ std::vector<WantedTable> wanted_waves(const Values& values) {
   const Wave wave = std::make_shared<const StokesWave>(wave_of(values.real("height"), values.real("length")));
   if (values.text("tank") == "flume") return {wanted_gauges(wave, values)};
   std::vector<double> times;
-  for (const double way : ways(values)) times.push_back(way * period_of(*wave));
+  for (const double way : ways(values.integer("periods"))) times.push_back(way * period_of(*wave));
   return {{.name = "surface",
            .kind = WantedTable::Kind::profile,
            .group = Column{"t", "s", "time since a crest was at x = 0, for gravity 1 m/s^2 and depth 1 m"},

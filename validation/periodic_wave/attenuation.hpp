@@ -21,6 +21,12 @@ inline const std::string per_wavelength_reason =
 exact::StokesWave wave_of(double height, double length);
 double period_of(const exact::StokesWave& wave);
 
+/// Between the instants at which a wave is looked at, in periods, or between its gauges, in wavelengths: no whole
+/// number, nor half, after which a wave that stands still, or runs back, looks right.
+inline constexpr double apart = 0.75;
+/// All of them, up to so many.
+std::vector<double> ways(long periods);
+
 /// What a wavelength changes: slopes of straight lines through the stations.
 struct Rates {
   double decay = 0;  ///< of the height, relative

@@ -115,7 +115,7 @@ PeriodicWater water_of(const StokesWave& wave) {
 
 }  // namespace
 
-Followed follow_particles(const StokesWave& wave, long cells, long periods) {
+Followed follow_particles(const StokesWave& wave, long cells, const std::vector<double>& instants) {
   using gauss_particles::LatticePlan;
   const double began = processor_seconds();
   const double length = wave.wavelength();
@@ -142,8 +142,8 @@ Followed follow_particles(const StokesWave& wave, long cells, long periods) {
        .surface = gauss_particles::SurfaceLine{.period = length, .exact_energy = true}});
   const double kinetic = flow.energy();
   Followed followed{.size = cell};
-  for (long n = 1; n <= periods; ++n) {
-    flow.advance_to(static_cast<double>(n) * period_of(wave), particles_courant * cell / wave.phase_speed());
+  for (const double n : instants) {
+    flow.advance_to(n * period_of(wave), particles_courant * cell / wave.phase_speed());
     std::vector<Point> surface = flow.markers();
     for (Point& marker : surface) {
       marker.x = length + std::remainder(marker.x, length);
@@ -155,10 +155,11 @@ Followed follow_particles(const StokesWave& wave, long cells, long periods) {
   return followed;
 }
 
-Followed follow_mesh(const StokesWave& wave, long rows, long periods) {
+Followed follow_mesh(const StokesWave& wave, long rows, const std::vector<double>& instants) {
   const double began = processor_seconds();
   const double length = wave.wavelength();
   const double h = wave.mean_depth() / static_cast<double>(rows);
+  const long periods = std::lround(std::ceil(instants.back()));
   const long waves = periods == 1 ? 3 : periods + 2 + periods / 2;
   lagrangian_mesh_2d::Mesh mesh = lagrangian_mesh_2d::layer_mesh(
       {.begin = -length,
@@ -170,11 +171,11 @@ Followed follow_mesh(const StokesWave& wave, long rows, long periods) {
   mesh.sides.left = mesh.sides.right = led(wave, periods);
   lagrangian_mesh_2d::Flow flow(mesh, [&](Point r) { return velocity_at(wave, r.x, r.y); });
   Followed followed{.size = h};
-  for (long n = 1; n <= periods; ++n) {
-    flow.advance_to(static_cast<double>(n) * period_of(wave), 0.4 * h / std::sqrt(wave.gravity() * wave.mean_depth()));
+  for (const double n : instants) {
+    flow.advance_to(n * period_of(wave), 0.4 * h / std::sqrt(wave.gravity() * wave.mean_depth()));
     std::vector<Point> surface;
     for (std::size_t i = 0; i < flow.surface_x().size(); ++i) {
-      if (std::abs(flow.surface_x()[i] - static_cast<double>(n) * length) > 0.5 * length) continue;
+      if (std::abs(flow.surface_x()[i] - n * length) > 0.5 * length) continue;
       surface.push_back({flow.surface_x()[i], flow.surface_y()[i]});
     }
     followed.stations.push_back({flow.time(), std::move(surface), not_counted});
@@ -183,7 +184,8 @@ Followed follow_mesh(const StokesWave& wave, long rows, long periods) {
   return followed;
 }
 
-Followed follow_dispersive(const exact::SerreCnoidal& wave, double period, long cells, long periods) {
+Followed follow_dispersive(const exact::SerreCnoidal& wave, double period, long cells,
+                           const std::vector<double>& instants) {
   using namespace dispersive_shallow_water_1d;
   const double began = processor_seconds();
   const double length = wave.wavelength();
@@ -201,9 +203,8 @@ Followed follow_dispersive(const exact::SerreCnoidal& wave, double period, long 
                          [&](double x) { return wave.excess_up_to(x); }, 0));
   constexpr double no_courant_limit = 1e9;  // depths hardly change: tau alone decides
   Followed followed{.size = spacing};
-  for (long n = 1; n <= periods; ++n) {
-    flow.advance_to(static_cast<double>(n) * period, 0.25 * spacing / std::sqrt(wave.gravity() * wave.depth()), {},
-                    no_courant_limit);
+  for (const double n : instants) {
+    flow.advance_to(n * period, 0.25 * spacing / std::sqrt(wave.gravity() * wave.depth()), {}, no_courant_limit);
     std::vector<Point> surface;
     for (std::size_t i = 0; i < flow.x().size(); ++i) surface.push_back({flow.x()[i], flow.y()[i]});
     followed.stations.push_back({flow.time(), std::move(surface), not_counted});
@@ -212,14 +213,14 @@ Followed follow_dispersive(const exact::SerreCnoidal& wave, double period, long 
   return followed;
 }
 
-Followed follow_sph(const StokesWave& wave, long rows, long periods) {
+Followed follow_sph(const StokesWave& wave, long rows, const std::vector<double>& instants) {
   const double began = processor_seconds();
   const PeriodicWater water = water_of(wave);
   wcsph::Flow flow = start_sph(water, wave.mean_depth() / static_cast<double>(rows));
   const double length = wave.wavelength();
   Followed followed{.size = flow.spacing()};
-  for (long n = 1; n <= periods; ++n) {
-    flow.advance_to(static_cast<double>(n) * period_of(wave));
+  for (const double n : instants) {
+    flow.advance_to(n * period_of(wave));
     followed.stations.push_back({flow.time(), surface_of(flow, water, 0.5 * length, 1.5 * length), not_counted});
   }
   followed.seconds = processor_seconds() - began;

@@ -8,13 +8,14 @@ a twentieth, a tenth and a fifth of the depth. Free particles, the dispersive mo
 The Lagrangian mesh has no period: there a wave in a longer chain is followed, for fewer. The dispersive model, for
 which the wave is none, starts from the wave of its own equations with the same height and length.
 
-**What is compared.** After every period, the fundamental of the surface: its amplitude over that of the exact wave, and
-its phase. What either changes by in a wavelength is the slope of a straight line through the periods, so that a wrong
-beginning is not counted. Shown against the cells in the height of the wave, and against what a wavelength takes.
+**What is compared.** After every three quarters of a period, the fundamental of the surface: its amplitude over that of
+the exact wave, and its phase. After whole periods a wave that stands still, or runs the other way, looks right. What
+either changes by in a wavelength is the slope of a straight line through the instants, so that a wrong beginning is not
+counted. Shown against the cells in the height of the wave, and against what a wavelength takes.
 
-**For any solver.** `seiche score wave_attenuation --template` asks for the surface after every three quarters of a
-period: after whole ones a wave that stands still, or runs the other way, looks right. Start from the exact surface and
-velocities (`seiche exact stokes --write` gives them to several solvers) with a crest at $x = 0$, in a periodic box;
+**For any solver.** `seiche score wave_attenuation --template` asks for the surface at the same instants. Start from the
+exact surface and velocities (`seiche exact stokes --write` gives them to several solvers) with a crest at $x = 0$, in a
+periodic box;
 `--set height=0.05` asks for a lower wave. A solver without periodic boxes makes the wave in a flume:
 `--set tank=flume` asks for gauges three quarters of a wavelength apart, over four periods once the waves are settled,
 and counts wavelengths of way in place of periods. Histories of volume, energy and momentum are judged where they are
@@ -73,7 +74,7 @@ Course course_of(const std::string& model, const StokesWave& wave, const Followe
   Course course{.model = model,
                 .height = 2 * wave.amplitude(),
                 .size = followed.size,
-                .seconds = followed.seconds / static_cast<double>(followed.stations.size())};
+                .seconds = followed.seconds * period_of(wave) / followed.last().time};
   const Elevation exact = [&](double x) { return wave.elevation(x); };
   for (const Station& station : followed.stations) {
     std::vector<Point> surface = station.surface;
@@ -101,28 +102,28 @@ std::vector<long> ladder(long finest) {
 
 Results compute(const Run& run) {
   const double length = run.real("length");
-  const long periods = run.integer("periods");
-  const long mesh_periods = run.integer("mesh_periods");
+  const std::vector<double> instants = ways(run.integer("periods"));
+  const std::vector<double> mesh_instants = ways(run.integer("mesh_periods"));
   Results results;
   std::vector<std::function<Course()>> work;
   for (const double height : heights_of(run)) {
     const StokesWave wave = wave_of(height, length);
     for (const long n : ladder(run.integer("cells"))) {
-      work.emplace_back([=] { return course_of("particles", wave, follow_particles(wave, n, periods)); });
+      work.emplace_back([=] { return course_of("particles", wave, follow_particles(wave, n, instants)); });
     }
     for (const long n : ladder(run.integer("markers"))) {
       work.emplace_back([=] {
         const SerreCnoidal own(height, length, 1, 1);
-        return course_of("dispersive", wave, follow_dispersive(own, period_of(wave), n, periods));
+        return course_of("dispersive", wave, follow_dispersive(own, period_of(wave), n, instants));
       });
     }
     for (const long n : ladder(run.integer("rows"))) {
-      work.emplace_back([=] { return course_of("mesh", wave, follow_mesh(wave, n, mesh_periods)); });
+      work.emplace_back([=] { return course_of("mesh", wave, follow_mesh(wave, n, mesh_instants)); });
     }
   }
   const StokesWave steepest = wave_of(run.real("height"), length);
   for (const long n : ladder(run.integer("sph_rows"))) {
-    work.emplace_back([=] { return course_of("sph", steepest, follow_sph(steepest, n, periods)); });
+    work.emplace_back([=] { return course_of("sph", steepest, follow_sph(steepest, n, instants)); });
   }
   results.resize(work.size());
   // One after another and on one thread each, or their times would be those of their neighbours.
@@ -191,7 +192,7 @@ void claim_height(const Claims<Results>& claims, const std::string& model, const
 void claim_particles(const Claims<Results>& claims, const Values& values) {
   const long cells = values.integer("cells");
   const StokesWave steepest = wave_of(values.real("height"), values.real("length"));
-  const double steps = std::ceil(static_cast<double>(cells) / particles_courant);
+  const double steps = std::ceil(apart * static_cast<double>(cells) / particles_courant) / apart;
   const double turn = 2 * std::numbers::pi / steps;
   claim_height(claims, "particles", "Free particles keep the height of the wave.");
   claims.check(

@@ -72,10 +72,12 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
-  const exact::WallRunup wall(values.real("amplitude"), values.real("depth"));
+  const double amplitude = values.real("amplitude");
+  const double depth = values.real("depth");
+  const std::function<double()> runup = [=] { return exact::WallRunup(amplitude, depth).runup(); };
   return {{.name = "numbers",
-           .quantities = {wanted_number({"runup", "m", "largest elevation of the water at the wall"}, wall.runup(),
-                                        values, "The run-up is that of fully nonlinear potential flow.", source)},
+           .quantities = {wanted_number({"runup", "m", "largest elevation of the water at the wall"}, runup, values,
+                                        "The run-up is that of fully nonlinear potential flow.", source)},
            .exact = {fmt::format("seiche exact wall_runup --set amplitude={:.17g},depth={:.17g}",
                                  values.real("amplitude"), values.real("depth"))}}};
 }

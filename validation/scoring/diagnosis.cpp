@@ -9,6 +9,7 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/scoring/misreading.hpp"
+#include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -17,7 +18,8 @@ using Kind = WantedTable::Kind;
 
 std::string where_of(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group) {
   if (!table.group) return quantity.column.name;
-  return fmt::format("{}, {} = {:g} {}", quantity.column.name, table.group->name, group.value, table.group->unit);
+  return fmt::format("{}, {} = {:g}{}", quantity.column.name, table.group->name, group.value,
+                     after_number(table.group->unit));
 }
 
 struct Points {
@@ -52,8 +54,8 @@ std::optional<Finding> neighbour(const WantedTable& table, const WantedQuantity&
     const double left = misfit(submitted, reference_of(table, quantity, other).curve()) / before;
     if (!(left < (found ? found->left : explained_below))) continue;
     found = Finding{where_of(table, quantity, group),
-                    fmt::format("is the reference of {} = {:g} {}: another gauge or instant?", table.group->name, other,
-                                table.group->unit),
+                    fmt::format("is the reference of {} = {:g}{}: another gauge or instant?", table.group->name, other,
+                                after_number(table.group->unit)),
                     left};
   }
   return found;
@@ -68,10 +70,10 @@ std::optional<Finding> short_of(const WantedTable& table, const WantedQuantity& 
   const Column& axis = *table.abscissa;
   std::string words;
   if (last < reference.x.back() - margin) {
-    words =
-        fmt::format("ends at {} = {:.4g} {}, the reference at {:.4g}", axis.name, last, axis.unit, reference.x.back());
+    words = fmt::format("ends at {} = {:.4g}{}, the reference at {:.4g}", axis.name, last, after_number(axis.unit),
+                        reference.x.back());
   } else if (first > reference.x.front() + margin) {
-    words = fmt::format("begins at {} = {:.4g} {}, the reference at {:.4g}", axis.name, first, axis.unit,
+    words = fmt::format("begins at {} = {:.4g}{}, the reference at {:.4g}", axis.name, first, after_number(axis.unit),
                         reference.x.front());
   }
   if (words.empty()) return std::nullopt;

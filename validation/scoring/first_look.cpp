@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "seiche/samples.hpp"
+#include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -56,7 +57,7 @@ std::string verdict_line(const evidence::Record& record) {
 
 std::string one_line(const JudgedClaim& claim) {
   const evidence::Judgement& j = claim.judgement;
-  const std::string unit = claim.claim.unit == "1" || claim.claim.unit.empty() ? "" : " " + claim.claim.unit;
+  const std::string unit = after_number(claim.claim.unit);
   return fmt::format("{} {} ({}: off by {:.3g}{}, limit {:.3g}{})", claim.claim.text, evidence::name(j.verdict),
                      claim.claim.id, j.measured - j.expected, unit, j.limit, unit);
 }
@@ -95,11 +96,12 @@ std::string where_line(const WorstCurve& worst) {
   const Column& column = worst.quantity->column;
   std::string place = column.name;
   if (worst.table->group) {
-    place += fmt::format(", {} = {:g} {}", worst.table->group->name, worst.group->value, worst.table->group->unit);
+    place += fmt::format(", {} = {:g}{}", worst.table->group->name, worst.group->value,
+                         after_number(worst.table->group->unit));
   }
-  return fmt::format("{}: largest at {} = {:.4g} {}, {:+.3g} {}; {:.0f} % of it within a tenth of the range there",
-                     place, axis.name, worst.kind.where, axis.unit, worst.kind.largest, column.unit,
-                     100 * worst.kind.near);
+  return fmt::format("{}: largest at {} = {:.4g}{}, {:+.3g}{}; {:.0f} % of it within a tenth of the range there", place,
+                     axis.name, worst.kind.where, after_number(axis.unit), worst.kind.largest,
+                     after_number(column.unit), 100 * worst.kind.near);
 }
 
 /// A ladder's quantity whose error is more than its numerical error.
@@ -118,6 +120,7 @@ std::string whose_line(const JudgedClaim& claim, bool exact, const std::optional
   const evidence::Judgement& j = claim.judgement;
   if (j.verdict == Verdict::error) return "the file's: what was measured is no number";
   if (is_comparison(claim)) {
+    if (j.verdict == Verdict::fail && !j.uncertainty) return "your solver's: " + j.note;
     if (j.verdict == Verdict::fail) {
       return fmt::format(
           "your solver's: off by {:.3g}, which the uncertainties of the data and of your result ({:.3g} "
@@ -149,7 +152,7 @@ std::string next_line(const evidence::Record& record, const JudgedClaim& claim, 
     }
   }
   if (!findings.empty()) return fmt::format("check the file: {} {}", findings.front().where, findings.front().words);
-  if (is_comparison(claim) && !j.uncertainty) {
+  if (is_comparison(claim) && !j.uncertainty && j.verdict == Verdict::inconclusive) {
     return "say how uncertain your result is: --uncertainty, or --sizes with three sizes or more";
   }
   if (!ladder) return "run three sizes or more and pass them with --sizes";

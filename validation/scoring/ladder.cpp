@@ -13,6 +13,7 @@
 #include "reports/evidence/slope_guide.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/agreement.hpp"
+#include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -104,7 +105,7 @@ LadderQuantity quantity_of(const WantedTable& table, const WantedQuantity& quant
 }
 
 std::string amount(const LadderQuantity& q, double error) {
-  return q.relative ? fmt::format("{:.2g} %", 100 * error) : fmt::format("{:.2g} {}", error, q.unit);
+  return q.relative ? fmt::format("{:.2g} %", 100 * error) : fmt::format("{:.2g}{}", error, after_number(q.unit));
 }
 
 /// Errors that stay beyond what is left of them to converge.

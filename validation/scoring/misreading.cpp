@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
+#include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -228,7 +229,6 @@ std::optional<Misreading> misreading(Curve submitted, Curve reference) {
 }
 
 std::string Misreading::words(const std::string& unit, const std::string& abscissa_unit) const {
-  const auto with = [](const std::string& u) { return u.empty() || u == "1" ? "" : " " + u; };
   const double percent = 100 * std::abs(amount);
   switch (kind) {
     case Kind::unit:
@@ -241,11 +241,11 @@ std::string Misreading::words(const std::string& unit, const std::string& abscis
       return fmt::format("fits the reference with its abscissa divided by {:.6g}: {}?", amount,
                          unit_name(amount, abscissa_unit));
     case Kind::level:
-      return fmt::format("lies {:.3g}{} {} than the reference everywhere: another datum?", std::abs(amount), with(unit),
-                         amount > 0 ? "higher" : "lower");
+      return fmt::format("lies {:.3g}{} {} than the reference everywhere: another datum?", std::abs(amount),
+                         after_number(unit), amount > 0 ? "higher" : "lower");
     case Kind::shift:
-      return fmt::format("fits the reference {:.3g}{} {}: another origin?", std::abs(amount), with(abscissa_unit),
-                         amount > 0 ? "earlier" : "later");
+      return fmt::format("fits the reference {:.3g}{} {}: another origin?", std::abs(amount),
+                         after_number(abscissa_unit), amount > 0 ? "earlier" : "later");
     case Kind::slow:
       return fmt::format("runs {:.3g} % {} than the reference: it fits with its abscissa divided by {:.5g}", percent,
                          amount > 0 ? "slower" : "faster", 1 + amount);

@@ -14,6 +14,7 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/scoring/score_figures.hpp"
+#include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -140,7 +141,8 @@ class QuantityScore {
   [[nodiscard]] std::string resolution() const {
     std::string text = fmt::format("{} point{}", std::max<std::size_t>(group_.abscissa.size(), 1),
                                    group_.abscissa.size() > 1 ? "s" : "");
-    if (table_.group) text += fmt::format(", {} = {:g} {}", table_.group->name, group_.value, table_.group->unit);
+    if (table_.group)
+      text += fmt::format(", {} = {:g}{}", table_.group->name, group_.value, after_number(table_.group->unit));
     return text;
   }
 
@@ -199,6 +201,13 @@ class QuantityScore {
     }
   }
 
+  /// Of a number that was not computed before it was asked for.
+  [[nodiscard]] std::optional<double> told_expected(const Requirement& requirement) const {
+    const auto* bound = std::get_if<evidence::Bound>(&requirement.criterion);
+    if (bound == nullptr || bound->expected.stated()) return std::nullopt;
+    return quantity_.reference({group_.value, 0});
+  }
+
   void claim(const Requirement& requirement, evidence::Record& record) const {
     const MeasureText& text = text_of(requirement.measure);
     const auto found = measures_.find(requirement.measure);
@@ -210,13 +219,14 @@ class QuantityScore {
     const auto* budget = std::get_if<evidence::Uncertainty>(&requirement.criterion);
     const double coverage = budget != nullptr ? budget->coverage : 2;
     const evidence::Claim claimed = claim_of(table_, quantity_, requirement);
-    const std::string stated_text = measured.uncertainty
-                                        ? fmt::format("u_num = {:.3g} {}", *measured.uncertainty, claimed.unit)
-                                        : "u_num not stated";
+    const std::string stated_text =
+        measured.uncertainty ? fmt::format("u_num = {:.3g}{}", *measured.uncertainty, after_number(claimed.unit))
+                             : "u_num not stated";
     record.check(claimed,
                  {.value = measured.value,
                   .uncertainty = times(coverage, measured.uncertainty),
-                  .resolution = resolution() + ", " + stated_text},
+                  .resolution = resolution() + ", " + stated_text,
+                  .told = {.expected = told_expected(requirement)}},
                  requirement.criterion);
   }
 

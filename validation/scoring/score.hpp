@@ -21,7 +21,8 @@ StatedUncertainty uncertainty_from(const std::string& quantity, const std::strin
 /// upper bound); of the amplitude ratio sqrt(2) u over the reference's range; of shifts and arrivals the u stated of
 /// the abscissa; of the skill 0.
 /// Without a statement nothing is known of u: a plain limit judges
-/// the value as it stands, a criterion of kind uncertainty is inconclusive.
+/// the value as it stands, a criterion of kind uncertainty is inconclusive or, beyond what any useful one explains, not
+/// met.
 void score(const std::vector<WantedTable>& wanted, const Submitted& submitted,
            const std::map<std::string, StatedUncertainty>& uncertainty, evidence::Record& record);
 

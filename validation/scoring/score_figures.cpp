@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "validation/scoring/units.hpp"
+
 namespace seiche::validation {
 namespace {
 
@@ -57,7 +59,8 @@ void draw_submitted(const WantedTable& wanted, const std::vector<SubmittedGroup>
                                   fmt::format("The submitted {}: {}", wanted.name, q.column.meaning),
                                   "The points that were submitted, with the reference.");
     for (std::size_t k = 0; k < std::min(groups.size(), most_panels); ++k) {
-      const std::string title = fmt::format("{} = {:g} {}", wanted.group->name, groups[k].value, wanted.group->unit);
+      const std::string title =
+          fmt::format("{} = {:g}{}", wanted.group->name, groups[k].value, after_number(wanted.group->unit));
       draw(figure.panel({.x = x_label, .y = label(q.column), .title = title}), wanted, q, groups[k]);
     }
   }

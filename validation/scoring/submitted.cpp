@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "seiche/samples.hpp"
+#include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -100,7 +101,8 @@ class Reader {
     }
     const bool single = wanted_.kind == WantedTable::Kind::scalars;
     const Column& first = wanted_.group ? *wanted_.group : wanted_.quantities.front().column;
-    const std::string where = wanted_.group ? fmt::format(" for {} = {:g} {}", first.name, value, first.unit) : "";
+    const std::string where =
+        wanted_.group ? fmt::format(" for {} = {:g}{}", first.name, value, after_number(first.unit)) : "";
     if (single ? chosen.size() != 1 : chosen.size() < 2) {
       fail(first, fmt::format("{} rows{}, must be {}", chosen.size(), where, single ? "exactly one" : "at least two"));
     }

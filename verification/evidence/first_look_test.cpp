@@ -35,11 +35,11 @@ ErrorKind kind_of(const std::function<double(double)>& submitted) {
   return error_kind({x, y}, {x, r});
 }
 
-std::vector<WantedTable> wanted(evidence::Role role) {
+std::vector<WantedTable> wanted(evidence::Role role, const std::string& unit = "m") {
   return {{.name = "wave",
            .kind = WantedTable::Kind::profile,
-           .abscissa = Column{"x", "m", "place"},
-           .quantities = {{.column = {"eta", "m", "elevation"},
+           .abscissa = Column{"x", unit, "place"},
+           .quantities = {{.column = {"eta", unit, "elevation"},
                            .reference = [](Place p) { return std::sin(p.abscissa); },
                            .requirements = {{.measure = Measure::relative_l2,
                                              .criterion = Bound{.limit = 0.05, .reason = "of this test"},
@@ -50,9 +50,10 @@ std::vector<WantedTable> wanted(evidence::Role role) {
 }
 
 std::string answer(const std::function<double(double)>& submitted, const std::string& question,
-                   evidence::Role role = evidence::Role::exact, const std::optional<Ladder>& ladder = {}) {
+                   evidence::Role role = evidence::Role::exact, const std::optional<Ladder>& ladder = {},
+                   const std::string& unit = "m") {
   evidence::Record record;
-  const std::vector<WantedTable> tables = wanted(role);
+  const std::vector<WantedTable> tables = wanted(role, unit);
   const Submitted all{{"wave", {{.value = 0, .abscissa = places(), .values = {{"eta", values(submitted)}}}}}};
   score(tables, all, {}, record);
   for (const auto& [asked, said] : first_look(tables, all, record, {}, ladder)) {
@@ -111,6 +112,11 @@ TEST_CASE("the first screen says where an error is, of what kind, whose it is an
   says("verdict", "Claims are counted.", answer(high, "verdict"), "1 of 2 claims are met, 1 not met");
   says("line", "The worst is named.", answer(high, "in one line"),
        "The wave is right. fail (eta-relative_l2: off by 0.2");
+  const auto place = [&](const std::string& unit) {
+    return answer(high, "where the error is", evidence::Role::exact, {}, unit);
+  };
+  says("unit", "Where it is has a unit.", place("m"), "eta: largest at x = 7.854 m, +0.2 m; ");
+  says("dimensionless", "What has no dimension has none.", place("1"), "eta: largest at x = 7.854, +0.2; ");
   says("solver", "Against an exact reference it is the solver's or its set-up's.", answer(high, "whose it is"),
        "three sizes tell which");
   says("next", "And sizes are asked for.", answer(high, "next step"), "--sizes");

@@ -80,12 +80,29 @@ TEST_CASE("agreement within an uncertainty too large to decide is inconclusive",
   CHECK(judge({.value = 1.0, .uncertainty = 0}, vague).verdict == Verdict::inconclusive);
 }
 
+TEST_CASE("a difference beyond an uncertainty too large for agreement fails", "[verdict]") {
+  const Uncertainty vague{.expected = 1, .data = 0.5, .useful = 0.2, .reason = "test"};  // 2 u_data = 1
+  CHECK(judge({.value = 1.99, .uncertainty = 0}, vague).verdict == Verdict::inconclusive);
+  CHECK(judge({.value = 2.01, .uncertainty = 0}, vague).verdict == Verdict::fail);
+}
+
 TEST_CASE("agreement within uncertainties decides nothing where that of the computation was not estimated",
           "[verdict]") {
   const Uncertainty decisive{.expected = 1, .data = 0.03, .input = 0.04, .useful = 0.2, .reason = "test"};
   CHECK(judge({.value = 1}, decisive).verdict == Verdict::inconclusive);
-  CHECK(judge({.value = 5}, decisive).verdict == Verdict::inconclusive);
+  CHECK(judge({.value = 1.29}, decisive).verdict == Verdict::inconclusive);
   CHECK_FALSE(judge({.value = 1}, decisive).uncertainty.has_value());
+}
+
+TEST_CASE("what no uncertainty that decides explains fails, estimated or not", "[verdict]") {
+  // 2 sqrt(0.03^2 + 0.04^2) = 0.1 of data and inputs, and 0.2 that is the most with which anything is decided.
+  const Uncertainty decisive{.expected = 1, .data = 0.03, .input = 0.04, .useful = 0.2, .reason = "test"};
+  CHECK(judge({.value = 1.31}, decisive).verdict == Verdict::fail);
+  CHECK(judge({.value = 0.69}, decisive).verdict == Verdict::fail);
+  CHECK_THAT(judge({.value = 1.31}, decisive).note, Catch::Contains("not estimated"));
+  CHECK(judge({.value = not_a_number}, decisive).verdict == Verdict::error);
+  const Uncertainty capped{.expected = Amount::at_most(1, 0.5), .data = 0.03, .useful = 0.2, .reason = "test"};
+  CHECK(judge({.value = 5}, capped).verdict == Verdict::inconclusive);
 }
 
 TEST_CASE("what the run tells of a criterion decides up to its cap and no further", "[verdict]") {

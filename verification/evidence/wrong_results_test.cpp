@@ -88,6 +88,13 @@ TEST_CASE("a dam break is judged by the solver's cells, in depth and in discharg
        Verdict::fail);
     is(check, named("untouched-coarse"), "It does not pass with huge cells either.",
        verdict_of(scored_riemann(points, 12.5, first), "depth"), Verdict::inconclusive);
+    const auto slow = [](double x, auto state) {
+      const exact::Riemann solution = riemann_solution(find_case("riemann").values(Tier::quick));
+      const double bore = 20 + 0.88 * 6 * solution.right_wave().fastest;
+      return x > bore ? solution.right() : state;
+    };
+    is(check, named("slow"), "With a bore an eighth too slow it fails.",
+       verdict_of(scored_riemann(points, 1, slow), "front"), Verdict::fail);
     is(check, named("lost"), "With 18 % of the water lost it fails.",
        verdict_of(scored_riemann(points, 1,
                                  [](double, auto state) {

@@ -256,7 +256,7 @@ class Report(unittest.TestCase):
         self.assertIn('id="nulls-table-first-look"', (self.out / "cases/nulls.html").read_text(encoding="utf-8"))
 
     def test_surprises_are_called_out_and_declared_failures_explained(self):
-        alarm = self.index[self.index.index('id="unexpected"'):self.index.index('id="declared"')]
+        alarm = self.index[self.index.index('id="unexpected"'):self.index.index('id="trust"')]
         declared = self.index[self.index.index('id="declared"'):self.index.index('id="cases"')]
         self.assertIn("nulls-claim-one", alarm)
         self.assertIn("nulls-claim-surprise", alarm)

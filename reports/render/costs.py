@@ -1,0 +1,129 @@
+"""Error against cost, solver by solver: from the ladders of sizes that were scored, and from single runs."""
+import dataclasses
+import math
+
+from markupsafe import Markup, escape
+
+from render.looks import COLOURS
+
+TABLE = "ladder"                # of a record: a row per size, from coarse to fine; the errors, and the times if stated
+WIDTH, HEIGHT, LEFT, BOTTOM = 330.0, 210.0, 58.0, 40.0
+ROOM = 0.12                     # decades around the points
+
+
+@dataclasses.dataclass
+class Curve:
+    """One solver: what each of its sizes took, and how far it was off."""
+    solver: str
+    points: list                # [(cost, error)], both positive
+
+
+@dataclasses.dataclass
+class Costs:
+    """What a case's solvers paid for their errors."""
+    quantity: str
+    cost: str                   # what was paid: time [s], or cell [m] where no time was stated
+    curves: list
+
+
+def of(record, what):
+    """wall_time [s], cell_size [m], threads or order of a record; None where it does not say."""
+    if what == "wall_time":
+        return record.wall_time or None
+    if what == "threads" and record.own:
+        return record.provenance["threads"]
+    if what == "order":
+        return next((value for name, value in record.measurements.items() if name.startswith("ladder_order_")), None)
+    return record.measurements.get(what)
+
+
+def survey(records):
+    """The costs of a case's records; None where no record has a ladder, or the ladders share no quantity."""
+    ladders = {record.stem: table for record in records for table in record.tables
+               if table["id"] == TABLE and _readable(table)}
+    if not ladders:
+        return None
+    common = [column["name"] for column in next(iter(ladders.values()))["columns"][1:] if column["name"] != "time"
+              and all(column["name"] in _names(table) for table in ladders.values())]
+    if not common:
+        return None
+    quantity = common[0]
+    timed = any("time" in _names(table) for table in ladders.values())
+    cost = "time" if timed else "size"
+    curves = []
+    for record in records:
+        table = ladders.get(record.stem)
+        if table is None:
+            paid = record.wall_time if timed else record.measurements.get("cell_size")
+            points = [(paid, record.measurements.get(f"{quantity}_relative_l2"))]
+        elif cost in _names(table):
+            points = [(row[_names(table).index(cost)], row[_names(table).index(quantity)]) for row in table["rows"]]
+        else:
+            points = []
+        points = [(x, y) for x, y in points if _positive(x) and _positive(y)]
+        if points:
+            curves.append(Curve(record.by, points))
+    return Costs(quantity, "time [s]" if timed else "cell [m]", curves) if curves else None
+
+
+def _names(table):
+    return [column["name"] for column in table["columns"]]
+
+
+def _readable(table):
+    return (len(table["columns"]) > 1 and table["columns"][0]["name"] == "size"
+            and all(len(row) == len(table["columns"]) for row in table["rows"]))
+
+
+def _positive(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value) and value > 0
+
+
+def figure(costs):
+    """The curves on logarithmic axes; further down is nearer, further left is cheaper, or coarser where cells are shown."""
+    spans = []
+    for axis in (0, 1):
+        values = [math.log10(point[axis]) for curve in costs.curves for point in curve.points]
+        low, high = min(values) - ROOM, max(values) + ROOM
+        spans.append((low, high))
+
+    def place(value, axis):
+        low, high = spans[axis]
+        share = (math.log10(value) - low) / (high - low)
+        return LEFT + WIDTH * share if axis == 0 else HEIGHT * (1 - share)
+
+    parts = [f'<path d="M{LEFT} 0V{HEIGHT}H{LEFT + WIDTH}" fill="none" stroke="currentColor" stroke-width=".6"/>']
+    for axis in (0, 1):
+        for tick in _ticks(*spans[axis]):
+            at = place(tick, axis)
+            where = (f'x="{at:.1f}" y="{HEIGHT + 15}" text-anchor="middle"' if axis == 0 else
+                     f'x="{LEFT - 5}" y="{at + 4:.1f}" text-anchor="end"')
+            line = f"M{at:.1f} {HEIGHT}v3" if axis == 0 else f"M{LEFT} {at:.1f}h-3"
+            parts.append(f'<path d="{line}" stroke="currentColor" stroke-width=".6"/>'
+                         f'<text {where} font-size="12">{tick:g}</text>')
+    parts.append(f'<text x="{LEFT + WIDTH / 2}" y="{HEIGHT + 34}" text-anchor="middle" font-size="13">'
+                 f'{escape(costs.cost)}</text>'
+                 f'<text x="12" y="{HEIGHT / 2}" text-anchor="middle" font-size="13" '
+                 f'transform="rotate(-90 12 {HEIGHT / 2})">error of {escape(costs.quantity)}</text>')
+    for number, curve in enumerate(costs.curves):
+        colour = COLOURS[number % len(COLOURS)]
+        places = [(f"{place(x, 0):.1f}", f"{place(y, 1):.1f}") for x, y in curve.points]
+        if len(places) > 1:
+            path = "M" + "L".join(" ".join(point) for point in places)
+            parts.append(f'<path d="{path}" fill="none" stroke="{colour}" stroke-width="1.4"/>')
+        for (x, y), point in zip(places, curve.points):
+            said = escape(f"{curve.solver}: {point[1]:.3g} for {point[0]:.3g}")
+            parts.append(f'<circle cx="{x}" cy="{y}" r="3.4" fill="{colour}"><title>{said}</title></circle>')
+    key = "".join(f'<span><b style="color: {COLOURS[number % len(COLOURS)]}">●</b> {escape(curve.solver)}</span> '
+                  for number, curve in enumerate(costs.curves))
+    box = f"0 -6 {LEFT + WIDTH + 8:g} {HEIGHT + BOTTOM + 6:g}"
+    return Markup(f'<svg class="costs" viewBox="{box}" width="400" role="img" aria-label="error of '
+                  f'{escape(costs.quantity)} against {escape(costs.cost)}" fill="currentColor">{"".join(parts)}</svg>'
+                  f'<p class="costs">{key}</p>')
+
+
+def _ticks(low, high):
+    """1, 2 and 5 times powers of ten, or the powers alone over more than two decades."""
+    steps = (1,) if high - low > 2 else (1, 2, 5)
+    return [step * 10.0**power for power in range(math.floor(low), math.ceil(high) + 1) for step in steps
+            if low <= math.log10(step * 10.0**power) <= high]

@@ -1,0 +1,78 @@
+"""Pages on a phone: nothing makes the page itself wider than the screen. Skipped where there is no Chromium.
+
+    /usr/bin/python3 reports/render/tests/test_phone.py
+"""
+import html
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
+
+from render import pdf  # noqa: E402
+from render.tests.test_report import claim, figure, record, render, write_arrays, write_evidence  # noqa: E402
+from render.tests.test_side_by_side import row, table  # noqa: E402
+
+WIDTH = 390     # of a phone, in pixels of a page
+# Frames of that width, for a window of Chromium without a screen is at least 500 wide.
+FRAMES = """<!DOCTYPE html><body>{frames}<script>
+addEventListener("load", () => {{
+  const found = {{}};
+  for (const frame of document.querySelectorAll("iframe")) {{
+    const page = frame.contentDocument.documentElement;
+    const names = [...frame.contentDocument.querySelectorAll("code.name")];
+    found[frame.title] = {{width: page.scrollWidth, broken: names.filter(n => n.getClientRects().length > 1).length}};
+  }}
+  document.body.innerHTML = "<pre id=found></pre>";
+  document.getElementById("found").textContent = JSON.stringify(found);
+}});</script></body>"""
+BROWSER = pdf.find_browser()
+
+
+def measured(report, pages):
+    """{page: {"width": of its content, "broken": names of parameters that stand on two lines}}"""
+    frames = "".join(f'<iframe title="{page}" src="{html.escape((report / page).as_uri())}" '
+                     f'style="width:{WIDTH}px;height:900px;border:0"></iframe>' for page in pages)
+    with tempfile.TemporaryDirectory() as folder:
+        harness = pathlib.Path(folder, "frames.html")
+        harness.write_text(FRAMES.format(frames=frames), encoding="utf-8")
+        said = subprocess.run([BROWSER, *pdf.FLAGS, "--allow-file-access-from-files", "--dump-dom",
+                               f"--user-data-dir={folder}/user", harness.as_uri()], capture_output=True, text=True,
+                              timeout=300, check=True).stdout
+    return json.loads(html.unescape(re.search(r'<pre id="found">(.*?)</pre>', said, re.DOTALL)[1]))
+
+
+@unittest.skipUnless(BROWSER, "no Chromium: how wide pages are on a phone is not measured")
+class Phone(unittest.TestCase):
+    def test_no_page_is_wider_than_the_screen_and_no_name_is_broken(self):
+        with tempfile.TemporaryDirectory() as folder:
+            evidence, report = pathlib.Path(folder, "evidence"), pathlib.Path(folder, "report")
+            write_evidence(evidence)
+            several = [{"name": f"a column with a long name {k}", "unit": "m^2/s"} for k in range(12)]
+            long_names = {f"a_parameter_with_a_long_name_{k}": {"value": 0.123456789, "unit": "(g H)^(1/2)",
+                                                               "default": 1.0, "meaning": "word " * 20} for k in range(9)}
+            contest = [row("Lagrangian mesh", **{"broke by": "the mesh folds at node " + "1234567890" * 9})]
+            for made in (record("drop_models", group="drop", tables=table(contest), figures=[figure("cost")],
+                                data="drop_models.h5", parameters=long_names),
+                         record("wide", claims=[claim("one", text="Long_words_without_blanks_" * 6)], parameters=long_names,
+                                tables=[{"id": "t", "title": "t", "caption": "c", "atlas": [], "columns": several,
+                                         "rows": [[1e-12] * 12]}]),
+                         record("wide", solver="boxes", article="$\\mathcal " + "R" * 60 + "$.", measurements={"cell_size": 0.1, "eta_relative_l1": 0.2})):
+                name = made["case"] + ("" if made["solver"] == "seiche" else f".{made['solver']}")
+                (evidence / f"{name}.json").write_text(json.dumps(made))
+            write_arrays(evidence / "drop_models.h5", {"cost": [[("a", "computed", "points", [1, 2], [2, 1])]]})
+            cases = ",".join(f"a_phenomenon/a_case_that_scores_others_{k}" for k in range(9))
+            self.assertEqual(render(evidence, report, "--scorable", cases)[0], 0)
+            pages = [str(page.relative_to(report)) for page in sorted(report.rglob("*.html"))]
+            found = measured(report, pages)
+            self.assertEqual(sorted(found), pages)
+            self.assertEqual({page: one["width"] for page, one in found.items() if one["width"] > WIDTH}, {})
+            self.assertEqual({page: one["broken"] for page, one in found.items() if one["broken"]}, {})
+
+
+if __name__ == "__main__":
+    unittest.main()
