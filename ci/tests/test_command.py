@@ -4,11 +4,14 @@ import datetime
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import tempfile
 import time
 import unittest
+
+from sealing import sealed
 
 SEICHE = os.environ["SEICHE"]
 SOURCE = pathlib.Path(os.environ["SEICHE_SOURCE"])
@@ -206,13 +209,15 @@ class Command(unittest.TestCase):
         seiche(*words)
         record = self.record("moving_bore")
         stale = {**record, "article": "An older text.", "wall_time": 1234.5}
-        (self.out / "moving_bore.json").write_text(json.dumps(stale))
+        (self.out / "moving_bore.json").write_text(sealed(stale))
         result = seiche(*words)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertIn("kept", result.stdout)
-        self.assertEqual(self.record("moving_bore"), {**record, "wall_time": 1234.5})
+        renewed = self.record("moving_bore")
+        self.assertNotEqual(renewed.pop("digest"), record.pop("digest"))
+        self.assertEqual(renewed, {**record, "wall_time": 1234.5})
         # Another fingerprint is another computation.
-        (self.out / "moving_bore.json").write_text(json.dumps({**stale, "fingerprint": "0" * 64}))
+        (self.out / "moving_bore.json").write_text(sealed({**stale, "fingerprint": "0" * 64}))
         self.assertNotIn("kept", seiche(*words).stdout)
         self.assertNotEqual(self.record("moving_bore")["wall_time"], 1234.5)
 
@@ -348,12 +353,13 @@ class Command(unittest.TestCase):
         later = self.out.parent / "later"
         later.mkdir()
         record = self.record("riemann")
-        (later / "riemann.json").write_text(json.dumps(record))
+        shutil.copy(self.out / "riemann.h5", later)
+        (later / "riemann.json").write_text(sealed(record))
         self.assertEqual(seiche("compare", self.out, later).returncode, 0)
         grown = next(claim for claim in record["claims"]
                      if claim["criterion"]["kind"] == "bound" and claim["measured"] and claim["verdict"] == "pass")
         grown["measured"] = grown["expected"] + 1.5 * (grown["measured"] - grown["expected"])
-        (later / "riemann.json").write_text(json.dumps(record))
+        (later / "riemann.json").write_text(sealed(record))
         result = seiche("compare", self.out, later)
         self.assertEqual(result.returncode, 1, result.stdout)
         self.assertIn(", worse", result.stdout)

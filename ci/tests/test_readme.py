@@ -39,6 +39,7 @@ NOT_RUN = {
         "ci/test": WHOLE_BUILD,
         "ci/setup": INSTALLS,
         "ci/defects": LONG,
+        "ci/fuzz": "damages a million files; ctest robustness damages a hundred thousand",
         "ci/long full": LONG,
         "ci/long paper": LONG,
         "ctest -L full": LONG,

@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 
 #include "reports/evidence/record_files.hpp"
+#include "reports/evidence/record_lock.hpp"
 #include "seiche/io/atomic_file.hpp"
 
 namespace seiche::evidence {
@@ -137,6 +138,7 @@ Totals add_suite(pugi::xml_node root, const Summary& record) {
 }  // namespace
 
 void write_junit(const std::filesystem::path& directory) {
+  const FolderLock moment(directory);
   pugi::xml_document document;
   pugi::xml_node root = document.append_child("testsuites");
   set(root, "name", "seiche");

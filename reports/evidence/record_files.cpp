@@ -1,9 +1,13 @@
 #include "reports/evidence/record_files.hpp"
 
 #include <array>
+#include <map>
+#include <memory>
 
 #include <fmt/format.h>
 
+#include "reports/evidence/provenance.hpp"
+#include "reports/evidence/record_lock.hpp"
 #include "seiche/io/atomic_file.hpp"
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/xdmf.hpp"
@@ -113,17 +117,28 @@ std::vector<io::XdmfFrame> write_snapshots(io::Hdf5File& file, const Record& rec
 
 void write(const Record& record, const std::filesystem::path& directory) {
   const bool has_data = !(record.figures().empty() && record.arrays().empty() && record.snapshots().empty());
+  std::map<std::string, std::string> digests;
+  std::vector<std::unique_ptr<io::AtomicFile>> files;
+  const auto begin = [&](const char* extension) -> const io::AtomicFile& {
+    return *files.emplace_back(std::make_unique<io::AtomicFile>(directory / (record.stem() + extension)));
+  };
   if (has_data) {
-    io::AtomicFile target(directory / (record.stem() + ".h5"));
-    io::Hdf5File file(target.path());
+    const io::AtomicFile& arrays = begin(".h5");
+    io::Hdf5File file(arrays.path());
     write_figures(file, record);
     write_arrays(file, record);
     const std::vector<io::XdmfFrame> frames = write_snapshots(file, record);
     file.close();
-    target.commit();
-    if (!frames.empty()) io::write_file(directory / (record.stem() + ".xdmf"), io::xdmf(record.stem() + ".h5", frames));
+    digests[record.stem() + ".h5"] = sha256_of_file(arrays.path());
+    if (!frames.empty()) {
+      const std::string text = io::xdmf(record.stem() + ".h5", frames);
+      begin(".xdmf").write(text);
+      digests[record.stem() + ".xdmf"] = sha256(text);
+    }
   }
-  io::write_file(directory / (record.stem() + ".json"), to_json(record));
+  begin(".json").write(to_json(record, digests));
+  const FolderLock moment(directory);
+  for (const auto& file : files) file->commit();
 }
 
 }  // namespace seiche::evidence

@@ -9,10 +9,11 @@
 namespace seiche::evidence {
 
 /// The record as JSON text; its form is reports/schema/record.schema.json.
-std::string to_json(const Record& record);
+/// @param digests  SHA-256 of the files beside it, by name
+std::string to_json(const Record& record, const std::map<std::string, std::string>& digests = {});
 
-/// Writes `<stem>.h5` (and `<stem>.xdmf` where the record has snapshots), then `<stem>.json`, each atomically: a record
-/// that exists is whole, and so are the arrays it names.
+/// Writes `<stem>.h5` (and `<stem>.xdmf` where the record has snapshots), then `<stem>.json`, which carries their digests
+/// and its own (seal.hpp). Each appears whole; where the last of them is missing, the digests tell.
 void write(const Record& record, const std::filesystem::path& directory);
 
 /// What a later run or a summary needs of a written record.
@@ -42,7 +43,8 @@ struct Summary {
   std::string shows;      ///< a published set that it is equal to, empty if none
   bool standard = false;  ///< the parameters are the tier's defaults or those of `set`
   std::string solver;
-  std::string error;
+  std::string error;  ///< why it did not finish, or that the file is not the one that was written
+  bool sealed = false;  ///< carries its digest, so that a change would be seen
   std::string fingerprint;
   std::string commit;  ///< of the program that wrote the record; "-dirty" after it for uncommitted changes
   std::string date;    ///< ISO 8601
@@ -50,6 +52,7 @@ struct Summary {
   std::vector<Outcome> claims;
   std::map<std::string, double> measurements;
   std::map<std::string, std::string> reference_data;
+  std::map<std::string, std::string> files;  ///< digests of those beside it
 
   [[nodiscard]] bool as_declared() const;
 };
@@ -57,10 +60,14 @@ struct Summary {
 /// Gives a written record another article, where it has not this one: the text decides no number.
 void refresh_article(const std::filesystem::path& json_file, const std::string& article);
 
-/// Reads a record back. @throws std::runtime_error naming the file when it is not a record.
-Summary read_summary(const std::filesystem::path& json_file);
+/// Which of a record's files are looked at: those beside the JSON may hold many numbers.
+enum class Reading { json, all_files };
+/// Reads a record back. What was changed since it was written reads as a run that did not finish, for that reason. Words
+/// of the record are printable.
+/// @throws std::runtime_error naming the file when it is not a record.
+Summary read_summary(const std::filesystem::path& json_file, Reading reading = Reading::json);
 /// All records of a directory, sorted by file name. A file that is not a record is an error naming it.
-std::vector<Summary> read_summaries(const std::filesystem::path& directory);
+std::vector<Summary> read_summaries(const std::filesystem::path& directory, Reading reading = Reading::json);
 
 /// Writes junit.xml over all records of a directory, in the form that CI systems read: a test suite per record with
 /// totals, in it a test case `run` (did it finish, in what time) and one per claim with what was measured as

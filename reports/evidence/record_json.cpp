@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/evidence/record_files.hpp"
+#include "reports/evidence/seal.hpp"
 #include "seiche/io/atomic_file.hpp"
 
 namespace seiche::evidence {
@@ -129,10 +130,11 @@ void refresh_article(const std::filesystem::path& json_file, const std::string& 
   Json json = Json::parse(io::read_file(json_file));
   if (json.at("article") == article) return;
   json["article"] = article;
-  io::write_file(json_file, text_of(json));
+  json.erase("digest");
+  io::write_file(json_file, sealed(text_of(json)));
 }
 
-std::string to_json(const Record& record) {
+std::string to_json(const Record& record, const std::map<std::string, std::string>& digests) {
   Json parameters = Json::object();
   for (const auto& [name_of, p] : record.parameters) {
     parameters[name_of] = {
@@ -186,8 +188,9 @@ std::string to_json(const Record& record) {
                      {"fields", record.snapshots().empty() ? "" : record.stem() + ".xdmf"},
                      {"wall_time", number(record.wall_time)},
                      {"fingerprint", record.fingerprint},
-                     {"provenance", describe(provenance(), record.reference_data)}};
-  return text_of(json);
+                     {"provenance", describe(provenance(), record.reference_data)},
+                     {"files", digests.empty() ? Json::object() : Json(digests)}};
+  return sealed(text_of(json));
 }
 
 }  // namespace seiche::evidence

@@ -4,7 +4,7 @@ import dataclasses
 import importlib.metadata
 import multiprocessing
 
-from render import arrays, files
+from render import arrays, files, seal
 from render.store import digest, source_digest
 
 
@@ -28,6 +28,9 @@ def survey(directory, record, store):
             return {**empty, "problem": f"{record.data} cannot be read: there is no such file"}
         if not files.is_regular(path):
             return {**empty, "problem": f"{record.data} is not read: links and pipes are not followed"}
+        stranger = seal.stranger_beside(directory, record.raw, record.data)
+        if stranger:
+            return {**empty, "problem": stranger}
         return {**empty, **store.memo("survey", files.content_digest(path), lambda: arrays.survey(path))}
     except Exception as error:      # HDF5 raises many types; a damaged file must not hide the rest of the report
         return {**empty, "problem": f"{record.data} cannot be read: {error}"}

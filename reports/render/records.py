@@ -10,7 +10,7 @@ import pathlib
 
 import jsonschema
 
-from render import files
+from render import files, seal
 
 SCHEMA = pathlib.Path(__file__).resolve().parent.parent / "schema" / "record.schema.json"
 KINDS = ("roundoff", "order", "bound", "uncertainty", "qualitative")
@@ -157,6 +157,8 @@ def load(directory, memo):
             json.dumps(raw, ensure_ascii=False).encode("utf-8")     # half a surrogate pair is no text
             key = hashlib.sha256(text.encode("utf-8")).hexdigest() + schema
             reasons = memo("schema", key, lambda: violations(raw))
+            if not reasons and "digest" in raw and not seal.is_sealed(text):
+                reasons = ["changed after it was written: its digest differs"]
         except (OSError, ValueError, RecursionError) as error:
             broken.append(Broken(path.name, [f"{type(error).__name__}: {error}"]))
             continue

@@ -3,8 +3,8 @@ import importlib.util
 import pathlib
 import shutil
 
-from render import (atlas, badge, defects, experiments, files, gallery, league, pages, records, sharpness, side_by_side,
-                    speed, trust)
+from render import (atlas, badge, defects, experiments, files, gallery, league, pages, records, seal, sharpness,
+                    side_by_side, speed, trust)
 from render.formulas import Formulas
 from render.records import Broken
 from render.store import MARKER, Store, user_cache
@@ -107,6 +107,10 @@ def _problems(loaded, surveys, drawn, unknown, evidence):
                 found.append((record, f"figure “{figure['id']}”: {problem}"))
         if record.fields and not files.is_regular(evidence / record.fields):
             found.append((record, f"{record.fields} is missing"))
+        elif record.fields and (stranger := seal.stranger_beside(evidence, record.raw, record.fields)):
+            found.append((record, stranger))
+        if "digest" not in record.raw:
+            found.append((record, "it carries no digest: a change after it was written would not be seen"))
     return found + [(record, f"no tile of the atlas is called “{name}”") for record, name in unknown]
 
 

@@ -1,11 +1,11 @@
 #include "validation/case/configuration.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "seiche/printable.hpp"
 #include "validation/case/registry.hpp"
 
 namespace seiche::validation {
@@ -20,14 +20,8 @@ Value value_of(const toml::node& node) {
 }
 
 /// Keys and texts come from the file: a line break in one must not break the message.
-std::string one_line(std::string text) {
-  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == 0x7f; };
-  std::replace_if(text.begin(), text.end(), is_control, '?');
-  return text;
-}
-
 [[noreturn]] void fail(const std::string& name, const toml::source_region& where, const std::string& what) {
-  throw std::invalid_argument(one_line(fmt::format("{}: line {}: {}", name, where.begin.line, what)));
+  throw std::invalid_argument(printable(fmt::format("{}: line {}: {}", name, where.begin.line, what)));
 }
 
 void apply(const std::string& name, const toml::table& table, Values& values) {

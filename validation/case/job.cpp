@@ -9,6 +9,7 @@
 
 #include "reports/evidence/provenance.hpp"
 #include "reports/evidence/record_files.hpp"
+#include "seiche/io/isolated.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -41,6 +42,26 @@ void check_tiles(const evidence::Record& record) {
     if (published.count(tile) == 0)
       throw std::logic_error(fmt::format("tile {} is shown without a published set", tile));
   }
+}
+
+/// The earlier record of a run that is refused now stands aside, lest it be taken for this one's. Returns a sentence.
+std::string set_aside(const std::filesystem::path& json_file) {
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(json_file, failure)) return {};
+  std::filesystem::path aside = json_file;
+  aside += ".earlier";
+  std::filesystem::rename(json_file, aside, failure);
+  return failure ? "" : fmt::format("; the earlier record is now {}", aside.string());
+}
+
+/// @param claims  of the case; none where they cannot be declared
+evidence::Record error_record(const Job& job, const std::string& reason, double wall_time,
+                              const std::vector<DeclaredClaim>& claims) {
+  evidence::Record record = job.blank_record();
+  record.error = reason;
+  record.wall_time = wall_time;
+  fail_all(claims, reason, record);
+  return record;
 }
 
 }  // namespace
@@ -110,7 +131,10 @@ Ending run_job(const Job& job, const std::filesystem::path& directory, const Kee
     check_tiles(record);
   } catch (const std::invalid_argument& refused) {
     // A case that refuses its own parameters is broken, and an older record must not stand for it.
-    if (!run.standard()) return {Outcome::wrong_input, fmt::format("{}: {}", job.definition->name, refused.what())};
+    if (!run.standard()) {
+      return {Outcome::wrong_input, fmt::format("{}: {}{}", job.definition->name, refused.what(),
+                                                set_aside(directory / (record.stem() + ".json")))};
+    }
     record.error = refused.what();
   } catch (const std::exception& failure) {
     record.error = failure.what();
@@ -135,19 +159,27 @@ Ending run_job(const Job& job, const std::filesystem::path& directory, const Kee
 
 void write_error_record(const Job& job, const std::filesystem::path& directory, const std::string& reason,
                         double wall_time) {
-  evidence::Record record = job.blank_record();
-  record.error = reason;
-  record.wall_time = wall_time;
-  fail_all(job.definition->study.claims(job.values), reason, record);
-  evidence::write(record, directory);
+  constexpr unsigned most_seconds = 10;
+  try {
+    io::isolated(
+        [&] {
+          const std::vector<DeclaredClaim> claims = job.definition->study.claims(job.values);
+          evidence::write(error_record(job, reason, wall_time, claims), directory);
+          return std::string();
+        },
+        most_seconds);
+  } catch (const std::exception& failure) {
+    const std::string more = fmt::format("{}; its claims cannot be told: {}", reason, failure.what());
+    evidence::write(error_record(job, more, wall_time, {}), directory);
+  }
 }
 
 bool is_done(const Job& job, const std::filesystem::path& directory) {
   const std::filesystem::path file = directory / (job.stem() + ".json");
   if (!std::filesystem::exists(file)) return false;
   try {
-    const evidence::Summary old = evidence::read_summary(file);
-    if (!old.error.empty() || old.fingerprint != job.fingerprint()) return false;
+    const evidence::Summary old = evidence::read_summary(file, evidence::Reading::all_files);
+    if (!old.sealed || !old.error.empty() || old.fingerprint != job.fingerprint()) return false;
     for (const auto& [table, digest] : old.reference_data) {
       if (evidence::sha256_of_file(table) != digest) return false;
     }

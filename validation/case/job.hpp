@@ -12,7 +12,7 @@ namespace seiche::validation {
 enum class Outcome {
   as_declared,  ///< finished, every claim has its declared verdict
   failed,       ///< finished, some claim has not
-  wrong_input,  ///< refused before it computed; nothing written
+  wrong_input,  ///< refused before it computed; nothing written, an earlier record set aside
   unfinished,   ///< broke down, crashed, ran out of time or disk; the record says why
 };
 
@@ -41,11 +41,13 @@ struct Ending {
 Ending run_job(const Job& job, const std::filesystem::path& directory, const Keeping& keeping,
                const Run::Progress& progress);
 
-/// Writes the record of a job that could not write its own.
+/// Writes the record of a job that could not write its own. Its claims are declared in a process of their own, with a
+/// limit of time: that may be where the job died.
 void write_error_record(const Job& job, const std::filesystem::path& directory, const std::string& reason,
                         double wall_time);
 
-/// Whether the directory holds a finished record of exactly this job, with the reference tables it read unchanged.
+/// Whether the directory holds a finished record of exactly this job, with the reference tables it read and all of its
+/// own files unchanged.
 bool is_done(const Job& job, const std::filesystem::path& directory);
 
 }  // namespace seiche::validation

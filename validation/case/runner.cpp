@@ -10,6 +10,7 @@
 #include <omp.h>
 
 #include "reports/evidence/record_files.hpp"
+#include "reports/evidence/record_lock.hpp"
 #include "validation/case/child.hpp"
 #include "validation/case/display.hpp"
 
@@ -53,8 +54,14 @@ Outcome run_all(const std::vector<Job>& jobs, const RunOptions& options) {
   } else if (jobs.size() > 1) {
     omp_set_num_threads(1);
   }
+  namespace fs = std::filesystem;
+  const bool made = !fs::exists(options.directory);
+  std::vector<evidence::RecordLock> locks;
+  for (const Job& job : jobs) locks.emplace_back(options.directory, job.stem());
+
   Display display(jobs.size());
   Outcome worst = Outcome::as_declared;
+  bool written = !made;
   std::vector<std::unique_ptr<Child>> children;
   auto next = jobs.begin();
   while ((next != jobs.end() || !children.empty()) && interrupted == 0) {
@@ -65,6 +72,7 @@ Outcome run_all(const std::vector<Job>& jobs, const RunOptions& options) {
         evidence::refresh_article(file, job.definition->article);
         const auto old = evidence::read_summary(file);
         worst = worse(worst, old.as_declared() ? Outcome::as_declared : Outcome::failed);
+        written = true;
         display.skipped(job.stem());
       } else {
         children.push_back(
@@ -78,6 +86,7 @@ Outcome run_all(const std::vector<Job>& jobs, const RunOptions& options) {
         ++child;
         continue;
       }
+      written = written || ending->outcome != Outcome::wrong_input;
       display.finished((*child)->job().stem(), *ending, (*child)->seconds());
       worst = worse(worst, ending->outcome);
       child = children.erase(child);
@@ -91,7 +100,10 @@ Outcome run_all(const std::vector<Job>& jobs, const RunOptions& options) {
     fmt::print(stderr, "interrupted: run again with --resume to do the rest\n");
     return Outcome::unfinished;
   }
-  if (std::filesystem::is_directory(options.directory)) evidence::write_junit(options.directory);
+  if (written) evidence::write_junit(options.directory);
+  locks.clear();
+  std::error_code not_empty;
+  if (made) fs::remove(options.directory, not_empty);
   return worst;
 }
 

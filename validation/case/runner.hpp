@@ -21,6 +21,7 @@ struct RunOptions {
 /// Runs the jobs, at most options.jobs at once, shows the progress, and writes junit.xml over all records of the
 /// directory. Returns the worst outcome: wrong input before unfinished before failed. An interrupt (SIGINT, SIGTERM)
 /// stops all children and leaves no half-written file.
+/// @throws std::runtime_error before anything runs, if another process writes one of the records
 Outcome run_all(const std::vector<Job>& jobs, const RunOptions& options);
 
 }  // namespace seiche::validation

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -7,6 +8,7 @@
 #include "reports/evidence/record_files.hpp"
 #include "validation/command/commands.hpp"
 #include "validation/command/solvers_table.hpp"
+#include "validation/command/streams.hpp"
 #include "validation/scoring/baseline.hpp"
 
 namespace seiche::command {
@@ -20,7 +22,13 @@ std::vector<Summary> records_in(const std::string& directory) {
   if (!std::filesystem::is_directory(directory)) {
     throw std::invalid_argument(fmt::format("compare: folder {} does not exist", directory));
   }
-  return evidence::read_summaries(directory);
+  std::vector<Summary> records = evidence::read_summaries(directory, evidence::Reading::all_files);
+  const auto unsealed = std::count_if(records.begin(), records.end(), [](const Summary& s) { return !s.sealed; });
+  if (unsealed > 0) {
+    complain(fmt::format("{}: {} of {} records carry no digest: a change after they were written would not be seen",
+                         directory, unsealed, records.size()));
+  }
+  return records;
 }
 
 /// By case and solver, and by published set or tier where a folder has several of them of one case.

@@ -21,6 +21,7 @@
 #include "seiche/spelling.hpp"
 #include "validation/command/commands.hpp"
 #include "validation/command/exact_inputs.hpp"
+#include "validation/command/streams.hpp"
 #include "validation/scoring/solver_files.hpp"
 
 namespace seiche::command {
@@ -293,7 +294,7 @@ int parse_and_call(int argc, char** argv) {
   } catch (const CLI::Success& done) {  // --help, --version
     return app.exit(done);
   } catch (const CLI::ParseError& wrong) {
-    fmt::print(stderr, "seiche: {}\n", wrong.what());
+    complain(wrong.what());
     return 2;
   }
   if (!action) {
@@ -319,21 +320,22 @@ void let_waiting_threads_sleep(char** argv) {
 
 int main(int argc, char** argv) {
   seiche::command::let_waiting_threads_sleep(argv);
+  using seiche::command::complain;
   try {
+    seiche::command::prepare_streams();
     const int status = seiche::command::parse_and_call(argc, argv);
     std::cout.flush();
     const bool flushed = std::fflush(stdout) == 0;
     if (!flushed || std::ferror(stdout) != 0 || !std::cout) {  // an earlier flush may have failed, and forgotten why
-      fmt::print(stderr, "seiche: standard output cannot be written{}\n",
-                 flushed ? "" : fmt::format(": {}", std::strerror(errno)));
+      complain(std::string("standard output cannot be written") + (flushed ? "" : fmt::format(": {}", std::strerror(errno))));
       return 3;
     }
     return status;
   } catch (const std::invalid_argument& wrong) {
-    fmt::print(stderr, "seiche: {}\n", wrong.what());
+    complain(wrong.what());
     return 2;
   } catch (const std::exception& failure) {
-    fmt::print(stderr, "seiche: {}\n", failure.what());
+    complain(failure.what());
     return 3;
   }
 }

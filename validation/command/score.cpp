@@ -9,8 +9,11 @@
 #include <fmt/ranges.h>
 
 #include "reports/evidence/record_files.hpp"
+#include "reports/evidence/record_lock.hpp"
 #include "seiche/io/atomic_file.hpp"
+#include "seiche/io/hdf5_table.hpp"
 #include "seiche/io/table.hpp"
+#include "seiche/printable.hpp"
 #include "validation/case/job.hpp"
 #include "validation/case/registry.hpp"
 #include "validation/command/commands.hpp"
@@ -259,8 +262,11 @@ bool compare_with_baseline(const ScoreOptions& options, const std::string& stem)
   const fs::path kept = fs::path(options.baseline) / (stem + ".json");
   bool worse = false;
   if (fs::is_regular_file(kept)) {
-    const evidence::Summary after = evidence::read_summary(written);
-    for (const validation::Since& one : validation::changes_since(evidence::read_summary(kept), after)) {
+    const evidence::Summary before = evidence::read_summary(kept);
+    if (!before.error.empty() && !options.bless) {
+      throw std::runtime_error(fmt::format("baseline {}: {}", kept.string(), before.error));
+    }
+    for (const validation::Since& one : validation::changes_since(before, evidence::read_summary(written))) {
       using Kind = validation::Since::Kind;
       const char* kind = one.kind == Kind::worse             ? "WORSE"
                          : one.kind == Kind::unexpected_pass ? "unexpected pass"
@@ -272,7 +278,7 @@ bool compare_with_baseline(const ScoreOptions& options, const std::string& stem)
   }
   if (!options.bless) return worse;
   fs::create_directories(options.baseline);
-  for (const char* extension : {".h5", ".json"}) {
+  for (const char* extension : {".h5", ".xdmf", ".json"}) {
     const fs::path from = fs::path(options.out) / (stem + extension);
     const fs::path to = fs::path(options.baseline) / (stem + extension);
     if (fs::is_regular_file(from) && !fs::equivalent(options.out, options.baseline))
@@ -295,6 +301,10 @@ void note_files(const std::vector<validation::ResultFile>& files, evidence::Reco
 /// What was understood of files that are not our own kind.
 void print_reading(const std::vector<validation::ResultFile>& files) {
   for (const validation::ResultFile& file : files) {
+    if (file.format == "hdf5" && !io::has_checksums(file.path)) {
+      fmt::print("  {:<12} {}: carries no checksums (Fletcher32): damage to its numbers would not be seen\n", "read",
+                 printable(file.path.string()));
+    }
     if (file.format == "csv" || file.format == "hdf5") continue;
     fmt::print("  {:<12} {}: {}, columns {}{}\n", "read", file.table.source, file.format,
                fmt::join(file.table.names, ", "),
@@ -356,7 +366,10 @@ int score(const ScoreOptions& options) {
   record.wall_time = facts.seconds.value_or(0);  // of the solver's run: how long the scoring took is nobody's business
   if (facts.cell) record.measure("cell_size", *facts.cell);
   if (options.threads > 0) record.measure("threads", static_cast<double>(options.threads));
-  evidence::write(record, options.out);
+  {
+    const evidence::RecordLock alone(options.out, record.stem());
+    evidence::write(record, options.out);
+  }
   evidence::write_junit(options.out);
   for (const Read& read : all) print_reading(read.files);
   print(record, findings, look);

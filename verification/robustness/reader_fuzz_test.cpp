@@ -1,9 +1,5 @@
 // Damaged files: readers must succeed or refuse in one line, whatever the bytes.
-#include <algorithm>
-#include <array>
-#include <chrono>
 #include <csignal>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -13,17 +9,19 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include "reports/evidence/record_files.hpp"
 #include "seiche/io/atomic_file.hpp"
 #include "seiche/io/csv_table.hpp"
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/hdf5_table.hpp"
 #include "seiche/io/isolated.hpp"
-#include "seiche/samples.hpp"
 #include "validation/case/configuration.hpp"
 #include "validation/case/registry.hpp"
+#include "validation/scoring/solver_files.hpp"
 #include "verification/check.hpp"
+#include "verification/robustness/fuzzing.hpp"
+#include "verification/scratch_folder.hpp"
 
 namespace {
 
@@ -31,132 +29,9 @@ using namespace seiche;
 using evidence::Bound;
 using evidence::Qualitative;
 using verification::Check;
-
-/// Marsaglia's xorshift64: the same inputs in every run.
-class Xorshift {
- public:
-  explicit Xorshift(std::uint64_t seed) : state_(seed) {}
-  /// Uniform in [0, bound).
-  std::size_t below(std::size_t bound) {
-    state_ ^= state_ << 13;
-    state_ ^= state_ >> 7;
-    state_ ^= state_ << 17;
-    return static_cast<std::size_t>(state_ % bound);
-  }
-
- private:
-  std::uint64_t state_;
-};
-
-/// Tokens that readers stumble over more often than over random bytes.
-const std::vector<std::string> awkward{"nan",
-                                       "inf",
-                                       "-",
-                                       "1e999",
-                                       "[",
-                                       "]",
-                                       "\"",
-                                       "'''",
-                                       ",,",
-                                       "\r",
-                                       "\n",
-                                       "#",
-                                       "=",
-                                       "{",
-                                       "}",
-                                       "0x",
-                                       "1e",
-                                       "+",
-                                       ".",
-                                       "\\u",
-                                       "\t",
-                                       "\xff",
-                                       "\xEF\xBB\xBF",
-                                       std::string(1, '\0'),
-                                       "99999999999999999999",
-                                       "[[a]]",
-                                       "a.b.c"};
-
-/// One to six changes: bytes flipped, replaced, removed, put in, cut off, or a piece of another input spliced in.
-std::string mutated(std::string bytes, const std::vector<std::string>& others, Xorshift& random) {
-  for (std::size_t changes = 1 + random.below(6); changes > 0; --changes) {
-    if (bytes.empty()) bytes = others[random.below(others.size())];
-    const std::size_t place = random.below(bytes.size());
-    const std::size_t length = std::min(bytes.size() - place, 1 + random.below(16));
-    switch (random.below(8)) {
-      case 0:
-        bytes[place] = static_cast<char>(bytes[place] ^ (1 << random.below(8)));
-        break;
-      case 1:
-        bytes[place] = static_cast<char>(random.below(256));
-        break;
-      case 2:
-        bytes.erase(place, length);
-        break;
-      case 3:
-        bytes.insert(place, 1 + random.below(8), static_cast<char>(random.below(256)));
-        break;
-      case 4:
-        bytes.insert(place, awkward[random.below(awkward.size())]);
-        break;
-      case 5:
-        bytes.insert(place, bytes.substr(random.below(bytes.size()), length * 4));
-        break;
-      case 6: {
-        const std::string& other = others[random.below(others.size())];
-        bytes = bytes.substr(0, place) + other.substr(random.below(other.size()));
-        break;
-      }
-      default:
-        if (random.below(4) == 0) bytes.resize(place);
-    }
-  }
-  return bytes;
-}
-
-/// What became of the inputs of one reader.
-struct Tally {
-  long accepted = 0;
-  long refused = 0;
-  long misbehaved = 0;  ///< another exception, a message of several lines, or an empty one
-  long crashes = 0;     ///< of a child process
-  Largest slowest;      ///< [s]
-  std::string example;
-};
-
-template <class Reader>
-Tally fuzz(const std::vector<std::string>& valid, long count, std::uint64_t seed, Reader read) {
-  Xorshift random(seed);
-  Tally tally;
-  for (long k = 0; k < count; ++k) {
-    const std::string input = mutated(valid[random.below(valid.size())], valid, random);
-    const auto begin = std::chrono::steady_clock::now();
-    std::string message = "ok";
-    bool expected = true;
-    try {
-      read(input);
-      ++tally.accepted;
-    } catch (const std::invalid_argument& refusal) {
-      message = refusal.what();
-      ++tally.refused;
-    } catch (const std::runtime_error& refusal) {
-      message = refusal.what();
-      ++tally.refused;
-    } catch (const std::exception& other) {
-      message = other.what();
-      expected = false;
-    }
-    const bool one_line = !message.empty() && std::none_of(message.begin(), message.end(),
-                                                           [](char c) { return (c >= 0 && c < ' ') || c == 0x7f; });
-    if (!expected || !one_line) {
-      ++tally.misbehaved;
-      tally.example = message;
-    }
-    if (message.find("child process") != std::string::npos) ++tally.crashes;
-    tally.slowest.add(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
-  }
-  return tally;
-}
+using verification::fuzz;
+using verification::ScratchFolder;
+using verification::Tally;
 
 void claim(Check& check, const std::string& format, const Tally& tally) {
   const long count = tally.accepted + tally.refused + tally.misbehaved;
@@ -190,25 +65,87 @@ std::string hdf5_bytes(const std::filesystem::path& path) {
   return io::read_file(path);
 }
 
+/// A record as the program writes it.
+std::string record_bytes(const ScratchFolder& scratch) {
+  evidence::Record record;
+  record.name = "sample";
+  record.group = "evidence";
+  record.title = "A sample";
+  record.parameters["depth"] = {.value = 0.1, .standard = 1.0, .unit = "m", .meaning = "still-water depth"};
+  record.check({.id = "a", .text = "a holds", .quantity = "a", .unit = "m", .source = "s"}, {.value = 0.25},
+               Bound{.limit = 1, .reason = "r"});
+  record.measure("speed", 3.5);
+  evidence::write(record, scratch.path());
+  return io::read_file(scratch.path() / "sample.json");
+}
+
+/// A file as a solver writes it.
+struct SolverFile {
+  std::string format;
+  std::string name;  ///< of the file: where in a folder, where that tells the reader something
+  std::vector<std::string> texts;
+};
+
+const std::vector<SolverFile> solver_files{
+    {"delimited", "profile.dat", {"# x h u\n0.5 1 0\n1.5\t0.9 0.1\n", "x;h [m]\n0.5;1\n1.5;1e-3\n"}},
+    {"openfoam",
+     "U",
+     {"# Probe 0 (0.1 -0.5 0.5)\n# Probe 1 (1 -0.5 0.5)\n# Probe 0 1\n# Time\n0.5 (1 0 0) (2 0 -1e-3)\n"
+      "1 (0.5 0 0) (1 0 0)\n",
+      "# Location 0 : (0.5 0 0)\n# hB : Interface height above the boundary\n# Time\thB hL\n0 1 0\n0.5\t0.9 -0.1\n"}},
+    {"openfoam_set", "sets/6/line_h.xy", {"0.5 \t0.96\n1.5 \t0.94\n2.5 \t0.93\n"}},
+    {"geoclaw_gauge",
+     "gauge00001.txt",
+     {"# gauge_id= 1 location=( 0.5 0.0 ) num_var= 4\n# Columns: level, time, h, hu, hv, eta\n 1 0.0 1 0 0 1\n"
+      " 2 0.5 0.9 0.1 0 0.9\n"}},
+    {"geoclaw_grid",
+     "grids/fort.q0001",
+     {"1 grid_number\n1 AMR_level\n3 mx\n0.0 xlow\n1.0 dx\n\n1 0 1\n0.9 0.1 0.9\n0.8 0.2 0.8\n\n"
+      "2 grid_number\n2 AMR_level\n2 mx\n1.0 xlow\n0.5 dx\n\n0.9 0.1 0.9\n0.8 0.2 0.8\n\n"}},
+    {"reef3d",
+     "REEF3D-CFD-WSF-HG.dat",
+     {"number of gauges:  2\n\nx_coord     y_coord\n1\t 0.5\t 0.005\n2\t 1.5\t 0.005\n\n\ntime\t P1\t P2\n\n"
+      "0\t 1\t 1\n0.5\t 0.9\t 1.1\n"}},
+    {"dualsphysics",
+     "elevation.csv",
+     {" ;PosX [m]:;0.5;1.5\n ;PosY [m]:;0;0\n ;PosZ [m]:;0;0\nPart;Time [s];Elevation_0 [m];Elevation_1 [m]\n"
+      "0;0;1;1\n1;0.5;0.9;1.1\n"}},
+    {"swash",
+     "gauge.tbl",
+     {"%\n% Run:001 Table:GAUGE SWASH version:7.01\n%\n%  Tsec  Watlev\n%  [sec]  [m]\n%\n 0.0 0.1\n 0.5 -0.1\n"}},
+    {"funwave", "sta_0001", {"  0.0  0.1  0.0  0.0\n  0.5  -0.1  0.2  0.0\n"}},
+    {"gerris", "profile.txt", {"# 1:t 2:x 3:y 4:P 5:H\n6 0.5 0 0.94 0.94\n6 1.5 0 0.93 0.93\n"}},
+};
+
+/// All that a reader of files makes of damaged ones.
+template <class Reader>
+Tally fuzz_file(const std::filesystem::path& path, const std::vector<std::string>& valid, long count,
+                std::uint64_t seed, Reader read) {
+  return fuzz(valid, count, seed, [&](const std::string& input) {
+    std::ofstream(path, std::ios::binary) << input;
+    read(path);
+  });
+}
+
 }  // namespace
 
 TEST_CASE("readers survive damaged files: they read or refuse in one line", "[robustness]") {
   Check check("reader_fuzz", "Damaged files",
-              "Valid CSV tables, TOML configurations and HDF5 files are damaged at random: bytes flipped, replaced, "
-              "removed, inserted, files cut off or spliced together, one to six such changes each, the same in every "
-              "run. Every input must be read, or refused with a message of one line; a crash or a hang would end the "
-              "test. HDF5 is read in a child process, because the library itself crashes on some of these files: the "
-              "number of such crashes is measured, and each must come out as a refusal like any other.");
+              "Valid CSV tables, TOML configurations, records, HDF5 files and files of every solver whose form is read "
+              "are damaged at random: bytes flipped, replaced, removed, inserted, files cut off or spliced together, "
+              "one to six such changes each, the same in every run. Every input must be read, or refused with a message "
+              "of one line; a crash or a hang would end the test. HDF5 is read in a child process, because the library "
+              "itself crashes on some of these files: the number of such crashes is measured, and each must come out "
+              "as a refusal like any other. `ci/fuzz` does the same with ten times the inputs.");
   const std::vector<std::string> tables{
       "# a result\nx [m],h [m],u [m/s]\n0.5,1,0\n1.5,0.9,0.1\n2.5,1e-3,-2.5e+00\n",
       "t,eta\r\n0,0\r\n1,0.25\r\n2,-0.125\r\n",
       "\"runup [m]\", \"arrival [s]\"\n  3.25 ,\t+17\n",
   };
-  const Tally csv = fuzz(tables, 70'000, 0x9E3779B97F4A7C15U, [](const std::string& input) {
-    std::istringstream in(input);
-    io::read_csv(in, "damaged.csv");
-  });
-  claim(check, "csv", csv);
+  claim(check, "csv", fuzz(tables, 40'000, 0x9E3779B97F4A7C15U, [](const std::string& input) {
+          std::istringstream in(input);
+          io::read_csv(in, "damaged.csv");
+        }));
 
   const validation::Case& one = validation::find_case("riemann");
   const std::vector<std::string> configurations{
@@ -216,20 +153,28 @@ TEST_CASE("readers survive damaged files: they read or refuse in one line", "[ro
       "# comment\nleft_depth = 1.0e0\nspacing = 'masses'\ntime = 2\n",
       "[riemann]\nparticles = 1_000\nright_velocity = -0.5 # m/s\n[moving_bore]\nparticles = [1, 2, {a = true}]\n",
   };
-  const Tally toml = fuzz(configurations, 32'000, 0xD1B54A32D192ED03U, [&](const std::string& input) {
-    validation::Values values = one.values(validation::Tier::quick);
-    validation::apply_configuration(input, "damaged.toml", one, values);
-  });
-  claim(check, "toml", toml);
+  claim(check, "toml", fuzz(configurations, 25'000, 0xD1B54A32D192ED03U, [&](const std::string& input) {
+          validation::Values values = one.values(validation::Tier::quick);
+          validation::apply_configuration(input, "damaged.toml", one, values);
+        }));
 
-  const std::filesystem::path path =
-      std::filesystem::temp_directory_path() / fmt::format("seiche-reader-fuzz-{}.h5", getpid());
-  const std::vector<std::string> files{hdf5_bytes(path)};
-  const Tally hdf5 = fuzz(files, 2'000, 0x94D049BB133111EBU, [&](const std::string& input) {
-    std::ofstream(path, std::ios::binary) << input;
-    io::read_hdf5(path, {}, 1);
-  });
-  std::filesystem::remove(path);
+  const ScratchFolder scratch("seiche_reader_fuzz");
+  claim(check, "record",
+        fuzz_file(scratch.path() / "damaged.json", {record_bytes(scratch)}, 8'000, 0xBF58476D1CE4E5B9U,
+                  [](const std::filesystem::path& path) { evidence::read_summary(path); }));
+
+  std::filesystem::create_directories(scratch.path() / "sets/6");
+  std::filesystem::create_directories(scratch.path() / "grids");
+  std::ofstream(scratch.path() / "grids/fort.t0001") << "6.0 time\n";
+  for (const SolverFile& file : solver_files) {
+    claim(check, file.format,
+          fuzz_file(scratch.path() / file.name, file.texts, 3'000, 0xA0761D6478BD642FU,
+                    [](const std::filesystem::path& path) { validation::read_results(path, {}); }));
+  }
+
+  const auto path = scratch.path() / "damaged.h5";
+  const Tally hdf5 = fuzz_file(path, {hdf5_bytes(path)}, 2'000, 0x94D049BB133111EBU,
+                               [](const std::filesystem::path& damaged) { io::read_hdf5(damaged, {}, 1); });
   check.measure("hdf5_library_crashes", static_cast<double>(hdf5.crashes));
   claim(check, "hdf5", hdf5);
 }

@@ -2,6 +2,7 @@
 
     /usr/bin/python3 reports/render/tests/test_strangers.py
 """
+import hashlib
 import json
 import os
 import pathlib
@@ -105,6 +106,25 @@ class Strangers(unittest.TestCase):
         self.with_data("large", large)
         self.assertLess((self.evidence / "large.h5").stat().st_size, 10**6)
         self.assertIn("2000000000 numbers", self.report())
+
+    def test_what_was_changed_after_it_was_written_is_said(self):
+        def sealed(raw):
+            text = json.dumps(raw, indent=1)[:-2] + ',\n "digest": "'
+            return text + hashlib.sha256(text.encode()).hexdigest() + '"\n}\n'
+
+        fields = {name: hashlib.sha256(b"as written").hexdigest() for name in ("fields.xdmf", "exchanged.xdmf")}
+        for name in ("whole", "edited", "fields", "exchanged"):
+            text = sealed(record(name, fields=f"{name}.xdmf" if f"{name}.xdmf" in fields else "", files=fields))
+            (self.evidence / f"{name}.json").write_text(text.replace("3.8412e-15", "0.5") if name == "edited" else text)
+        (self.evidence / "fields.xdmf").write_bytes(b"as written")
+        (self.evidence / "exchanged.xdmf").write_bytes(b"of another run")
+        page = self.report()
+        self.assertRegex(page, r"edited.json[\s\S]{0,200}changed after it was written")
+        self.assertIn("exchanged.xdmf is not the file that was written with the record", page)
+        for name in ("fields.xdmf", "whole.json"):
+            self.assertNotIn(f"{name} is not", page)
+        self.assertRegex(page, r"honest[\s\S]{0,200}carries no digest")
+        self.assertEqual(page.count("carries no digest"), 1)
 
     def test_texts_that_no_person_wrote(self):
         self.write("brackets", record("brackets", article="[" * 30000))

@@ -12,22 +12,37 @@
 namespace seiche::io {
 namespace {
 
+constexpr std::string_view partial_extension = ".part";
+
 std::string partial_suffix(long process) {
-  return fmt::format(".{}.part", process);
+  return fmt::format(".{}{}", process, partial_extension);
+}
+
+std::string in_words(std::filesystem::file_type type) {
+  using Type = std::filesystem::file_type;
+  if (type == Type::symlink) return "a symbolic link";
+  if (type == Type::directory) return "a folder";
+  return type == Type::none || type == Type::unknown ? "out of reach" : "a device or a pipe";
 }
 
 }  // namespace
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw std::runtime_error(fmt::format("cannot make folder {}: {}", folder.string(), failure.message()));
+}
+
 AtomicFile::AtomicFile(std::filesystem::path target)
     : target_(std::move(target)),
       partial_(target_.parent_path() / ("." + target_.filename().string() + partial_suffix(getpid()))) {
-  if (target_.has_parent_path()) {
-    std::error_code failure;
-    std::filesystem::create_directories(target_.parent_path(), failure);
-    if (failure) {
-      throw std::runtime_error(
-          fmt::format("cannot make folder {}: {}", target_.parent_path().string(), failure.message()));
-    }
+  if (target_.has_parent_path()) make_folder(target_.parent_path());
+  // The file takes the place of what has the name: of an older file, not of a device or of what a link leads to.
+  std::error_code unreachable;
+  const std::filesystem::file_type there = std::filesystem::symlink_status(target_, unreachable).type();
+  if (there != std::filesystem::file_type::regular && there != std::filesystem::file_type::not_found) {
+    throw std::runtime_error(
+        fmt::format("cannot write {}: it is {}, must be a file or not there", target_.string(), in_words(there)));
   }
 }
 
@@ -43,23 +58,45 @@ void AtomicFile::commit() {
   committed_ = true;
 }
 
-void write_file(const std::filesystem::path& target, std::string_view text) {
-  AtomicFile file(target);
-  std::ofstream out(file.path(), std::ios::binary);
+void AtomicFile::write(std::string_view text) const {
+  std::ofstream out(partial_, std::ios::binary);
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
   out.close();
   if (!out) {
     throw std::runtime_error(
-        fmt::format("cannot write {}: {}", target.string(), std::generic_category().message(errno)));
+        fmt::format("cannot write {}: {}", target_.string(), std::generic_category().message(errno)));
   }
+}
+
+void write_file(const std::filesystem::path& target, std::string_view text) {
+  AtomicFile file(target);
+  file.write(text);
   file.commit();
 }
 
 std::string read_file(const std::filesystem::path& path) {
+  std::error_code unreachable;
+  if (!std::filesystem::is_regular_file(path, unreachable)) {
+    throw std::runtime_error(fmt::format("cannot read {}: it is not a file", path.string()));
+  }
   std::ifstream in(path, std::ios::binary);
   std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   if (!in) throw std::runtime_error(fmt::format("cannot read {}", path.string()));
   return text;
+}
+
+void remove_partial_files(const std::filesystem::path& target) {
+  const std::string begin = "." + target.filename().string() + ".";
+  std::error_code failure;
+  for (const auto& entry : std::filesystem::directory_iterator(target.parent_path(), failure)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(begin) || !name.ends_with(partial_extension)) continue;
+    const std::string_view process =
+        std::string_view(name).substr(begin.size(), name.size() - begin.size() - partial_extension.size());
+    if (process.find_first_not_of("0123456789") == std::string_view::npos) {
+      std::filesystem::remove(entry.path(), failure);
+    }
+  }
 }
 
 void remove_partial_files(const std::filesystem::path& directory, long process) {

@@ -12,7 +12,8 @@ namespace seiche::io {
 
 /// A self-describing HDF5 file being written: every array carries its name, unit and meaning as attributes.
 ///
-/// The same data give the same bytes: no object times are tracked.
+/// The same data give the same bytes: no object times are tracked. Every array carries checksums (Fletcher32), by which
+/// HDF5 refuses to read damaged numbers.
 class Hdf5File {
  public:
   /// @throws std::runtime_error (here and below) with the path, when the library cannot write.

@@ -13,11 +13,12 @@
 #include <fmt/format.h>
 
 #include "seiche/io/isolated.hpp"
+#include "seiche/printable.hpp"
 
 namespace seiche::io {
 namespace {
 
-constexpr hsize_t longest_dataset = 50'000'000;
+constexpr hsize_t longest_file = 50'000'000;  // [number], in all datasets that are read; kilobytes may declare more
 constexpr std::size_t most_datasets = 1000;
 
 /// The table as bytes and back, to pass it from one process to the other.
@@ -61,16 +62,29 @@ void put(Bytes& bytes, const std::string& text) {
 }
 
 /// Names and reasons come from the file: whatever is no text must not reach the terminal.
-std::string one_line(std::string text) {
-  const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == 0x7f; };
-  std::replace_if(text.begin(), text.end(), is_control, '?');
-  return text.substr(0, 200);
+std::string one_line(const std::string& text) {
+  return printable(text.substr(0, 200));
 }
 
 herr_t note_dataset(hid_t /*root*/, const char* name, const H5O_info_t* info, void* names) {
   auto& known = *static_cast<std::vector<std::string>*>(names);
   if (info->type == H5O_TYPE_DATASET) known.emplace_back(name);
   return known.size() < most_datasets ? 0 : 1;
+}
+
+herr_t note_link(hid_t /*root*/, const char* name, const H5L_info_t* info, void* names) {
+  auto& known = *static_cast<std::vector<std::string>*>(names);
+  if (info->type == H5L_TYPE_EXTERNAL) known.emplace_back(name);
+  return known.size() < most_datasets ? 0 : 1;
+}
+
+/// @throws std::invalid_argument when the file cannot be walked through
+std::vector<std::string> dataset_names(const H5::H5File& file) {
+  std::vector<std::string> names;
+  if (H5Ovisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note_dataset, &names) < 0) {
+    throw std::invalid_argument("damaged: its datasets cannot be listed");
+  }
+  return names;
 }
 
 std::string unit_of(const H5::DataSet& set) {
@@ -89,17 +103,29 @@ std::string unit_of(const H5::DataSet& set) {
   return {};
 }
 
+/// @throws std::invalid_argument where the numbers lie in another file, which may be anybody's
+void require_own_storage(const H5::DataSet& set) {
+  const H5::DSetCreatPropList properties = set.getCreatePlist();
+  const H5D_layout_t layout = properties.getLayout();
+  if (layout == H5D_VIRTUAL || (layout == H5D_CONTIGUOUS && properties.getExternalCount() > 0)) {
+    throw std::invalid_argument("its numbers lie in another file, must be in this one");
+  }
+}
+
+/// @param most_elements  left of those that the file may have
 /// @throws std::invalid_argument with the reason why the dataset is no column
-std::vector<double> values_of(const H5::DataSet& set) {
+std::vector<double> values_of(const H5::DataSet& set, hsize_t most_elements) {
   const H5T_class_t kind = set.getTypeClass();
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw std::invalid_argument("its elements are not numbers");
   const H5::DataSpace space = set.getSpace();
   if (!space.isSimple() || space.getSimpleExtentNdims() > 1) {
     throw std::invalid_argument(fmt::format("has {} dimensions, must have one", space.getSimpleExtentNdims()));
   }
+  require_own_storage(set);
   const auto count = static_cast<hsize_t>(space.getSimpleExtentNpoints());
-  if (count > longest_dataset) {
-    throw std::invalid_argument(fmt::format("{} elements, must be at most {}", count, longest_dataset));
+  if (count > most_elements) {
+    throw std::invalid_argument(fmt::format("{} elements with those before it, must be at most {}",
+                                            count + longest_file - most_elements, longest_file));
   }
   std::vector<double> values(count);
   if (count > 0) set.read(values.data(), H5::PredType::NATIVE_DOUBLE);
@@ -116,11 +142,9 @@ std::string datasets(const std::filesystem::path& path, const std::vector<std::s
   Bytes bytes;
   try {
     const H5::H5File file(path.string(), H5F_ACC_RDONLY);
-    std::vector<std::string> names;
-    if (H5Ovisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note_dataset, &names) < 0) {
-      throw std::invalid_argument("damaged: its datasets cannot be listed");
-    }
+    const std::vector<std::string> names = dataset_names(file);
     const std::set<std::string> needed(wanted.begin(), wanted.end());
+    hsize_t numbers = 0;
     for (const std::string& name : names) {
       std::string reason;
       std::string unit;
@@ -131,7 +155,8 @@ std::string datasets(const std::filesystem::path& path, const std::vector<std::s
         try {
           const H5::DataSet set = file.openDataSet(name);
           unit = unit_of(set);
-          values = values_of(set);
+          values = values_of(set, longest_file - numbers);
+          numbers += values.size();
         } catch (const std::invalid_argument& unusable) {
           reason = unusable.what();
         } catch (const H5::Exception&) {
@@ -142,6 +167,14 @@ std::string datasets(const std::filesystem::path& path, const std::vector<std::s
       put(bytes, one_line(reason));
       put(bytes, one_line(unit));
       bytes.put(values.data(), values.size());
+    }
+    std::vector<std::string> links;  // which H5Ovisit does not follow
+    H5Lvisit(file.getId(), H5_INDEX_NAME, H5_ITER_INC, note_link, &links);
+    for (const std::string& name : links) {
+      put(bytes, one_line(name));
+      put(bytes, "a link to another file, must be in this one");
+      put(bytes, "");
+      bytes.put(static_cast<const double*>(nullptr), 0);
     }
   } catch (const H5::Exception&) {
     throw std::invalid_argument("damaged: the HDF5 library cannot open it");
@@ -182,6 +215,33 @@ bool is_hdf5(const std::filesystem::path& file) {
     if (in.read(found.data(), found.size()) && std::string_view(found.data(), found.size()) == signature) return true;
   }
   return false;
+}
+
+bool has_checksums(const std::filesystem::path& file) {
+  const auto all_have = [&]() -> std::string {
+    H5::Exception::dontPrint();
+    try {
+      const H5::H5File opened(file.string(), H5F_ACC_RDONLY);
+      for (const std::string& name : dataset_names(opened)) {
+        const H5::DataSet set = opened.openDataSet(name);
+        unsigned flags = 0;
+        unsigned config = 0;
+        std::size_t values = 0;
+        const H5::DSetCreatPropList properties = set.getCreatePlist();
+        const bool none = H5Pget_filter_by_id2(properties.getId(), H5Z_FILTER_FLETCHER32, &flags, &values, nullptr, 0,
+                                               nullptr, &config) < 0;
+        if (none && set.getStorageSize() > 0) return "no";
+      }
+    } catch (const H5::Exception&) {
+      return "no";
+    }
+    return "yes";
+  };
+  try {
+    return isolated(all_have, 10) == "yes";
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 Table read_hdf5(const std::filesystem::path& file, const std::vector<std::string>& wanted, unsigned seconds) {

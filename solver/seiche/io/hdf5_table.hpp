@@ -13,7 +13,8 @@ bool is_hdf5(const std::filesystem::path& file);
 
 /// Reads one-dimensional datasets of numbers; a single number counts as one of length one. A dataset is named by its
 /// path without the leading slash: "h", "run/h". Its unit is the text attribute `unit` or `units`. Whatever else is
-/// there by name, or holds a number that is not finite, is listed as unusable with the reason.
+/// there by name, or holds a number that is not finite, or more numbers than one file may, is listed as unusable with
+/// the reason; so is what lies in another file (external storage, external links, virtual datasets).
 ///
 /// The HDF5 library can crash on damaged files, or never end, so that it reads in a child process.
 ///
@@ -21,5 +22,9 @@ bool is_hdf5(const std::filesystem::path& file);
 /// @param seconds  processor time after which a file that sends the library round in circles is given up
 /// @throws std::invalid_argument, in one line, when the file cannot be opened or is damaged
 Table read_hdf5(const std::filesystem::path& file, const std::vector<std::string>& wanted = {}, unsigned seconds = 10);
+
+/// Whether every dataset carries checksums (Fletcher32), without which damage to its numbers is not seen. A file that
+/// cannot be opened has none.
+bool has_checksums(const std::filesystem::path& file);
 
 }  // namespace seiche::io

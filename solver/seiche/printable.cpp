@@ -1,0 +1,54 @@
+#include "seiche/printable.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace seiche {
+namespace {
+
+/// A character and the bytes that spell it; of no bytes where they spell none.
+struct Character {
+  std::uint32_t code = 0;
+  std::size_t bytes = 0;
+};
+
+/// The character that a text begins with, as RFC 3629 (section 4) spells it: the shortest way, no surrogates.
+Character first_of(std::string_view text) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  if (byte(0) < 0x80) return {byte(0), 1};
+  const std::size_t bytes = byte(0) < 0xc0 ? 0 : byte(0) < 0xe0 ? 2 : byte(0) < 0xf0 ? 3 : byte(0) < 0xf8 ? 4 : 0;
+  if (bytes == 0 || text.size() < bytes) return {};
+  std::uint32_t code = byte(0) & (0x7fU >> bytes);
+  for (std::size_t k = 1; k < bytes; ++k) {
+    if ((byte(k) & 0xc0U) != 0x80) return {};
+    code = code << 6 | (byte(k) & 0x3fU);
+  }
+  constexpr std::uint32_t smallest[]{0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xd800 && code < 0xe000;
+  if (code < smallest[bytes - 2] || code > 0x10ffff || surrogate) return {};
+  return {code, bytes};
+}
+
+bool shows(std::uint32_t code) {
+  const bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);
+  const bool turns = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+  return !control && !turns;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const Character one = first_of(text);
+    if (one.bytes > 0 && shows(one.code)) {
+      shown.append(text.substr(0, one.bytes));
+    } else {
+      shown.push_back('?');
+    }
+    text.remove_prefix(one.bytes == 0 ? 1 : one.bytes);
+  }
+  return shown;
+}
+
+}  // namespace seiche
