@@ -56,8 +56,8 @@ struct BeachClaim {
 BeachClaim all_profiles();
 BeachClaim each_profile();
 
-/// Profiles, gauges and run-up of the exact solution. Judging throws std::invalid_argument for points more than a depth
-/// or a unit of time apart: there is more in the wave.
+/// Profiles, gauges and run-up of the exact solution. Judging throws std::invalid_argument for fewer points than one in
+/// a depth or a unit of time: there is more in the wave.
 Submission beach_submission();
 
 }  // namespace seiche::validation

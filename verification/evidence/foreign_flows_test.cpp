@@ -260,7 +260,7 @@ std::vector<Asked> all_asked() {
   const exact::StokesWave stokes(0.15, 8, 1, 9.81);
   const exact::SolitaryWave solitary(0.3, 1, 9.81);
   return {
-      in_time("dam_break", "riemann", 1, {}, {{"time", 1e-9}}, {{"time", 5.4}}),
+      in_time("dam_break", "riemann", 0.125, {{"particles", 400L}}, {{"time", 1e-9}}, {{"time", 5.4}}),
       in_time("bore", "moving_bore", 1, {}, {{"steps", 1L}, {"time_step", 1e-9}}, {{"steps", 110L}}),
       in_time("reflected_bore", "bore_reflection", 0.1, {}, {{"time", 1e-6}}, {{"time", 2.8}},
               state_at([reflection](double x) { return reflection.at(x, 2.6); })),
