@@ -145,8 +145,6 @@ std::vector<WantedTable> wanted(const Values& values) {
   }
   WantedTable table{.name = "numbers", .quantities = {}};
   for (const Number& one : numbers_of(values)) table.quantities.push_back(one.wanted);
-  table.exact = {fmt::format("seiche exact mach_reflection --set amplitude={:.17g},angle={:.17g},theory=kodama_yeh",
-                             values.real("amplitude"), values.real("angle"))};
   return {table};
 }
 
