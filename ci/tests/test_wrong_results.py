@@ -208,7 +208,10 @@ class Templates(Scoring):
     def test_the_commands_that_a_template_prints_give_what_passes(self):
         for case, tables in {"riemann": ["profile"], "standing_wave": ["wall"], "stokes_wave": ["surface"],
                              "wave_attenuation": ["surface"], "solitary_wave": ["surface"],
-                             "wavemaker_start": ["gauge"], "thacker": ["gauges"],
+                             "wavemaker_start": ["gauge"], "thacker": ["gauges"], "moving_bore": ["profile"],
+                             "bore_reflection": ["profile"], "colliding_bores": ["profile"],
+                             "steady_bump": ["profile"], "macdonald_channel": ["profile"],
+                             "wave_kinematics": ["velocities"],
                              "wall_run_up_exact": ["numbers"]}.items():
             for table in tables:
                 with self.subTest(case, table=table):

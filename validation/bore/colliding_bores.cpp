@@ -3,10 +3,11 @@ Two bores, 2 m and 1.5 m deep, run towards each other through still water of 1 m
 after the meeting two weaker jumps enclose water 2.697 m deep, the middle state of the Riemann problem of the two states
 behind the bores.
 
-Both ends are pistons.
+Both ends are pistons; for your solver, ends of the channel from 0 to 100 m where the water comes in. The bores start at
+30 and 70 m.
 
 **What is compared.** The profile 2 s after the meeting, for several numbers of particles and the three levels of the
-method.
+method. Profiles of others are judged as in `riemann`.
 
 **What to look at.** The collision is the one event in which two jumps share a particle. A method that falls back to
 smeared jumps there leaves a scar at the place of the meeting that decays only as $1/N$; here the particle keeps both
@@ -14,7 +15,8 @@ jumps, and then both that leave it.
 */
 #include "seiche/exact/colliding_bores.hpp"
 #include "validation/case/case.hpp"
-#include "validation/studies/shallow_water/flow_run.hpp"
+#include "validation/scoring/score.hpp"
+#include "validation/studies/shallow_water/judged_states.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -32,6 +34,13 @@ struct SetUp {
     return {.scheme = scheme, .particles = count, .theta = 1.5};
   }
   [[nodiscard]] Discretisation finest() const { return level("H2", particles.back()); }
+  [[nodiscard]] JudgedStates states() const {
+    return {.solution = {problem.gravity, bores.left(), bores.right(), bores.collision_place()},
+            .since = time - bores.collision_time(),
+            .start = problem.start,
+            .end = problem.end,
+            .cells = particles.back()};
+  }
 };
 
 SetUp set_up(const Values& values) {
@@ -58,22 +67,23 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
   const auto particles = static_cast<double>(s.finest().particles);
   claim_conservation(claims.of(&Results::flow), s.problem, s.finest(), s.time);
-  claims.at(s.finest().text())
-      .check(
-          {.id = "reconstructed_l1_h",
-           .text = "The profile after the collision is the exact one.",
-           .quantity = "reconstructed L1(h)",
-           .unit = "m",
-           .source = "Riemann problem of the states behind the bores"},
-          [particles](const Results& r) -> Measurement {
-            return {.value = r.finest().errors.reconstructed.depth.l1,
-                    .told = {.operations = 8 * particles * static_cast<double>(r.finest().steps)}};
-          },
-          evidence::Roundoff{
-              .operations = evidence::Amount::told_by_run(8 * particles * most_steps(s.problem, s.finest(), s.time)),
-              .scale = s.bores.star().depth,
-              .reason = "both jumps are followed through the particle they share: eight rounded operations per step, "
-                        "and per particle a jump has passed"});
+  const auto here = claims.at(s.finest().text());
+  claim_states(here.of(&Results::flow), s.states(), s.problem.length() / particles, one_particle);
+  here.check(
+      {.id = "reconstructed_l1_h",
+       .text = "The profile after the collision is the exact one.",
+       .quantity = "reconstructed L1(h)",
+       .unit = "m",
+       .source = "Riemann problem of the states behind the bores"},
+      [particles](const Results& r) -> Measurement {
+        return {.value = r.finest().errors.reconstructed.depth.l1,
+                .told = {.operations = 8 * particles * static_cast<double>(r.finest().steps)}};
+      },
+      evidence::Roundoff{
+          .operations = evidence::Amount::told_by_run(8 * particles * most_steps(s.problem, s.finest(), s.time)),
+          .scale = s.bores.star().depth,
+          .reason = "both jumps are followed through the particle they share: eight rounded operations per step, "
+                    "and per particle a jump has passed"});
 }
 
 Results compute(const Run& run) {
@@ -115,6 +125,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     panel.points(particle_schemes[level], counts, errors[level], Role::computed);
   }
   show_conservation(r.flow, exhibit);
+  measure_own(wanted_states(s.states()), submitted_profile(r.flow.profile()), exhibit);
   exhibit.measure("reconstructed_l1_h", r.finest().errors.reconstructed.depth.l1);
   exhibit.measure("cell_l1_h", r.finest().errors.cell.depth.l1);
   exhibit.measure("collision_time", s.bores.collision_time());
@@ -141,6 +152,7 @@ Case colliding_bores() {
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
   c.study = Study(claims, compute, show);
+  c.submission = submission_of([](const Values& values) { return set_up(values).states(); });
   return c;
 }
 

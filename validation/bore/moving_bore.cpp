@@ -13,6 +13,10 @@ The left end is a piston that moves with $u_1$.
 must fall at exactly the rate that the jump conditions give, $D = g a (h_1 - h_0)^3/(4 h_1)$; the other levels of the
 method and the peers.
 
+**Your solver.** The channel is 120 m long, the bore at x = 40 m at the start; water comes in at the left as it is
+behind the bore. Depth and velocity at `steps` times `time_step`, 8 s, are judged as in `riemann`: with the place of the
+bore its speed.
+
 **What to look at.** One particle holds the jump and hands it on to the next; nothing else is disturbed, to the last
 digit. Every peer smears it over several cells.
 */
@@ -24,7 +28,8 @@ digit. Every peer smears it over several cells.
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
-#include "validation/studies/shallow_water/flow_run.hpp"
+#include "validation/scoring/score.hpp"
+#include "validation/studies/shallow_water/judged_states.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -43,6 +48,13 @@ struct SetUp {
   long steps;
   double time;
   Front front;
+
+  [[nodiscard]] JudgedStates states() const {
+    return {.solution = {bore.gravity(), bore.behind(), bore.ahead(), start},
+            .since = time,
+            .end = length,
+            .cells = discretisation.particles};
+  }
 };
 
 SetUp set_up(const Values& values) {
@@ -197,21 +209,23 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_single_particle(claims.of(&Results::flow), s.front);
   claim_range(claims.of(&Results::flow), s.front.ahead, s.front.behind, s.discretisation, s.time,
               "the bore is monotone");
-  claims.at(fmt::format("N = {}, tau = {:g} s", s.discretisation.particles, s.discretisation.time_step))
-      .check(
-          {.id = "energy",
-           .text = "Energy falls at exactly the rate of the jump conditions.",
-           .quantity = "largest deviation of the two-state energy",
-           .unit = "m^4/s^3 s",
-           .source = "D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6"},
-          [s](const Results& r) -> Measurement {
-            const Worst deviation = energy_deviation(r.history, s.bore);
-            return {.value = deviation.value(), .where = fmt::format("t = {:g} s", deviation.where())};
-          },
-          evidence::Roundoff{
-              .operations = static_cast<double>(s.discretisation.particles) + steps,
-              .scale = initial_flow(s).energy(),
-              .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});
+  const auto here =
+      claims.at(fmt::format("N = {}, tau = {:g} s", s.discretisation.particles, s.discretisation.time_step));
+  claim_states(here.of(&Results::flow), s.states(), length / static_cast<double>(s.discretisation.particles),
+               one_particle);
+  here.check(
+      {.id = "energy",
+       .text = "Energy falls at exactly the rate of the jump conditions.",
+       .quantity = "largest deviation of the two-state energy",
+       .unit = "m^4/s^3 s",
+       .source = "D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6"},
+      [s](const Results& r) -> Measurement {
+        const Worst deviation = energy_deviation(r.history, s.bore);
+        return {.value = deviation.value(), .where = fmt::format("t = {:g} s", deviation.where())};
+      },
+      evidence::Roundoff{.operations = static_cast<double>(s.discretisation.particles) + steps,
+                         .scale = initial_flow(s).energy(),
+                         .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});
 
   const io::Table printed = values.table("bogomolov_zakharov_zerkal");
   const auto published =
@@ -258,6 +272,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   report_contest(exhibit, s.problem, s.time, r.contestants);
   show_conservation(r.flow, exhibit);
   show_errors(r.flow.errors, exhibit);
+  measure_own(wanted_states(s.states()), submitted_profile(r.flow.profile()), exhibit);
   exhibit.measure("front_width", front_width(r.flow.profile(), s.front));
   exhibit.measure("energy_deviation", energy_deviation(r.history, s.bore).value());
   exhibit.measure("speed", s.bore.speed());
@@ -281,6 +296,7 @@ Case moving_bore() {
   };
   c.published = {{.tiles = {"bzz-fig-12", "bzz-fig-9", "bzz-fig-10", "bzz-fig-11"}}};
   c.study = Study(claims, compute, show);
+  c.submission = submission_of([](const Values& values) { return set_up(values).states(); });
   return c;
 }
 

@@ -18,8 +18,6 @@ scheme loses its order.
 */
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -27,60 +25,20 @@ scheme loses its order.
 #include "validation/case/case.hpp"
 #include "validation/dam_break/riemann_problem.hpp"
 #include "validation/scoring/score.hpp"
-#include "validation/studies/shallow_water/flow_run.hpp"
+#include "validation/studies/shallow_water/judged_states.hpp"
 
 namespace seiche::validation::cases {
 namespace {
 
-const std::string source = "exact solution of the Riemann problem";
-
-std::vector<double> cell_centres(const Values& values) {
-  const double start = values.real("start");
-  const double end = values.real("end");
-  const long n = values.integer("particles");
-  std::vector<double> x;
-  for (long i = 0; i < n; ++i)
-    x.push_back(start + (end - start) * (static_cast<double>(i) + 0.5) / static_cast<double>(n));
-  return x;
-}
-
-std::vector<WantedTable> tables_of(const Values& values) {
-  const exact::Riemann solution = riemann_solution(values);
-  const double time = values.real("time");
-  const auto depth = [=](Place p) { return solution.at(p.abscissa, time).depth; };
-  const auto velocity = [=](Place p) {  // dry bed has none
-    const State state = solution.at(p.abscissa, time);
-    return state.depth > 0 ? state.velocity : std::numeric_limits<double>::quiet_NaN();
-  };
-  const std::vector<double> centres = cell_centres(values);
-  return {{.name = "profile",
-           .kind = WantedTable::Kind::profile,
-           .abscissa = Column{"x", "m", "position, increasing"},
-           .quantities = {{.column = {"h", "m", "depth"}, .reference = depth},
-                          {.column = {"u", "m/s", "velocity"}, .reference = velocity}},
-           .points = [x = centres](double) { return x; },
-           .exact = {
-               fmt::format("seiche exact riemann --set left_depth={:.17g},left_velocity={:.17g},right_depth={:.17g},"
-                           "right_velocity={:.17g},gravity={:.17g},jump={:.17g} --grid x={:.17g}:{:.17g}:{},t={:.17g}",
-                           values.real("left_depth"), values.real("left_velocity"), values.real("right_depth"),
-                           values.real("right_velocity"), values.real("gravity"), values.real("jump"), centres.front(),
-                           centres.back(), centres.size(), time)}}};
-}
-
-std::vector<WantedTable> wanted(const Values& values) {
-  require_before_ends(riemann_solution(values), riemann_channel(values), values.real("time"), false);
-  return tables_of(values);
-}
-
-/// Means at the centres: what somebody else would submit.
-Submitted submitted_from(const Profile& profile) {
-  SubmittedGroup group;
-  for (std::size_t i = 0; i < profile.means.size(); ++i) {
-    group.abscissa.push_back(0.5 * (profile.edges[i] + profile.edges[i + 1]));
-    group.values["h"].push_back(profile.means[i].depth);
-    group.values["u"].push_back(profile.means[i].velocity);
-  }
-  return {{"profile", {group}}};
+JudgedStates states_of(const Values& values) {
+  const FlowProblem channel = riemann_channel(values);
+  JudgedStates states{.solution = riemann_solution(values),
+                      .since = values.real("time"),
+                      .start = channel.start,
+                      .end = channel.end,
+                      .cells = values.integer("particles")};
+  require_before_ends(states.solution, channel, states.since, false);
+  return states;
 }
 
 /// What the parameters decide.
@@ -117,7 +75,6 @@ SetUp set_up(const Values& values) {
 struct Results {
   SetUp set_up;
   FlowRun flow;
-  RiemannErrors errors;  ///< of the means at the centres, joined by straight lines: what others submit
 };
 
 /// The scheme of Lax and Friedrichs has the viscosity dx^2/(2 dt), and spreads a jump like anything else, over the root
@@ -139,17 +96,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_conservation(here.of(&Results::flow), s.problem, s.discretisation, s.time);
 
   const double cell = s.problem.length() / static_cast<double>(s.discretisation.particles);
-  for (const RiemannRequirement& one :
-       riemann_requirements(s.solution, s.time, s.problem.length(), cell, smearing_of(s, cell))) {
-    const evidence::Amount& limit = one.bound.limit;
-    here.only_if(!(limit.value() > limit.cap()),
-                 fmt::format("on cells of {:.3g} m a scheme of first order loses more than half of what water that "
-                             "never moved would miss: nothing could be told",
-                             cell))
-        .check(
-            {.id = one.id, .text = one.text, .quantity = one.quantity, .unit = one.unit, .source = source},
-            [error = one.error](const Results& r) { return r.errors.*error; }, one.bound);
-  }
+  claim_states(here.of(&Results::flow), states_of(values), cell, smearing_of(s, cell));
   here.only_if(s.discretisation.scheme == "H2" && s.dry(), "only H2 follows a dry front, where there is one")
       .check(
           {.id = "dry-front",
@@ -176,8 +123,6 @@ Results compute(const Run& run) {
   Results r{.set_up = set_up(run)};
   const SetUp& s = r.set_up;
   r.flow = compute_flow(s.problem, s.discretisation, {s.time}, [&](double done) { run.progress(done); });
-  const SubmittedGroup own = submitted_from(r.flow.profile()).at("profile").front();
-  r.errors = riemann_errors(s.solution, s.time, {own.abscissa, own.values.at("h"), own.values.at("u")});
   return r;
 }
 
@@ -185,7 +130,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const SetUp& s = r.set_up;
   show_errors(r.flow.errors, exhibit);
   show_conservation(r.flow, exhibit);
-  measure_own(tables_of(values), submitted_from(r.flow.profile()), exhibit);
+  measure_own(wanted_states(states_of(values)), submitted_profile(r.flow.profile()), exhibit);
   exhibit.measure("star_depth", s.solution.star().depth);
   exhibit.measure("star_velocity", s.solution.star().velocity);
   exhibit.measure("front_position", s.judged_position(r.flow.profile()));
@@ -196,56 +141,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                                             "depth and dots at their velocity.",
                                             s.time, s.particles() ? "particles" : "cells"));
   draw_frame(figure, exhibit, r.flow, r.flow.frames.back(), fmt::format("t = {:g} s", s.time));
-}
-
-/// Size of the cells that the limits are for: the solver's own, or as many over the channel as the case asks for.
-double cell_of(const Values& values, const FlowProblem& problem, const SolverFacts& facts) {
-  const double cell = facts.cell.value_or(problem.length() / static_cast<double>(values.integer("particles")));
-  if (cell > problem.length() / 4) {
-    throw std::invalid_argument(fmt::format("--dx {:g} is out of range: must be at most {:g}, a quarter of the channel",
-                                            cell, problem.length() / 4));
-  }
-  return cell;
-}
-
-/// Points farther apart than two cells show less than the solver knows, and cannot be judged for it.
-void require_points(const std::vector<double>& x, double cell) {
-  Largest apart;
-  for (std::size_t i = 0; i + 1 < x.size(); ++i) apart.add(x[i + 1] - x[i]);
-  if (!(apart.value() <= 2 * cell)) {
-    throw std::invalid_argument(fmt::format(
-        "column x: points up to {:.3g} m apart, must be at most two cells of {:.3g} m: print more points, or "
-        "say how large your cells are by --dx",
-        apart.value(), cell));
-  }
-}
-
-void judge(const Values& values, const Submitted& submitted, const SolverFacts& facts, evidence::Record& record) {
-  const exact::Riemann solution = riemann_solution(values);
-  const FlowProblem problem = riemann_channel(values);
-  const double time = values.real("time");
-  const SubmittedGroup& group = submitted.at("profile").front();
-  const RiemannProfile profile{group.abscissa, group.values.at("h"), group.values.at("u")};
-  if (profile.x.front() < problem.start || profile.x.back() > problem.end) {
-    throw std::invalid_argument(fmt::format("column x: values in [{:g}, {:g}], must be in [{:g}, {:g}]",
-                                            profile.x.front(), profile.x.back(), problem.start, problem.end));
-  }
-  const double cell = cell_of(values, problem, facts);
-  require_points(profile.x, cell);
-  const RiemannErrors errors = riemann_errors(solution, time, profile);
-  record.measure("l1_h", errors.depth);
-  record.measure("l1_u", errors.velocity);
-  record.measure("points", static_cast<double>(profile.x.size()));
-  const JudgedFront judged = judged_front(solution, time);
-  record.measure("front_position", judged_position(solution, judged, profile.cells(), false));
-  record.measure("front_position_exact", judged.front.position);
-  if (judged.is_jump) record.measure("front_width", front_width(profile.cells(), judged.front));
-
-  const std::string resolution = fmt::format("cells of {:.4g} m, {} points", cell, profile.x.size());
-  for (const RiemannRequirement& one : riemann_requirements(solution, time, problem.length(), cell)) {
-    record.check({.id = one.id, .text = one.text, .quantity = one.quantity, .unit = one.unit, .source = source},
-                 {.value = errors.*one.error, .resolution = resolution}, one.bound);
-  }
 }
 
 }  // namespace
@@ -272,7 +167,7 @@ Case riemann() {
       choice("scheme", std::string("H2"), all_schemes, "level of the particle method, or a peer"),
   };
   c.study = Study(claims, compute, show);
-  c.submission = {.tables = wanted, .judge = judge};
+  c.submission = submission_of(states_of);
   return c;
 }
 

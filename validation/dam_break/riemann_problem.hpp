@@ -1,14 +1,9 @@
-/// The Riemann problem that the parameters of the case `riemann` set, and what is judged of a computed profile: by the
-/// same measures and limits for our own schemes and for others.
+/// The Riemann problem that the parameters of the case `riemann` set.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "reports/evidence/criterion.hpp"
 #include "seiche/exact/riemann.hpp"
 #include "validation/case/parameter.hpp"
-#include "validation/studies/shallow_water/flow_run.hpp"
+#include "validation/studies/shallow_water/flow.hpp"
 
 namespace seiche::validation {
 
@@ -17,59 +12,8 @@ exact::Riemann riemann_solution(const Values& values);
 /// @throws std::invalid_argument where the jump is not within the channel
 FlowProblem riemann_channel(const Values& values);
 
-/// The front that is judged: the right wave if it is a jump, else the left one if it is, else the dry front or the head
-/// of the right fan.
-struct JudgedFront {
-  Front front;
-  bool is_jump = false;
-};
-JudgedFront judged_front(const exact::Riemann& solution, double time);
-
-/// Where a computed profile has its front: the jump, or the end of the water at a dry front. Cells have no end of the
-/// water; the outermost one deeper than a thousandth of the deepest counts.
-double judged_position(const exact::Riemann& solution, const JudgedFront& judged, const Profile& profile,
-                       bool particles);
-
 /// The solution holds until a wave meets an end. The ends move with the water in the particle method, as pistons.
 /// @throws std::invalid_argument for a later time
 void require_before_ends(const exact::Riemann& solution, const FlowProblem& problem, double time, bool moving_ends);
-
-/// Depth and velocity at points, joined by straight lines.
-struct RiemannProfile {
-  std::vector<double> x;  ///< [m], strictly increasing
-  std::vector<double> depth, velocity;
-
-  /// The same as cells around the points.
-  [[nodiscard]] Profile cells() const;
-};
-
-/// By how much a profile misses the exact one, between its first point and its last.
-struct RiemannErrors {
-  double depth = 0;      ///< mean of |h - exact| [m]
-  double velocity = 0;   ///< mean of |u - exact| where the exact bed is wet [m/s]
-  double discharge = 0;  ///< mean of |h u - exact| [m^2/s]
-  double volume = 0;     ///< integral of h less the exact one [m^2]
-  double momentum = 0;   ///< of h u [m^3/s]
-  double front = 0;      ///< position of the jump less the exact one [m]; NaN where there is none
-};
-RiemannErrors riemann_errors(const exact::Riemann& solution, double time, const RiemannProfile& profile);
-
-/// One thing that is required of it.
-struct RiemannRequirement {
-  std::string id, text, quantity, unit;
-  double RiemannErrors::*error;
-  evidence::Bound bound;
-};
-
-/// How a scheme of first order smears the waves.
-struct Smearing {
-  double cells_wide = 8;  ///< cells over which a jump is spread
-  double viscosity = 1;   ///< over that of Rusanov's flux, (|u| + c) dx/2
-};
-
-/// What is required of a solver with cells of this size, whatever points it prints.
-/// @param length  of the channel [m]
-std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solution, double time, double length,
-                                                     double cell, const Smearing& smearing = {});
 
 }  // namespace seiche::validation

@@ -9,6 +9,9 @@ Bed, friction and the two ends act together over $L = 1000$ m.
 **What is compared.** Depth and discharge after the flow has settled, for several numbers of particles. Particles enter
 at their own rhythm, and no instant is like the next: errors are means over the last fifth of the time.
 
+**Your solver.** `seiche exact macdonald` prints the bed z; 2 m²/s come in at x = 0, at 1000 m the depth is that of the
+template's reference. Depth and velocity of the settled flow are judged by the depth and by the discharge.
+
 **What to look at.** The order away from the ends, and the first particle behind the inlet: the fixed section through
 which the water enters is only first-order accurate, and with the ends included it decides the mean error. At a single
 instant the errors scatter so much that the order cannot be told.
@@ -22,6 +25,7 @@ instant the errors scatter so much that the order cannot be told.
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
+#include "validation/steady_flow/judged_steady_flow.hpp"
 #include "validation/steady_flow/open_ends.hpp"
 #include "validation/steady_flow/settled_flow.hpp"
 #include "validation/studies/shallow_water/profile_curves.hpp"
@@ -59,6 +63,20 @@ struct Results {
 
 exact::MacDonald channel_of(const Values& values) {
   return exact::MacDonald::smooth_rise(values.real("gravity"), discharge);
+}
+
+/// The depth at the outflow everywhere is what a flow without the rise would have.
+JudgedSteadyFlow judged_flow(const Values& values) {
+  const exact::MacDonald channel = channel_of(values);
+  const double length = channel.length();
+  return {.source = "MacDonald et al. (1997)",
+          .exact = [channel](double x) { return channel.at(x); },
+          .level_water = [depth = channel.at(length).depth](double) { return depth; },
+          .discharge = discharge,
+          .length = length,
+          .tolerance = values.real("tolerance"),
+          .command = fmt::format("seiche exact macdonald --set discharge={:g},gravity={:.17g}", discharge,
+                                 values.real("gravity"))};
 }
 
 Settled settle(const exact::MacDonald& channel, const Values& values, std::size_t count,
@@ -112,6 +130,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
            .source = "MacDonald et al. (1997)"},
           [](const Results& r) { return r.order(&Settled::discharge_error); },
           evidence::Order{1.5, 0.5, "between the first order of the section at the inlet and the second of the rest"});
+  claim_steady_flow(claims.at(fmt::format("N = {}", finest)).of([](const Results& r) -> const Profile& {
+    return r.finest().profile;
+  }),
+                    judged_flow(values), channel.length() / static_cast<double>(finest));
   const State inflow = channel.at(0);
   claims.at(fmt::format("N = {}", finest))
       .check(
@@ -198,8 +220,10 @@ Case macdonald_channel() {
       integer("particles", {25, 70, 100}, {8, 1e4}, "coarsest number of particles, up to 8 times as many run too"),
       real("time", {1000, 3000, 6000}, "s", {1, 1e6}, "time in which the flow settles"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
+      level_tolerance_parameter(),
   };
   c.study = Study(claims, compute, show);
+  c.submission = submission_of(judged_flow);
   return c;
 }
 

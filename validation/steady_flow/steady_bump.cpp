@@ -14,6 +14,9 @@ over the last fifth of the time.
 **What is compared.** Depth, and the discharge, which a steady state has the same everywhere; the fixed-grid peer with
 hydrostatic reconstruction beside it.
 
+**Your solver.** One regime at a time (`--set regime=jump`; `subcritical` where none is set): depth and velocity of the
+settled flow are judged by the depth, the discharge and the place of the jump.
+
 **What to look at.** The discharge: it shows what the depth hides. Smooth flow converges with the second order,
 transcritical flow too once the particles, which grow as the water thins, resolve the bump: from 50 on. At a jump the
 method can do no better than the first order, and it takes many particles to see it: the jump's water is a sixth as deep
@@ -31,6 +34,7 @@ disturbance of its own.
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
+#include "validation/steady_flow/judged_steady_flow.hpp"
 #include "validation/steady_flow/open_ends.hpp"
 #include "validation/steady_flow/settled_flow.hpp"
 #include "validation/studies/shallow_water/profile_curves.hpp"
@@ -75,6 +79,30 @@ std::vector<Regime> regimes_of(const Values& values) {
     }
   }
   return regimes;
+}
+
+/// Level water stands as high as the flow does where it comes in, or goes out with a jump.
+JudgedSteadyFlow judged_flow(const Regime& regime, const Values& values) {
+  const exact::SteadyBump& flow = regime.flow;
+  const double gravity = values.real("gravity");
+  JudgedSteadyFlow judged{
+      .source = "Delestre et al. (2013), section 3.1",
+      .exact = [flow](double x) { return flow.at(x); },
+      .level_water = [flow, level = regime.start_level](double x) { return level - flow.elevation(x); },
+      .discharge = flow.discharge(),
+      .length = flow.bump().length,
+      .tolerance = values.real("tolerance"),
+      .command = fmt::format("seiche exact steady_bump --set discharge={:.17g},outflow_depth={:.17g},gravity={:.17g}",
+                             flow.discharge(), regime.outflow_depth.value_or(0), gravity)};
+  if (!std::isnan(flow.jump())) {
+    const exact::SteadyBump more(gravity, 1.01 * flow.discharge(), *regime.outflow_depth);
+    judged.jump = {.front = {.behind = flow.depth_before_jump(),
+                             .ahead = flow.depth_after_jump(),
+                             .position = flow.jump(),
+                             .reach = 1},
+                   .sway = std::abs(more.jump() - flow.jump())};
+  }
+  return judged;
 }
 
 /// A settled profile: depth and discharge at cell centres.
@@ -226,19 +254,22 @@ void claims(const Values& values, const Claims<Results>& claims) {
     claim_orders(one, regime);
     const long finest = numbers_of_particles(regime.coarseness * values.integer("particles")).back();
     const double depth = regime.start_depth(0);
-    one.at(fmt::format("N = {}", finest))
-        .check(
-            {.id = regime.name + "-mass",
-             .text = fmt::format("{}: mass is what it was, plus inflow, less outflow.", regime.name),
-             .quantity = "mass less the booked mass",
-             .unit = "m^2",
-             .source = "conservation law of mass"},
-            [](const Settling& r) { return r.finest.mass_defect; },
-            open_ends_roundoff({.length = regime.flow.bump().length,
-                                .depth = depth,
-                                .discharge = regime.flow.discharge(),
-                                .celerity = std::sqrt(values.real("gravity") * depth)},
-                               finest, values.real("time")));
+    const auto here = one.at(fmt::format("N = {}", finest));
+    claim_steady_flow(here.of([](const Settling& r) -> const Profile& { return r.finest.profile; }),
+                      judged_flow(regime, values), regime.flow.bump().length / static_cast<double>(finest),
+                      regime.name + "-judged-");
+    here.check(
+        {.id = regime.name + "-mass",
+         .text = fmt::format("{}: mass is what it was, plus inflow, less outflow.", regime.name),
+         .quantity = "mass less the booked mass",
+         .unit = "m^2",
+         .source = "conservation law of mass"},
+        [](const Settling& r) { return r.finest.mass_defect; },
+        open_ends_roundoff({.length = regime.flow.bump().length,
+                            .depth = depth,
+                            .discharge = regime.flow.discharge(),
+                            .celerity = std::sqrt(values.real("gravity") * depth)},
+                           finest, values.real("time")));
   }
 }
 
@@ -367,8 +398,10 @@ Case steady_bump() {
               "times with a jump"),
       real("time", {100, 200, 400}, "s", {1, 1e5}, "time in which the flow settles"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
+      level_tolerance_parameter(),
   };
   c.study = Study(claims, compute, show);
+  c.submission = submission_of([](const Values& values) { return judged_flow(regimes_of(values).front(), values); });
   return c;
 }
 

@@ -1,0 +1,168 @@
+/*
+A solitary wave of small amplitude $a_i$ meets a wall at a small angle $\psi_i$. Miles (1977), with the parameter of
+Kodama and Yeh, $\kappa = \tan\psi_i/(\sqrt{3a_i}\cos\psi_i) < 1$, found what happens in the end: a stem of the height
+$a_w = (1+\kappa)^2 a_i$, and a wave of $a_r = \kappa^2 a_i$ that is reflected at $\tan\psi_r = \sqrt{3a_i}\cos\psi_i$;
+the stem's end moves off the wall at $\tan\psi_* = (1-\kappa)\tan\psi_r/3$. Lengths are in depths.
+
+**What is compared.** The case shows the theory for both parameters. It scores others: amplitudes over the measured
+incident one, angles, and by how much the wall's amplitude still grew in the last fifth of the run. Our models are
+judged in `mach_reflection`.
+
+**What to look at.** The theory neglects what is of the order of $a_i$: that is the limit, and where it would no longer
+tell a stem from regular reflection nothing is decided. Small waves settle slowly, after hundreds of depths.
+*/
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/mach_reflection.hpp"
+#include "validation/case/case.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/mach_reflection/reflection_reference.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Amount;
+using evidence::Bound;
+using evidence::Role;
+using exact::MachReflection;
+
+const std::string source = "Miles (1977); Li, Yeh and Kodama (2011)";
+constexpr double degree = std::numbers::pi / 180;
+
+MachReflection theory_of(const Values& values) {
+  return {values.real("amplitude"), values.real("angle") * degree, MachReflection::Theory::kodama_yeh};
+}
+
+/// A number of the theory, and of a run in the table.
+struct Number {
+  WantedQuantity wanted;
+  std::function<double(const KnownReflection&)> of;
+};
+
+/// A number that the theory knows to about `neglected`. @param other  what it is in regular reflection
+WantedQuantity wanted_of(const Column& column, double expected, double neglected, double other,
+                         const std::string& text) {
+  return {.column = column,
+          .reference = [expected](Place) { return expected; },
+          .requirements = {{.measure = Measure::value,
+                            .criterion = Bound{.limit = Amount::at_most(neglected, 0.5 * std::abs(expected - other)),
+                                               .reason = "the theory neglects what is of the order of the incident "
+                                                         "amplitude over the depth; half of what separates it from "
+                                                         "regular reflection still decides",
+                                               .expected = expected},
+                            .text = text,
+                            .source = source}}};
+}
+
+std::vector<Number> numbers_of(const Values& values) {
+  const MachReflection theory = theory_of(values);
+  const double angle = values.real("angle");
+  const double amplitude = values.real("amplitude");
+  const double neglected = theory.theory_uncertainty();
+  const double wall = theory.wall_ratio();
+  const double reflected = theory.reflected_ratio();
+  // In the variables of kappa; the class has Miles's leading order.
+  const double slope = std::sqrt(3 * amplitude) * std::cos(angle * degree);
+  const double turned = std::atan(slope) / degree;
+  const double stem = std::atan((1 - theory.kappa()) * slope / 3) / degree;
+  const WantedQuantity growth{
+      .column = {"growth", "1", "relative growth of a_w in the last fifth of the run"},
+      .reference = [](Place) { return 0.0; },
+      .requirements = {
+          {.measure = Measure::value,
+           .criterion =
+               Bound{.limit = 0.01,
+                     .reason = "of an approach as 1/t four times this is left, 4 %, less than the theory neglects"},
+           .text = "The stem has settled.",
+           .source = source}}};
+  return {{wanted_of({"a_w_over_a_i", "1", "amplitude at the wall over the incident one"}, wall, neglected * wall, 2,
+                     "The stem is as high as the theory says."),
+           [](const KnownReflection& run) { return run.wall_ratio.value; }},
+          {wanted_of({"a_r_over_a_i", "1", "amplitude of the reflected wave over the incident one"}, reflected,
+                     neglected * reflected, 1, "So is the reflected wave."),
+           [](const KnownReflection& run) { return run.reflected_ratio.value; }},
+          {wanted_of({"psi_r", "deg", "angle of reflection"}, turned, neglected * turned, angle,
+                     "It leaves the wall at the angle of the theory."),
+           [](const KnownReflection& run) { return run.reflected_angle.value; }},
+          {wanted_of({"stem_angle", "deg", "angle between the wall and the path of the stem's end"}, stem,
+                     neglected * turned / 3, 0, "The stem grows at the angle of the theory."),
+           [](const KnownReflection& run) { return run.stem_angle.value; }},
+          {growth, [](const KnownReflection& run) { return run.growth; }}};
+}
+
+struct Results {
+  exact::SelfTest identities;
+};
+
+void claims(const Values& values, const Claims<Results>& claims) {
+  claim_identities(claims.of(&Results::identities), theory_of(values).self_test(), source);
+  const auto run = known_reflection(known_reflections(values), values.real("amplitude"), values.real("angle"));
+  const auto tabulated = claims.only_if(theory_of(values).has_stem() && run.has_value(),
+                                        "no run of this amplitude and angle with a stem is tabulated");
+  for (const Number& one : numbers_of(values)) {
+    const Requirement& required = one.wanted.requirements.front();
+    tabulated.check(
+        {.id = "tabulated-" + one.wanted.column.name,
+         .text = "A run of the plan model: " + required.text,
+         .quantity = one.wanted.column.meaning,
+         .unit = one.wanted.column.unit,
+         .source = source},
+        [value = run ? one.of(*run) : 0.0](const Results&) { return value; }, required.criterion);
+  }
+}
+
+Results compute(const Run& run) {
+  return {theory_of(run).self_test()};
+}
+
+void show(const Results& /*results*/, const Values& values, evidence::Exhibit& exhibit) {
+  const double amplitude = values.real("amplitude");
+  exhibit.measure("kappa", theory_of(values).kappa());
+  auto& panel = exhibit
+                    .figure("wall", "Amplitude at the wall",
+                            fmt::format("Over the incident one, a = {:g} depths, by both parameters.", amplitude))
+                    .panel({.x = "angle [deg]", .y = "a_w/a_i"});
+  const std::vector<double> angles = evenly(1, 60, 237);
+  for (const auto& [theory, label] : {std::pair{MachReflection::Theory::miles, "Miles"},
+                                      std::pair{MachReflection::Theory::kodama_yeh, "Kodama and Yeh"}}) {
+    std::vector<double> ratio;
+    for (const double angle : angles) ratio.push_back(MachReflection(amplitude, angle * degree, theory).wall_ratio());
+    panel.line(label, angles, ratio, Role::guide);
+  }
+}
+
+std::vector<WantedTable> wanted(const Values& values) {
+  const MachReflection theory = theory_of(values);
+  if (!theory.has_stem()) {
+    throw std::invalid_argument(
+        fmt::format("angle = {:g} is out of range: its parameter kappa = {:.3g} must be less than 1, or no stem grows",
+                    values.real("angle"), theory.kappa()));
+  }
+  WantedTable table{.name = "numbers", .quantities = {}};
+  for (const Number& one : numbers_of(values)) table.quantities.push_back(one.wanted);
+  return {table};
+}
+
+}  // namespace
+
+Case mach_reflection_theory() {
+  Case c;
+  c.title = "Mach reflection of a small solitary wave: the theory, and whether a solver follows it";
+  c.source =
+      "J. W. Miles, J. Fluid Mech. 79 (1977) 171; W. Li, H. Yeh, Y. Kodama, On the Mach reflection of a solitary wave: "
+      "revisited, J. Fluid Mech. 672 (2011) 326";
+  c.parameters = {
+      real("amplitude", 0.097, "depth", {0.001, 0.8}, "a_i of the incident wave"),
+      real("angle", 20.0, "deg", {1, 75}, "psi_i between the wave's direction and the wall"),
+  };
+  c.study = Study(claims, compute, show);
+  c.submission = {.tables = wanted};
+  return c;
+}
+
+}  // namespace seiche::validation::cases

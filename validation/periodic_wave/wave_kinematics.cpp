@@ -1,0 +1,215 @@
+/*
+Loads on piles and pipes follow from the velocities below a wave, and a surface may be right above wrong ones. Below a
+periodic or a solitary wave of the Euler equations they are known to round-off, up to the surface, from
+`seiche exact stokes` and `seiche exact solitary`.
+
+**What is compared.** The case shows horizontal and vertical velocity over the depth. It scores others: start from the
+exact surface and velocities with a crest at $x = 0$ (`seiche exact ... --grid`; the periodic wave in one wavelength),
+let the wave run the distance `way`, and submit $u$ and $v$ over the depth in four sections: where the crest is then, on
+its front, and ahead. Heights count from the mean level.
+
+**What to look at.** Linear theory beside the crest: too slow above the mean level, too fast at the bed. A solver that
+is dispersive in the mean alone has one velocity over the depth.
+*/
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/dispersion.hpp"
+#include "seiche/exact/solitary_wave.hpp"
+#include "seiche/exact/stokes_wave.hpp"
+#include "validation/case/case.hpp"
+#include "validation/case/reference_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+
+const std::string source = "Cokelet (1977); Longuet-Higgins and Fenton (1974)";
+constexpr std::size_t fewest = 8;  ///< points of a section: with two, lines hide what changes over the depth
+
+/// What either wave says of itself.
+struct Wave {
+  std::function<double(double x)> elevation;  ///< of the distance from the crest
+  std::function<exact::Velocity(double x, double y)> velocity;
+  double speed = 0, depth = 0, crest_velocity = 0;
+  std::vector<double> sections;  ///< distances from the crest
+  double period = 0;             ///< in x; 0 without one
+  std::string command;
+  exact::SelfTest identities;
+};
+
+template <class W>
+Wave described(const W& wave) {
+  return {.elevation = [wave](double x) { return wave.elevation(x); },
+          .velocity = [wave](double x, double y) { return wave.velocity(x, y); },
+          .crest_velocity = wave.crest_velocity(),
+          .identities = wave.self_test()};
+}
+
+Wave wave_of(const Values& values) {
+  const double height = values.real("height");
+  const double depth = values.real("depth");
+  const double gravity = values.real("gravity");
+  const std::string words = fmt::format("depth={:.17g},gravity={:.17g}", depth, gravity);
+  Wave wave;
+  if (values.text("wave") == "stokes") {
+    const double length = values.real("wavelength");
+    const exact::StokesWave stokes(height / 2, length, depth, gravity);
+    wave = described(stokes);
+    wave.speed = stokes.phase_speed();
+    wave.sections = {0, length / 8, length / 4, length / 2};
+    wave.period = length;
+    wave.command =
+        fmt::format("seiche exact stokes --set amplitude={:.17g},wavelength={:.17g},{}", height / 2, length, words);
+  } else {
+    const exact::SolitaryWave solitary(height, depth, gravity);
+    wave = described(solitary);
+    wave.speed = solitary.speed();
+    wave.sections = {0, depth / 2, depth, 2 * depth};
+    wave.command = fmt::format("seiche exact solitary --set amplitude={:.17g},{}", height, words);
+  }
+  wave.depth = depth;
+  return wave;
+}
+
+/// Heights in a section, from a twentieth of the water's depth there to nineteen.
+std::vector<double> heights(const Wave& wave, double from_crest) {
+  std::vector<double> y;
+  for (const double share : evenly(0.05, 0.95, 19))
+    y.push_back(share * (wave.depth + wave.elevation(from_crest)) - wave.depth);
+  return y;
+}
+
+struct Results {
+  Wave wave;
+};
+
+void claims(const Values& values, const Claims<Results>& claims) {
+  claim_identities(claims.of([](const Results& r) -> const exact::SelfTest& { return r.wave.identities; }),
+                   wave_of(values).identities, source);
+}
+
+Results compute(const Run& run) {
+  return {wave_of(run)};
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const Wave& wave = r.wave;
+  exhibit.measure("crest_velocity", wave.crest_velocity);
+  exhibit.measure("speed", wave.speed);
+  auto& figure = exhibit.figure("velocities", "Velocities over the depth",
+                                "In four sections, from the crest on; the linear wave of the same height below the "
+                                "crest of a periodic one.");
+  auto& along = figure.panel({.x = "u [m/s]", .y = "y [m]"});
+  auto& upwards = figure.panel({.x = "v [m/s]", .y = "y [m]"});
+  for (const double section : wave.sections) {
+    const std::vector<double> y = heights(wave, section);
+    std::vector<double> u, v;
+    for (const double at : y) {
+      u.push_back(wave.velocity(section, at).u);
+      v.push_back(wave.velocity(section, at).v);
+    }
+    const std::string label = fmt::format("{:g} m ahead of the crest", section);
+    along.line(label, u, y, Role::exact);
+    upwards.line(label, v, y, Role::exact);
+  }
+  if (wave.period == 0) return;
+  const double k = 2 * std::numbers::pi / wave.period;
+  const double omega = exact::AiryDispersion(values.real("gravity"), wave.depth).frequency(k);
+  std::vector<double> linear;
+  const std::vector<double> y = heights(wave, 0);
+  for (const double at : y)
+    linear.push_back(values.real("height") / 2 * omega * std::cosh(k * (at + wave.depth)) / std::sinh(k * wave.depth));
+  along.line("linear, crest", linear, y, Role::guide);
+}
+
+std::vector<WantedTable> wanted(const Values& values) {
+  const Wave wave = wave_of(values);
+  const double way = values.real("way");
+  if (wave.period > 0) {
+    const double off = std::abs(std::remainder(way, wave.period));
+    if (off < 0.1 * wave.period) {
+      throw std::invalid_argument(fmt::format(
+          "way = {:g} is out of range: must be a tenth of the wavelength {:g} or more off a whole number of "
+          "them, where a wave that never moved is right",
+          way, wave.period));
+    }
+  }
+  const double time = way / wave.speed;
+  // Within the one wavelength of a periodic wave.
+  const auto place = [&](double section) {
+    return wave.period > 0 ? std::fmod(way + section, wave.period) : way + section;
+  };
+  const auto from_crest = [wave, way](double x) {
+    return wave.period > 0 ? std::remainder(x - way, wave.period) : x - way;
+  };
+  const Requirement close{
+      .measure = Measure::largest_error,
+      .criterion = evidence::Bound{.limit = values.real("tolerance") * wave.crest_velocity,
+                                   .reason = "the case's parameter `tolerance`, of the velocity at the crest; by "
+                                             "default 5 %, which makes 10 % in a drag"},
+      .text = "Over the depth the velocity is that of the exact wave.",
+      .source = source};
+  WantedTable table{
+      .name = "velocities",
+      .kind = WantedTable::Kind::profile,
+      .group = Column{"x", "m", fmt::format("place of the section, at t = {:.10g} s", time)},
+      .abscissa = Column{"y", "m", "height above the mean level"},
+      .quantities = {{.column = {"u", "m/s", "horizontal velocity, positive where the wave runs to"},
+                      .reference = [=](Place p) { return wave.velocity(from_crest(p.group), p.abscissa).u; },
+                      .requirements = {close}},
+                     {.column = {"v", "m/s", "vertical velocity, positive upwards"},
+                      .reference = [=](Place p) { return wave.velocity(from_crest(p.group), p.abscissa).v; },
+                      .requirements = {close}}},
+      .points = [=](double x) { return heights(wave, from_crest(x)); }};
+  for (const double section : wave.sections) {
+    const double x = place(section);
+    const std::vector<double> y = heights(wave, section);
+    table.groups.push_back(x);
+    table.exact.push_back(fmt::format("{} --grid x={:.17g},y={:.17g}:{:.17g}:{},t={:.17g}", wave.command, x, y.front(),
+                                      y.back(), y.size(), time));
+  }
+  return {table};
+}
+
+void judge(const Values& /*values*/, const Submitted& submitted, const SolverFacts& /*facts*/,
+           evidence::Record& record) {
+  Smallest points;
+  for (const SubmittedGroup& section : submitted.at("velocities")) {
+    if (section.abscissa.size() < fewest) {
+      throw std::invalid_argument(fmt::format("column y: {} points in the section x = {:g} m, must be at least {}",
+                                              section.abscissa.size(), section.value, fewest));
+    }
+    points.add(static_cast<double>(section.abscissa.size()));
+  }
+  record.measure("fewest_points", points.value());
+}
+
+}  // namespace
+
+Case wave_kinematics() {
+  Case c;
+  c.title = "Velocities below a periodic and a solitary wave";
+  c.source =
+      "E. D. Cokelet, Phil. Trans. R. Soc. A 286 (1977) 183; M. S. Longuet-Higgins, J. D. Fenton, Proc. R. Soc. A 340 "
+      "(1974) 471";
+  c.parameters = {
+      choice("wave", std::string("stokes"), {"stokes", "solitary"}, "a periodic wave, or a solitary one"),
+      real("height", 0.3, "m", {1e-6, 1e6}, "from trough to crest; of a solitary wave above still water"),
+      real("wavelength", 8.0, "m", {1e-6, 1e6}, "of the periodic wave"),
+      real("depth", 1.0, "m", {1e-6, 1e6}, "mean depth"),
+      real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
+      real("way", 22.0, "m", {1e-6, 1e6}, "distance that the wave runs until velocities are asked for"),
+      tolerance_parameter(),
+  };
+  c.study = Study(claims, compute, show);
+  c.submission = {.tables = wanted, .judge = judge};
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,101 @@
+/*
+Hall and Watts (1953) let solitary waves run up smooth plane beaches of 5 to 45 degrees, breaking and not, and fitted
+their run-up: $R = 3.05 S^{-0.13} a^{1.15 S^{0.02}}$ from 12 degrees on, $R = 11 S^{0.67} a^{1.9 S^{0.35}}$ below, with
+the slope $S$ and lengths in depths.
+
+**What is compared.** The case shows the law beside the values that Frank (1994) read off the measurements. It scores
+others: the run-up of waves of 0.05 to 0.3 depths on one beach, within the scatter of the experiments. Our models are
+judged against it in `slope_run_up_mesh` and `run_up_table`.
+
+**What to look at.** The law is a fit: 5 % is what such experiments scatter by, and a solver cannot be told from them
+more closely.
+*/
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/hall_watts.hpp"
+#include "validation/case/case.hpp"
+#include "validation/case/reference_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+using exact::HallWatts;
+
+const std::string source = "Hall and Watts (1953)";
+
+HallWatts law_of(const Values& values) {
+  return {1, 1 / values.real("cot_slope")};
+}
+
+struct Results {
+  exact::SelfTest identities;
+};
+
+void claims(const Values& values, const Claims<Results>& claims) {
+  claim_identities(claims.of(&Results::identities), law_of(values).self_test(), source);
+}
+
+Results compute(const Run& run) {
+  return {law_of(run).self_test()};
+}
+
+void show(const Results& /*results*/, const Values& values, evidence::Exhibit& exhibit) {
+  const HallWatts law = law_of(values);
+  const std::vector<double> a = evenly(0.05, 0.3, 51);
+  std::vector<double> runup;
+  for (const double amplitude : a) runup.push_back(law.runup(amplitude));
+  auto& panel = exhibit
+                    .figure("runup", "Run-up of solitary waves on a plane beach",
+                            fmt::format("The law on the slope 1 : {:g}, and what Frank read off the measurements on "
+                                        "slopes of up to a hundredth of that beside it.",
+                                        values.real("cot_slope")))
+                    .panel({.x = "a [depth]", .y = "R [depth]"});
+  panel.line("law", a, runup, Role::guide);
+  const io::Table table = values.table("frank_1994_runup_hall_watts");
+  std::vector<double> measured_a, measured_r;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    if (std::abs(table.column("cot_slope")[k] / values.real("cot_slope") - 1) > 0.01) continue;
+    measured_a.push_back(table.column("A")[k]);
+    measured_r.push_back(table.column("R_HW")[k]);
+  }
+  if (!measured_a.empty()) panel.points("measured", measured_a, measured_r, Role::data);
+}
+
+std::vector<WantedTable> wanted(const Values& values) {
+  const HallWatts law = law_of(values);
+  return {
+      {.name = "runups",
+       .group = Column{"A_over_d", "1", "height of the wave in depths"},
+       .quantities = {{.column = {"R_over_d", "1", "largest run-up in depths"},
+                       .reference = [law](Place p) { return law.runup(p.group); },
+                       .requirements = {{.measure = Measure::relative_error,
+                                         .criterion = evidence::Uncertainty{.data = HallWatts::scatter(),
+                                                                            .useful = 0.25,
+                                                                            .reason = "scatter of such experiments, "
+                                                                                      "assumed"},
+                                         .text = "The run-up is that of the experiments' law.",
+                                         .source = source}}}},
+       .groups = {0.05, 0.1, 0.2, 0.3},
+       .exact = {fmt::format("seiche exact hall_watts --set amplitude=0.1,cot_slope={:.17g}",
+                             values.real("cot_slope"))},
+       .reference_role = Role::data}};
+}
+
+}  // namespace
+
+Case hall_watts_run_up() {
+  Case c;
+  c.title = "Run-up of solitary waves on plane beaches of 5 to 45 degrees: the experiments' law";
+  c.source =
+      "J. V. Hall, G. M. Watts, Laboratory investigation of the vertical rise of solitary waves on impermeable slopes, "
+      "Beach Erosion Board Tech. Memo. 33 (1953)";
+  c.parameters = {real("cot_slope", 2.747, "1", {1, 11.43}, "cotangent of the beach's angle")};
+  c.study = Study(claims, compute, show);
+  c.submission = {.tables = wanted};
+  return c;
+}
+
+}  // namespace seiche::validation::cases

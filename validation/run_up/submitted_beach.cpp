@@ -1,0 +1,125 @@
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/solitary_runup.hpp"
+#include "validation/case/reference_case.hpp"
+#include "validation/instruments/agreement.hpp"
+#include "validation/run_up/beach_profiles.hpp"
+
+namespace seiche::validation {
+namespace {
+
+constexpr double farthest_apart = 1;  ///< of submitted points in the mean, in depths or units of time
+
+const std::string profile_table = "synolakis_1987_analytic_profiles";
+const std::string gauge_table = "synolakis_1987_analytic_series";
+
+Profiles exact_gauges(const Values& values) {
+  return profiles_of(values, gauge_table, "x_over_d", "t");
+}
+
+WantedTable wanted_curves(const Profiles& curves, WantedTable table, const Column& quantity, const std::string& file) {
+  const auto kept = std::make_shared<const Profiles>(curves);
+  for (const auto& [group, unused] : curves) table.groups.push_back(group);
+  table.quantities = {{.column = quantity, .reference = [kept](Place p) {
+                         const Surface& curve = kept->at(p.group);
+                         return linear_at({curve.x, curve.y}, p.abscissa);
+                       }}};
+  table.points = [kept](double group) { return kept->at(group).x; };
+  table.exact = {fmt::format("reference_data/{}/table.csv", file)};
+  return table;
+}
+
+std::vector<WantedTable> wanted(const Values& values) {
+  const double run_up = exact::SolitaryRunup(1, 1, beach_theory_amplitude, beach_cot_slope).highest().elevation;
+  const Column time{"t", "1", "time t sqrt(g/d)"};
+  const Column place{"x_over_d", "1", "distance from the shoreline at rest, positive offshore"};
+  const BeachClaim each = each_profile();
+  evidence::Bound near{.limit = each.bound.limit, .reason = each.bound.reason, .expected = run_up, .relative = true};
+  return {
+      wanted_curves(profiles_of(values, profile_table),
+                    {.name = "profiles", .kind = WantedTable::Kind::profile, .group = time, .abscissa = place},
+                    {"eta_over_d", "1", "surface elevation; nothing, or the beach, where it is dry"}, profile_table),
+      wanted_curves(exact_gauges(values),
+                    {.name = "gauges", .kind = WantedTable::Kind::series, .group = place, .abscissa = time},
+                    {"gauge_over_d", "1", "surface elevation at a gauge"}, gauge_table),
+      {.name = "numbers",
+       .quantities = {{.column = {"R_over_d", "1", "largest height of the shoreline above still water"},
+                       .reference = [run_up](Place) { return run_up; },
+                       .requirements = {{.measure = Measure::value,
+                                         .criterion = near,
+                                         .text = "The run-up is that of the exact solution.",
+                                         .source = each.claim.source}}}},
+       .exact = {fmt::format("seiche exact solitary_runup --set amplitude={:g},cot_slope={:g} --integrals",
+                             beach_theory_amplitude, beach_cot_slope)}}};
+}
+
+/// Fewer points hide what is between them. A gauge may be dry for a while, and show nothing.
+Profiles submitted_curves(const std::vector<SubmittedGroup>& groups, const std::string& column,
+                          const std::string& abscissa) {
+  Profiles curves;
+  for (const SubmittedGroup& group : groups) {
+    const double length = group.abscissa.back() - group.abscissa.front();
+    const double fewest = std::ceil(length / farthest_apart);
+    const auto points = static_cast<double>(group.abscissa.size());
+    if (points < fewest) {
+      throw std::invalid_argument(
+          fmt::format("column {}: {:g} points over {:.3g}, must be at least {:g}", abscissa, points, length, fewest));
+    }
+    curves[group.value] = {group.abscissa, group.values.at(column)};
+  }
+  return curves;
+}
+
+/// rms difference over the range, at the gauge that is farthest off.
+Worst gauge_distance(const Profiles& own, const Profiles& exact) {
+  Worst worst;
+  for (const auto& [place, series] : exact) {
+    const Surface& computed = own.at(place);
+    Mean off;
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      const double there = linear_at({computed.x, computed.y}, series.x[i]);
+      if (!std::isnan(there)) off.add(there - series.y[i]);  // how much is covered is a claim of its own
+    }
+    worst.add(off.rms() / (largest(series.y) - smallest(series.y)), place);
+  }
+  return worst;
+}
+
+void judge(const Values& values, const Submitted& submitted, const SolverFacts& /*facts*/, evidence::Record& record) {
+  const auto check = [&](const BeachClaim& one, double value, const std::string& where) {
+    record.check(one.claim, {.value = value, .where = where}, one.bound);
+  };
+  if (const auto found = submitted.find("profiles"); found != submitted.end()) {
+    const Differences off =
+        differences(submitted_curves(found->second, "eta_over_d", "x_over_d"), profiles_of(values, profile_table));
+    check(all_profiles(), relative_distance(off), {});
+    const Worst worst = largest_over_range(off);
+    check(each_profile(), worst.value(), fmt::format("t = {:g}", worst.where()));
+  } else {
+    for (const BeachClaim& one : {all_profiles(), each_profile()})
+      record.leave_out({one.claim, "the table was not submitted"});
+  }
+  BeachClaim gauges{{.id = "gauges",
+                     .text = "The gauges show the exact solution's records.",
+                     .quantity = "largest rms difference over the range of the record",
+                     .source = each_profile().claim.source},
+                    each_profile().bound};
+  if (const auto found = submitted.find("gauges"); found != submitted.end()) {
+    const Worst worst = gauge_distance(submitted_curves(found->second, "gauge_over_d", "t"), exact_gauges(values));
+    check(gauges, worst.value(), fmt::format("x = {:g}", worst.where()));
+  } else {
+    record.leave_out({gauges.claim, "the table was not submitted"});
+  }
+}
+
+}  // namespace
+
+Submission beach_submission() {
+  return {.tables = wanted, .judge = judge};
+}
+
+}  // namespace seiche::validation

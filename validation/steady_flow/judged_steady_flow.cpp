@@ -1,0 +1,103 @@
+#include "validation/steady_flow/judged_steady_flow.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace seiche::validation {
+namespace {
+
+using evidence::Bound;
+
+constexpr long cells = 200;  ///< over the channel, of a solver that does not say how many it has
+
+/// Mean distance of the level water's depth from the exact one.
+double untouched(const JudgedSteadyFlow& flow, const ProfilePoints& points) {
+  ProfilePoints level;
+  constexpr int samples = 2000;
+  for (int k = 0; k <= samples; ++k) {
+    level.x.push_back(std::lerp(points.x.front(), points.x.back(), k / double{samples}));
+    level.depth.push_back(flow.level_water(level.x.back()));
+    level.velocity.push_back(0);
+  }
+  return mean_errors(level, flow.exact).depth;
+}
+
+struct Required {
+  evidence::Claim claim;
+  std::function<double(const ProfilePoints&)> measured;
+  Bound bound;
+};
+
+std::vector<Required> requirements(const JudgedSteadyFlow& flow, double cell) {
+  std::vector<Required> all{
+      {{.id = "depth",
+        .text = "The depth is that of the steady flow.",
+        .quantity = "mean |h - exact| over that of level water",
+        .source = flow.source},
+       [flow](const ProfilePoints& points) { return mean_errors(points, flow.exact).depth / untouched(flow, points); },
+       {.limit = flow.tolerance,
+        .reason = "the case's parameter `tolerance`, of what bed and friction do to level water; by default a "
+                  "twentieth"}},
+      {{.id = "discharge",
+        .text = "The discharge is everywhere what comes in.",
+        .quantity = "mean |h u - q| over q",
+        .source = flow.source},
+       [flow](const ProfilePoints& points) { return mean_errors(points, flow.exact).discharge / flow.discharge; },
+       {.limit = 0.01, .reason = "one per cent is what a measuring weir knows of a discharge"}}};
+  if (flow.jump) {
+    all.push_back({{.id = "jump",
+                    .text = "The hydraulic jump stands where the exact one does.",
+                    .quantity = "place less the exact one",
+                    .unit = "m",
+                    .source = flow.source},
+                   [front = flow.jump->front](const ProfilePoints& points) {
+                     return front_position(points.cells(), front) - front.position;
+                   },
+                   {.limit = evidence::Amount::at_most(cell + flow.jump->sway, flow.jump->front.reach),
+                    .reason = "the middle of a jump that is smeared over eight cells is known to one of them; and a "
+                              "discharge one per cent off, which passes, displaces it"}});
+  }
+  return all;
+}
+
+void judge(const JudgedSteadyFlow& flow, const Submitted& submitted, const SolverFacts& facts,
+           evidence::Record& record) {
+  const double cell = judged_cell(flow.length, cells, facts);
+  const ProfilePoints points = submitted_points(submitted, 0, flow.length, cell);
+  const std::string resolution = fmt::format("cells of {:.4g} m, {} points", cell, points.x.size());
+  for (const Required& one : requirements(flow, cell)) {
+    record.check(one.claim, {.value = one.measured(points), .resolution = resolution}, one.bound);
+  }
+}
+
+}  // namespace
+
+Parameter level_tolerance_parameter() {
+  return real("tolerance", 0.05, "1", {1e-12, 1},
+              "mean error of a submitted depth that still passes, over that of level water");
+}
+
+Submission submission_of(const std::function<JudgedSteadyFlow(const Values&)>& flow_of) {
+  return {.tables = [flow_of](const Values& values) -> std::vector<WantedTable> {
+            const JudgedSteadyFlow flow = flow_of(values);
+            const double half = flow.length / (2 * cells);
+            return {wanted_profile(
+                0, flow.length, cells, flow.exact,
+                fmt::format("{} --grid x={:.17g}:{:.17g}:{}", flow.command, half, flow.length - half, cells))};
+          },
+          .judge = [flow_of](const Values& values, const Submitted& submitted, const SolverFacts& facts,
+                             evidence::Record& record) { judge(flow_of(values), submitted, facts, record); }};
+}
+
+void claim_steady_flow(const Claims<Profile>& claims, const JudgedSteadyFlow& flow, double cell,
+                       const std::string& prefix) {
+  for (const Required& one : requirements(flow, cell)) {
+    evidence::Claim claim = one.claim;
+    claim.id = prefix + claim.id;
+    claims.check(
+        claim, [measured = one.measured](const Profile& own) { return measured(points_of(own)); }, one.bound);
+  }
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,76 @@
+#include "validation/studies/shallow_water/judged_states.hpp"
+
+#include <fmt/format.h>
+
+namespace seiche::validation {
+namespace {
+
+evidence::Claim claim_of(const RiemannRequirement& one) {
+  return {.id = one.id,
+          .text = one.text,
+          .quantity = one.quantity,
+          .unit = one.unit,
+          .source = "exact solution of the Riemann problem"};
+}
+
+std::string command_of(const JudgedStates& states) {
+  const exact::Riemann& solution = states.solution;
+  const double half = states.length() / (2 * static_cast<double>(states.cells));
+  return fmt::format(
+      "seiche exact riemann --set left_depth={:.17g},left_velocity={:.17g},right_depth={:.17g},"
+      "right_velocity={:.17g},gravity={:.17g},jump={:.17g} --grid x={:.17g}:{:.17g}:{},t={:.17g}",
+      solution.left().depth, solution.left().velocity, solution.right().depth, solution.right().velocity,
+      solution.gravity(), solution.jump(), states.start + half, states.end - half, states.cells, states.since);
+}
+
+void judge(const JudgedStates& states, const Submitted& submitted, const SolverFacts& facts, evidence::Record& record) {
+  const auto& [solution, since, start, end, cells] = states;
+  const double cell = judged_cell(states.length(), cells, facts);
+  const ProfilePoints points = submitted_points(submitted, start, end, cell);
+  const RiemannErrors errors = riemann_errors(solution, since, points);
+  record.measure("l1_h", errors.depth);
+  record.measure("l1_u", errors.velocity);
+  record.measure("points", static_cast<double>(points.x.size()));
+  const JudgedFront judged = judged_front(solution, since);
+  record.measure("front_position", judged_position(solution, judged, points.cells(), false));
+  record.measure("front_position_exact", judged.front.position);
+  if (judged.is_jump) record.measure("front_width", front_width(points.cells(), judged.front));
+
+  const std::string resolution = fmt::format("cells of {:.4g} m, {} points", cell, points.x.size());
+  for (const RiemannRequirement& one : riemann_requirements(solution, since, states.length(), cell)) {
+    record.check(claim_of(one), {.value = errors.*one.error, .resolution = resolution}, one.bound);
+  }
+}
+
+}  // namespace
+
+std::vector<WantedTable> wanted_states(const JudgedStates& states) {
+  const auto exact = [solution = states.solution, since = states.since](double x) { return solution.at(x, since); };
+  return {wanted_profile(states.start, states.end, states.cells, exact, command_of(states))};
+}
+
+Submission submission_of(const std::function<JudgedStates(const Values&)>& states_of) {
+  return {.tables = [states_of](const Values& values) { return wanted_states(states_of(values)); },
+          .judge = [states_of](const Values& values, const Submitted& submitted, const SolverFacts& facts,
+                               evidence::Record& record) { judge(states_of(values), submitted, facts, record); }};
+}
+
+void claim_states(const Claims<FlowRun>& claims, const JudgedStates& states, double cell, const Smearing& smearing) {
+  for (const RiemannRequirement& one :
+       riemann_requirements(states.solution, states.since, states.length(), cell, smearing)) {
+    const evidence::Amount& limit = one.bound.limit;
+    claims
+        .only_if(!(limit.value() > limit.cap()),
+                 fmt::format("on cells of {:.3g} m a scheme of first order loses more than half of what water that "
+                             "never moved would miss: nothing could be told",
+                             cell))
+        .check(
+            claim_of(one),
+            [states, error = one.error](const FlowRun& run) {
+              return riemann_errors(states.solution, states.since, points_of(run.profile())).*error;
+            },
+            one.bound);
+  }
+}
+
+}  // namespace seiche::validation

@@ -1,0 +1,104 @@
+#include "validation/studies/shallow_water/profile_points.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/samples.hpp"
+
+namespace seiche::validation {
+
+Profile ProfilePoints::cells() const {
+  Profile cells;
+  cells.edges.push_back(x.front());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    cells.edges.push_back(i + 1 < x.size() ? 0.5 * (x[i] + x[i + 1]) : x.back());
+    cells.means.push_back({depth[i], velocity[i]});
+  }
+  return cells;
+}
+
+WantedTable wanted_profile(double start, double end, long cells, const std::function<State(double)>& exact,
+                           const std::string& command) {
+  std::vector<double> centres;
+  for (long i = 0; i < cells; ++i)
+    centres.push_back(start + (end - start) * (static_cast<double>(i) + 0.5) / static_cast<double>(cells));
+  const auto velocity = [exact](Place p) {  // dry bed has none
+    const State state = exact(p.abscissa);
+    return state.depth > 0 ? state.velocity : std::numeric_limits<double>::quiet_NaN();
+  };
+  return {
+      .name = "profile",
+      .kind = WantedTable::Kind::profile,
+      .abscissa = Column{"x", "m", "position, increasing"},
+      .quantities = {{.column = {"h", "m", "depth"}, .reference = [exact](Place p) { return exact(p.abscissa).depth; }},
+                     {.column = {"u", "m/s", "velocity"}, .reference = velocity}},
+      .points = [centres](double) { return centres; },
+      .exact = {command}};
+}
+
+ProfilePoints points_of(const Profile& profile) {
+  ProfilePoints points;
+  for (std::size_t i = 0; i < profile.means.size(); ++i) {
+    points.x.push_back(0.5 * (profile.edges[i] + profile.edges[i + 1]));
+    points.depth.push_back(profile.means[i].depth);
+    points.velocity.push_back(profile.means[i].velocity);
+  }
+  return points;
+}
+
+Submitted submitted_profile(const Profile& profile) {
+  const ProfilePoints points = points_of(profile);
+  return {{"profile", {{.value = 0, .abscissa = points.x, .values = {{"h", points.depth}, {"u", points.velocity}}}}}};
+}
+
+ProfilePoints submitted_points(const Submitted& submitted, double start, double end, double cell) {
+  const SubmittedGroup& group = submitted.at("profile").front();
+  const std::vector<double>& x = group.abscissa;
+  if (x.front() < start || x.back() > end) {
+    throw std::invalid_argument(
+        fmt::format("column x: values in [{:g}, {:g}], must be in [{:g}, {:g}]", x.front(), x.back(), start, end));
+  }
+  Largest apart;
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) apart.add(x[i + 1] - x[i]);
+  if (!(apart.value() <= 2 * cell)) {
+    throw std::invalid_argument(fmt::format(
+        "column x: points up to {:.3g} m apart, must be at most two cells of {:.3g} m: print more points, or "
+        "say how large your cells are by --dx",
+        apart.value(), cell));
+  }
+  return {x, group.values.at("h"), group.values.at("u")};
+}
+
+double judged_cell(double length, long cells, const SolverFacts& facts) {
+  const double cell = facts.cell.value_or(length / static_cast<double>(cells));
+  if (cell > length / 4) {
+    throw std::invalid_argument(
+        fmt::format("--dx {:g} is out of range: must be at most {:g}, a quarter of the channel", cell, length / 4));
+  }
+  return cell;
+}
+
+MeanErrors mean_errors(const ProfilePoints& points, const std::function<State(double)>& exact) {
+  const auto& [x, h, u] = points;
+  MeanErrors errors;
+  constexpr int samples = 16;
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    const double width = (x[i + 1] - x[i]) / samples;
+    for (int k = 0; k < samples; ++k) {
+      const double share = (k + 0.5) / samples;
+      const State there = exact(std::lerp(x[i], x[i + 1], share));
+      errors.depth += width * std::abs(std::lerp(h[i], h[i + 1], share) - there.depth);
+      errors.discharge +=
+          width * std::abs(std::lerp(h[i] * u[i], h[i + 1] * u[i + 1], share) - there.depth * there.velocity);
+      if (there.depth > 0) errors.velocity += width * std::abs(std::lerp(u[i], u[i + 1], share) - there.velocity);
+    }
+  }
+  const double covered = x.back() - x.front();
+  for (double* mean : {&errors.depth, &errors.velocity, &errors.discharge}) *mean /= covered;
+  return errors;
+}
+
+}  // namespace seiche::validation
