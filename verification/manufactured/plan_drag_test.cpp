@@ -1,15 +1,18 @@
-// Drag on the columns of the plan model: it takes the energy that it should, and leaves volumes alone.
+// Drag on the columns of the plan model: it takes the energy that it should, and leaves volumes alone; layers that
+// absorb.
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "validation/instruments/plan_standing_mode.hpp"
 #include "verification/check.hpp"
 
 namespace {
 
 using namespace seiche::dispersive_shallow_water_2d;
 using namespace seiche::verification;
+using seiche::evidence::Bound;
 using seiche::evidence::Order;
 using seiche::evidence::Roundoff;
 
@@ -98,4 +101,51 @@ TEST_CASE("friction at the bottom takes the energy of Manning's law", "[manufact
              {.value = volumes},
              Roundoff{.operations = 320, .scale = 6, .reason = "a rounded place, up to 6, per step"});
   check.measure("share of the energy lost", lost / Flow(sloshing()).energy());
+}
+
+TEST_CASE("a layer that absorbs makes standing waves decay at half of its rate", "[manufactured]") {
+  Check check("plan_absorption", "Absorption in plan",
+              "A standing wave of $10^{-6}$ depths in a basin 6 by 4 whose water slows down everywhere at the rate r = "
+              "0.3: $z'' + r z' + \\Omega^2 z = 0$, $\\Omega$ of the lattice in closed form. Elevation in a corner at "
+              "t = 7 against the solution.");
+  constexpr double rate = 0.3;
+  constexpr double time = 7;
+  constexpr double amplitude = 1e-6;
+  const seiche::validation::PlanTank tank{.columns = 12, .rows = 8, .length = 6, .width = 4, .depth = depth};
+  const double omega = tank.frequency(std::numbers::pi / 6, std::numbers::pi / 4);
+  const double damped = std::sqrt(omega * omega - 0.25 * rate * rate);
+  const double expected = std::exp(-0.5 * rate * time) * (std::cos(damped * time) + 0.5 * rate / damped * std::sin(damped * time));
+  std::vector<double> off;
+  const std::vector<double> steps{0.2, 0.1, 0.05, 0.025};
+  for (const double tau : steps) {
+    Flow flow(rectangular_lattice({.begin = 0,
+                                   .end = 6,
+                                   .south = 0,
+                                   .north = 4,
+                                   .columns = 12,
+                                   .rows = 8,
+                                   .elevation =
+                                       [](double x, double y) {
+                                         return amplitude * std::cos(std::numbers::pi * x / 6) *
+                                                std::cos(std::numbers::pi * y / 4);
+                                       },
+                                   .depth = depth}),
+              {}, {}, {.tolerance = 1e-13, .drag = {.absorption = [](seiche::Point) { return rate; }}});
+    flow.advance_to(time, tau);
+    off.push_back(std::abs(flow.z()[0] / amplitude - expected));
+  }
+  check.that({.id = "decay",
+              .text = "The wave swings and decays as the damped oscillator, to O(tau^2).",
+              .quantity = "order of the difference",
+              .source = "z'' + r z' + Omega^2 z = 0"},
+             seiche::evidence::observed_order(steps, off),
+             Order{2, 0.1, "the scheme is symmetric, and the decay of a step (1 - r tau/2)/(1 + r tau/2)"});
+  check.that({.id = "size",
+              .text = "And is that at the smallest step.",
+              .quantity = "difference over the first amplitude",
+              .source = "z'' + r z' + Omega^2 z = 0"},
+             {.value = off.back(), .resolution = "tau = 0.025"},
+             Bound{std::pow(omega * 0.025, 2) / 24 * omega * time + std::pow(rate * 0.025, 2) / 12 * rate * time,
+                   "the phase of the one-step scheme leads by (omega tau)^2/24 of itself; the decay of a step is "
+                   "exp(-r tau) but for (r tau)^3/12"});
 }

@@ -29,11 +29,18 @@ double inverse_along(const InverseMasses& inverse, std::size_t k, Point t) {
 
 }  // namespace
 
-Drag::Drag(DragSettings settings, const Lattice& lattice) : settings_(settings), columns_(lattice.shape.columns) {
+Drag::Drag(DragSettings settings, const Lattice& lattice) : settings_(settings), shape_(lattice.shape) {
   require_not_negative("manning", settings.manning);
   require_not_negative("shore_rate", settings.shore_rate);
+  require_not_negative("lattice_rate", settings.lattice_rate);
   if (settings.shore_rate > 0 && !std::holds_alternative<plan_lattice::ShoreSide>(lattice.sides.south)) {
     throw std::invalid_argument("shore_rate without a shoreline on the south side; allowed: 0");
+  }
+  if (settings.absorption) {
+    for (std::size_t k = 0; k < lattice.shape.nodes(); ++k) {
+      absorption_.push_back(settings.absorption({lattice.x[k], lattice.y[k]}));
+      require_not_negative("absorption", absorption_.back());
+    }
   }
 }
 
@@ -54,8 +61,8 @@ void Drag::measure(const Lattice& lattice, std::span<const double> volumes, mech
     for (std::size_t k = 0; k < n; ++k) depth_[k] /= area_[k];
   }
   if (settings_.shore_rate > 0) {
-    along_.resize(columns_ + 1);
-    for (std::size_t i = 1; i < columns_; ++i) {
+    along_.resize(shape_.columns + 1);
+    for (std::size_t i = 1; i < shape_.columns; ++i) {
       const Point chord{q[i + 1] - q[i - 1], q[n + i + 1] - q[n + i - 1]};
       const double length = std::hypot(chord.x, chord.y);
       along_[i] = {chord.x / length, chord.y / length};
@@ -76,8 +83,8 @@ void Drag::slow(std::span<const double> masses, const InverseMasses& inverse, do
   }
   if (settings_.shore_rate > 0) {
     // Between the ends, which lie on walls.
-    for (std::size_t i = 1; i < columns_; ++i) {
-      const std::size_t beside = i + columns_ + 1;
+    for (std::size_t i = 1; i < shape_.columns; ++i) {
+      const std::size_t beside = i + shape_.columns + 1;
       const Point t = along_[i];
       const double difference = (u[i] - u[beside]) * t.x + (u[n + i] - u[n + beside]) * t.y;
       const double part = h * settings_.shore_rate / (1 + h * settings_.shore_rate);
@@ -85,6 +92,28 @@ void Drag::slow(std::span<const double> masses, const InverseMasses& inverse, do
       push(inverse, i, {-impulse * t.x, -impulse * t.y}, u);
       push(inverse, beside, {impulse * t.x, impulse * t.y}, u);
     }
+  }
+  if (settings_.lattice_rate > 0) slow_pattern(masses, inverse, h, u);
+  for (std::size_t k = 0; k < absorption_.size(); ++k) {
+    const double left = 1 / (1 + h * absorption_[k]);
+    for (const std::size_t axis : {0, 1, 2}) u[axis * n + k] *= left;
+  }
+}
+
+// Cell after cell: each takes energy.
+void Drag::slow_pattern(std::span<const double> masses, const InverseMasses& inverse, double h,
+                        mechanics::Output u) const {
+  const std::size_t n = masses.size();
+  const double part = h * settings_.lattice_rate / (1 + h * settings_.lattice_rate);
+  for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+    const auto [c0, c1, c2, c3] = shape_.corners(cell);
+    const double lightness = 1 / masses[c0] + 1 / masses[c1] + 1 / masses[c2] + 1 / masses[c3];
+    const Force impulse{part / lightness * (u[c0] - u[c1] + u[c2] - u[c3]),
+                        part / lightness * (u[n + c0] - u[n + c1] + u[n + c2] - u[n + c3])};
+    push(inverse, c0, {-impulse.x, -impulse.y}, u);
+    push(inverse, c1, impulse, u);
+    push(inverse, c2, {-impulse.x, -impulse.y}, u);
+    push(inverse, c3, impulse, u);
   }
 }
 

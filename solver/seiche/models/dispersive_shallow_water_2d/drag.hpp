@@ -11,9 +11,19 @@
 /// end. Between a marker of a shoreline on the south side and its neighbour in the next row a force along the shore
 /// makes the difference d of their speeds along it decay, d' = -rate d. It acts on both and keeps momentum.
 ///
-/// Either takes energy and gives none back, over steps of any length: implicit in the speeds that it slows down.
+/// The pattern + - + - of a cell's corners changes no volume, so that nothing restores it, and grows in waves until the
+/// lattice folds. Forces on the four corners make its velocity g decay, g' = -rate g. They keep momentum, and on
+/// parallelograms angular momentum. Motions that are linear over a cell have nothing of it; of a smooth wave with
+/// wavenumber (k1, k2) it takes the part (k1 h1 k2 h2/4)^2 of rate.
+///
+/// A layer that absorbs waves makes all velocities decay, u' = -rate u, at a rate that each column was given at the
+/// beginning: let it grow smoothly from 0 over about a wavelength before a wall, or waves turn back at its edge. On sides
+/// that prescribe velocities it must be 0.
+///
+/// All take energy and give none back, over steps of any length: implicit in the speeds that they slow down.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -26,14 +36,21 @@ namespace seiche::dispersive_shallow_water_2d {
 struct DragSettings {
   double manning = 0;     ///< n [s/m^(1/3)]; smooth concrete: 0.011 to 0.013
   double shore_rate = 0;  ///< [1/s]
+  double lattice_rate = 0;  ///< of the pattern + - + - [1/s]; a few times the frequency of the waves
+  /// Rate of an absorbing layer [1/s] at the first place of a column; empty for none. Not with a moving window.
+  std::function<double(Point)> absorption = {};
 };
 
 class Drag {
  public:
-  /// Throws std::invalid_argument for negative settings, and for a shore_rate without a shoreline on the south side.
+  /// Throws std::invalid_argument for negative settings, rates of absorption that are negative or not finite, and for a
+  /// shore_rate without a shoreline on the south side.
   Drag(DragSettings settings, const Lattice& lattice);
 
-  [[nodiscard]] bool active() const { return settings_.manning > 0 || settings_.shore_rate > 0; }
+  [[nodiscard]] bool active() const {
+    return settings_.manning > 0 || settings_.shore_rate > 0 || settings_.lattice_rate > 0 || !absorption_.empty();
+  }
+  [[nodiscard]] bool absorbs() const { return !absorption_.empty(); }
   /// Depths and directions at places q = (x, y, z).
   void measure(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q);
   /// Slows velocities u = (u, v, w) down over h.
@@ -41,10 +58,13 @@ class Drag {
             mechanics::Output u) const;
 
  private:
+  void slow_pattern(std::span<const double> masses, const InverseMasses& inverse, double h, mechanics::Output u) const;
+
   DragSettings settings_;
-  std::size_t columns_;
+  plan_lattice::Shape shape_;
   std::vector<double> depth_, area_;
   std::vector<Point> along_;  ///< the shore, at the markers of the south side
+  std::vector<double> absorption_;  ///< rates of the nodes; empty for none
 };
 
 }  // namespace seiche::dispersive_shallow_water_2d
