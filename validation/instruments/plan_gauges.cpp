@@ -76,8 +76,7 @@ double PlanGauges::read_one(std::size_t gauge, PlanSurface surface) {
   std::size_t& cell = cells_[gauge];
   if (cell == none) cell = nearest_cell(places_[gauge], surface);
   for (std::size_t moves = 0; moves <= shape_.columns + shape_.rows; ++moves) {
-    const Local at =
-        find(places_[gauge], corners_of(surface.x, shape_, cell), corners_of(surface.y, shape_, cell));
+    const Local at = find(places_[gauge], corners_of(surface.x, shape_, cell), corners_of(surface.y, shape_, cell));
     const std::size_t i = cell % shape_.columns;
     const std::size_t j = cell / shape_.columns;
     const auto next = [](double share, std::size_t index, std::size_t count) {

@@ -23,8 +23,8 @@ exact::PlanDispersion PlanTank::law() const {
 }
 
 double PlanTank::frequency(double kx, double ky) const {
-  const exact::PlanSymbol symbol = exact::plan_symbol(kx, ky, length / static_cast<double>(columns),
-                                                      width / static_cast<double>(rows));
+  const exact::PlanSymbol symbol =
+      exact::plan_symbol(kx, ky, length / static_cast<double>(columns), width / static_cast<double>(rows));
   const double steepened = gamma * std::pow(depth * symbol.gradient, 2) / symbol.potential;
   return law().frequency(kx, ky) * std::sqrt(1 + steepened);
 }
@@ -67,11 +67,10 @@ double PlanMode::amplitude(const Lattice& lattice, std::span<const double> value
 }
 
 PlanMode::Eigenvalue PlanMode::eigenvalue() const {
-  Model model(lattice(),
-              {.gravity = tank_.gravity,
-               .inertia = tank_.inertia,
-               .gamma = tank_.gamma,
-               .solver = linear::NinePointMethod::sparse});
+  Model model(lattice(), {.gravity = tank_.gravity,
+                          .inertia = tank_.inertia,
+                          .gamma = tank_.gamma,
+                          .solver = linear::NinePointMethod::sparse});
   const Lattice& first = model.lattice();
   const mechanics::State rest = model.state();
   const std::size_t n = model.nodes();

@@ -77,7 +77,8 @@ Submitted compute(const Run& run, double coarsening) {
   };
   observe();
   flow.advance_to(island.passage() + 6, island.step(), observe);
-  return {{"gauges", records}, {"runup", {{.value = 0, .abscissa = envelope.angle(), .values = {{"R", envelope.runup()}}}}}};
+  return {{"gauges", records},
+          {"runup", {{.value = 0, .abscissa = envelope.angle(), .values = {{"R", envelope.runup()}}}}}};
 }
 
 Experiment experiment(const Values& values) {

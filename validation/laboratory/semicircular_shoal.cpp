@@ -29,16 +29,18 @@ const std::string source =
 struct Train {
   double amplitude;  ///< [m]
   double settled;    ///< [s]
+  long periods;      ///< from then on that are judged
 };
 
 Train train_of(long period) {
-  if (period == 1) return {0.0195, 40};
-  if (period == 2) return {0.0075, 30};
-  return {0.0068, 30};
+  if (period == 1) return {0.0195, 34, 3};
+  if (period == 2) return {0.0075, 28, 2};
+  return {0.0068, 30, 2};
 }
 
 double bottom(double x, double y) {
-  const double edge = 10.67 - std::sqrt(std::max(half_width * half_width - y * y, 0.0));
+  const double from_axis = std::min(std::abs(y), half_width - 0.15);  // beside the walls the edge is infinitely steep
+  const double edge = 10.67 - std::sqrt(half_width * half_width - from_axis * from_axis);
   return -0.4572 + std::clamp((x - edge) / 25, 0.0, 0.3048);
 }
 
@@ -46,7 +48,7 @@ double bottom(double x, double y) {
 Submitted compute(const Run& run, double coarsening) {
   const long period = run.integer("period");
   const double spacing = coarsening * run.real("spacing");
-  const auto [amplitude, settled] = train_of(period);
+  const auto [amplitude, settled, periods] = train_of(period);
   auto flow = basin_flow({.begin = 0,
                           .end = 31,
                           .south = 0,
@@ -65,13 +67,17 @@ Submitted compute(const Run& run, double coarsening) {
     abscissa.push_back(4.5 + 0.1 * k);
     places.push_back({abscissa.back(), 0});
   }
-  const auto amplitudes = harmonics_at(flow, places, period == 1 ? 2 : 3, length, steps, 4);
+  const auto amplitudes = harmonics_at(flow, places, period == 1 ? 2 : 3, length, steps, periods);
   std::vector<SubmittedGroup> groups;
   for (std::size_t order = 0; order < amplitudes.size(); ++order) {
     groups.push_back(
         {.value = static_cast<double>(order + 1), .abscissa = abscissa, .values = {{"a", amplitudes[order]}}});
   }
   return {{"harmonics", groups}};
+}
+
+std::map<std::string, evidence::KnownFailure> misses(long /*period*/) {
+  return {};
 }
 
 Experiment experiment(const Values& values) {

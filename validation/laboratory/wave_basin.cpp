@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include "validation/laboratory/wave_basin.hpp"
 
 #include <cmath>
@@ -17,7 +16,8 @@ namespace {
 using dispersive_shallow_water_2d::Flow;
 
 constexpr double gravity = 9.81;
-constexpr double ramp = 2;  // periods
+constexpr double ramp = 2;           // periods
+constexpr double lattice_rate = 20;  // [1/s], above what steep waves of 1 s make the lattice's pattern grow at
 
 }  // namespace
 
@@ -38,7 +38,8 @@ Flow basin_flow(const Basin& basin, const PaddleWaves& waves) {
   const auto cells = [&](double length) { return static_cast<std::size_t>(std::ceil(length / basin.spacing - 1e-9)); };
   const plan_lattice::DrivenSide paddle{
       [largest = paddle_velocity(waves), period = waves.period](plan_lattice::Place, double time) {
-        const double grown = time < ramp * period ? std::pow(std::sin(0.5 * std::numbers::pi * time / (ramp * period)), 2) : 1;
+        const double grown =
+            time < ramp * period ? std::pow(std::sin(0.5 * std::numbers::pi * time / (ramp * period)), 2) : 1;
         return Point{largest * grown * std::sin(2 * std::numbers::pi * time / period), 0};
       }};
   const auto absorption = [basin](Point at) {
@@ -58,7 +59,7 @@ Flow basin_flow(const Basin& basin, const PaddleWaves& waves) {
                .inertia = 1.0 / 3 + improved,
                .gamma = improved,
                .tolerance = 1e-8,
-               .drag = {.lattice_rate = std::getenv("LR") ? std::atof(std::getenv("LR")) : 0.0, .absorption = absorption}});
+               .drag = {.lattice_rate = lattice_rate, .absorption = absorption}});
 }
 
 std::vector<std::vector<double>> harmonics_at(Flow& flow, const std::vector<Point>& places, std::size_t orders,

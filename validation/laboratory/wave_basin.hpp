@@ -23,13 +23,13 @@ namespace seiche::validation::laboratory {
 inline const std::string basin_model = "dispersive shallow water in plan, improved dispersion";
 
 struct Basin {
-  double begin = 0, end = 1;    ///< place of the paddle at rest, of the far wall
-  double south = 0, north = 1;  ///< walls
+  double begin = 0, end = 1;                         ///< place of the paddle at rest, of the far wall
+  double south = 0, north = 1;                       ///< walls
   std::function<double(double x, double y)> bottom;  ///< z from the still-water level
-  double raster = 0.1;      ///< spacing of the bottom's elevations, between which it is a bicubic spline
-  double spacing = 0.1;     ///< of the columns at rest, or a little less
-  double absorbed_from = 1; ///< place where the layer begins
-  double absorption = 3;    ///< its rate at the far wall, to which it grows as the square of the distance [1/s]
+  double raster = 0.1;       ///< spacing of the bottom's elevations, between which it is a bicubic spline
+  double spacing = 0.1;      ///< of the columns at rest, or a little less
+  double absorbed_from = 1;  ///< place where the layer begins
+  double absorption = 3;     ///< its rate at the far wall, to which it grows as the square of the distance [1/s]
 };
 
 /// Regular waves of small amplitude at the paddle.

@@ -39,8 +39,7 @@ std::vector<NamedTank> tanks() {
           {"oblong", {.columns = 20, .rows = 8, .length = 5, .width = 4}},
           {"dimensional",
            {.columns = 10, .rows = 9, .length = 3, .width = 4, .depth = 0.7, .gravity = 9.81, .inertia = 0.4}},
-          {"improved",
-           {.columns = 12, .rows = 9, .length = 5, .width = 4, .inertia = 0.4, .gamma = 1.0 / 15}}};
+          {"improved", {.columns = 12, .rows = 9, .length = 5, .width = 4, .inertia = 0.4, .gamma = 1.0 / 15}}};
 }
 
 /// Of the equation for the pressure, 1 - H^2/3 times the differences of the cells.

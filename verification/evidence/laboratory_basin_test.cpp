@@ -1,5 +1,5 @@
-// Waves in laboratory basins of the plan model: what a paddle makes, what the layer before the far wall leaves, and what
-// gauges read on a lattice that moves.
+// Waves in laboratory basins of the plan model: what a paddle makes, what the layer before the far wall leaves, and
+// what gauges read on a lattice that moves.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -100,8 +100,7 @@ TEST_CASE("a paddle makes the waves it should and the layer leaves none of them"
                 .text = "Waves are as high as linear theory of the model says.",
                 .quantity = "amplitude over the stated one, less 1",
                 .source = "validation/laboratory/wave_basin.hpp"},
-               {.value = fine.mean - 1, .resolution = "h = 0.075 m"},
-               Bound{.limit = 0.01, .reason = "to be stated"});
+               {.value = fine.mean - 1, .resolution = "h = 0.075 m"}, Bound{.limit = 0.01, .reason = "to be stated"});
     (void)k;
     (void)step;
     const double speed = 1;
@@ -121,7 +120,8 @@ TEST_CASE("gauges read the surface where they stand while the lattice moves", "[
               "inside, on a node, on a side; the lattice then drifts by 2.5 cells.");
   const Sheet before(0);
   const Sheet after(2.5);
-  std::vector<Point> places{{before.x[30], before.y[30]}, {0.5 * (before.x[3] + before.x[4]), 0.5 * (before.y[3] + before.y[4])}};
+  std::vector<Point> places{{before.x[30], before.y[30]},
+                            {0.5 * (before.x[3] + before.x[4]), 0.5 * (before.y[3] + before.y[4])}};
   for (int k = 0; k < 8; ++k) places.push_back({3.1 + 0.7 * k, 1.2 + 0.61 * k});
   PlanGauges gauges(before.shape, places);
   Worst worst;

@@ -107,6 +107,8 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
   settings("manning", "Negative friction.", {"manning", "-1", "non-negative"}, {.drag = {.manning = -1}});
   settings("shore_rate", "A force along a shore where there is none.", {"shore_rate", "shoreline", "south"},
            {.drag = {.shore_rate = 1}});
+  settings("lattice_rate", "A pattern that is driven.", {"lattice_rate", "-1", "non-negative"},
+           {.drag = {.lattice_rate = -1}});
   settings("absorption", "A layer that gives energy.", {"absorption", "-1", "non-negative"},
            {.drag = {.absorption = [](Point at) { return at.x - 1; }}});
   settings("gamma", "Improved dispersion the wrong way.", {"gamma", "-0.1", "non-negative"}, {.gamma = -0.1});

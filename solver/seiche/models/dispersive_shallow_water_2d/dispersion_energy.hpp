@@ -1,6 +1,7 @@
 /// Improved dispersion of the plan model: an energy of the surface's slope beside the potential energy,
 ///
-/// @f[ \Pi_\gamma = \frac{g \gamma}{2} \int H^2 |\nabla z|^2 dA = \sum_s \frac{g \gamma V_s^2}{8} \frac{|\mathbf{D}|^2}{A^3},
+/// @f[ \Pi_\gamma = \frac{g \gamma}{2} \int H^2 |\nabla z|^2 dA = \sum_s \frac{g \gamma V_s^2}{8}
+/// \frac{|\mathbf{D}|^2}{A^3},
 ///     \qquad \mathbf{D} = (z_2 - z_0)(\mathbf{r}_3 - \mathbf{r}_1) - (z_3 - z_1)(\mathbf{r}_2 - \mathbf{r}_0) @f]
 ///
 /// of cells of volume V and area A with corners r_0..r_3 in plan; |D|/(2 A) is the slope of the surface between the two

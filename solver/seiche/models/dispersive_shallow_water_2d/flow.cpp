@@ -10,8 +10,8 @@ namespace seiche::dispersive_shallow_water_2d {
 
 namespace {
 
-/// 2/omega with omega^2 = g H K^2 (1 + gamma H^2 K^2)/(1 + alpha H^2 K^2), K^2 = 4/h1^2 + 4/h2^2 of the narrowest cell: K
-/// is larger than that of any mode, and the factor G < 1 of the dispersion law is left out.
+/// 2/omega with omega^2 = g H K^2 (1 + gamma H^2 K^2)/(1 + alpha H^2 K^2), K^2 = 4/h1^2 + 4/h2^2 of the narrowest cell:
+/// K is larger than that of any mode, and the factor G < 1 of the dispersion law is left out.
 double surely_stable_step(const Model& model) {
   const Lattice& lattice = model.lattice();
   const Settings& settings = model.settings();
