@@ -2,7 +2,8 @@
 Regular waves of 1 s are focused by an elliptic shoal on a slope (Berkhoff, Booij and Radder).
 
 **What is compared.** Amplitude over the incident one along eight sections: the largest, where it is, and the root
-mean square difference. The case scores others.
+mean square difference. The case scores others, and in the full tier the plan model with improved dispersion is judged by
+the same claims: a paddle at x = -10 m, the depth cut at 0.1 m, and a layer beyond 11 m in which waves are absorbed.
 
 **What to look at.** The focus lies on the shallower side, y < 0: a result of another handedness is mirrored. Linear
 theory has the pattern right and the peaks behind the focus a tenth too high; the waves are steep enough for that.
