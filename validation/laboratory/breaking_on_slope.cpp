@@ -44,8 +44,8 @@ Along along_slope(const Wave& wave, double spacing) {
                     .friction = {dispersive::FrictionLaw::manning, 0.01},
                     .breaking = dispersive::Breaking{}};
   const double toe = -depth / slope;
-  dispersive::Flow flow = cnoidal_waves(
-      flume, {.depth = depth, .height = wave.height, .period = wave.period, .from = -80, .to = toe});
+  dispersive::Flow flow =
+      cnoidal_waves(flume, {.depth = depth, .height = wave.height, .period = wave.period, .from = -80, .to = toe});
   flow.advance_to(25, flume.tau);
   std::vector<double> places;
   for (double x = 0; x < 10.5; x += 0.05) places.push_back(toe + x);
@@ -112,7 +112,9 @@ Experiment experiment(const Values& /*values*/) {
     heights.readings.push_back(misfit(wave, {0, breaking}));
     levels.readings.push_back(misfit(wave, {0, breaking}));
   }
-  return {.source = source, .parts = {heights, levels}, .files = {"hansen_svendsen_1979_shoaling_breaking/bed.csv"},
+  return {.source = source,
+          .parts = {heights, levels},
+          .files = {"hansen_svendsen_1979_shoaling_breaking/bed.csv"},
           .compute = compute,
           .model = "dispersive shallow water with breaking"};
 }

@@ -103,9 +103,9 @@ Flow cnoidal_waves(const Flume& flume, const Cnoidal& train) {
   // Without a mean discharge the wave runs with Q/depth.
   const auto period_of = [&](double length) { return length * train.depth / wave_of(length).discharge(); };
   const double longest = train.period * std::sqrt(flume.gravity * (train.depth + train.height));
-  const auto [below, above] = boost::math::tools::bisect(
-      [&](double length) { return period_of(length) - train.period; }, longest / 2, longest,
-      boost::math::tools::eps_tolerance<double>(40));
+  const auto [below, above] =
+      boost::math::tools::bisect([&](double length) { return period_of(length) - train.period; }, longest / 2, longest,
+                                 boost::math::tools::eps_tolerance<double>(40));
   const exact::SerreCnoidal wave = wave_of(0.5 * (below + above));
   const auto elevation = [=, length = wave.wavelength()](double x) {
     return fade(x - train.from, length) * fade(train.to - x, length) * wave.elevation(x - train.to);

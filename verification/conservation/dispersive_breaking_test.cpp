@@ -66,12 +66,10 @@ TEST_CASE("breaking keeps mass and momentum and takes energy", "[conservation]")
     taken = flow.lost().breaking;
   }
   const double operations = steps * 320;
-  check.that({.id = "momentum",
-              .text = "Momentum stays.",
-              .quantity = "largest defect over the momentum",
-              .source = source},
-             {.value = flow.ledger().largest_defect("momentum") / momentum},
-             Roundoff{.operations = operations, .scale = 4, .reason = "a rounded force per marker and step"});
+  check.that(
+      {.id = "momentum", .text = "Momentum stays.", .quantity = "largest defect over the momentum", .source = source},
+      {.value = flow.ledger().largest_defect("momentum") / momentum},
+      Roundoff{.operations = operations, .scale = 4, .reason = "a rounded force per marker and step"});
   check.that({.id = "volumes",
               .text = "The volume of every cell stays.",
               .quantity = "largest defect",
@@ -150,6 +148,5 @@ TEST_CASE("a low bore stays undular", "[conservation]") {
               .text = "Breaking takes nothing of it.",
               .quantity = "energy taken",
               .source = "Favre (1935): bores below 1.3 are undular"},
-             {.value = flow.lost().breaking},
-             Bound{.limit = 0, .reason = "no front breaks"});
+             {.value = flow.lost().breaking}, Bound{.limit = 0, .reason = "no front breaks"});
 }

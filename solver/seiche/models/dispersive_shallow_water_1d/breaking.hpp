@@ -19,8 +19,8 @@
 ///
 /// @f[ \nu = 2 \sqrt{\alpha} \, h c \, \sqrt{1 - \frac{h_1 (h_1 + h_2)}{2 h_2^2}} @f]
 ///
-/// No experiment enters but for where breaking begins and ends. Mass and momentum decide the depth behind a bore and the
-/// energy that it loses, which are those of the hydraulic jump, whatever the viscosity.
+/// No experiment enters but for where breaking begins and ends. Mass and momentum decide the depth behind a bore and
+/// the energy that it loses, which are those of the hydraulic jump, whatever the viscosity.
 ///
 /// When not to use it: overturning itself, and jets; bores with Fr below ceasing_froude, which are undular.
 ///

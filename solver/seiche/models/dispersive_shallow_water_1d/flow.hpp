@@ -74,7 +74,8 @@ class Flow {
   [[nodiscard]] double energy() const;  ///< kinetic and potential, zero for still water [J/m]
   /// What friction and breaking took since the beginning.
   [[nodiscard]] Losses lost() const;
-  /// Mass, momentum, energy, volumes since the beginning; what friction and breaking took is booked. Costs several passes: `observe` takes a record.
+  /// Mass, momentum, energy, volumes since the beginning; what friction and breaking took is booked. Costs several
+  /// passes: `observe` takes a record.
   void observe();
   [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_->ledger(); }
 

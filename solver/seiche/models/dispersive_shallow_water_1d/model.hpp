@@ -100,8 +100,8 @@ class Model {
                                      int sweep);
   [[nodiscard]] double place(std::size_t rate) const;
 
-  /// Friction and breaking of the channel act on the rates u over h at places q that stay: q and Pi are not touched, and
-  /// what is lost of the kinetic energy is returned. Never gains any. Throws mechanics::Infeasible like linearise.
+  /// Friction and breaking of the channel act on the rates u over h at places q that stay: q and Pi are not touched,
+  /// and what is lost of the kinetic energy is returned. Never gains any. Throws mechanics::Infeasible like linearise.
   Losses lose(double h, Input q, Output u);
   [[nodiscard]] bool loses() const { return channel_.friction.active() || channel_.breaking.has_value(); }
   /// Of cells at the last loss, see BreakingFronts; empty without breaking.

@@ -9,8 +9,8 @@ namespace seiche::dispersive_shallow_water_1d {
 
 void Model::prepare_losses() {
   if (channel_.breaking) fronts_.emplace(*channel_.breaking, cells_);
-  for (std::vector<double>* array : {&velocity_x_, &velocity_y_, &still_, &friction_rate_, &pair_diagonal_,
-                                     &pair_coupling_}) {
+  for (std::vector<double>* array :
+       {&velocity_x_, &velocity_y_, &still_, &friction_rate_, &pair_diagonal_, &pair_coupling_}) {
     array->assign(n_, 0.0);
   }
   rates_.assign(2 * n_, 0.0);
