@@ -22,6 +22,10 @@
 /// No experiment enters but for where breaking begins and ends. Mass and momentum decide the depth behind a bore and
 /// the energy that it loses, which are those of the hydraulic jump, whatever the viscosity.
 ///
+/// What is left of a broken wave becomes thin. Where markers stand farther apart than the water is deep, going up and
+/// down by turns is no wave of the model's but would dry them: there neighbours exchange vertical momentum too, by the
+/// factor alpha m omega/2, omega^2 = g/(3 alpha h), which damps this critically and leaves what is smooth.
+///
 /// When not to use it: overturning itself, and jets; bores with Fr below ceasing_froude, which are undular.
 ///
 /// References: M. Tissier, P. Bonneton, F. Marche, F. Chazel, D. Lannes, Coastal Eng. 67 (2012) 54 (30 degrees, 1.3);
