@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include <boost/math/tools/roots.hpp>
+
+#include "seiche/exact/serre_cnoidal.hpp"
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "validation/instruments/agreement.hpp"
 
@@ -16,6 +19,11 @@ using dispersive::Flow;
 using dispersive::SurfaceMotion;
 
 constexpr double courant = 0.3;  // of the longest stable step
+
+/// From 0 to 1 over about a wavelength that begins at s = 0.
+double fade(double s, double length) {
+  return 0.5 * (1 + std::tanh(4 * s / length - 2));
+}
 
 /// What moved water needs, from its elevation and velocity alone: slopes and areas by differences.
 Flow moved_water(const Flume& flume, const std::function<double(double)>& elevation,
@@ -52,6 +60,8 @@ Channel Flume::channel() const {
                   .kinetics = dispersive::Kinetics::green_naghdi};
   channel.gamma = gamma;
   channel.alpha = 1.0 / 3 + gamma;
+  channel.friction = friction;
+  channel.breaking = breaking;
   return channel;
 }
 
@@ -77,13 +87,32 @@ Flow regular_waves(const Flume& flume, const Train& train) {
   const double length = 2 * std::numbers::pi / k;
   const double sigma = std::tanh(k * train.depth);
   const double second = 0.25 * k * train.amplitude * (3 - sigma * sigma) / std::pow(sigma, 3);
-  const auto fade = [&](double s) { return 0.5 * (1 + std::tanh(4 * s / length - 2)); };
   const auto elevation = [=](double x) {
     const double phase = k * (x - train.to);
-    return train.amplitude * fade(x - train.from) * fade(train.to - x) *
+    return train.amplitude * fade(x - train.from, length) * fade(train.to - x, length) *
            (std::cos(phase) + second * std::cos(2 * phase));
   };
   const auto velocity = [=](double x) { return speed * elevation(x) / (train.depth + elevation(x)); };
+  return moved_water(flume, elevation, velocity);
+}
+
+Flow cnoidal_waves(const Flume& flume, const Cnoidal& train) {
+  const auto wave_of = [&](double length) {
+    return exact::SerreCnoidal(train.height, length, train.depth, flume.gravity);
+  };
+  // Without a mean discharge the wave runs with Q/depth.
+  const auto period_of = [&](double length) { return length * train.depth / wave_of(length).discharge(); };
+  const double longest = train.period * std::sqrt(flume.gravity * (train.depth + train.height));
+  const auto [below, above] =
+      boost::math::tools::bisect([&](double length) { return period_of(length) - train.period; }, longest / 2, longest,
+                                 boost::math::tools::eps_tolerance<double>(40));
+  const exact::SerreCnoidal wave = wave_of(0.5 * (below + above));
+  const auto elevation = [=, length = wave.wavelength()](double x) {
+    return fade(x - train.from, length) * fade(train.to - x, length) * wave.elevation(x - train.to);
+  };
+  const auto velocity = [=, flux = wave.discharge() / train.depth](double x) {
+    return flux * elevation(x) / (train.depth + elevation(x));
+  };
   return moved_water(flume, elevation, velocity);
 }
 

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
@@ -26,6 +27,8 @@ struct Flume {
   bool shoreline = false;            ///< at the right end, instead of a wall at the last knot
   double gravity = 9.81;
   double gamma = 0;
+  dispersive::Friction friction = {};
+  std::optional<dispersive::Breaking> breaking = {};
 
   [[nodiscard]] dispersive::Channel channel() const;
 };
@@ -47,6 +50,14 @@ double gamma_of(const std::string& dispersion);
 double wavenumber(double depth, double period, double gravity, double gamma);
 
 dispersive::Flow regular_waves(const Flume& flume, const Train& train);
+
+/// Cnoidal waves of Serre's equations (exact/serre_cnoidal.hpp) of this height and period, without a mean discharge;
+/// they fade like regular_waves.
+struct Cnoidal {
+  double depth = 1, height = 0.02, period = 1;
+  double from = 0, to = 1;  ///< [m]
+};
+dispersive::Flow cnoidal_waves(const Flume& flume, const Cnoidal& train);
 
 /// Solitary waves of Serre's equations, `direction` 1 or -1, far from each other.
 struct Solitary {

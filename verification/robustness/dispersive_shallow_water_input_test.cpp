@@ -58,6 +58,14 @@ TEST_CASE("bad constants of a channel are refused with name, value and range", "
           [](Channel& c) { c.depth_power = not_a_number; });
   refused("reference_depth", "A reference depth of zero.", {"reference_depth", "= 0", "positive"},
           [](Channel& c) { c.reference_depth = 0; });
+  refused("friction", "Friction that drives.", {"friction coefficient", "= -0.01", "non-negative"},
+          [](Channel& c) { c.friction.coefficient = -0.01; });
+  refused("onset_slope", "Fronts that break when level.", {"onset_slope", "= 0", "positive"},
+          [](Channel& c) { c.breaking = Breaking{.onset_slope = 0}; });
+  refused("ceasing_froude", "A bore slower than any.", {"ceasing_froude", "= 0.9", "[1"},
+          [](Channel& c) { c.breaking = Breaking{.ceasing_froude = 0.9}; });
+  refused("share", "A viscosity that drives.", {"share", "= -1", "positive"},
+          [](Channel& c) { c.breaking = Breaking{.share = -1}; });
   refused("period", "A negative period.", {"period", "= -6", "non-negative"}, [](Channel& c) { c.period = -6; });
   refused("short_period", "A period shorter than the water.", {"x[5]", "= 5", "period"},
           [](Channel& c) { c.period = 4; });

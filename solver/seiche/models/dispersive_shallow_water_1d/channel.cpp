@@ -14,6 +14,8 @@ void Channel::validate() const {
   require_not_negative("gamma", gamma);
   require_finite("depth_power", depth_power);
   require_positive("reference_depth", reference_depth);
+  friction.validate();
+  if (breaking) breaking->validate();
   if (kinetics == Kinetics::green_naghdi && alpha < 0.25) {
     throw std::invalid_argument(
         "kinetics = green_naghdi needs alpha >= 1/4: the kinetic energy over steep slopes "

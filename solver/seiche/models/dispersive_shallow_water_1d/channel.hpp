@@ -2,8 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "seiche/geometry/bottom_profile.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/breaking.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/friction.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
 
@@ -47,6 +50,9 @@ struct Channel {
   double gamma = 0;
   double depth_power = 2;      ///< s
   double reference_depth = 1;  ///< H0 [m], without effect for s = 2
+
+  Friction friction = {};                 ///< none, as in Frank's own model
+  std::optional<Breaking> breaking = {};  ///< likewise
 
   /// Throws std::invalid_argument.
   void validate() const;

@@ -31,7 +31,26 @@ Flow& Flow::operator=(Flow&&) noexcept = default;
 void Flow::advance(double tau) {
   mechanics::require_step(tau);
   if (tau > stable_step()) ++beyond_stability_;
+  lose(tau / 2);
   stepper_->step(state_, tau);
+  lose(tau / 2);
+}
+
+/// Half of a step's losses before it and half after it: second order, as the step itself.
+void Flow::lose(double h) {
+  if (!model_->loses()) return;
+  try {
+    const Losses lost = model_->lose(h, state_.q, state_.u);
+    friction_.add(lost.friction);
+    breaking_.add(lost.breaking);
+    friction_impulse_.add(lost.friction_impulse);
+  } catch (const mechanics::Infeasible& failure) {
+    throw Divergence(failure.what(), state_.time, state_.steps, failure.place());
+  }
+}
+
+Losses Flow::lost() const {
+  return {friction_.value(), breaking_.value(), friction_impulse_.value()};
 }
 
 void Flow::advance_to(double time, double tau, const std::function<void()>& after_step, double courant) {
@@ -125,6 +144,14 @@ double Flow::energy() const {
 }
 
 void Flow::observe() {
+  const Losses now = lost();
+  mechanics::InvariantsLedger& ledger = watch_->ledger();
+  const auto book = [&](const std::string& name, double amount) {
+    ledger.book(static_cast<std::size_t>(&ledger.entry(name) - ledger.entries().data()), amount);
+  };
+  book("energy", booked_.friction - now.friction + booked_.breaking - now.breaking);
+  book("momentum_x", booked_.friction_impulse - now.friction_impulse);
+  booked_ = now;
   watch_->record(state_);
 }
 

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "seiche/compensated_sum.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/integrators.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 
@@ -71,7 +72,10 @@ class Flow {
   [[nodiscard]] Crest crest() const;
 
   [[nodiscard]] double energy() const;  ///< kinetic and potential, zero for still water [J/m]
-  /// Mass, momentum, energy, volumes since the beginning. Costs several passes: `observe` takes a record.
+  /// What friction and breaking took since the beginning.
+  [[nodiscard]] Losses lost() const;
+  /// Mass, momentum, energy, volumes since the beginning; what friction and breaking took is booked. Costs several
+  /// passes: `observe` takes a record.
   void observe();
   [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_->ledger(); }
 
@@ -80,6 +84,10 @@ class Flow {
   mechanics::State state_;
   std::unique_ptr<mechanics::SchemeStepper<Model>> stepper_;
   std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;
+  void lose(double h);
+
+  CompensatedSum friction_, breaking_, friction_impulse_;
+  Losses booked_ = {};  // in the ledger
   long beyond_stability_ = 0;
 };
 

@@ -25,6 +25,7 @@ Model::Model(Channel channel, const Markers& initial, Forcing forcing)
   weights_ = {.gravity = weight, .slope_energy = channel_.slope_energy};
   weigh(initial);
   for (std::size_t j = 0; j < cells_; ++j) dispersion_weight_.push_back(0.5 * weight * dispersion_energy_factor(j));
+  if (loses()) prepare_losses();
 }
 
 /// Elementary volumes: each cell is split at its middle abscissa between its two particles.

@@ -21,8 +21,11 @@
 /// Conserves mass and, on a level bottom without walls, momentum to round-off with every scheme; energy and volumes to
 /// O(tau^2) with A, to round-off with C. A wall marker has one rate, its vertical velocity r (p = 0); a tip has one, p.
 ///
+/// Friction at the bottom and breaking fronts are options of the channel (friction.hpp, breaking.hpp). They act between
+/// the steps, on the rates alone, and what they take is told.
+///
 /// When not to use it: waves shorter than about two depths (see exact/frank_dispersion.hpp, and gamma in channel.hpp);
-/// backwash bores, which a conservative model cannot carry; overturning.
+/// bores without breaking, which a conservative model cannot carry; overturning.
 ///
 /// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 3.
 #pragma once
@@ -30,6 +33,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,6 +41,7 @@
 #include "seiche/linear/two_ended_sweep.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/breaking.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/channel.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/markers.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/rows.hpp"
@@ -53,6 +58,13 @@ struct Forcing {
   std::function<double(double x, double time)> surface_pressure = {};
   /// Forces per unit mass along p and r of every particle, at `time`, added to the two arrays; empty for none.
   std::function<void(double time, std::span<double> along, std::span<double> across)> body_force = {};
+};
+
+/// What friction and breaking take: energy [J/m], and momentum along the bottom [kg/s].
+struct Losses {
+  double friction = 0;
+  double breaking = 0;
+  double friction_impulse = 0;
 };
 
 class Model {
@@ -87,6 +99,15 @@ class Model {
   mechanics::SweepChange fused_sweep(Interval when, Input q0, Output q1, Input u0, Output mean, Input target, Output mu,
                                      int sweep);
   [[nodiscard]] double place(std::size_t rate) const;
+
+  /// Friction and breaking of the channel act on the rates u over h at places q that stay: q and Pi are not touched,
+  /// and what is lost of the kinetic energy is returned. Never gains any. Throws mechanics::Infeasible like linearise.
+  Losses lose(double h, Input q, Output u);
+  [[nodiscard]] bool loses() const { return channel_.friction.active() || channel_.breaking.has_value(); }
+  /// Of cells at the last loss, see BreakingFronts; empty without breaking.
+  [[nodiscard]] std::span<const double> damping() const {
+    return fronts_ ? fronts_->damping() : std::span<const double>{};
+  }
 
   [[nodiscard]] double mass() const;                                     ///< [kg/m]
   [[nodiscard]] std::array<double, 1> momentum(Input q, Input u) const;  ///< horizontal [kg/s]
@@ -147,6 +168,16 @@ class Model {
   [[nodiscard]] Frame end_frame(End end, Frame frame, double slope) const;
   Bed& bed_elsewhere() const;
 
+  void prepare_losses();
+  void place_at(Input q);
+  bool find_fronts(Input u);
+  [[nodiscard]] bool unresolved() const;
+  void exchange_momentum(double h, Output u);
+  template <class PairFactor>
+  void exchange(const std::vector<double>& inertia, Output u, const PairFactor& pair_factor);
+  void take_friction(double h, Output u, Losses& lost);
+  void project_rates(Output u);
+
   void close();
   void bound_ends(double left_square, double right_square);
   void measure();
@@ -186,6 +217,13 @@ class Model {
   linear::TwoEndedTridiagonal open_matrix_;
   linear::PeriodicTridiagonal periodic_matrix_;
   linear::TwoEndedSweep sweep_;
+  std::optional<BreakingFronts> fronts_;
+  // Of losses; empty without.
+  std::vector<double> velocity_x_, velocity_y_, still_;
+  std::vector<double> rates_, friction_rate_, mobility_, loss_impulse_;
+  std::vector<double> pair_diagonal_, pair_coupling_;
+  linear::TwoEndedTridiagonal open_pairs_;
+  linear::PeriodicTridiagonal periodic_pairs_;
   double shore_left_ = 0;  // initial places of the ends, where the rest energy
                            // of their bottom is counted from
   double shore_right_ = 0;

@@ -144,13 +144,18 @@ void Model::assemble_and_factor() {
   }
 }
 
-void Model::linearise(Interval when, Input q) {
+/// Rows, beds and frames at q.
+void Model::place_at(Input q) {
   std::copy_n(q.data(), n_, rows_.x.row());
   std::copy_n(q.data() + n_, n_, rows_.y.row());
   for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
     level_[static_cast<std::size_t>(block)] = sample(block, rows_.x.row(), rows_.bed);
   }
   measure();
+}
+
+void Model::linearise(Interval when, Input q) {
+  place_at(q);
   gather_forces(when);
   if (channel_.gamma > 0) add_dispersion_forces(q, q);
   assemble_and_factor();

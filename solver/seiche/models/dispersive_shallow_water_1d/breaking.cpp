@@ -1,0 +1,82 @@
+#include "seiche/models/dispersive_shallow_water_1d/breaking.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "seiche/require.hpp"
+
+namespace seiche::dispersive_shallow_water_1d {
+
+namespace {
+
+/// Marker to the right of a cell.
+std::size_t right_of(const BreakingFronts::Surface& surface, std::size_t cell) {
+  return cell + 1 < surface.x.size() ? cell + 1 : 0;
+}
+
+bool compressed(const BreakingFronts::Surface& surface, std::size_t cell) {
+  return surface.u[right_of(surface, cell)] < surface.u[cell];
+}
+
+}  // namespace
+
+void Breaking::validate() const {
+  require_positive("onset_slope", onset_slope);
+  require_within("ceasing_froude", ceasing_froude, 1, std::numeric_limits<double>::max());
+  require_positive("share", share);
+}
+
+double bore_froude(double ahead, double rise) {
+  if (!(ahead > 0)) return std::numeric_limits<double>::infinity();
+  const double ratio = 1 + rise / ahead;
+  return std::sqrt(0.5 * ratio * (1 + ratio));
+}
+
+double bore_damping(double ahead, double rise) {
+  if (!(ahead > 0)) return 1;
+  const double ratio = 1 + rise / ahead;
+  return std::sqrt(1 - 0.5 * (1 + ratio) / (ratio * ratio));
+}
+
+double BreakingFronts::damping_of_front(const Surface& surface, std::size_t first, std::size_t cells) const {
+  const std::size_t all = damping_.size();
+  bool broke = false;
+  double steepest = 0;
+  for (std::size_t c = 0; c < cells; ++c) {
+    const std::size_t j = (first + c) % all;
+    const std::size_t k = right_of(surface, j);
+    const double width = surface.x[k] - surface.x[j] + (k == 0 ? surface.period : 0.0);
+    steepest = std::max(steepest, std::abs(surface.y[k] - surface.y[j]) / width);
+    broke = broke || were_[j] != 0;
+  }
+  if (!broke && steepest < settings_.onset_slope) return 0;
+  const std::size_t end = right_of(surface, (first + cells - 1) % all);
+  const std::size_t foot = surface.y[first] < surface.y[end] ? first : end;
+  const double ahead = surface.y[foot] - surface.bed[foot];
+  const double rise = std::abs(surface.y[end] - surface.y[first]);
+  if (bore_froude(ahead, rise) < settings_.ceasing_froude) return 0;
+  return settings_.share * bore_damping(ahead, rise);
+}
+
+bool BreakingFronts::find(const Surface& surface) {
+  damping_.swap(were_);
+  std::fill(damping_.begin(), damping_.end(), 0.0);
+  const std::size_t all = damping_.size();
+  std::size_t begin = 0;
+  if (surface.period > 0) {
+    while (begin < all && compressed(surface, begin)) ++begin;  // no front goes round the whole channel
+  }
+  bool any = false;
+  for (std::size_t c = 0; c < all;) {
+    std::size_t cells = 0;
+    while (c + cells < all && compressed(surface, (begin + c + cells) % all)) ++cells;
+    const double damping = cells > 0 ? damping_of_front(surface, (begin + c) % all, cells) : 0.0;
+    any = any || damping > 0;
+    for (std::size_t k = 0; k < cells; ++k) damping_[(begin + c + k) % all] = damping;
+    c += cells + 1;
+  }
+  return any;
+}
+
+}  // namespace seiche::dispersive_shallow_water_1d

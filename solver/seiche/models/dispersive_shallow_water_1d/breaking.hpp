@@ -1,0 +1,80 @@
+/// Breaking fronts: where the water gives energy to turbulence.
+///
+/// A front is a run of neighbouring cells that the motion compresses. It begins to break when its surface is somewhere
+/// steeper than onset_slope, and goes on until it is no bore any more: until the Froude number of a bore of its depths,
+///
+/// @f[ Fr = \sqrt{\frac{h_2 (h_1 + h_2)}{2 h_1^2}}, @f]
+///
+/// h1 at its foot, h2 above h1 by the front's height, falls below ceasing_froude. Water flows through a front: what
+/// breaks on is the front that overlaps the one before, cell by cell.
+///
+/// In cells that break markers exchange horizontal momentum like in a viscous fluid, with the viscosity that leaves a
+/// bore of the model's equations without waves behind it. Beside the depth h behind a steady bore, where the water
+/// leaves with U in the bore's frame, formula (14) of Frank (1994) with a viscous stress rho nu h u_x is
+///
+/// @f[ \alpha h^2 U^2 \delta'' + \nu U \delta' + (g h - U^2) \, \delta = 0 @f]
+///
+/// for the small rest delta of the rise, which dies out without waves if nu >= 2 sqrt(alpha) h sqrt(g h - U^2). With
+/// U^2/(g h) = h1 (h1 + h2)/(2 h2^2) of the jump this is the viscosity, h and c = sqrt(g h) those of the cell:
+///
+/// @f[ \nu = 2 \sqrt{\alpha} \, h c \, \sqrt{1 - \frac{h_1 (h_1 + h_2)}{2 h_2^2}} @f]
+///
+/// No experiment enters but for where breaking begins and ends. Mass and momentum decide the depth behind a bore and
+/// the energy that it loses, which are those of the hydraulic jump, whatever the viscosity.
+///
+/// What is left of a broken wave becomes thin. Where markers stand farther apart than the water is deep, going up and
+/// down by turns is no wave of the model's but would dry them: there neighbours exchange vertical momentum too, by the
+/// factor alpha m omega/2, omega^2 = g/(3 alpha h), which damps this critically and leaves what is smooth.
+///
+/// When not to use it: overturning itself, and jets; bores with Fr below ceasing_froude, which are undular.
+///
+/// References: M. Tissier, P. Bonneton, F. Marche, F. Chazel, D. Lannes, Coastal Eng. 67 (2012) 54 (30 degrees, 1.3);
+/// A. B. Kennedy, Q. Chen, J. T. Kirby, R. A. Dalrymple, J. Waterway 126 (2000) 39 (viscosity on fronts); R. S.
+/// Johnson, J. Fluid Mech. 42 (1970) 49 (when a viscous bore has no waves).
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace seiche::dispersive_shallow_water_1d {
+
+struct Breaking {
+  double onset_slope = 0.577;   ///< of the surface, tan 30 degrees
+  double ceasing_froude = 1.3;  ///< at least 1
+  double share = 1;             ///< of the viscosity that leaves no waves
+
+  /// Throws std::invalid_argument.
+  void validate() const;
+};
+
+/// Froude number of the bore from depth `ahead` up by `rise`; infinite on dry ground.
+double bore_froude(double ahead, double rise);
+/// Of the same bore, sqrt(1 - U^2/(g h)) behind it; 1 on dry ground.
+double bore_damping(double ahead, double rise);
+
+class BreakingFronts {
+ public:
+  /// What the water does: markers in ascending order, velocities along x, elevations of the bottom. A positive period
+  /// joins the last marker to the first one's image.
+  struct Surface {
+    std::span<const double> x, y, u, bed;
+    double period = 0;
+  };
+
+  BreakingFronts(Breaking settings, std::size_t cells) : settings_(settings), damping_(cells, 0.0), were_(cells, 0.0) {}
+
+  /// Finds the fronts that break now, those that broke before included. Returns whether there are any.
+  bool find(const Surface& surface);
+  /// Of cells, at the last find: nu/(2 sqrt(alpha) h c); 0 where nothing breaks.
+  [[nodiscard]] std::span<const double> damping() const { return damping_; }
+
+ private:
+  /// Of a run of compressed cells; 0 if it does not break.
+  [[nodiscard]] double damping_of_front(const Surface& surface, std::size_t first, std::size_t cells) const;
+
+  Breaking settings_;
+  std::vector<double> damping_, were_;
+};
+
+}  // namespace seiche::dispersive_shallow_water_1d

@@ -1,0 +1,189 @@
+// Bores of the dispersive shallow-water model with breaking: what they keep, what they lose, and the depth behind them.
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "seiche/exact/bore.hpp"
+#include "seiche/exact/dam_break.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::dispersive_shallow_water_1d;
+using namespace seiche::verification;
+using seiche::Largest;
+using seiche::LevelBottom;
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+
+const std::string source = "jump conditions: Stoker, Water Waves (1957), 10.6";
+
+/// Water 1 deep with a step up to `high` at x = 0, at rest.
+Flow dam_break(double high, double reach, double spacing) {
+  const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0), .breaking = Breaking{}};
+  Markers markers = still_markers(
+      channel, equal_labels(channel, -reach, reach, static_cast<std::size_t>(std::lround(2 * reach / spacing))));
+  for (std::size_t i = 0; i < markers.size(); ++i) {
+    markers.y[i] = 0.5 * (high - 1) * (1 - std::tanh(2 * markers.x[i]));
+  }
+  return {channel, markers};
+}
+
+/// Where the surface falls through a level, from the right.
+double front_of(const Flow& flow, double level) {
+  for (std::size_t i = flow.x().size() - 1; i-- > 0;) {
+    const double above = flow.y()[i] - level;
+    const double below = flow.y()[i + 1] - level;
+    if (above >= 0 && below < 0) return flow.x()[i] + (flow.x()[i + 1] - flow.x()[i]) * above / (above - below);
+  }
+  return std::nan("");
+}
+
+}  // namespace
+
+TEST_CASE("breaking keeps mass and momentum and takes energy", "[conservation]") {
+  Check check("dispersive_breaking_ledger", "What breaking keeps and takes",
+              "A block of water 1.5 above depth 1, 20 long, falls apart into two bores in a periodic channel of length "
+              "80 that streams with 0.3, conservative scheme, t = 20, cells of 0.25.");
+  const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0), .period = 80, .breaking = Breaking{}};
+  Markers markers = still_markers(channel, equal_labels(channel, -40, 40, 320));
+  for (std::size_t i = 0; i < markers.size(); ++i) {
+    markers.y[i] = 0.75 * (std::tanh(2 * (markers.x[i] + 10)) - std::tanh(2 * (markers.x[i] - 10)));
+  }
+  markers.u.assign(markers.size(), 0.3);
+  Flow flow(channel, markers, {.stepping = Stepping::conservative});
+  const double energy = flow.energy();
+  const double momentum = flow.model().momentum(flow.state().q, flow.state().u)[0];
+  constexpr int steps = 200;
+  double taken = 0;
+  Largest gain;
+  for (int n = 0; n < steps; ++n) {
+    flow.advance(0.1);
+    flow.observe();
+    gain.add(taken - flow.lost().breaking);
+    taken = flow.lost().breaking;
+  }
+  const double operations = steps * 320;
+  check.that(
+      {.id = "momentum", .text = "Momentum stays.", .quantity = "largest defect over the momentum", .source = source},
+      {.value = flow.ledger().largest_defect("momentum") / momentum},
+      Roundoff{.operations = operations, .scale = 4, .reason = "a rounded force per marker and step"});
+  check.that({.id = "volumes",
+              .text = "The volume of every cell stays.",
+              .quantity = "largest defect",
+              .source = "formula 10"},
+             {.value = flow.ledger().largest_defect("volume_worst")},
+             Roundoff{.operations = steps, .scale = 40, .reason = "a rounded place, up to 40, per step"});
+  check.that({.id = "energy",
+              .text = "Energy and what breaking took of it stay.",
+              .quantity = "largest defect over the energy",
+              .source = "energy balance"},
+             {.value = flow.ledger().largest_defect("energy") / energy},
+             Roundoff{.operations = operations, .scale = 4, .reason = "a rounded term per marker and step"});
+  check.that({.id = "takes",
+              .text = "No step gives energy back.",
+              .quantity = "largest gain over the energy",
+              .source = "an implicit exchange between pairs"},
+             {.value = std::max(0.0, gain.value()) / energy},
+             Roundoff{.operations = 320, .scale = 1, .reason = "a rounded term per marker"});
+  CHECK(taken > 0.005 * energy);
+  check.measure("share of the energy that breaking took", taken / energy);
+}
+
+TEST_CASE("behind a breaking bore stands the conjugate depth", "[conservation]") {
+  Check check("dispersive_breaking_bore", "A bore that breaks",
+              "A dam 2.5 times as high as the water before it breaks, cells of 0.25, steps of a third of it, t = 60. "
+              "The shallow-water equations' exact solution has a bore of Froude number 1.48; long behind its front the "
+              "breaking model must have its depth and its speed, without waves, and lose its energy.");
+  constexpr double high = 2.5;
+  constexpr double end = 60;
+  const double conjugate = seiche::exact::Stoker(1, high, 1).plateau().depth;
+  const seiche::exact::Bore bore(1, 1, conjugate);
+  Flow flow = dam_break(high, 1.6 * end + 20, 0.25);
+  const double tau = 0.25 / 3;
+  flow.advance_to(0.5 * end, tau);
+  const double level = 0.5 * (conjugate - 1);
+  const double first = front_of(flow, level);
+  flow.advance_to(0.9 * end, tau);
+  const double taken = flow.lost().breaking;
+  flow.advance_to(end, tau);
+  const double last = front_of(flow, level);
+  const double rate = (flow.lost().breaking - taken) / (0.1 * end);
+  double behind = 0;  // highest of the water behind the front
+  for (std::size_t i = 0; i < flow.x().size(); ++i) {
+    if (flow.x()[i] > last - 10) behind = std::max(behind, flow.y()[i] + 1);
+  }
+  const std::string spread =
+      "what the start sheds leaves the front slowly: a tenth of a per cent of the rise is left after 60 depths of way, "
+      "and the loss goes with the cube of the rise; 1 % covers both and the O(tau^2) of the step";
+  check.that({.id = "depth",
+              .text = "The surface rises to the conjugate depth and not above: there are no waves behind the front.",
+              .quantity = "highest surface within ten depths of the front over the conjugate depth",
+              .source = source},
+             {.value = behind},
+             Bound{.limit = 0.005,
+                   .reason = "1 % of the rise, 0.66: half of the viscosity would overshoot by 2.6 % of it",
+                   .expected = conjugate});
+  check.that({.id = "speed",
+              .text = "The front runs with the speed of the bore.",
+              .quantity = "speed between t = 30 and 60",
+              .source = source},
+             {.value = (last - first) / (0.5 * end)},
+             Bound{.limit = 0.01, .reason = spread, .expected = bore.speed(), .relative = true});
+  check.that({.id = "loss",
+              .text = "What breaking takes is what the bore loses.",
+              .quantity = "energy taken per unit of time, t = 54 to 60",
+              .source = source},
+             {.value = rate},
+             Bound{.limit = 0.01, .reason = spread, .expected = bore.energy_loss_rate(), .relative = true});
+}
+
+TEST_CASE("a low bore stays undular", "[conservation]") {
+  Check check("dispersive_breaking_undular", "A bore that does not break",
+              "A dam 1.6 times as high as the water before it: the bore's Froude number is 1.2.");
+  Flow flow = dam_break(1.6, 60, 0.25);
+  flow.advance_to(20, 0.08);
+  check.that({.id = "nothing",
+              .text = "Breaking takes nothing of it.",
+              .quantity = "energy taken",
+              .source = "Favre (1935): bores below 1.3 are undular"},
+             {.value = flow.lost().breaking}, Bound{.limit = 0, .reason = "no front breaks"});
+}
+
+TEST_CASE("a zigzag of markers over shallow water dies out", "[conservation]") {
+  Check check(
+      "dispersive_breaking_zigzag", "Markers that the water does not resolve",
+      "Markers 0.5 apart go up and down by turns by 1e-4. Volumes do not feel it, the potential energy does, "
+      "with $\\omega^2 = g/(3 \\alpha H)$. In water 0.1 deep this is no wave of the model, and the exchange of "
+      "vertical momentum makes it die out as fast as it can, $(1 + \\omega t) e^{-\\omega t}$. In water 0.6 deep it "
+      "is left alone.");
+  const auto zigzag = [](double depth) {
+    const Channel channel{.bottom = std::make_shared<LevelBottom>(depth), .period = 8, .breaking = Breaking{}};
+    Markers markers = still_markers(channel, equal_labels(channel, 0, 8, 16));
+    for (std::size_t i = 0; i < markers.size(); ++i) markers.y[i] = i % 2 == 0 ? 1e-4 : -1e-4;
+    return Flow(channel, markers);
+  };
+  const double omega = std::sqrt(1 / 0.1);  // 3 alpha = 1
+  const std::vector<double> steps{0.05 / omega, 0.025 / omega, 0.0125 / omega, 0.00625 / omega};
+  std::vector<double> off;
+  for (const double tau : steps) {
+    Flow flow = zigzag(0.1);
+    for (long n = 0; n < std::lround(2 / (omega * tau)); ++n) flow.advance(tau);
+    off.push_back(std::abs(flow.y()[0] / 1e-4 - 3 * std::exp(-2.0)));
+  }
+  check.that({.id = "dies-out",
+              .text = "The zigzag is damped critically.",
+              .quantity = "order of the error of its height at t = 2/omega",
+              .source = "oscillator with a damper"},
+             seiche::evidence::observed_order(steps, off),
+             seiche::evidence::Order{1, 0.1, "the exchange is Euler's implicit rule"});
+  Flow deep = zigzag(0.6);
+  for (int n = 0; n < 50; ++n) deep.advance(0.05);
+  check.that({.id = "left-alone",
+              .text = "Where the water is deeper than markers are apart nothing is taken.",
+              .quantity = "energy taken",
+              .source = "breaking.hpp"},
+             {.value = deep.lost().breaking}, Bound{.limit = 0, .reason = "no exchange"});
+}

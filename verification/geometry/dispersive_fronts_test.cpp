@@ -1,0 +1,84 @@
+// Where fronts of the dispersive shallow-water model break: shapes whose slope and Froude number are known.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "seiche/models/dispersive_shallow_water_1d/breaking.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche::dispersive_shallow_water_1d;
+using namespace seiche::verification;
+using seiche::evidence::Roundoff;
+
+constexpr std::size_t markers = 81;
+
+/// A straight front of a rise over a width at x = 0, down to the right over depth 1, moving like a bore.
+struct Front {
+  std::vector<double> x, y, u, bed;
+
+  Front(double rise, double width, double shift = 0) {
+    for (std::size_t i = 0; i < markers; ++i) {
+      x.push_back(0.1 * (static_cast<double>(i) - 40));
+      const double s = std::clamp(0.5 - (x.back() - shift) / width, 0.0, 1.0);
+      y.push_back(rise * s);
+      u.push_back(s);
+      bed.push_back(-1);
+    }
+  }
+  [[nodiscard]] BreakingFronts::Surface surface(double period = 0) const { return {x, y, u, bed, period}; }
+};
+
+long breaking_cells(const BreakingFronts& fronts) {
+  return std::ranges::count_if(fronts.damping(), [](double d) { return d > 0; });
+}
+
+}  // namespace
+
+TEST_CASE("fronts break when they are steep and go on while they are bores", "[geometry]") {
+  Check check(
+      "dispersive_fronts", "Fronts that break",
+      "Straight fronts over depth 1. They begin at a slope of 30 degrees, end where the Froude number of a bore "
+      "of their depths falls below 1.3, a rise of 0.406, and carry on while they overlap with what broke.");
+  const Breaking settings;
+  BreakingFronts fronts(settings, markers - 1);
+  const auto counts = [&](const std::string& id, const std::string& text, long found, long expected) {
+    check.that(
+        {.id = id, .text = text, .quantity = "cells that break", .source = "Tissier et al. (2012)"},
+        {.value = static_cast<double>(found)},
+        seiche::evidence::Bound{.limit = 0, .reason = "a number of cells", .expected = static_cast<double>(expected)});
+  };
+  const auto after = [&](const Front& front) {
+    fronts.find(front.surface());
+    return breaking_cells(fronts);
+  };
+  counts("gentle", "A front of slope 1:2 does not begin.", after({0.5, 1.04}), 0);
+  counts("steep", "One of slope 1:1.7 does, and all of it.", after({0.5, 0.84}), 10);
+  counts("goes-on", "Become gentle, it goes on, where it has come to.", after({0.5, 1.04, 0.3}), 12);
+  counts("elsewhere", "A gentle front elsewhere does not take over.", after({0.5, 1.04, 2.5}), 0);
+  counts("low", "A steep front of Froude number 1.29 is no bore.", after({0.39, 0.44}), 0);
+  counts("bore", "One of 1.31 is.", after({0.42, 0.44}), 6);
+  counts("ends", "Lower, it ends.", after({0.39, 0.44}), 0);
+
+  Front front(0.5, 0.84, -4);
+  const Front image(0.5, 0.84, 4.1);  // one period further
+  for (std::size_t i = 0; i < markers; ++i) {
+    if (front.x[i] < 0) continue;
+    front.y[i] = image.y[i];
+    front.u[i] = image.u[i];
+  }
+  BreakingFronts ring(settings, markers);
+  ring.find(front.surface(8.1));
+  counts("periodic", "In a periodic channel a front goes on beyond the end.", breaking_cells(ring), 10);
+
+  const auto is = [&](const std::string& id, const std::string& text, double value, double expected) {
+    check.that({.id = id, .text = text, .quantity = "number", .source = "jump conditions"}, {.value = value},
+               Roundoff{.operations = 8, .scale = 2, .reason = "a few roundings", .expected = expected});
+  };
+  is("froude", "A bore that doubles the depth has Froude number sqrt(3).", bore_froude(1, 1), std::sqrt(3.0));
+  is("behind", "Behind it the square of the Froude number is 3/8.", bore_damping(1, 1), std::sqrt(1 - 3.0 / 8));
+  is("weak", "A bore without height needs no viscosity.", bore_damping(1, 0), 0);
+  CHECK(std::isinf(bore_froude(0, 1)));
+  CHECK(bore_damping(0, 1) == 1);
+}
