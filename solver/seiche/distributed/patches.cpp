@@ -63,6 +63,8 @@ dispersive_shallow_water_2d::Lattice part_of(const dispersive_shallow_water_2d::
 
 lagrangian_mesh_3d::Mesh part_of(const lagrangian_mesh_3d::Mesh& mesh, const Patch& patch) {
   mesh.require_valid();
+  if (mesh.bottom)
+    throw std::invalid_argument("a hexahedral mesh over an uneven bottom on many processes; allowed: one");
   const std::size_t levels = mesh.layers + 1;
   return {.plan = patch.shape(),
           .layers = mesh.layers,

@@ -68,6 +68,7 @@ const std::vector<ExactSolution>& catalogue() {
       soliton_fission_entry(),
       solitary_runup_entry(),
       hall_watts_entry(),
+      wall_load_entry(),
       wall_runup_entry(),
       mach_reflection_entry(),
       kadomtsev_petviashvili_entry(),

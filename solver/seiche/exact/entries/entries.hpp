@@ -32,6 +32,7 @@ ExactSolution mach_reflection_entry();
 ExactSolution kadomtsev_petviashvili_entry();
 ExactSolution solitary_runup_entry();
 ExactSolution hall_watts_entry();
+ExactSolution wall_load_entry();
 ExactSolution wall_runup_entry();
 ExactSolution wavemaker_entry();
 ExactSolution wavemaker_start_entry();

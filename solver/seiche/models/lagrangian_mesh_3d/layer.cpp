@@ -35,8 +35,13 @@ Mesh layer_mesh(const Layer& layer) {
   require_ascending("begin", layer.begin, "end", layer.end);
   if (!layer.south_wall) require_ascending("south", layer.south, "north", layer.north);
   require_positive("depth", layer.depth);
-  Mesh mesh{
-      .plan = {layer.columns, layer.rows}, .layers = layer.layers, .x = {}, .y = {}, .z = {}, .sides = layer.sides};
+  Mesh mesh{.plan = {layer.columns, layer.rows},
+            .layers = layer.layers,
+            .x = {},
+            .y = {},
+            .z = {},
+            .sides = layer.sides,
+            .bottom = layer.bottom};
   require_cells(mesh.plan, mesh.layers);
   for (std::size_t l = 0; l <= layer.layers; ++l) {
     for (std::size_t j = 0; j <= layer.rows; ++j) {
@@ -45,15 +50,16 @@ Mesh layer_mesh(const Layer& layer) {
         const double south = layer.south_wall ? layer.south_wall(x) : layer.south;
         const double y = part(south, layer.north, j, layer.rows);
         const double surface = layer.elevation ? layer.elevation(x, y) : 0.0;
-        if (!(surface > -layer.depth) || !(south < layer.north)) {
+        const double bottom = layer.bottom ? layer.bottom->slope(x, y).elevation : -layer.depth;
+        if (!(surface > bottom) || !(south < layer.north)) {
           throw std::invalid_argument(
               fmt::format("elevation {:g} and south side {:g} at x = {:g}, y = {:g}; allowed: above the bottom {:g}, "
                           "below north = {:g}",
-                          surface, south, x, y, -layer.depth, layer.north));
+                          surface, south, x, y, bottom, layer.north));
         }
         mesh.x.push_back(x);
         mesh.y.push_back(y);
-        mesh.z.push_back(part(-layer.depth, surface, l, layer.layers));
+        mesh.z.push_back(part(bottom, surface, l, layer.layers));
       }
     }
   }

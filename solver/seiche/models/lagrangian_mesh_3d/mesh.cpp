@@ -21,6 +21,9 @@ double determinant(const Vector& a, const Vector& b, const Vector& c) {
   return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
 }
 
+/// Of the depth: how far a node may be off the bottom that it slides on.
+constexpr double on_bottom = 1e-12;
+
 /// Neighbours of a corner along the edges that leave it, in right-handed order.
 constexpr std::array<std::array<std::size_t, 3>, 8> edges{
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
@@ -52,12 +55,7 @@ void Mesh::require_valid() const {
           fmt::format("node {} is at ({:g}, {:g}, {:g}); allowed: finite coordinates", k, x[k], y[k], z[k]));
     }
   }
-  for (std::size_t k = 1; k < plan.nodes() && !free_bottom; ++k) {
-    if (z[k] != z[0]) {
-      throw std::invalid_argument(
-          fmt::format("z = {:.17g} of bottom node {}; allowed: that of all others, {:.17g}", z[k], k, z[0]));
-    }
-  }
+  require_bottom();
   for (std::size_t cell = 0; cell < cells(); ++cell) {
     const CellCorners r = corners_of(*this, x, y, z, cell);
     const auto volumes = corner_volumes(r);
@@ -67,6 +65,22 @@ void Mesh::require_valid() const {
           fmt::format("corner {} of cell {} at ({:g}, {:g}, {:g}) spans a volume of {:g}; allowed: positive", a, cell,
                       r[a].x, r[a].y, r[a].z, volumes[a]));
     }
+  }
+}
+
+void Mesh::require_bottom() const {
+  for (std::size_t k = 0; k < plan.nodes() && !free_bottom; ++k) {
+    const double level = bottom ? bottom->slope(x[k], y[k]).elevation : z[0];
+    const double allowed = bottom ? on_bottom * std::abs(level) : 0;
+    if (std::abs(z[k] - level) <= allowed) continue;
+    throw std::invalid_argument(fmt::format("z = {:.17g} of bottom node {}; allowed: {}, {:.17g}", z[k], k,
+                                            bottom ? "that of the bottom" : "that of all others", level));
+  }
+  if (!bottom) return;
+  if (free_bottom) throw std::invalid_argument("a free bottom and an uneven one; allowed: one of them");
+  for (const auto* side : {&sides.west, &sides.east, &sides.south, &sides.north}) {
+    if (!std::holds_alternative<plan_lattice::DrivenSide>(*side)) continue;
+    throw std::invalid_argument("a driven side over an uneven bottom; allowed: walls, held and free sides");
   }
 }
 

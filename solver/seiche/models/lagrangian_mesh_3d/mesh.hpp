@@ -9,14 +9,17 @@
 ///
 /// Its shape is the trilinear hexahedron of its corners: faces are bilinear patches, which neighbours share and which
 /// are the mean of the two ways to cut a face into triangles. z counts from the still-water level, so that a lake at
-/// rest has multipliers 0 and stays at rest bit by bit. The bottom is level.
+/// rest has multipliers 0 and stays at rest bit by bit. The bottom is level, or a smooth surface on which the nodes of
+/// level 0 slide (bottom.hpp).
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
@@ -31,6 +34,7 @@ struct Mesh {
   std::vector<double> x, y, z;  ///< of all nodes [m]
   Sides sides;                  ///< hold the nodes of all levels; driven ones in both horizontal directions
   bool free_bottom = false;     ///< nodes of level 0 move vertically too: a body of fluid in space
+  std::shared_ptr<const PlanBottom> bottom = {};  ///< uneven; null: level
 
   [[nodiscard]] std::size_t nodes() const { return plan.nodes() * (layers + 1); }
   [[nodiscard]] std::size_t cells() const { return plan.cells() * layers; }
@@ -41,8 +45,12 @@ struct Mesh {
   [[nodiscard]] std::array<std::size_t, 8> corners(std::size_t cell) const;
 
   /// Throws std::invalid_argument: no cells, arrays of other lengths, values that are not finite, a corner whose edges
-  /// do not span a positive volume (by cell and place), a bottom that is not level.
+  /// do not span a positive volume (by cell and place), a bottom node that is off the bottom by more than 1e-12 of the
+  /// depth there, driven sides or a free bottom over an uneven one.
   void require_valid() const;
+
+ private:
+  void require_bottom() const;
 };
 
 struct Vector {

@@ -17,6 +17,10 @@ namespace seiche::lagrangian_mesh_3d {
 
 namespace {
 
+double dot(const Vector& a, const Vector& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
 Mesh valid(Mesh mesh) {
   mesh.require_valid();
   return mesh;
@@ -38,6 +42,7 @@ Model::Model(Mesh mesh, Settings settings)
       volume_(volumes_of(mesh_)),
       east_width_(mesh_.x[mesh_.plan.columns] - mesh_.x[mesh_.plan.columns - 1]),
       nodes_((require_positive("density", settings.density), mesh_), volume_, settings.density),
+      bottom_(mesh_.bottom, nodes_.on_bottom()),
       gradients_(mesh_.plan.columns, cell_rows(), components),
       patch_forces_(mesh_.plan.columns, mesh_.plan.rows, patch_forces),
       driven_place_(nodes_.driven().size()),
@@ -62,8 +67,10 @@ mechanics::State Model::state(const Velocity& velocity, double time) const {
     const auto& at = std::get<VelocityAt>(velocity);
     return at ? at({mesh_.x[k], mesh_.y[k], mesh_.z[k]}) : Vector{};
   };
+  Bottom bottom = bottom_;
+  bottom.linearise(mesh_.x, mesh_.y);
   for (std::size_t k = 0; k < n; ++k) {
-    const Vector u = nodes_.allowed(k, velocity_of(k));
+    const Vector u = k < bottom.nodes() ? bottom.along(k, velocity_of(k)) : nodes_.allowed(k, velocity_of(k));
     state.u[k] = u.x;
     state.u[n + k] = u.y;
     state.u[2 * n + k] = u.z;
@@ -90,6 +97,7 @@ NodeVectors Model::around(std::size_t row, Input values) const {
 
 void Model::linearise(Interval when, Input q) {
   when_ = when;
+  on_bottom([&] { bottom_.linearise(q.first(nodes_.size()), q.subspan(nodes_.size(), nodes_.size())); });
   measure(q);
   for (auto& push : push_) std::fill(push.begin(), push.end(), 0.0);
   add_surface_forces(q, 1);
@@ -105,6 +113,10 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
     middle_[i] = 0.5 * (q0[i] + q1[i]);
     delta_[i] = q1[i] - q0[i];
   }
+  on_bottom([&] {
+    const std::size_t n = nodes_.size();
+    bottom_.linearise_between(q0.first(n), q0.subspan(n, n), q1.first(n), q1.subspan(n, n));
+  });
   measure(middle_);
 #pragma omp parallel for schedule(static) if (worth_sharing())
   for (std::size_t row = 0; row < cell_rows(); ++row) {
@@ -117,6 +129,15 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
   add_surface_forces(q1, 1.0 / 6);
   if (sweep == 0) assemble_and_factor();
   sweeping_ = true;
+}
+
+template <class Work>
+void Model::on_bottom(const Work& linearise) {
+  try {
+    linearise();
+  } catch (const OutsidePlanBottom& failure) {
+    throw mechanics::Infeasible(failure.what(), failure.place());
+  }
 }
 
 void Model::measure(Input q) {
@@ -186,6 +207,15 @@ void Model::assemble_and_factor() {
       }
     }
   }
+  for (std::size_t k = 0; k < bottom_.nodes(); ++k) {
+    const CellsAround cells = cells_around(k);
+    for (std::size_t a = 0; a < cells.count; ++a) {
+      const Vector along = bottom_.along(k, cells.gradient[a]);
+      for (std::size_t b = a; b < cells.count; ++b) {
+        matrix_.coefficient(cells.cell[a], cells.cell[b]) += dot(along, cells.gradient[b]) / nodes_.mass()[k];
+      }
+    }
+  }
   try {
     solver_.factor(matrix_);
   } catch (const linear::NotPositiveDefinite& failure) {
@@ -241,6 +271,23 @@ void Model::kick(double h, Output u) const {
     u[slide.node] += kick * slide.direction.x;
     u[n + slide.node] += kick * slide.direction.y;
   }
+  // The bottom takes what would go through it.
+  for (std::size_t k = 0; k < bottom_.nodes(); ++k) {
+    const Vector left = bottom_.along(k, {u[k], u[n + k], u[2 * n + k]});
+    u[k] = left.x;
+    u[n + k] = left.y;
+    u[2 * n + k] = left.z;
+  }
+}
+
+Vector Model::force(const CellsAround& cells, Input mu) {
+  Vector sum;
+  for (std::size_t a = 0; a < cells.count; ++a) {
+    const double pressure = mu[cells.cell[a]];
+    const Vector& gradient = cells.gradient[a];
+    sum = {sum.x + pressure * gradient.x, sum.y + pressure * gradient.y, sum.z + pressure * gradient.z};
+  }
+  return sum;
 }
 
 void Model::set_driven(std::size_t index, Place place, double time, Output u) const {
@@ -302,6 +349,13 @@ void Model::react(Input mu, Output u) const {
     const double kick = force / nodes_.mass()[slide.node];
     u[slide.node] += kick * slide.direction.x;
     u[n + slide.node] += kick * slide.direction.y;
+  }
+  for (std::size_t k = 0; k < bottom_.nodes(); ++k) {
+    const Vector kick = bottom_.along(k, force(cells_around(k), mu));
+    const double inverse_mass = 1 / nodes_.mass()[k];
+    u[k] += inverse_mass * kick.x;
+    u[n + k] += inverse_mass * kick.y;
+    u[2 * n + k] += inverse_mass * kick.z;
   }
 }
 

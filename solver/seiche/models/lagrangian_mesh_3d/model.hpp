@@ -20,9 +20,12 @@
 /// ConservativeStep conserves energy, volumes and linear momentum, for V_s is cubic and Pi quartic along a step, so
 /// that their mean gradients are known exactly; not angular momentum.
 ///
-/// When not to use it: waves that overturn; waves shorter than about seven depths with one layer (dispersion error
-/// 6 per cent at 7 depths, 2 per cent with two layers); more than some ten layers (surface nodes' tangential places are
-/// of first order). A corner that folds is an Infeasible configuration, with its place.
+/// Over an uneven bottom the nodes of level 0 slide on it (bottom.hpp); the bottom does not enter Pi, or they would
+/// feel a force that is not there. The smooth start of the one-step scheme does not know how the bottom is curved.
+///
+/// When not to use it: waves that overturn; shorelines; waves shorter than about seven depths with one layer
+/// (dispersion error 6 per cent at 7 depths, 2 per cent with two layers); more than some ten layers (surface nodes'
+/// tangential places are of first order). A corner that folds is an Infeasible configuration, with its place.
 ///
 /// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 1 and 4.
 #pragma once
@@ -38,6 +41,7 @@
 #include "seiche/linear/twenty_seven_point_solver.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
+#include "seiche/models/lagrangian_mesh_3d/bottom.hpp"
 #include "seiche/models/lagrangian_mesh_3d/mesh.hpp"
 #include "seiche/models/lagrangian_mesh_3d/nodes.hpp"
 #include "seiche/models/lagrangian_mesh_3d/rows.hpp"
@@ -102,15 +106,16 @@ class Model {
   [[nodiscard]] double kinetic_energy(Input q, Input u) const;                   ///< [J]
   [[nodiscard]] double potential_energy(Input q) const;                          ///< [J], zero for still water
 
-  /// Drops the west column and puts a column at rest, as wide as the last one was at the beginning, before the east
-  /// side. The nodes that become the west side, which must be a wall or held, are put straight above each other. State
-  /// and model change together.
+  /// Over a level bottom: drops the west column and puts a column at rest, as wide as the last one was at the
+  /// beginning, before the east side. The nodes that become the west side, which must be a wall or held, are put
+  /// straight above each other. State and model change together.
   void shift_east(mechanics::State& state);
 
   /// As given at the beginning, or at the last shift of a moving window.
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] const Nodes& nodes() const { return nodes_; }
+  [[nodiscard]] const Bottom& bottom() const { return bottom_; }
   [[nodiscard]] std::span<const double> first_volumes() const { return volume_; }
   [[nodiscard]] const linear::TwentySevenPointSolver& solver() const { return solver_; }
   /// A of the last linearisation.
@@ -126,6 +131,9 @@ class Model {
   /// Rows of nodes around a row of cells, of coordinates or velocities.
   [[nodiscard]] NodeVectors around(std::size_t row, Input values) const;
   [[nodiscard]] PatchRows patches(std::size_t row, Input q) const;
+  /// Throws mechanics::Infeasible where a node leaves the bottom.
+  template <class Work>
+  void on_bottom(const Work& linearise);
   void measure(Input q);
   [[noreturn]] void throw_folded(Input q) const;
   void assemble_and_factor();
@@ -140,6 +148,8 @@ class Model {
   };
   [[nodiscard]] CellsAround cells_around(std::size_t node) const;
   void set_driven(std::size_t index, Place place, double time, Output u) const;
+  /// Of the constraints' reactions on a node.
+  [[nodiscard]] static Vector force(const CellsAround& cells, Input mu);
 
   Interval when_;  // of the last linearisation
   Mesh mesh_;
@@ -147,6 +157,7 @@ class Model {
   std::vector<double> volume_;
   double east_width_;
   Nodes nodes_;
+  Bottom bottom_;
   linear::RowBlocks gradients_;              // by rows of cells, rows.hpp
   linear::RowBlocks patch_forces_;           // surface.hpp
   std::array<std::vector<double>, 3> push_;  // forces on the nodes of the surface

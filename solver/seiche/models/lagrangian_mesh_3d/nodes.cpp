@@ -41,8 +41,23 @@ Nodes::Nodes(const Mesh& mesh, std::span<const double> volumes, double density)
       }
     }
   }
+  if (mesh.bottom) leave_to_bottom(level);
   std::sort(slides_.begin(), slides_.end(), [](const Slide& a, const Slide& b) { return a.node < b.node; });
   weigh(mesh, volumes, density);
+}
+
+void Nodes::leave_to_bottom(std::size_t level) {
+  for (std::size_t k = 0; k < level; ++k) {
+    on_bottom_.push_back(
+        {.xx = (freedom_[k] & along_x) != 0 ? 1.0 : 0.0, .xy = 0, .yy = (freedom_[k] & along_y) != 0 ? 1.0 : 0.0});
+    freedom_[k] = 0;
+  }
+  std::erase_if(slides_, [&](const Slide& slide) {
+    if (slide.node >= level) return false;
+    const Point t = slide.direction;
+    on_bottom_[slide.node] = {.xx = t.x * t.x, .xy = t.x * t.y, .yy = t.y * t.y};
+    return true;
+  });
 }
 
 void Nodes::weigh(const Mesh& mesh, std::span<const double> volumes, double density) {

@@ -2,7 +2,7 @@
 ///
 /// Inverse masses wx, wy, wz are 0 where a node cannot move along an axis by itself. A node on a wall that is not
 /// parallel to an axis slides along a direction t: W = t t^T/m in plan, which the model adds node by node; they are
-/// few.
+/// few. Nodes on an uneven bottom have wx = wy = wz = 0 too, and the W of bottom.hpp.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "seiche/models/lagrangian_mesh_3d/bottom.hpp"
 #include "seiche/models/lagrangian_mesh_3d/mesh.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
@@ -43,10 +44,14 @@ class Nodes {
   [[nodiscard]] const std::vector<double>& wz() const { return w_[2]; }
   [[nodiscard]] std::span<const Slide> slides() const { return slides_; }
   [[nodiscard]] std::span<const Driven> driven() const { return driven_; }
+  /// Of the nodes of level 0 over an uneven bottom; empty over a level one.
+  [[nodiscard]] const std::vector<HorizontalFreedom>& on_bottom() const { return on_bottom_; }
   /// What is left of a velocity at a place where nodes are held as this one; driven components are 0.
   [[nodiscard]] Vector allowed(std::size_t node, const Vector& velocity) const;
 
  private:
+  void leave_to_bottom(std::size_t level);
+
   enum Freedom : unsigned char { along_x = 1, along_y = 2, along_z = 4 };
 
   std::shared_ptr<const Sides> sides_;  // what driven nodes point to, in copies too
@@ -54,6 +59,7 @@ class Nodes {
   std::array<std::vector<double>, 3> w_;
   std::vector<unsigned char> freedom_;
   std::vector<Slide> slides_;
+  std::vector<HorizontalFreedom> on_bottom_;
   std::vector<Driven> driven_;
 };
 

@@ -1,0 +1,140 @@
+#include "seiche/exact/wall_load.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "validation/case/reference_table.hpp"
+#include "verification/self_test_claims.hpp"
+
+using namespace seiche;
+using exact::WallLoad;
+using verification::Role;
+
+namespace {
+
+const std::string source =
+    "Bernoulli's equation at the wall; Su & Mirie, J. Fluid Mech. 98 (1980) 509; Cooker, Weidman & Bale, J. Fluid "
+    "Mech. "
+    "342 (1997) 141; regression: table reference_data/wall_load_exact";
+
+struct Quantity {
+  std::string id, column, name, unit;
+  WallLoad::Peak (WallLoad::*largest)() const;
+};
+const std::vector<Quantity> quantities{
+    {"still", "p_still", "pressure at the still-water level", "rho g depth", &WallLoad::largest_still},
+    {"bottom", "p_bottom", "pressure at the foot", "rho g depth", &WallLoad::largest_bottom},
+    {"force", "F", "force", "rho g depth^2", &WallLoad::largest_force}};
+
+void claim_tabled(verification::Check& check, const io::Table& table, std::size_t row, std::size_t markers) {
+  const double a = table.column("A")[row];
+  const WallLoad load(a, 1, markers);
+  const WallLoad coarser(a, 1, markers / 4 * 3, 1e-10);
+  for (const Quantity& quantity : quantities) {
+    const double value = (load.*quantity.largest)().value;
+    check.that(
+        {.id = fmt::format("{}-{:.0f}", quantity.id, 100 * a),
+         .text = fmt::format("The largest {} of a wave of {} depths is that of the reference.", quantity.name, a),
+         .quantity = fmt::format("{}, a = {}", quantity.name, a),
+         .unit = quantity.unit,
+         .source = source},
+        {.value = value,
+         .uncertainty = std::abs((coarser.*quantity.largest)().value - value),
+         .resolution = fmt::format("{} markers, tolerance 1e-11", markers)},
+        evidence::Uncertainty{
+            .expected = table.column(quantity.column)[row],
+            .data = table.column("u")[row],
+            .useful = 1e-8,
+            .reason = "column u of the reference: markers, steps in time, length of the channel; our own from "
+                      "three quarters of the markers and a tolerance of 1e-10"});
+  }
+}
+
+/// What the series leave of waves of 0.05 and 0.1 depths.
+void claim_series(verification::Check& check) {
+  const WallLoad small(0.05, 1, 192);
+  const WallLoad twice(0.1, 1, 192);
+  const auto order = [](double half, double whole) { return std::log2(std::abs(whole / half)); };
+  const auto third = [&](const std::string& id, const std::string& name, double half, double whole) {
+    check.that(
+        {.id = "series-" + id,
+         .text = fmt::format("The series of second order for the {} is its limit for small waves.", name),
+         .quantity = "order of what it leaves, from waves of 0.05 and 0.1 depths",
+         .source = source},
+        {.value = order(half, whole)},
+        evidence::Bound{.limit = 0.3,
+                        .reason = "the next term, with a coefficient up to four times that of the third: 4 x 0.05/ln 2",
+                        .expected = 3});
+  };
+  third("bottom", "pressure at the foot", small.largest_bottom().value - WallLoad::bottom_series(0.05),
+        twice.largest_bottom().value - WallLoad::bottom_series(0.1));
+  third("force", "force", small.largest_force().value - WallLoad::force_series(0.05),
+        twice.largest_force().value - WallLoad::force_series(0.1));
+  check.that(
+      {.id = "series-still",
+       .text = "The series of third order for the pressure at the still-water level is its limit for small waves.",
+       .quantity = "largest pressure of a wave of 0.05 depths",
+       .unit = "rho g depth",
+       .source = source},
+      {.value = small.largest_still().value},
+      evidence::Bound{.limit = 5.25 * std::pow(0.05, 4),
+                      .reason = "a fourth-order term with a coefficient no larger than that of third order, 21/4",
+                      .expected = WallLoad::still_series(0.05)});
+}
+
+}  // namespace
+
+TEST_CASE("solitary waves load a vertical wall as the reference says", "[exact]") {
+  verification::Check check(
+      "exact_wall_load", "Pressure and force of solitary waves on a vertical wall",
+      "Two mirrored solitary waves of the Euler equations collide head-on; the pressure along the wall follows from "
+      "Bernoulli's equation. The largest loads are compared with values of finer computations; the force with the "
+      "change of momentum, the pressure at the foot with that of the potential; small waves with series.");
+  const auto table = validation::reference_table("wall_load_exact", check.record().reference_data);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double a = table.column("A")[row];
+    for (const auto& [chosen, markers] : {std::pair{0.1, 256}, {0.3, 256}, {0.5, 384}}) {
+      if (std::abs(a - chosen) < 1e-9) claim_tabled(check, table, row, static_cast<std::size_t>(markers));
+    }
+  }
+  const WallLoad high(0.5);
+  verification::claim_self_test(check, "half", high, source);
+  claim_series(check);
+  std::vector<double> time;
+  std::vector<double> level;
+  std::vector<double> still;
+  std::vector<double> bottom;
+  std::vector<double> force;
+  for (const WallLoad::Load& load : high.history()) {
+    time.push_back(load.time);
+    level.push_back(load.level);
+    still.push_back(load.still);
+    bottom.push_back(load.bottom);
+    force.push_back(load.force);
+  }
+  auto& figure = check.figure("history", "Water level and load at the wall",
+                              "A wave of 0.5 depths. While the water at the wall is highest it accelerates downwards, "
+                              "and the pressure at the foot is less than its depth suggests.");
+  figure.panel({.x = "t [sqrt(depth/g)]", .y = "level [depth]"}).line("level", time, level, Role::exact);
+  auto& pressures = figure.panel({.x = "t [sqrt(depth/g)]", .y = "pressure [rho g depth]"});
+  pressures.line("at the foot", time, bottom, Role::exact);
+  pressures.line("at y = 0", time, still, Role::peer);
+  figure.panel({.x = "t [sqrt(depth/g)]", .y = "force [rho g depth^2]"}).line("force", time, force, Role::exact);
+}
+
+TEST_CASE("loads scale with the depth, and what the method cannot do is refused", "[exact]") {
+  const WallLoad one(0.1, 1, 192);
+  const WallLoad two(0.2, 2, 192);
+  CHECK(std::abs(two.largest_bottom().value - 2 * one.largest_bottom().value) < 1e-11);
+  CHECK(std::abs(two.largest_force().value - 4 * one.largest_force().value) < 1e-11);
+  CHECK(std::abs(two.separation() - 2 * one.separation()) < 1e-11);
+  const WallLoad::Load start = one.at(0);
+  CHECK(std::abs(start.force - 0.5) < 1e-6);
+  CHECK(std::abs(start.bottom - 1) < 1e-6);
+  CHECK_THROWS_AS(one.at(-1), std::out_of_range);
+  CHECK_THROWS_AS(WallLoad(0.7), std::invalid_argument);
+  CHECK_THROWS_AS(WallLoad(0.2, 1, 100), std::invalid_argument);
+  CHECK_THROWS_AS(WallLoad(0.2, 1, 192, 0), std::invalid_argument);
+}
