@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <utility>
+#include <vector>
 
+#include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/lagrangian_mesh_3d/integrators.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
@@ -67,6 +70,27 @@ inline HexahedralProblem spreading_water(lagrangian_mesh_3d::Settings settings =
                                           uniform(random)};
       },
       settings);
+}
+
+/// Bottom under 0 <= x <= 6, 0 <= y <= 4, between 1 and 0.5 deep, bent along both axes.
+inline std::shared_ptr<const PlanBottom> uneven_bottom() {
+  return std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{
+      {-1, 0, 0}, {0.06, 1, 0}, {0.02, 0, 1}, {0.01, 1, 1}, {-0.004, 2, 0}, {0.001, 1, 2}});
+}
+
+/// A hump of 0.1 over it, 12 x 8 x 3 cells of half a depth, between three walls and one that is oblique.
+inline lagrangian_mesh_3d::Mesh hump_over_bottom() {
+  return lagrangian_mesh_3d::layer_mesh(
+      {.begin = 0,
+       .end = 6,
+       .south = 0,
+       .north = 4,
+       .columns = 12,
+       .rows = 8,
+       .layers = 3,
+       .elevation = [](double x, double y) { return 0.1 * std::exp(-0.6 * ((x - 2) * (x - 2) + (y - 1) * (y - 1))); },
+       .south_wall = [](double x) { return 0.1 * x; },
+       .bottom = uneven_bottom()});
 }
 
 /// A hump of 0.3 in a box 10 x 10 depths, 20 x 20 x 2 cells; its walls at x, y = 0 mirror it.

@@ -28,7 +28,13 @@ std::vector<Lake> lakes() {
   Layer window = layer;
   window.sides.west = seiche::plan_lattice::HeldSide{};
   window.sides.north = seiche::plan_lattice::DrivenSide{[](Place, double) { return Point{}; }};
+  Layer shoal = layer;
+  shoal.bottom = uneven_bottom();
+  Layer wedge_over_shoal = wedge;
+  wedge_over_shoal.bottom = uneven_bottom();
   return {{"box", "vertical walls along the axes", layer_mesh(layer)},
+          {"shoal", "an uneven bottom", layer_mesh(shoal)},
+          {"wedge-shoal", "an uneven bottom and a wall with a bend", layer_mesh(wedge_over_shoal)},
           {"wedge", "a wall with a bend", layer_mesh(wedge)},
           {"window", "a held and a driven side", layer_mesh(window)}};
 }

@@ -1,6 +1,7 @@
 // What the hexahedral Lagrangian mesh refuses, and how it breaks down: with reason, time, step and place.
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,10 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 Layer still_layer() {
   return {.begin = 0, .end = 4, .south = 0, .north = 3, .columns = 4, .rows = 3, .layers = 2};
+}
+
+std::shared_ptr<const PlanBottom> plane_bottom(double slope) {
+  return std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{-1, 0, 0}, {slope, 1, 0}});
 }
 
 }  // namespace
@@ -67,6 +72,30 @@ TEST_CASE("bad hexahedral meshes and settings are refused with name, value and r
        [](Mesh& m) { m.z[3] += 1e-10; });
   mesh("driven", "A driven side without a velocity.", {"driven side", "no velocity"},
        [](Mesh& m) { m.sides.north = plan_lattice::DrivenSide{}; });
+  mesh("off_bottom", "A node above the uneven bottom that it slides on.", {"bottom node 3", "that of the bottom, -0.8"},
+       [](Mesh& m) {
+         m.bottom = plane_bottom(0.05);
+         for (std::size_t k = 0; k < m.plan.nodes(); ++k) m.z[k] = -1 + 0.05 * m.x[k] + (k == 3 ? 1e-10 : 0);
+       });
+  layer("shallow", "A surface below an uneven bottom.", {"elevation 0", "x = 4", "above the bottom 0"},
+        [](Layer& l) { l.bottom = plane_bottom(0.25); });
+  const auto over_slope = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
+                              auto change) {
+    refusals.refused(id, text, words, [&] {
+      Layer l = still_layer();
+      l.bottom = plane_bottom(0.05);
+      Mesh m = layer_mesh(l);
+      Window window;
+      change(m, window);
+      Flow flow(std::move(m), {}, {}, {}, window);
+    });
+  };
+  over_slope("driven_bottom", "A driven side over an uneven bottom.", {"driven side", "uneven bottom"},
+             [](Mesh& m, Window&) { m.sides.west = plan_lattice::DrivenSide{[](Place, double) { return Point{}; }}; });
+  over_slope("window_bottom", "A moving window over an uneven bottom.", {"moving window", "uneven bottom"},
+             [](Mesh&, Window& w) { w.reach = [](double t) { return t; }; });
+  over_slope("free_bottom", "A body in space over an uneven bottom.", {"free bottom", "uneven"},
+             [](Mesh& m, Window&) { m.free_bottom = true; });
   refusals.refused("bend", "A wall that bends outwards.", {"bends outwards", "(2, 0)", "180"}, [] {
     Layer l = still_layer();
     l.south_wall = [](double x) { return x < 2 ? 0.0 : 0.3 * (2 - x); };

@@ -32,11 +32,11 @@ constexpr std::array<std::array<std::size_t, 3>, 8> edges{
 
 std::array<std::size_t, 8> Mesh::corners(std::size_t cell) const {
   const std::size_t level = cell / plan.cells() * plan.nodes();
-  const auto bottom = plan.corners(cell % plan.cells());
+  const auto below = plan.corners(cell % plan.cells());
   std::array<std::size_t, 8> all{};
   for (std::size_t a = 0; a < 4; ++a) {
-    all[a] = level + bottom[a];
-    all[a + 4] = level + plan.nodes() + bottom[a];
+    all[a] = level + below[a];
+    all[a + 4] = level + plan.nodes() + below[a];
   }
   return all;
 }
