@@ -49,6 +49,16 @@ class Score(Scoring):
         x, h, u = self.riemann()
         self.accepted(self.score("riemann", "--data", self.hdf5(name="mine.csv", x=x, h=h, u=u)))
 
+    def test_blanks_part_a_unit_from_its_name_as_well(self):
+        x, h, u = self.riemann()
+        data = self.write("x [m] h [m] u [m/s]\n" + "".join(f"{a} {b} {c}\n" for a, b, c in zip(x, h, u)), "blanks.txt")
+        self.accepted(self.score("riemann", "--data", data))
+        template = seiche("score", "wall_run_up_exact", "--template").stdout
+        _, [[run_up, *_]] = rows_of(seiche("exact", "wall_runup", "--set", "amplitude=0.3,depth=1").stdout)
+        self.accepted(self.score("wall_run_up_exact", "--data", self.write(f"{template}{run_up}\n", "one.csv")))
+        self.refused(self.score("wall_run_up_exact", "--data", self.write(f"[m]\n{run_up}\n", "unit.csv")), "[m]",
+                     "without the name")
+
     def test_columns_may_have_other_names(self):
         x, h, u = self.riemann()
         data = self.write("pos,depth,velocity,extra\n" + "".join(f"{a},{b},{c},7\n" for a, b, c in zip(x, h, u)))

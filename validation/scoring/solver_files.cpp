@@ -25,6 +25,19 @@ char separator_of(const std::string& line) {
   return entries_of(line, ',').size() > 1 && !has_decimal_comma(words_of(line, " ").front()) ? ',' : ' ';
 }
 
+/// Blanks part a unit in brackets from its name as well.
+std::vector<std::string> with_units(const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const std::string& word : words) {
+    if (word.starts_with('[') && !names.empty()) {
+      names.back() += word;
+    } else {
+      names.push_back(word);
+    }
+  }
+  return names;
+}
+
 io::Table read_delimited(const Text& text, const std::vector<std::string>& columns) {
   // Names may stand in the last comment before the numbers; the first line that is none decides on the separator.
   std::size_t first = 0;
@@ -35,7 +48,7 @@ io::Table read_delimited(const Text& text, const std::vector<std::string>& colum
   const auto split = [&](const std::string& line) {
     return separator == ' ' ? words_of(line, " \t") : entries_of(line, separator);
   };
-  std::vector<std::string> names = split(opening);
+  std::vector<std::string> names = with_units(split(opening));
   const bool named = std::none_of(names.begin(), names.end(), [](const std::string& word) {
     return number_in(word).has_value() || has_decimal_comma(word);
   });
@@ -54,6 +67,7 @@ io::Table read_delimited(const Text& text, const std::vector<std::string>& colum
   for (std::size_t k = 0; k < names.size(); ++k) {
     const std::size_t bracket = names[k].find('[');
     if (bracket == std::string::npos || names[k].back() != ']') continue;
+    if (bracket == 0) text.fail(first, fmt::format("{}: a unit without the name of its column", names[k]));
     units[k] = names[k].substr(bracket + 1, names[k].size() - bracket - 2);
     names[k] = words_of(names[k].substr(0, bracket), " \t").front();
   }
