@@ -95,6 +95,10 @@ void Drag::slow(std::span<const double> masses, const InverseMasses& inverse, do
     }
   }
   if (settings_.lattice_rate > 0) slow_pattern(masses, inverse, h, u);
+}
+
+void Drag::absorb(double h, mechanics::Output u) const {
+  const std::size_t n = u.size() / 3;
   for (std::size_t k = 0; k < absorption_.size(); ++k) {
     const double left = 1 / (1 + h * absorption_[k]);
     for (const std::size_t axis : {0, 1, 2}) u[axis * n + k] *= left;

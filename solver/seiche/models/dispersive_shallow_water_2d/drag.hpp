@@ -51,7 +51,7 @@ class Drag {
   Drag(DragSettings settings, const Lattice& lattice);
 
   [[nodiscard]] bool active() const {
-    return settings_.manning > 0 || settings_.shore_rate > 0 || settings_.lattice_rate > 0 || !absorption_.empty();
+    return settings_.manning > 0 || settings_.shore_rate > 0 || settings_.lattice_rate > 0;
   }
   [[nodiscard]] bool absorbs() const { return !absorption_.empty(); }
   /// Depths and directions at places q = (x, y, z).
@@ -59,6 +59,8 @@ class Drag {
   /// Slows velocities u = (u, v, w) down over h.
   void slow(std::span<const double> masses, const InverseMasses& inverse, double gravity, double h,
             mechanics::Output u) const;
+  /// What the layer leaves of velocities after h. Before forces: those that balance each other must not be absorbed.
+  void absorb(double h, mechanics::Output u) const;
 
  private:
   void slow_pattern(std::span<const double> masses, const InverseMasses& inverse, double h, mechanics::Output u) const;

@@ -270,6 +270,7 @@ void Model::advance(Input from, Input u, double h, Output to) const {
 void Model::kick(double h, Output u) const {
   const std::size_t n = nodes();
   const std::size_t count = shape().columns + 1;
+  if (drag_.absorbs()) drag_.absorb(h, u);
 #pragma omp parallel for schedule(static) if (shape().cells() > parallel_cells)
   for (std::size_t j = 0; j <= shape().rows; ++j) {
     const std::size_t k = j * count;
