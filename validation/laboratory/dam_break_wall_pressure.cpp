@@ -4,12 +4,23 @@ pressure 0.015 m above the floor was recorded in about a hundred repeats.
 
 **What is compared.** Impulse of the impact, the plateau after it, and the root mean square difference from the
 median; the band of the repeats is the uncertainty. One shift of time, of the impact, is fitted and reported: a gate
-that takes 0.1 s to go delays it. The case scores others.
+that takes 0.1 s to go delays it. The case scores others, and weakly compressible SPH is judged by the same claims.
+
+**Our model.** Density diffusion, walls that take their pressure from the water, Wendland kernel of $h = 2\,dx$. Its
+viscosity is that of the boundary layer, which at the wall fills all of the thin water: $\nu_t = \kappa u_* d/6$, the
+mean over the depth of a turbulent stream. At $T = 3$ shallow water has $u$ = 2.4 m/s and $d$ = 0.026 m there; with
+$u_* = u/21$, of a smooth floor, that is 2e-4 m²/s. Without friction the water would keep its head,
+$(u^2/2g + d)/H$ = 0.99 to 0.79 by shallow water for $T$ from 3.4 to 5.4; measured are 0.6.
 
 **What to look at.** The median of single peaks that come at different times is lower than each of them: no peak is
 asked for. Average a computed pressure over 5 ms and over the sensor's face of 4 mm.
 */
+#include <cmath>
+
+#include "seiche/models/wcsph/scene.hpp"
+#include "seiche/models/wcsph/wall_gauge.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
+#include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -18,6 +29,49 @@ using namespace laboratory;
 
 const std::string source =
     "L. Lobovsky, E. Botia-Vera, F. Castellana, J. Mas-Soler, A. Souto-Iglesias, J. Fluids Struct. 48 (2014) 407-434";
+constexpr double gravity = 9.81;
+constexpr double density = 997;
+constexpr double height = 0.3;
+constexpr double column = 0.6;
+constexpr double tank = 1.61;
+constexpr double wall = 0.6;
+constexpr double sensor = 0.015;
+constexpr double face = 0.004;
+constexpr double averaged = 0.005;  // [s]
+
+/// Means over `averaged` of a record, by the trapezoidal rule, every millisecond.
+SubmittedGroup smoothed(const std::vector<double>& times, const std::vector<double>& pressures) {
+  std::vector<double> impulse{0};
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    impulse.push_back(impulse.back() + 0.5 * (times[i] - times[i - 1]) * (pressures[i] + pressures[i - 1]));
+  }
+  const Curve sum{times, impulse};
+  const double half = 0.5 * averaged;
+  SubmittedGroup record;
+  for (double t = half; t + half <= times.back(); t += 1e-3) {
+    record.abscissa.push_back(t * std::sqrt(gravity / height));
+    record.values["p"].push_back((linear_at(sum, t + half) - linear_at(sum, t - half)) /
+                                 (averaged * density * gravity * height));
+  }
+  return record;
+}
+
+Submitted compute(const Run& run, double coarsening) {
+  const double spacing = coarsening * run.real("dx");
+  const wcsph::Settings settings = sph_settings(run, gravity, density, std::sqrt(gravity * height));
+  const wcsph::Scene scene = wcsph::dam_break(
+      {.width = column, .height = height, .tank_length = tank + spacing, .wall_height = wall, .spacing = spacing},
+      settings);
+  wcsph::Flow flow(scene.particles, scene.spacing, settings);
+  const wcsph::WallGauge gauge{.x = scene.far_wall, .z = sensor, .diameter = face};
+  std::vector<double> times{0};
+  std::vector<double> pressures{0};
+  flow.advance_to(6.1 * std::sqrt(height / gravity), [&] {
+    times.push_back(flow.time());
+    pressures.push_back(wcsph::pressure_on(gauge, flow));
+  });
+  return {{"pressure", {smoothed(times, pressures)}}};
+}
 
 Experiment experiment(const Values& /*values*/) {
   return {
@@ -28,7 +82,9 @@ Experiment experiment(const Values& /*values*/) {
                  .quantity = {"p", "1", "pressure over rho g H on the wall"},
                  .band = {"p_low", "p_high"},
                  .clock = Clock{.group = 0, .range = 0.4, .window = {2.3, 3.2}},
-                 .readings = {impulse(0, {2.46, 4.0}), mean(0, {3.4, 5.4}, Kind::pressure), misfit(0, {2.6, 5.5})}}}};
+                 .readings = {impulse(0, {2.46, 4.0}), mean(0, {3.4, 5.4}, Kind::pressure), misfit(0, {2.6, 5.5})}}},
+      .compute = compute,
+      .model = "weakly compressible SPH"};
 }
 
 }  // namespace
@@ -37,6 +93,19 @@ Case dam_break_wall_pressure() {
   Case c;
   c.title = "Pressure of a broken dam on a wall, with its repeats";
   c.source = source;
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters =
+      with({real("dx", {0.0075, 0.005, 0.0025}, "m", {0.001, 0.02}, "spacing of the particles; and twice it")},
+           sph_parameters({.kernel = std::string("wendland_c2"),
+                           .smoothing = 2.0,
+                           .viscosity = "laminar",
+                           .kinematic_viscosity = 2e-4,
+                           .xsph = 0,
+                           .sound = 15,
+                           .walls = "extrapolated",
+                           .diffusion = 0.1,
+                           .courant = 0.25},
+                          "sqrt(g times the height of the column)"));
   set_laboratory<experiment>(c);
   return c;
 }

@@ -140,6 +140,25 @@ Particles shifted_by(const PairLoops& loops, const Particles& particles, const S
   return result;
 }
 
+/// Moments of the density filter, and what a wall in the place of each particle would be told, by one version.
+struct Sums {
+  std::vector<FilterMoments> moments;
+  std::vector<WallMeans> means;
+};
+Sums sums_by(const PairLoops& loops, const Particles& particles, const Settings& settings) {
+  const Blob blob(particles, settings, loops.lanes);
+  Sums sums{std::vector<FilterMoments>(blob.count), std::vector<WallMeans>(blob.count)};
+  loops.filter(settings.kernel)({.records = blob.records.data(),
+                                 .mass = blob.mass.data(),
+                                 .clusters = blob.clusters.data(),
+                                 .moments = sums.moments.data()},
+                                0, blob.clusters.size());
+  loops.wall_pressure(settings.kernel)(
+      {.records = blob.records.data(), .clusters = blob.clusters.data(), .means = sums.means.data()}, 0,
+      blob.clusters.size());
+  return sums;
+}
+
 struct Version {
   std::string name;
   const PairLoops* loops;
@@ -195,6 +214,61 @@ TEST_CASE("every width of registers gives the rates of sums over all pairs", "[c
                    .reason =
                        "some 40 roundings of a pair, of which those of 20 pairs add up as the pairs do, and 20 of "
                        "sums, in both ways of summing; pressures are the same numbers in both"});
+    }
+  }
+}
+
+TEST_CASE("every width of registers gives the sums of the density filter and of extrapolated walls", "[conservation]") {
+  Check check(
+      "wcsph_lanes_sums", "Sums of the density filter and of extrapolated walls for every width of registers",
+      "A jittered square of 21 by 21 particles with random velocities and densities: moments of the filter, and "
+      "mean pressure and lever that each place would be told as a wall's, against the same sums written out.");
+  const Particles square = noisy_square(21, spacing);
+  for (const Version& version : runnable()) {
+    for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
+      const Settings settings{.kernel = kernel, .sound_speed = 20};
+      const Sums found = sums_by(*version.loops, square, settings);
+      const Blob blob(square, settings, version.loops->lanes);
+      Largest largest;
+      for (std::size_t a = 0; a < blob.count; ++a) {
+        const Record& one = blob.records[a];
+        double weights = 0, pressure = 0, lever = 0, volumes = 0, cross = 0, heavy = 0;
+        double neighbours = -1;
+        for (std::size_t b = 0; b < blob.count; ++b) {
+          const Record& other = blob.records[b];
+          const double x = one.x - other.x;
+          const double z = one.z - other.z;
+          const double h = 0.5 * (one.smoothing + other.smoothing);
+          const double r = std::hypot(x, z);
+          if (r >= support * h) continue;
+          const double w = kernel == KernelName::cubic_spline ? weight<CubicSpline>(r, h) : weight<WendlandC2>(r, h);
+          weights += w;
+          pressure += other.pressure * other.density * other.density * w;
+          lever += other.density * z * w;
+          volumes += blob.volume(b) * w;
+          cross += blob.volume(b) * x * z * w;
+          heavy += blob.mass[b] * x * w;
+          neighbours += 1;
+        }
+        const FilterMoments& moments = found.moments[a];
+        const WallMeans& means = found.means[a];
+        const double factor = volumes / moments.a00;
+        const double scale = 1000 * 20 * 20;
+        largest.add(std::abs(means.pressure - pressure / weights) / scale);
+        largest.add(std::abs(means.lever_z - lever / weights) / (1000 * spacing));
+        largest.add(std::abs(factor * moments.axz - cross) / (spacing * spacing));
+        largest.add(std::abs(factor * moments.mx - heavy) / (1000 * spacing));
+        CHECK(moments.neighbours == neighbours);
+      }
+      check.that({.id = fmt::format("{}-{}", version.name, name_of(kernel)),
+                  .text = fmt::format("The {} loops give these sums ({}).", version.name, name_of(kernel)),
+                  .quantity = "largest difference over the scale of the sum",
+                  .source = "density_filter.hpp, wall_pressure.hpp"},
+                 {.value = largest.value(), .resolution = fmt::format("{} lanes", version.loops->lanes)},
+                 Roundoff{.operations = 120,
+                          .scale = 1,
+                          .reason = "some 40 roundings of a pair and 20 of sums, in both ways of summing; weights add "
+                                    "up to 1"});
     }
   }
 }

@@ -42,6 +42,8 @@ void dam_break_steps(benchmark::State& state, Settings settings) {
 
 const Settings standard{.viscosity = ArtificialViscosity{0.3}};
 const Settings diffusive{.viscosity = ArtificialViscosity{0.3}, .density_diffusion = 0.1};
+const Settings extrapolated{.viscosity = ArtificialViscosity{0.3}, .walls = WallPressure::extrapolated};
+const Settings filtered{.viscosity = ArtificialViscosity{0.3}, .filter_every = 1};
 const Settings shifting{.viscosity = ArtificialViscosity{0.3}, .particle_shifting = true};
 
 BENCHMARK_CAPTURE(dam_break_steps, artificial_viscosity, standard)
@@ -58,6 +60,8 @@ BENCHMARK_CAPTURE(dam_break_steps, laminar_and_sps, Settings{.viscosity = Lamina
     ->UseRealTime();
 
 BENCHMARK_CAPTURE(dam_break_steps, density_diffusion, diffusive)->Args({50, 1})->Args({50, 2})->UseRealTime();
+BENCHMARK_CAPTURE(dam_break_steps, extrapolated_walls, extrapolated)->Args({50, 1})->Args({50, 2})->UseRealTime();
+BENCHMARK_CAPTURE(dam_break_steps, filter_every_step, filtered)->Args({50, 1})->Args({50, 2})->UseRealTime();
 BENCHMARK_CAPTURE(dam_break_steps, particle_shifting, shifting)->Args({50, 1})->Args({50, 2})->UseRealTime();
 
 /// Rates alone.

@@ -17,24 +17,22 @@ void density_gradient(const DiffusionWork& work, std::size_t first, std::size_t 
     const Cluster cluster = work.clusters[c];
     const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first);
     Pack xx{}, xz{}, zz{}, difference_x{}, difference_z{};
-    for (const std::int32_t* candidate = cluster.begin; candidate < cluster.end; candidate += abreast) {
-      const Record* b[abreast];
-      load_records(work.records, candidate, b);
-      const Distance<Lanes> pair(a, b);
-      const Shape shape(pair.s, pair.inverse_area, pair.inverse_width);
-      const Values squared = pair.inverse_width * pair.inverse_width;
-      for (int k = 0; k < abreast; ++k) {
-        const Pack slope = work.gradients[candidate[k]].volume * squared.at[k] * shape.slope.at[k];
-        const Pack difference = b[k]->density - a.density;
-        const Pack x = slope * pair.x.at[k];
-        const Pack z = slope * pair.z.at[k];
-        xx += x * pair.x.at[k];
-        xz += x * pair.z.at[k];
-        zz += z * pair.z.at[k];
-        difference_x += difference * x;
-        difference_z += difference * z;
-      }
-    }
+    visit_candidates<Kernel, Distance<Lanes>>(
+        work.records, cluster, a,
+        [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
+          const Values squared = pair.inverse_width * pair.inverse_width;
+          for (int k = 0; k < abreast; ++k) {
+            const Pack slope = work.gradients[candidate[k]].volume * squared.at[k] * shape.slope.at[k];
+            const Pack difference = b[k]->density - a.density;
+            const Pack x = slope * pair.x.at[k];
+            const Pack z = slope * pair.z.at[k];
+            xx += x * pair.x.at[k];
+            xz += x * pair.z.at[k];
+            zz += z * pair.z.at[k];
+            difference_x += difference * x;
+            difference_z += difference * z;
+          }
+        });
     // sum V (rho_b - rho_a) grad_j W = g_i sum V (r_ba)_i grad_j W.
     constexpr double scale = Shape::slope_factor;
     for (int l = 0; l < cluster.count; ++l) {
@@ -62,22 +60,20 @@ void density_diffusion(const DiffusionWork& work, std::size_t first, std::size_t
       gradient_z[l] = gradient.z;
     }
     Pack sum{};
-    for (const std::int32_t* candidate = cluster.begin; candidate < cluster.end; candidate += abreast) {
-      const Record* b[abreast];
-      load_records(work.records, candidate, b);
-      const Distance<Lanes> pair(a, b);
-      const Shape shape(pair.s, pair.inverse_area, pair.inverse_width);
-      // h_ab/(h_a + h_b)^2: the 1/2 is deferred.
-      for (int k = 0; k < abreast; ++k) {
-        const DensityGradient& other = work.gradients[candidate[k]];
-        // psi . grad W = slope (steep - linear), r_ba = -r_ab.
-        const Pack steep = -2.0 * (b[k]->density - a.density);
-        const Pack linear = (gradient_x + other.x) * pair.x.at[k] + (gradient_z + other.z) * pair.z.at[k];
-        const Pack term = other.volume * pair.inverse_width.at[k] * shape.slope.at[k] * (steep - linear);
-        // At r = 0 the slope is rounding over r.
-        sum += Lanes::where_less(-pair.s.at[k], -1e-12, term);
-      }
-    }
+    visit_candidates<Kernel, Distance<Lanes>>(
+        work.records, cluster, a,
+        [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
+          // h_ab/(h_a + h_b)^2: the 1/2 is deferred.
+          for (int k = 0; k < abreast; ++k) {
+            const DensityGradient& other = work.gradients[candidate[k]];
+            // psi . grad W = slope (steep - linear), r_ba = -r_ab.
+            const Pack steep = -2.0 * (b[k]->density - a.density);
+            const Pack linear = (gradient_x + other.x) * pair.x.at[k] + (gradient_z + other.z) * pair.z.at[k];
+            const Pack term = other.volume * pair.inverse_width.at[k] * shape.slope.at[k] * (steep - linear);
+            // At r = 0 the slope is rounding over r.
+            sum += Lanes::where_less(-pair.s.at[k], -1e-12, term);
+          }
+        });
     const Pack added = (0.5 * work.strength * Shape::slope_factor) * sum;
     for (int l = 0; l < cluster.count; ++l) work.ddensity[cluster.first + l] += added[l];
   }

@@ -10,7 +10,6 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/models/wcsph/input_checks.hpp"
-#include "seiche/models/wcsph/wall_pressure.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::wcsph {
@@ -58,6 +57,7 @@ Flow::Engine::Engine(Particles particles, double spacing, const Settings& settin
       reference_x_(particles_.x),
       reference_z_(particles_.z),
       mean_spacing_(mean_spacing(particles_, settings.density)),
+      walls_(settings.kernel, fluid_),
       rates_(settings, spacing),
       shifting_(settings.kernel, spacing),
       stage_(fluid_, smoothing_, settings.variable_smoothing, rates_.sound_scale()),
@@ -128,7 +128,7 @@ void Flow::Engine::evaluate(double time, std::vector<double>& density, bool limi
       }
       return gravity;
     };
-    extrapolate_to_walls(settings_.kernel, fluid_, felt_gravity, stage_, neighbours_, density);
+    walls_.apply(felt_gravity, stage_, neighbours_, density);
   }
   rates_.evaluate(stage_, neighbours_, limited);
   extremes_.interactions += neighbours_.pairs();

@@ -10,6 +10,7 @@
 #include "seiche/models/wcsph/particle_shifting.hpp"
 #include "seiche/models/wcsph/right_hand_side.hpp"
 #include "seiche/models/wcsph/stage.hpp"
+#include "seiche/models/wcsph/wall_pressure.hpp"
 
 namespace seiche::wcsph {
 
@@ -60,6 +61,7 @@ class Flow::Engine {
   std::vector<double> reference_x_, reference_z_;  ///< of paddle particles, in the pose {0, 0}
   std::vector<double> scratch_;
   double mean_spacing_;
+  ExtrapolatedWalls walls_;
   RightHandSide rates_;
   ParticleShifting shifting_;
   Stage stage_;

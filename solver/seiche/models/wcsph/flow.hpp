@@ -21,8 +21,9 @@
 /// list of candidates within 2h and a skin. Every particle gathers its own sums: no write conflicts, the same bytes
 /// from any number of threads.
 ///
-/// When not to use it: incompressible flow to more than about a per cent; pressures at walls; vortices at Reynolds
-/// numbers above about 30 without particle shifting.
+/// When not to use it: incompressible flow to more than about a per cent; pressures at walls without
+/// WallPressure::extrapolated and density diffusion (wall_gauge.hpp reads them); vortices at Reynolds numbers above
+/// about 30 without particle shifting.
 ///
 /// References: Monaghan (1994), cited in equation_of_state.hpp; Dalrymple and Rogers, Numerical modeling of water waves
 /// with the SPH method, Coastal Eng. 53 (2006) 141; Lo and Shao, Simulation of near-shore solitary wave mechanics by an

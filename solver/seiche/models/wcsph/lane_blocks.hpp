@@ -1,4 +1,5 @@
-/// What all loops over pairs on lanes share: records of a cluster as packs, candidates, distances; internal to them.
+/// What all loops over pairs on lanes share: records of a cluster as packs, distances, the visit of candidates;
+/// internal to them.
 ///
 /// `Lanes` has Pack, a vector of Lanes::width doubles; on it positive and negative (largest or smallest of it and 0),
 /// largest, less (one bit per lane), where_less and inverse_root.
@@ -79,5 +80,19 @@ struct Distance {
     s = distance * inverse_width;
   }
 };
+
+/// Calls visit(candidate, b, pair, shape) with the next few candidates of a cluster, their records, what depends on the
+/// places of the pairs, and the kernel there, until the list ends.
+/// @tparam Pair  Distance, or more
+template <class Kernel, class Pair, class Lanes, class Visit>
+SEICHE_INLINE void visit_candidates(const Record* records, const Cluster& cluster, const Block<Lanes>& a, Visit visit) {
+  using Shape = LaneKernel<typename Pair::Values, Kernel>;
+  for (const std::int32_t* candidate = cluster.begin; candidate < cluster.end; candidate += abreast) {
+    const Record* b[abreast];
+    load_records(records, candidate, b);
+    const Pair pair(a, b);
+    visit(candidate, b, pair, Shape(pair.s, pair.inverse_area, pair.inverse_width));
+  }
+}
 
 }  // namespace seiche::wcsph

@@ -90,11 +90,38 @@ struct ShiftWork {
   double travel;  ///< 4 u_max tau [m]
 };
 
+/// What walls are told by the fluid beside them, weighted by the kernel: mean pressure, and mean of rho_f (r_w - r_f).
+/// Zero where there is none.
+struct WallMeans {
+  double pressure, lever_x, lever_z;
+};
+
+struct WallPressureWork {
+  const Record* records;
+  const Cluster* clusters;
+  WallMeans* means;
+};
+
+/// Moments of density_filter.hpp, all over the same factor of the kernel; m0, mx, mz carry masses in place of volumes.
+struct FilterMoments {
+  double a00, ax, az, axx, axz, azz, m0, mx, mz;
+  double neighbours;  ///< the particle itself left out
+};
+
+struct FilterWork {
+  const Record* records;
+  const double* mass;
+  const Cluster* clusters;
+  FilterMoments* moments;
+};
+
 /// Clusters first, ..., last - 1.
 using PairLoop = void (*)(const PairWork& work, std::size_t first, std::size_t last);
 
 using DiffusionLoop = void (*)(const DiffusionWork& work, std::size_t first, std::size_t last);
 using ShiftLoop = void (*)(const ShiftWork& work, std::size_t first, std::size_t last);
+using WallPressureLoop = void (*)(const WallPressureWork& work, std::size_t first, std::size_t last);
+using FilterLoop = void (*)(const FilterWork& work, std::size_t first, std::size_t last);
 
 struct IndexRange {
   std::int32_t begin, end;
@@ -122,6 +149,10 @@ struct PairLoops {
   DiffusionLoop (*diffusion)(KernelName kernel);
   ShiftLoop (*surface)(KernelName kernel);
   ShiftLoop (*shift)(KernelName kernel);
+  /// See wall_pressure.hpp; of wall clusters, which list fluid only.
+  WallPressureLoop (*wall_pressure)(KernelName kernel);
+  /// See density_filter.hpp; of fluid clusters.
+  FilterLoop (*filter)(KernelName kernel);
   CandidateSearch search;
 };
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "seiche/models/wcsph/diffusion_sums.hpp"
+#include "seiche/models/wcsph/filter_sums.hpp"
 #include "seiche/models/wcsph/lane_blocks.hpp"
 #include "seiche/models/wcsph/shifting_sums.hpp"
+#include "seiche/models/wcsph/wall_pressure_sums.hpp"
 
 namespace seiche::wcsph {
 
@@ -60,54 +62,52 @@ void fluid_rates(const PairWork& work, std::size_t first, std::size_t last) {
       }
     }
     Pack du{}, dw{}, ddensity{}, smooth_u{}, smooth_w{}, sigma{};
-    for (const std::int32_t* candidate = cluster.begin; candidate < cluster.end; candidate += abreast) {
-      const Record* b[abreast];
-      load_records(work.records, candidate, b);
-      const Separation<Lanes> pair(a, b);
-      const Values u = Values::of([&](int k) { return a.u - b[k]->u; });
-      const Values w = Values::of([&](int k) { return a.w - b[k]->w; });
-      const Values approach = pair.x * u + pair.z * w;
-      const Shape shape(pair.s, pair.inverse_area, pair.inverse_width);
-      const Values squared = pair.inverse_width * pair.inverse_width;
-      const Values scaled_mass = Values::of([&](int k) { return work.mass[candidate[k]] * squared.at[k]; });
-      const Values slope = scaled_mass * shape.slope;
-      const Values weight = scaled_mass * pair.inverse_densities * shape.weight;
-      Values pressures = Values::of([&](int k) { return a.pressure + b[k]->pressure; });
-      if constexpr (friction == Friction::artificial) {
-        const Values sound = Values::of([&](int k) { return a.sound + b[k]->sound; });
-        pressures = pressures + sound * negative(approach) * pair.viscous;
-      }
-      const Values push = pressures * slope;
-      for (int k = 0; k < abreast; ++k) {
-        ddensity += slope.at[k] * approach.at[k];
-        du -= push.at[k] * pair.x.at[k];
-        dw -= push.at[k] * pair.z.at[k];
-        smooth_u += weight.at[k] * u.at[k];
-        smooth_w += weight.at[k] * w.at[k];
-      }
-      if constexpr (friction == Friction::laminar || friction == Friction::turbulent) {
-        const Values square = pair.x * pair.x + pair.z * pair.z;
-        const Values drag = 4 * work.kinematic_viscosity * square * (pair.viscous * pair.inverse_width) * slope;
-        for (int k = 0; k < abreast; ++k) {
-          du += drag.at[k] * u.at[k];
-          dw += drag.at[k] * w.at[k];
-        }
-      }
-      if constexpr (friction == Friction::turbulent) {
-        for (int k = 0; k < abreast; ++k) {
-          const Stress& other = work.stress[candidate[k]];
-          const Pack sum_xz = xz + other.xz;
-          du += slope.at[k] * ((xx + other.xx) * pair.x.at[k] + sum_xz * pair.z.at[k]);
-          dw += slope.at[k] * (sum_xz * pair.x.at[k] + (zz + other.zz) * pair.z.at[k]);
-        }
-      }
-      if constexpr (limited) {
-        for (int k = 0; k < abreast; ++k) {
-          const Pack rate = magnitude<Lanes>(approach.at[k]) * (pair.viscous.at[k] * (a.density + b[k]->density));
-          sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1.0, rate));
-        }
-      }
-    }
+    visit_candidates<Kernel, Separation<Lanes>>(
+        work.records, cluster, a,
+        [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
+          const Values u = Values::of([&](int k) { return a.u - b[k]->u; });
+          const Values w = Values::of([&](int k) { return a.w - b[k]->w; });
+          const Values approach = pair.x * u + pair.z * w;
+          const Values squared = pair.inverse_width * pair.inverse_width;
+          const Values scaled_mass = Values::of([&](int k) { return work.mass[candidate[k]] * squared.at[k]; });
+          const Values slope = scaled_mass * shape.slope;
+          const Values weight = scaled_mass * pair.inverse_densities * shape.weight;
+          Values pressures = Values::of([&](int k) { return a.pressure + b[k]->pressure; });
+          if constexpr (friction == Friction::artificial) {
+            const Values sound = Values::of([&](int k) { return a.sound + b[k]->sound; });
+            pressures = pressures + sound * negative(approach) * pair.viscous;
+          }
+          const Values push = pressures * slope;
+          for (int k = 0; k < abreast; ++k) {
+            ddensity += slope.at[k] * approach.at[k];
+            du -= push.at[k] * pair.x.at[k];
+            dw -= push.at[k] * pair.z.at[k];
+            smooth_u += weight.at[k] * u.at[k];
+            smooth_w += weight.at[k] * w.at[k];
+          }
+          if constexpr (friction == Friction::laminar || friction == Friction::turbulent) {
+            const Values square = pair.x * pair.x + pair.z * pair.z;
+            const Values drag = 4 * work.kinematic_viscosity * square * (pair.viscous * pair.inverse_width) * slope;
+            for (int k = 0; k < abreast; ++k) {
+              du += drag.at[k] * u.at[k];
+              dw += drag.at[k] * w.at[k];
+            }
+          }
+          if constexpr (friction == Friction::turbulent) {
+            for (int k = 0; k < abreast; ++k) {
+              const Stress& other = work.stress[candidate[k]];
+              const Pack sum_xz = xz + other.xz;
+              du += slope.at[k] * ((xx + other.xx) * pair.x.at[k] + sum_xz * pair.z.at[k]);
+              dw += slope.at[k] * (sum_xz * pair.x.at[k] + (zz + other.zz) * pair.z.at[k]);
+            }
+          }
+          if constexpr (limited) {
+            for (int k = 0; k < abreast; ++k) {
+              const Pack rate = magnitude<Lanes>(approach.at[k]) * (pair.viscous.at[k] * (a.density + b[k]->density));
+              sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1.0, rate));
+            }
+          }
+        });
     // Deferred constants; densities were sums, not means.
     const double xsph = 2 * work.xsph * Shape::weight_factor;
     store<Lanes>(a.u - xsph * smooth_u, work.dx, cluster);
@@ -130,21 +130,19 @@ void wall_rates(const PairWork& work, std::size_t first, std::size_t last) {
     const Cluster cluster = work.clusters[c];
     Pack ddensity{}, sigma{};
     const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first);
-    for (const std::int32_t* candidate = cluster.begin; candidate < cluster.end; candidate += abreast) {
-      const Record* b[abreast];
-      load_records(work.records, candidate, b);
-      const Separation<Lanes> pair(a, b);
-      const Shape shape(pair.s, pair.inverse_area, pair.inverse_width);
-      for (int k = 0; k < abreast; ++k) {
-        const Pack approach = pair.x.at[k] * (a.u - b[k]->u) + pair.z.at[k] * (a.w - b[k]->w);
-        const Pack inverse_width = pair.inverse_width.at[k];
-        ddensity += work.mass[candidate[k]] * (inverse_width * inverse_width) * shape.slope.at[k] * approach;
-        if constexpr (limited) {
-          const Pack rate = magnitude<Lanes>(approach) * (pair.viscous.at[k] * (a.density + b[k]->density));
-          sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1.0, rate));
-        }
-      }
-    }
+    visit_candidates<Kernel, Separation<Lanes>>(
+        work.records, cluster, a,
+        [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
+          for (int k = 0; k < abreast; ++k) {
+            const Pack approach = pair.x.at[k] * (a.u - b[k]->u) + pair.z.at[k] * (a.w - b[k]->w);
+            const Pack inverse_width = pair.inverse_width.at[k];
+            ddensity += work.mass[candidate[k]] * (inverse_width * inverse_width) * shape.slope.at[k] * approach;
+            if constexpr (limited) {
+              const Pack rate = magnitude<Lanes>(approach) * (pair.viscous.at[k] * (a.density + b[k]->density));
+              sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1.0, rate));
+            }
+          }
+        });
     store<Lanes>(Shape::slope_factor * ddensity, work.ddensity, cluster);
     if constexpr (limited) {
       store<Lanes>((a.sound * (1 / work.sound_scale) + 0.5 * sigma) / a.smoothing, work.limit, cluster);
@@ -162,22 +160,20 @@ void strain_stress(const PairWork& work, std::size_t first, std::size_t last) {
     const Cluster cluster = work.clusters[c];
     const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first);
     Pack u_x{}, u_z{}, w_x{}, w_z{};
-    for (const std::int32_t* candidate = cluster.begin; candidate < cluster.end; candidate += abreast) {
-      const Record* b[abreast];
-      load_records(work.records, candidate, b);
-      const Distance<Lanes> pair(a, b);
-      const Shape shape(pair.s, pair.inverse_area, pair.inverse_width);
-      const Values squared = pair.inverse_width * pair.inverse_width;
-      for (int k = 0; k < abreast; ++k) {
-        const Pack slope = work.stress[candidate[k]].volume * squared.at[k] * shape.slope.at[k];
-        const Pack u = slope * (a.u - b[k]->u);
-        const Pack w = slope * (a.w - b[k]->w);
-        u_x += u * pair.x.at[k];
-        u_z += u * pair.z.at[k];
-        w_x += w * pair.x.at[k];
-        w_z += w * pair.z.at[k];
-      }
-    }
+    visit_candidates<Kernel, Distance<Lanes>>(
+        work.records, cluster, a,
+        [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
+          const Values squared = pair.inverse_width * pair.inverse_width;
+          for (int k = 0; k < abreast; ++k) {
+            const Pack slope = work.stress[candidate[k]].volume * squared.at[k] * shape.slope.at[k];
+            const Pack u = slope * (a.u - b[k]->u);
+            const Pack w = slope * (a.w - b[k]->w);
+            u_x += u * pair.x.at[k];
+            u_z += u * pair.z.at[k];
+            w_x += w * pair.x.at[k];
+            w_z += w * pair.z.at[k];
+          }
+        });
     const Pack xx = -Shape::slope_factor * u_x;
     const Pack zz = -Shape::slope_factor * w_z;
     const Pack xz = -0.5 * Shape::slope_factor * (u_z + w_x);
@@ -278,6 +274,14 @@ constexpr PairLoops loops_of() {
       },
       .shift = [](KernelName kernel) -> ShiftLoop {
         return kernel == KernelName::cubic_spline ? shift<Lanes, CubicSpline> : shift<Lanes, WendlandC2>;
+      },
+      .wall_pressure = [](KernelName kernel) -> WallPressureLoop {
+        return kernel == KernelName::cubic_spline ? wall_pressure<Lanes, CubicSpline>
+                                                  : wall_pressure<Lanes, WendlandC2>;
+      },
+      .filter = [](KernelName kernel) -> FilterLoop {
+        return kernel == KernelName::cubic_spline ? filter_moments<Lanes, CubicSpline>
+                                                  : filter_moments<Lanes, WendlandC2>;
       },
       .search = search<Lanes>,
   };

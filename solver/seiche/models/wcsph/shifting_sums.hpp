@@ -18,17 +18,15 @@ void find_surface(const ShiftWork& work, std::size_t first, std::size_t last) {
     const Cluster cluster = work.clusters[c];
     const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first);
     Pack divergence{};
-    for (const std::int32_t* candidate = cluster.begin; candidate < cluster.end; candidate += abreast) {
-      const Record* b[abreast];
-      load_records(work.records, candidate, b);
-      const Distance<Lanes> pair(a, b);
-      const Shape shape(pair.s, pair.inverse_area, pair.inverse_width);
-      const Values square = pair.x * pair.x + pair.z * pair.z;
-      const Values weight = square * (pair.inverse_width * pair.inverse_width) * shape.slope;
-      for (int k = 0; k < abreast; ++k) {
-        divergence -= (work.mass[candidate[k]] / b[k]->density) * weight.at[k];
-      }
-    }
+    visit_candidates<Kernel, Distance<Lanes>>(
+        work.records, cluster, a,
+        [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
+          const Values square = pair.x * pair.x + pair.z * pair.z;
+          const Values weight = square * (pair.inverse_width * pair.inverse_width) * shape.slope;
+          for (int k = 0; k < abreast; ++k) {
+            divergence -= (work.mass[candidate[k]] / b[k]->density) * weight.at[k];
+          }
+        });
     divergence *= Shape::slope_factor;
     for (int l = 0; l < cluster.count; ++l) {
       work.at_surface[cluster.first + l] = divergence[l] < surface_divergence ? 1 : 0;
@@ -53,34 +51,32 @@ void shift(const ShiftWork& work, std::size_t first, std::size_t last) {
         LaneKernel<One, Kernel>(One{{work.spacing * inverse}}, One{{inverse}}, One{{inverse}}).weight.at[0];
     const Pack per_usual = 1.0 / squared_usual;
     Pack surface{}, crowd_x{}, crowd_z{}, u_x{}, u_z{}, w_x{}, w_z{}, density_x{}, density_z{};
-    for (const std::int32_t* candidate = cluster.begin; candidate < cluster.end; candidate += abreast) {
-      const Record* b[abreast];
-      load_records(work.records, candidate, b);
-      const Distance<Lanes> pair(a, b);
-      const Shape shape(pair.s, pair.inverse_area, pair.inverse_width);
-      const Values squared = pair.inverse_width * pair.inverse_width;
-      const Values weight = squared * shape.weight;
-      for (int k = 0; k < abreast; ++k) {
-        const Pack volume_slope = (work.mass[candidate[k]] / b[k]->density) * squared.at[k] * shape.slope.at[k];
-        const Pack x = volume_slope * pair.x.at[k];
-        const Pack z = volume_slope * pair.z.at[k];
-        const Pack close = weight.at[k] * per_usual;
-        const Pack crowd = 1.0 + repulsion * ((close * close) * (close * close));
-        crowd_x += crowd * x;
-        crowd_z += crowd * z;
-        const Pack u = b[k]->u - a.u;
-        const Pack w = b[k]->w - a.w;
-        const Pack density = b[k]->density - a.density;
-        u_x += u * x;
-        u_z += u * z;
-        w_x += w * x;
-        w_z += w * z;
-        density_x += density * x;
-        density_z += density * z;
-        const Pack marked = Pack{} + work.at_surface[candidate[k]];
-        surface = Lanes::largest(surface, Lanes::where_less(pair.s.at[k], 1.0, marked));
-      }
-    }
+    visit_candidates<Kernel, Distance<Lanes>>(
+        work.records, cluster, a,
+        [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
+          const Values squared = pair.inverse_width * pair.inverse_width;
+          const Values weight = squared * shape.weight;
+          for (int k = 0; k < abreast; ++k) {
+            const Pack volume_slope = (work.mass[candidate[k]] / b[k]->density) * squared.at[k] * shape.slope.at[k];
+            const Pack x = volume_slope * pair.x.at[k];
+            const Pack z = volume_slope * pair.z.at[k];
+            const Pack close = weight.at[k] * per_usual;
+            const Pack crowd = 1.0 + repulsion * ((close * close) * (close * close));
+            crowd_x += crowd * x;
+            crowd_z += crowd * z;
+            const Pack u = b[k]->u - a.u;
+            const Pack w = b[k]->w - a.w;
+            const Pack density = b[k]->density - a.density;
+            u_x += u * x;
+            u_z += u * z;
+            w_x += w * x;
+            w_z += w * z;
+            density_x += density * x;
+            density_z += density * z;
+            const Pack marked = Pack{} + work.at_surface[candidate[k]];
+            surface = Lanes::largest(surface, Lanes::where_less(pair.s.at[k], 1.0, marked));
+          }
+        });
     constexpr double scale = Shape::slope_factor;
     for (int l = 0; l < cluster.count; ++l) {
       if (surface[l] > 0) continue;

@@ -15,14 +15,23 @@
 #include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/models/wcsph/kernel.hpp"
 #include "seiche/models/wcsph/neighbours.hpp"
+#include "seiche/models/wcsph/pair_loops.hpp"
 #include "seiche/models/wcsph/stage.hpp"
 
 namespace seiche::wcsph {
 
-/// Sets the density of wall records and of `density`.
-/// @param gravity  g - a_w felt at wall particle i
-void extrapolate_to_walls(KernelName kernel, const TaitFluid& fluid,
-                          const std::function<std::array<double, 2>(std::size_t i)>& gravity, Stage& stage,
-                          const Neighbours& neighbours, std::vector<double>& density);
+class ExtrapolatedWalls {
+ public:
+  ExtrapolatedWalls(KernelName kernel, const TaitFluid& fluid) : kernel_(kernel), fluid_(fluid) {}
+  /// Sets the density of wall records and of `density`.
+  /// @param gravity  g - a_w felt at wall particle i
+  void apply(const std::function<std::array<double, 2>(std::size_t i)>& gravity, Stage& stage,
+             const Neighbours& neighbours, std::vector<double>& density);
+
+ private:
+  KernelName kernel_;
+  TaitFluid fluid_;
+  std::vector<WallMeans> means_;  ///< of all particles; those of the fluid are not used
+};
 
 }  // namespace seiche::wcsph

@@ -1,0 +1,135 @@
+// Sound in weakly compressible SPH with density diffusion: it dies away as the linear equations on the lattice say.
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/models/wcsph/flow.hpp"
+#include "verification/check.hpp"
+#include "verification/lattice_sums.hpp"
+#include "verification/wcsph_problems.hpp"
+
+namespace {
+
+using namespace seiche::wcsph;
+using namespace seiche::verification;
+using seiche::evidence::Bound;
+
+constexpr std::size_t cells = 32;
+constexpr std::size_t rows = 16;
+constexpr double dx = 1.0 / cells;
+constexpr double sound_speed = 10;
+constexpr double delta = 0.1;
+constexpr double mach = 1e-6;
+const std::string source =
+    "linearisation of the diffusion on the lattice: Lambda = 2 sum V |F| (1 - cos k x) - S^2/M, F = (1/r) dW/dr";
+
+/// What the diffusion of exp(i k x) is, over delta c_0 h; dx = 1.
+template <class Kernel>
+double diffusion_symbol(double h, double k) {
+  double second = 0;
+  const int reach = static_cast<int>(std::ceil(support * h));
+  for (int j = -reach; j <= reach; ++j) {
+    for (int i = -reach; i <= reach; ++i) {
+      const double r = std::hypot(i, j);
+      if (r == 0 || r >= support * h) continue;
+      second -= 2 * radial_slope<Kernel>(r, h) / r * (1 - std::cos(k * i));
+    }
+  }
+  const LatticeSums sums = lattice_sums<Kernel>(h, Arrangement::square, k);
+  return second - sums.symbol * sums.symbol / sums.first;
+}
+
+/// Amplitudes of rho/rho_0 - 1, as cos kx, and of u/c_0, as sin kx.
+struct Amplitudes {
+  double density, velocity;
+};
+
+Amplitudes of(const Flow& flow, double k) {
+  const Particles& p = flow.particles();
+  Amplitudes sum{0, 0};
+  for (std::size_t a = 0; a < p.size(); ++a) {
+    sum.density += (p.density[a] - 1) * std::cos(k * p.x[a]);
+    sum.velocity += p.u[a] / sound_speed * std::sin(k * p.x[a]);
+  }
+  const double half = 0.5 * static_cast<double>(p.size());
+  return {sum.density / half, sum.velocity / half};
+}
+
+}  // namespace
+
+TEST_CASE("density diffusion damps sound at the rate of the linear equations on the lattice", "[dispersion]") {
+  Check check(
+      "wcsph_diffusion_decay", "Standing sound waves: decay by density diffusion",
+      "$u = 10^{-6} c_0 \\sin kx$ on a square lattice in a periodic box, $\\delta = 0.1$, no viscosity. Density "
+      "and velocity obey $\\dot r = -S u - \\delta c_0 h \\Lambda r$, $\\dot u = c_0^2 S r$ with the sums "
+      "of the lattice, which the midpoint rule multiplies by one matrix each step: both amplitudes after "
+      "many steps are known. $\\Lambda$ is of fourth order in $k$: long waves are left alone.");
+  seiche::evidence::Table table{.id = "decay",
+                                .title = "Amplitude of a sound wave",
+                                .caption = "Over that of the beginning, at t = 0.5.",
+                                .columns = {{"kernel", ""}, {"mode", "1"}, {"expected", "1"}, {"found", "1"}},
+                                .rows = {},
+                                .atlas = {}};
+  for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
+    const bool spline = kernel == KernelName::cubic_spline;
+    const double smoothing = spline ? 1.3 : 2.0;
+    for (const int mode : {1, 4, 8}) {
+      const double k = 2 * std::numbers::pi * mode;
+      Particles particles = lattice(cells, rows, dx, 1);
+      for (std::size_t a = 0; a < particles.size(); ++a) {
+        particles.u[a] = mach * sound_speed * std::sin(k * particles.x[a]);
+      }
+      Flow flow(particles, dx,
+                {.kernel = kernel,
+                 .smoothing = smoothing,
+                 .gravity = 0,
+                 .density = 1,
+                 .sound_speed = sound_speed,
+                 .viscosity = Inviscid{},
+                 .xsph = 0,
+                 .density_diffusion = delta,
+                 .period = {1, dx * rows}});
+      const double step = 0.3 * dx / sound_speed;
+      const long steps = std::lround(0.5 / step);
+      const double symbol = (spline ? lattice_sums<CubicSpline>(smoothing, Arrangement::square, k * dx)
+                                    : lattice_sums<WendlandC2>(smoothing, Arrangement::square, k * dx))
+                                .symbol /
+                            dx;
+      const double lambda = (spline ? diffusion_symbol<CubicSpline>(smoothing, k * dx)
+                                    : diffusion_symbol<WendlandC2>(smoothing, k * dx)) /
+                            (dx * dx);
+      const auto rate = [&](const Amplitudes& y) {
+        return Amplitudes{
+            -sound_speed * symbol * y.velocity - delta * sound_speed * smoothing * dx * lambda * y.density,
+            sound_speed * symbol * y.density};
+      };
+      const auto moved = [](const Amplitudes& y, const Amplitudes& f, double tau) {
+        return Amplitudes{y.density + tau * f.density, y.velocity + tau * f.velocity};
+      };
+      Amplitudes expected{0, mach};
+      for (long n = 0; n < steps; ++n) {
+        flow.advance(step);
+        expected = moved(expected, rate(moved(expected, rate(expected), 0.5 * step)), step);
+      }
+      const Amplitudes found = of(flow, k);
+      const double apart = std::hypot(found.density - expected.density, found.velocity - expected.velocity) / mach;
+      table.rows.push_back({std::string(name_of(kernel)), static_cast<double>(mode),
+                            std::hypot(expected.density, expected.velocity) / mach,
+                            std::hypot(found.density, found.velocity) / mach});
+      check.that({.id = fmt::format("decay-{}-{}", name_of(kernel), mode),
+                  .text = "Sound dies away as the linear equations say.",
+                  .quantity = "distance of both amplitudes from those expected, over the first amplitude",
+                  .source = source},
+                 {.value = apart, .resolution = fmt::format("{} cells, mode {}, {} steps", cells, mode, steps)},
+                 Bound{.limit = 2 * mach * k * sound_speed * 0.5 + 1e-7,
+                       .reason = "(gamma + 1)/4 M k c_0 t, what goes to the second harmonic and comes back from it at "
+                                 "most; 1e-7: densities of 1 are rounded a thousand times, 2e-16 sqrt(1000) over 1e-6 "
+                                 "is a tenth of it"});
+    }
+  }
+  check.table(std::move(table));
+}

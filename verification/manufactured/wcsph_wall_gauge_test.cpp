@@ -1,0 +1,107 @@
+// The pressure that a gauge in a wall reads: hydrostatic water, and linear pressures.
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/models/wcsph/scene.hpp"
+#include "seiche/models/wcsph/wall_gauge.hpp"
+#include "verification/check.hpp"
+#include "verification/wcsph_problems.hpp"
+
+namespace {
+
+using namespace seiche::wcsph;
+using namespace seiche::verification;
+using seiche::evidence::Bound;
+using seiche::evidence::Roundoff;
+
+constexpr double gravity = 9.81;
+constexpr double depth = 0.5;
+constexpr double wall_x = 1;
+const std::string source = "Shepard, Proc. 23rd ACM National Conference (1968) 517";
+
+Settings water(double felt) {
+  return {.kernel = KernelName::wendland_c2,
+          .smoothing = 2,
+          .gravity = felt,
+          .sound_speed = 40,
+          .walls = WallPressure::extrapolated};
+}
+
+/// A tank whose water has the pressure p_0 + along (z - depth/2) + normal (x - wall_x).
+Flow with_pressure(double spacing, const Settings& settings, double along, double normal) {
+  Scene scene = tank({.width = wall_x, .depth = depth, .spacing = spacing}, settings);
+  const TaitFluid fluid(settings.density, settings.sound_speed, settings.exponent);
+  Particles& p = scene.particles;
+  for (std::size_t a = 0; a < p.size(); ++a) {
+    if (p.kind[a] != Kind::fluid) continue;
+    p.density[a] = fluid.density_at(5000 + along * (p.z[a] - depth / 2) + normal * (p.x[a] - wall_x));
+  }
+  return {p, spacing, settings};
+}
+
+}  // namespace
+
+TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the water beside it", "[manufactured]") {
+  Check check("wcsph_wall_gauge", "Pressure on a gauge in a wall",
+              "A tank of water 1 m x 0.5 m with given pressures and a round gauge in its wall. Hydrostatic: the "
+              "gauge reads $\\rho_0 g$ times the depth of its middle. A pressure that rises along the wall: about a "
+              "height about which the lattice is symmetric its mean is that of the middle, to round-off. One that "
+              "rises towards the wall: read as far inside as the weights have their centre; half the spacing halves "
+              "the error. Where there is no water there is no pressure.");
+  const double spacing = 0.025;
+  const double diameter = 0.02;
+  const Settings still = water(gravity);
+  {
+    const Flow flow(tank({.width = wall_x, .depth = depth, .spacing = spacing}, still).particles, spacing, still);
+    for (const double z : {0.01, 0.1, 0.25}) {
+      const double expected = 1000 * gravity * (depth - z);
+      check.that({.id = fmt::format("hydrostatic-{:.0f}", 100 * z),
+                  .text = "The gauge reads the pressure of its depth.",
+                  .quantity = "pressure",
+                  .unit = "Pa",
+                  .source = "P = rho_0 g (H - z)"},
+                 {.value = pressure_on({.x = wall_x, .z = z, .diameter = diameter}, flow)},
+                 Bound{.limit = 1000 * gravity * 2 * flow.smoothing_length() * gravity * depth / (40 * 40.0),
+                       .reason = "densities are up to rho_0 (1 + g H/c_0^2): so much more weight over the support",
+                       .expected = expected});
+    }
+    CHECK(pressure_on({.x = wall_x, .z = 0.9, .diameter = diameter}, flow) == 0);
+    CHECK_THROWS_AS(pressure_on({.x = wall_x, .z = 0.1, .diameter = -1}, flow), std::invalid_argument);
+  }
+  const Flow along = with_pressure(spacing, water(0), 2000, 0);
+  check.that({.id = "along",
+              .text = "A pressure that is linear along the wall is that of the middle of the face.",
+              .quantity = "pressure",
+              .unit = "Pa",
+              .source = source},
+             {.value = pressure_on({.x = wall_x, .z = depth / 2, .diameter = diameter}, along)},
+             Bound{.limit = 2000 * 2 * 2 * spacing * 5000 / (1000 * 1600.0),
+                   .reason = "volumes m/rho differ by P/(rho_0 c_0^2), 5000 of 1.6e6, over the support",
+                   .expected = 5000});
+  double errors[2];
+  for (int halving = 0; halving < 2; ++halving) {
+    const double dx = spacing / (1 << halving);
+    const Flow flow = with_pressure(dx, water(0), 0, 4000);
+    errors[halving] = pressure_on({.x = wall_x, .z = depth / 2, .diameter = diameter / (1 << halving)}, flow) - 5000;
+  }
+  check.that({.id = "normal",
+              .text = "A pressure that rises towards the wall is read where the weights have their centre.",
+              .quantity = "error over its gradient times h",
+              .source = source},
+             {.value = errors[0] / (4000 * 2 * spacing)},
+             Bound{.limit = 0.02,
+                   .reason = "-0.424: the centre of half of the kernel, 2/pi int w q^2 dq/int w q dq; rows of the "
+                             "lattice at h/4, 3h/4, ... add (1/24)(dx/h)^2 W_1(0)/(1/2) = 0.016 to its distance, W_1 "
+                             "the kernel's integral along the wall",
+                   .expected = -0.424});
+  check.that({.id = "order",
+              .text = "Half the spacing halves that error.",
+              .quantity = "error over that with twice the spacing",
+              .source = source},
+             {.value = errors[1] / errors[0]},
+             Bound{.limit = 0.01, .reason = "volumes m/rho differ by up to 5000 Pa over 1.6e6 Pa", .expected = 0.5});
+}
