@@ -68,9 +68,9 @@ Outcome run_all(const std::vector<Job>& jobs, const RunOptions& options) {
         written = true;
         display.skipped(job.stem());
       } else {
-        children.push_back(std::make_unique<Child>(
-            job, options.directory, Keeping{options.resume, options.checkpoint_every},
-            options.most_seconds.value_or(job.definition->time_limit.at(job.values.tier()))));
+        children.push_back(
+            std::make_unique<Child>(job, options.directory, Keeping{options.resume, options.checkpoint_every},
+                                    options.most_seconds.value_or(job.definition->time_limit.at(job.values.tier()))));
       }
     }
     for (auto child = children.begin(); child != children.end();) {
