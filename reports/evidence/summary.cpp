@@ -16,7 +16,7 @@ namespace {
 
 using Files = std::map<std::string, std::string>;
 
-constexpr std::uintmax_t largest_record = 64U << 20U;  // [byte], hundreds of times the largest of ours
+constexpr std::uintmax_t largest_record = 8U << 20U;  // [byte], sixty times the largest of ours
 
 /// @throws std::runtime_error where the file is a link, which may lead anywhere, no file, or larger than any record
 std::string text_of(const std::filesystem::path& json_file) {
