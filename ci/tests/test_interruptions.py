@@ -187,9 +187,10 @@ class Interruptions(unittest.TestCase):
 
     def test_deep_tables_are_refused(self):
         config = self.folder / "deep.toml"
-        for text in ("a=" + "[" * 40000, "a=" + "{a=" * 40000, "[" + "a." * 40000 + "a]", "a." * 40000 + "a = 1"):
+        for text in ("a=" + "[" * 40000, "a=" + "{a=" * 40000, "[" + "a." * 200000 + "a]", "a." * 200000 + "a = 1"):
             config.write_text(text)
-            self.ends(seiche("run", "riemann", "--config", config, "--out", self.out), 2, "deep.toml: line 1")
+            for words in (["run", "riemann", "--out", self.out], ["score", "riemann", "--template"]):
+                self.ends(seiche(*words, "--config", config), 2, "deep.toml: ")
 
 
 if __name__ == "__main__":

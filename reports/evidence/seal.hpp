@@ -1,5 +1,5 @@
-/// What holds the files of a record together: its JSON ends with the digest of all that stands before it, and among that
-/// are the digests of the files beside it.
+/// What holds the files of a record together: its JSON ends with the digest of all that stands before it, and among
+/// that are the digests of the files beside it.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace seiche::evidence {
 
-/// Puts the digest at the end of a record's text: `{...}\n` becomes `{..., "digest": "<SHA-256>"}\n`. The digest is that
-/// of all bytes before its own first digit.
+/// Puts the digest at the end of a record's text: `{...}\n` becomes `{..., "digest": "<SHA-256>"}\n`. The digest is
+/// that of all bytes before its own first digit.
 /// @param text  a JSON object that ends with "\n}\n" and has no digest
 std::string sealed(std::string text);
 

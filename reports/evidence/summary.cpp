@@ -16,7 +16,7 @@ namespace {
 
 using Files = std::map<std::string, std::string>;
 
-constexpr std::uintmax_t largest_record = 64U << 20U;  // [byte], hundreds of times the largest of ours
+constexpr std::uintmax_t largest_record = 8U << 20U;  // [byte], sixty times the largest of ours
 
 /// @throws std::runtime_error where the file is a link, which may lead anywhere, no file, or larger than any record
 std::string text_of(const std::filesystem::path& json_file) {
@@ -116,7 +116,8 @@ Summary read_summary(const std::filesystem::path& json_file, Reading reading) {
     s.date = word(provenance.at("date"));
     s.wall_time = number(json.at("wall_time"));
     for (const auto& claim : json.at("claims")) s.claims.push_back(outcome_from(claim));
-    for (const auto& [quantity, value] : json.at("measurements").items()) s.measurements[printable(quantity)] = number(value);
+    for (const auto& [quantity, value] : json.at("measurements").items())
+      s.measurements[printable(quantity)] = number(value);
     s.reference_data = provenance.at("reference_data").get<std::map<std::string, std::string>>();
     s.files = json.value("files", std::map<std::string, std::string>());
     s.sealed = is_sealed(content);
@@ -130,7 +131,7 @@ Summary read_summary(const std::filesystem::path& json_file, Reading reading) {
     return s;
   } catch (const nlohmann::json::exception& failure) {
     throw std::runtime_error(
-        fmt::format("{} is not a record: {}", json_file.string(), std::string_view(failure.what()).substr(0, 300)));
+        fmt::format("{} is not a record: {}", json_file.string(), printable(failure.what()).substr(0, 300)));
   }
 }
 

@@ -1,10 +1,12 @@
 #include "validation/case/configuration.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "seiche/io/isolated.hpp"
 #include "seiche/printable.hpp"
 #include "validation/case/registry.hpp"
 
@@ -24,6 +26,20 @@ Value value_of(const toml::node& node) {
   throw std::invalid_argument(printable(fmt::format("{}: line {}: {}", name, where.begin.line, what)));
 }
 
+/// toml++ takes tables apart by recursion: keys of tens of thousands of dots end the process. Where there are many
+/// dots, another one tries it first.
+/// @throws std::invalid_argument
+void require_shallow(std::string_view text, const std::string& name) {
+  constexpr long few = 1000;
+  if (std::count(text.begin(), text.end(), '.') <= few) return;
+  try {
+    io::isolated([&] { return toml::parse(text).empty() ? std::string("nothing") : std::string("something"); }, 10);
+  } catch (const std::invalid_argument&) {  // a mistake that the parser names
+  } catch (const std::runtime_error&) {
+    throw std::invalid_argument(printable(fmt::format("{}: its keys are nested too deeply", name)));
+  }
+}
+
 void apply(const std::string& name, const toml::table& table, Values& values) {
   for (const auto& [key, node] : table) {
     if (node.is_table()) continue;
@@ -40,6 +56,7 @@ void apply(const std::string& name, const toml::table& table, Values& values) {
 }  // namespace
 
 void apply_configuration(std::string_view text, const std::string& name, const Case& one, Values& values) {
+  require_shallow(text, name);
   toml::table table;
   try {
     table = toml::parse(text, name);

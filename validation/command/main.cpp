@@ -327,7 +327,8 @@ int main(int argc, char** argv) {
     std::cout.flush();
     const bool flushed = std::fflush(stdout) == 0;
     if (!flushed || std::ferror(stdout) != 0 || !std::cout) {  // an earlier flush may have failed, and forgotten why
-      complain(std::string("standard output cannot be written") + (flushed ? "" : fmt::format(": {}", std::strerror(errno))));
+      complain(std::string("standard output cannot be written") +
+               (flushed ? "" : fmt::format(": {}", std::strerror(errno))));
       return 3;
     }
     return status;

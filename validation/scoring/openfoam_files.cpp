@@ -109,6 +109,7 @@ io::Table read_openfoam(const Text& text) {
       continue;
     }
     const std::vector<double> numbers = numbers_of(text, line, words_of(whole, " \t()"), 0);
+    if (numbers.empty()) text.fail(line, "no numbers");
     const std::size_t values = numbers.size() - 1;
     if (places.empty() || values == 0 || values % places.size() != 0) {
       text.fail(line, fmt::format("{} values for {} probes", values, places.size()));

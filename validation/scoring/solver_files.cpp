@@ -69,7 +69,9 @@ io::Table read_delimited(const Text& text, const std::vector<std::string>& colum
     if (bracket == std::string::npos || names[k].back() != ']') continue;
     if (bracket == 0) text.fail(first, fmt::format("{}: a unit without the name of its column", names[k]));
     units[k] = names[k].substr(bracket + 1, names[k].size() - bracket - 2);
-    names[k] = words_of(names[k].substr(0, bracket), " \t").front();
+    const std::vector<std::string> words = words_of(names[k].substr(0, bracket), " \t");
+    if (words.empty()) text.fail(first, fmt::format("column {} has no name", k + 1));
+    names[k] = words.front();
   }
   Rows rows(text, names, units);
   for (std::size_t line = first; line < text.lines.size(); ++line) {

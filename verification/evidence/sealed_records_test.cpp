@@ -1,4 +1,5 @@
-// A record and the files beside it are one: whatever is changed, exchanged or missing is seen, and one process writes it.
+// A record and the files beside it are one: whatever is changed, exchanged or missing is seen, and one process writes
+// it.
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>

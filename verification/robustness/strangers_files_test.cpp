@@ -59,17 +59,15 @@ TEST_CASE("numbers of an HDF5 file that lie in another file are not read", "[rob
   const ScratchFolder scratch("seiche_strangers");
   const auto secret = scratch.path() / "secret";
   std::ofstream(secret) << "of nobody's business, eight numbers long, and then some more of it";
-  const auto stored_elsewhere = dataset(scratch, 8, [&](hid_t properties, hid_t) {
-    H5Pset_external(properties, secret.c_str(), 0, 64);
-  });
+  const auto stored_elsewhere =
+      dataset(scratch, 8, [&](hid_t properties, hid_t) { H5Pset_external(properties, secret.c_str(), 0, 64); });
   CHECK_THAT(reason_of(stored_elsewhere), Contains("another file"));
   const auto virtual_dataset = dataset(scratch, 8, [&](hid_t properties, hid_t space) {
     H5Pset_virtual(properties, space, secret.c_str(), "x", space);
   });
   CHECK_THAT(reason_of(virtual_dataset), Contains("another file"));
-  const auto link = hdf5_of(scratch, [&](hid_t file) {
-    H5Lcreate_external(secret.c_str(), "/h", file, "h", H5P_DEFAULT, H5P_DEFAULT);
-  });
+  const auto link = hdf5_of(
+      scratch, [&](hid_t file) { H5Lcreate_external(secret.c_str(), "/h", file, "h", H5P_DEFAULT, H5P_DEFAULT); });
   CHECK_THAT(reason_of(link), Contains("another file"));
 }
 
@@ -149,8 +147,8 @@ TEST_CASE("a file takes the place of a file, not of a pipe, a folder or a link",
 TEST_CASE("a stranger's text is shown in printable characters", "[robustness]") {
   CHECK(printable("depth η = 3.5 m, \xF0\x9F\x8C\x8A") == "depth η = 3.5 m, \xF0\x9F\x8C\x8A");
   CHECK(printable("\x1b[2Jgone\r\n\t\x7f") == "?[2Jgone????");
-  CHECK(printable("C1: \xC2\x9B") == "C1: ?");                        // CSI in one character
-  CHECK(printable("\xE2\x80\xAEtxt.exe") == "?txt.exe");              // right-to-left override
+  CHECK(printable("C1: \xC2\x9B") == "C1: ?");                               // CSI in one character
+  CHECK(printable("\xE2\x80\xAEtxt.exe") == "?txt.exe");                     // right-to-left override
   CHECK(printable("\x9B|\xC0\xAF|\xED\xA0\x80|\xE2\x82") == "?|??|???|??");  // no UTF-8
   CHECK(printable("").empty());
 }

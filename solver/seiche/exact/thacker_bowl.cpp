@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
+#include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "seiche/require.hpp"
@@ -19,6 +21,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr int instants = 12;
+constexpr double smallest_start = 1e-6;  // of the radius: 1 - A is then 2e-12, and known to 1e-4
 
 const std::string thacker = "Thacker, J. Fluid Mech. 107 (1981) 499; Delestre et al., SWASHES (2013), section 4.2.2";
 
@@ -42,6 +45,12 @@ ThackerRadialBowl::ThackerRadialBowl(double gravity, double radius, double depth
   require_within("start_radius", start_radius, 0, radius);
   const double q = start_radius / radius;
   amplitude_ = (1 - q) * (1 + q) / (1 + q * q);
+  if (!(q >= smallest_start)) {
+    throw std::invalid_argument(fmt::format(
+        "start_radius = {:g} is out of range: must be at least {:g} of the radius {:g}, or 1 - A is lost in "
+        "rounding",
+        start_radius, smallest_start, radius));
+  }
   require_positive("1 - start_radius/radius", amplitude_);
   frequency_ = std::sqrt(8 * gravity * depth) / radius;
 }
