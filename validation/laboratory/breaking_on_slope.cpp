@@ -36,7 +36,7 @@ struct Along {
 Along along_slope(const Wave& wave, double spacing) {
   const double slope = 1 / 34.26;
   const double depth = 0.36;
-  const Flume flume{.bed_x = {-84, -depth / slope, 0, 0.2 / slope},
+  const Flume flume{.bed_x = {-110, -depth / slope, 0, 0.2 / slope},
                     .bed_z = {-depth, -depth, 0, 0.2},
                     .spacing = spacing,
                     .tau = spacing / 3,
@@ -45,8 +45,8 @@ Along along_slope(const Wave& wave, double spacing) {
                     .breaking = dispersive::Breaking{}};
   const double toe = -depth / slope;
   dispersive::Flow flow =
-      cnoidal_waves(flume, {.depth = depth, .height = wave.height, .period = wave.period, .from = -80, .to = toe});
-  flow.advance_to(25, flume.tau);
+      cnoidal_waves(flume, {.depth = depth, .height = wave.height, .period = wave.period, .from = -106, .to = toe});
+  flow.advance_to(30, flume.tau);
   std::vector<double> places;
   for (double x = 0; x < 10.5; x += 0.05) places.push_back(toe + x);
   constexpr long periods = 3;
