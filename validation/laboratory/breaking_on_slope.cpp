@@ -87,6 +87,21 @@ Submitted compute(const Run& run, double coarsening) {
   return submitted;
 }
 
+/// At the standard parameters; a band is a half more than what twice the spacing changes, or an eighth.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string ripple =
+      "the front of the train fades in over a wavelength and sheds free waves: heights ripple by 4 % along the flat";
+  const std::string sway =
+      "the train brings its set-down into still water, which sways by some tenths of a millimetre while the flume "
+      "fills; "
+      "the measured level is known to 0.1 mm";
+  return {
+      {"heights-misfit-1", {.value = 0.00337, .width = 0.0007, .reason = ripple}},
+      {"levels-misfit-1", {.value = 0.00039, .width = 0.00005, .reason = sway}},
+      {"levels-misfit-2", {.value = 0.00036, .width = 0.00007, .reason = sway}},
+  };
+}
+
 Experiment experiment(const Values& /*values*/) {
   Series heights{.name = "heights",
                  .table = "hansen_svendsen_1979_shoaling_breaking",
@@ -116,7 +131,8 @@ Experiment experiment(const Values& /*values*/) {
           .parts = {heights, levels},
           .files = {"hansen_svendsen_1979_shoaling_breaking/bed.csv"},
           .compute = compute,
-          .model = "dispersive shallow water with breaking"};
+          .model = "dispersive shallow water with breaking",
+          .misses = misses()};
 }
 
 }  // namespace

@@ -64,8 +64,37 @@ std::map<std::string, evidence::KnownFailure> misses() {
   };
 }
 
+/// Likewise; bands of three numerical uncertainties at least, and of 8 ms for the times.
 std::map<std::string, evidence::KnownFailure> misses_of_breaking() {
-  return {};
+  const std::string tall =
+      "the wave falls from 0.68 to 0.59 depths between gauges 4 and 6 in the flume, before the slope makes it break; "
+      "Serre's solitary wave keeps its height there and is broader than the Euler equations' of so great a height";
+  const std::string early =
+      "and so it runs faster: it is early by as much as it was at the gauge before, and by what it is too high";
+  const std::string shape =
+      "the bore comes from a wave that was too high and lost more, and the viscosity that leaves no waves behind it "
+      "leaves none on the wave that comes back from the wall either";
+  return {
+      {"gauges-misfit-4", {.value = 0.0032, .width = 0.0004, .reason = tall}},
+      {"gauges-highest-5", {.value = 0.1463, .width = 0.0011, .reason = tall}},
+      {"gauges-arrival-5", {.value = 269.04, .width = 0.008, .reason = early}},
+      {"gauges-misfit-5", {.value = 0.0130, .width = 0.0016, .reason = tall}},
+      {"gauges-highest-6", {.value = 0.1513, .width = 0.0028, .reason = tall}},
+      {"gauges-arrival-6", {.value = 270.21, .width = 0.018, .reason = early}},
+      {"gauges-misfit-6", {.value = 0.0148, .width = 0.0019, .reason = tall}},
+      {"gauges-highest-7", {.value = 0.1654, .width = 0.0031, .reason = tall}},
+      {"gauges-arrival-7", {.value = 271.41, .width = 0.024, .reason = early}},
+      {"gauges-misfit-7", {.value = 0.0190, .width = 0.0024, .reason = tall}},
+      {"gauges-highest-8", {.value = 0.0961, .width = 0.0014, .reason = shape}},
+      {"gauges-arrival-8", {.value = 272.21, .width = 0.029, .reason = early}},
+      {"gauges-misfit-8", {.value = 0.0159, .width = 0.002, .reason = shape}},
+      {"gauges-highest-9", {.value = 0.0922, .width = 0.0014, .reason = shape}},
+      {"gauges-arrival-9", {.value = 273.12, .width = 0.032, .reason = early}},
+      {"gauges-misfit-9", {.value = 0.0153, .width = 0.0019, .reason = shape}},
+      {"gauges-highest-10", {.value = 0.1161, .width = 0.0045, .reason = shape}},
+      {"gauges-arrival-10", {.value = 273.38, .width = 0.034, .reason = early}},
+      {"gauges-misfit-10", {.value = 0.0179, .width = 0.0022, .reason = shape}},
+  };
 }
 
 }  // namespace
