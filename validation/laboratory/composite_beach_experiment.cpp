@@ -70,7 +70,7 @@ std::map<std::string, evidence::KnownFailure> misses_of_breaking() {
       "the wave falls from 0.68 to 0.59 depths between gauges 4 and 6 in the flume, before the slope makes it break; "
       "Serre's solitary wave keeps its height there and is broader than the Euler equations' of so great a height";
   const std::string early =
-      "and so it runs faster: it is early by as much as it was at the gauge before, and by what it is too high";
+      "a wave that is too high runs too fast: it is early by what it was at the gauge before, and more";
   const std::string shape =
       "the bore comes from a wave that was too high and lost more, and the viscosity that leaves no waves behind it "
       "leaves none on the wave that comes back from the wall either";
