@@ -36,7 +36,7 @@ struct Along {
 Along along_slope(const Wave& wave, double spacing) {
   const double slope = 1 / 34.26;
   const double depth = 0.36;
-  const Flume flume{.bed_x = {-84, -depth / slope, 0, 0.2 / slope},
+  const Flume flume{.bed_x = {-110, -depth / slope, 0, 0.2 / slope},
                     .bed_z = {-depth, -depth, 0, 0.2},
                     .spacing = spacing,
                     .tau = spacing / 3,
@@ -45,8 +45,8 @@ Along along_slope(const Wave& wave, double spacing) {
                     .breaking = dispersive::Breaking{}};
   const double toe = -depth / slope;
   dispersive::Flow flow =
-      cnoidal_waves(flume, {.depth = depth, .height = wave.height, .period = wave.period, .from = -80, .to = toe});
-  flow.advance_to(25, flume.tau);
+      cnoidal_waves(flume, {.depth = depth, .height = wave.height, .period = wave.period, .from = -106, .to = toe});
+  flow.advance_to(30, flume.tau);
   std::vector<double> places;
   for (double x = 0; x < 10.5; x += 0.05) places.push_back(toe + x);
   constexpr long periods = 3;
@@ -87,6 +87,21 @@ Submitted compute(const Run& run, double coarsening) {
   return submitted;
 }
 
+/// At the standard parameters; a band is a half more than what twice the spacing changes, or an eighth.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string ripple =
+      "the front of the train fades in over a wavelength and sheds free waves: heights ripple by 4 % along the flat";
+  const std::string sway =
+      "the train brings its set-down into still water, which sways by some tenths of a millimetre while the flume "
+      "fills; "
+      "the measured level is known to 0.1 mm";
+  return {
+      {"heights-misfit-1", {.value = 0.00337, .width = 0.0007, .reason = ripple}},
+      {"levels-misfit-1", {.value = 0.00039, .width = 0.00005, .reason = sway}},
+      {"levels-misfit-2", {.value = 0.00036, .width = 0.00007, .reason = sway}},
+  };
+}
+
 Experiment experiment(const Values& /*values*/) {
   Series heights{.name = "heights",
                  .table = "hansen_svendsen_1979_shoaling_breaking",
@@ -116,7 +131,8 @@ Experiment experiment(const Values& /*values*/) {
           .parts = {heights, levels},
           .files = {"hansen_svendsen_1979_shoaling_breaking/bed.csv"},
           .compute = compute,
-          .model = "dispersive shallow water with breaking"};
+          .model = "dispersive shallow water with breaking",
+          .misses = misses()};
 }
 
 }  // namespace

@@ -48,6 +48,8 @@ Flow SolitaryClimb::start() const {
   const double beyond = wall - 1 - reach(margin);
   Channel channel{
       .left = End::wall, .right = cot_slope > 0 ? End::tip : End::wall, .kinetics = kinetics, .tip_mass = tip_mass};
+  channel.friction = friction;
+  channel.breaking = breaking;
   if (cot_slope > 0) {
     channel.bottom = std::make_shared<PiecewiseLinearBottom>(
         std::vector{beyond, -cot_slope, 0.0, highest_land * cot_slope}, std::vector{-1.0, -1.0, 0.0, highest_land});

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct SolitaryClimb {
   dispersive::TipMass tip_mass = dispersive::TipMass::elementary;
   dispersive::Kinetics kinetics = dispersive::Kinetics::frank;
   dispersive::Scheme scheme = {};
+  dispersive::Friction friction = {};
+  std::optional<dispersive::Breaking> breaking = {};
 
   /// Distance from the crest at which the wave has fallen to `fraction` of its height, by Boussinesq's profile
   /// sech^2(sqrt(3A/4) x), as experimenters count it.

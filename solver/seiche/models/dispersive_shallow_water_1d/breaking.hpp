@@ -24,9 +24,11 @@
 ///
 /// What is left of a broken wave becomes thin. Where markers stand farther apart than the water is deep, going up and
 /// down by turns is no wave of the model's but would dry them: there neighbours exchange vertical momentum too, by the
-/// factor alpha m omega/2, omega^2 = g/(3 alpha h), which damps this critically and leaves what is smooth.
+/// factor alpha m omega/2 times their distance over the depth, omega^2 = g/(3 alpha h). It damps this critically where
+/// the two are equal and more where the water is thinner, and leaves what is smooth.
 ///
-/// When not to use it: overturning itself, and jets; bores with Fr below ceasing_froude, which are undular.
+/// When not to use it: overturning itself, and jets; bores with Fr below ceasing_froude, which are undular; run-up of
+/// broken waves without friction, whose thin tongue the light marker at the tip leads too far.
 ///
 /// References: M. Tissier, P. Bonneton, F. Marche, F. Chazel, D. Lannes, Coastal Eng. 67 (2012) 54 (30 degrees, 1.3);
 /// A. B. Kennedy, Q. Chen, J. T. Kirby, R. A. Dalrymple, J. Waterway 126 (2000) 39 (viscosity on fronts); R. S.

@@ -61,7 +61,7 @@ void Model::exchange_momentum(double h, Output u) {
   });
   const double rate_of_depth = std::sqrt(channel_.alpha * channel_.gravity / 12);
   exchange(inertia_r_, u.subspan(n_), [&](std::size_t, double width, double depth) {
-    return width > depth ? h * channel_.density * rate_of_depth * width * std::sqrt(depth) : 0.0;
+    return width > depth ? h * channel_.density * rate_of_depth * width * width / std::sqrt(depth) : 0.0;
   });
   assemble_and_factor();
   project_rates(u);

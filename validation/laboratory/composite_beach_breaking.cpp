@@ -1,0 +1,38 @@
+/*
+Wave C of the composite beach (`composite_beach`), a solitary wave 0.68 depths high that breaks on the slope and runs
+up the wall behind it as a bore.
+
+**Set-up.** The one-dimensional dispersive model from a solitary wave as high as gauge 4 measured it. Fronts begin to
+break at a slope of 30 degrees and end at a Froude number of 1.3, with the viscosity that leaves no waves behind a bore;
+glass has Manning's $n$ = 0.01. Nothing is fitted to the experiment.
+
+**What is compared.** What `composite_beach` compares: elevation at seven gauges and the run-up on the wall.
+
+**What to look at.** Gauges 8 to 10, where a bore passes and comes back. Without breaking the run ends when the wave
+meets the wall and leaves it dry.
+*/
+#include "validation/laboratory/composite_beach_experiment.hpp"
+#include "validation/laboratory/laboratory_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using namespace laboratory;
+
+Experiment experiment(const Values& /*values*/) {
+  return composite_beach_experiment("C");
+}
+
+}  // namespace
+
+Case composite_beach_breaking() {
+  Case c;
+  c.title = "A solitary wave breaks on a beach of three slopes";
+  c.source = composite_beach_source;
+  c.parameters = {real("spacing", 0.02, "m", {0.005, 0.1}, "of the markers")};
+  set_laboratory<experiment>(c);
+  c.submission = {};  // others submit to composite_beach
+  return c;
+}
+
+}  // namespace seiche::validation::cases
