@@ -28,9 +28,10 @@ const std::vector<Quantity> quantities{
     {"bottom", "p_bottom", "pressure at the foot", "rho g depth", &WallLoad::largest_bottom},
     {"force", "F", "force", "rho g depth^2", &WallLoad::largest_force}};
 
-void claim_tabled(verification::Check& check, const io::Table& table, std::size_t row, std::size_t markers) {
-  const double a = table.column("A")[row];
-  const WallLoad load(a, 1, markers);
+void claim_tabled(verification::Check& check, const io::Table& table, const WallLoad& load, std::size_t markers) {
+  const double a = load.wave_amplitude();
+  std::size_t row = 0;
+  while (std::abs(table.column("A").at(row) - a) > 1e-9) ++row;
   const WallLoad coarser(a, 1, markers / 4 * 3, 1e-10);
   for (const Quantity& quantity : quantities) {
     const double value = (load.*quantity.largest)().value;
@@ -93,13 +94,10 @@ TEST_CASE("solitary waves load a vertical wall as the reference says", "[exact]"
       "Bernoulli's equation. The largest loads are compared with values of finer computations; the force with the "
       "change of momentum, the pressure at the foot with that of the potential; small waves with series.");
   const auto table = validation::reference_table("wall_load_exact", check.record().reference_data);
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const double a = table.column("A")[row];
-    for (const auto& [chosen, markers] : {std::pair{0.1, 256}, {0.3, 256}, {0.5, 384}}) {
-      if (std::abs(a - chosen) < 1e-9) claim_tabled(check, table, row, static_cast<std::size_t>(markers));
-    }
-  }
+  claim_tabled(check, table, WallLoad(0.1, 1, 192), 192);
+  claim_tabled(check, table, WallLoad(0.3, 1, 256), 256);
   const WallLoad high(0.5);
+  claim_tabled(check, table, high, 384);
   verification::claim_self_test(check, "half", high, source);
   claim_series(check);
   std::vector<double> time;
@@ -125,8 +123,8 @@ TEST_CASE("solitary waves load a vertical wall as the reference says", "[exact]"
 }
 
 TEST_CASE("loads scale with the depth, and what the method cannot do is refused", "[exact]") {
-  const WallLoad one(0.1, 1, 192);
-  const WallLoad two(0.2, 2, 192);
+  const WallLoad one(0.1, 1, 128);
+  const WallLoad two(0.2, 2, 128);
   CHECK(std::abs(two.largest_bottom().value - 2 * one.largest_bottom().value) < 1e-11);
   CHECK(std::abs(two.largest_force().value - 4 * one.largest_force().value) < 1e-11);
   CHECK(std::abs(two.separation() - 2 * one.separation()) < 1e-11);
@@ -136,5 +134,5 @@ TEST_CASE("loads scale with the depth, and what the method cannot do is refused"
   CHECK_THROWS_AS(one.at(-1), std::out_of_range);
   CHECK_THROWS_AS(WallLoad(0.7), std::invalid_argument);
   CHECK_THROWS_AS(WallLoad(0.2, 1, 100), std::invalid_argument);
-  CHECK_THROWS_AS(WallLoad(0.2, 1, 192, 0), std::invalid_argument);
+  CHECK_THROWS_AS(WallLoad(0.2, 1, 128, 0), std::invalid_argument);
 }

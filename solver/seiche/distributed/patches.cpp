@@ -1,5 +1,6 @@
 #include "seiche/distributed/patches.hpp"
 
+#include <stdexcept>
 #include <vector>
 
 namespace seiche::distributed {

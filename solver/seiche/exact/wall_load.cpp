@@ -59,7 +59,9 @@ WallLoad::WallLoad(double amplitude, double depth, std::size_t markers, double t
       tolerance_(tolerance),
       collision_(fallen(amplitude, depth, markers, tolerance)) {
   ow::SurfaceVelocity equation(markers_, collision_->wavenumber());
-  for (const ow::Moment& moment : collision_->motion().moments()) history_.push_back(load(moment, equation));
+  for (const ow::Moment& moment : collision_->motion().moments()) {
+    if (moment.time > 0.5 * collision_->crossing()) history_.push_back(load(moment, equation));
+  }
   still_ = largest(&Load::still);
   bottom_ = largest(&Load::bottom);
   force_ = largest(&Load::force);

@@ -48,7 +48,7 @@ class WallLoad {
   };
   /// Throws std::out_of_range outside the motion.
   [[nodiscard]] Load at(double time) const;
-  /// Of every time step.
+  /// Of every time step since the wave was half-way to the wall.
   [[nodiscard]] const std::vector<Load>& history() const { return history_; }
 
   struct Peak {

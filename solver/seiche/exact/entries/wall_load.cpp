@@ -14,7 +14,7 @@ ExactSolution wall_load_entry() {
       .parameters = {{"amplitude", "m", 0.3, 1e-9, 1e6, "of the incident wave, 0.05 to 0.6 depth"},
                      depth_parameter(1, 1e6),
                      {"markers", "1", 384, 128, 4096, "markers of the computation, even"}},
-      .inputs = {{"t", "sqrt(depth/g)", 0, "time since the crest was the separation from the wall"}},
+      .inputs = {{"t", "1", 0, "time since the crest was the separation from the wall, times sqrt(g/depth)"}},
       .outputs = {{"level", "m", "elevation of the water at the wall"},
                   {"still", "m", "pressure over rho g at the undisturbed level"},
                   {"bottom", "m", "pressure over rho g at the foot of the wall"},
@@ -22,9 +22,9 @@ ExactSolution wall_load_entry() {
       .scalars = {{"largest_still", "m", "largest pressure over rho g at the undisturbed level"},
                   {"largest_bottom", "m", "largest pressure over rho g at the foot of the wall"},
                   {"largest_force", "m^2", "largest force over rho g per unit width"},
-                  {"time_of_still", "sqrt(depth/g)", "when the pressure at the undisturbed level is largest"},
-                  {"time_of_bottom", "sqrt(depth/g)", "when the pressure at the foot is largest"},
-                  {"time_of_force", "sqrt(depth/g)", "when the force is largest"},
+                  {"time_of_still", "1", "when the pressure at the undisturbed level is largest, times sqrt(g/depth)"},
+                  {"time_of_bottom", "1", "when the pressure at the foot is largest, times sqrt(g/depth)"},
+                  {"time_of_force", "1", "when the force is largest, times sqrt(g/depth)"},
                   {"separation", "m", "distance of the crest from the wall at t = 0"}},
       .factory =
           [](const Values& p) {
