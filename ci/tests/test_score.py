@@ -56,8 +56,10 @@ class Score(Scoring):
         template = seiche("score", "wall_run_up_exact", "--template").stdout
         _, [[run_up, *_]] = rows_of(seiche("exact", "wall_runup", "--set", "amplitude=0.3,depth=1").stdout)
         self.accepted(self.score("wall_run_up_exact", "--data", self.write(f"{template}{run_up}\n", "one.csv")))
-        self.refused(self.score("wall_run_up_exact", "--data", self.write(f"[m]\n{run_up}\n", "unit.csv")), "[m]",
-                     "without the name")
+
+    def test_a_unit_without_the_name_of_its_column_is_refused(self):
+        data = self.write("[m]\n0.66\n", "unit.csv")
+        self.refused(self.score("wall_run_up_exact", "--data", data), "[m]", "without the name")
 
     def test_columns_may_have_other_names(self):
         x, h, u = self.riemann()
@@ -242,7 +244,7 @@ class Score(Scoring):
                 self.refused(seiche("score", "riemann", "--data", data, *words, "--out", self.out), *expected)
         self.refused(seiche("score", "riemann", "--out", self.out), "--data")
         self.refused(seiche("score", "thacker", "--template"), "--table", "shorelines, gauges")
-        self.refused(seiche("score", "moving_bore", "--data", data), "moving_bore")
+        self.refused(seiche("score", "shock_formation", "--data", data), "shock_formation")
 
 
 if __name__ == "__main__":
