@@ -24,6 +24,7 @@ constexpr double dx = 1.0 / cells;
 constexpr double sound_speed = 10;
 constexpr double delta = 0.1;
 constexpr double mach = 1e-6;
+constexpr double duration = 0.5;
 const std::string source =
     "linearisation of the diffusion on the lattice: Lambda = 2 sum V |F| (1 - cos k x) - S^2/M, F = (1/r) dW/dr";
 
@@ -70,14 +71,14 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
       "many steps are known. $\\Lambda$ is of fourth order in $k$: long waves are left alone.");
   seiche::evidence::Table table{.id = "decay",
                                 .title = "Amplitude of a sound wave",
-                                .caption = "Over that of the beginning, at t = 0.5.",
+                                .caption = "Over that of the beginning, at the end.",
                                 .columns = {{"kernel", ""}, {"mode", "1"}, {"expected", "1"}, {"found", "1"}},
                                 .rows = {},
                                 .atlas = {}};
   for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
     const bool spline = kernel == KernelName::cubic_spline;
     const double smoothing = spline ? 1.3 : 2.0;
-    for (const int mode : {1, 4, 8}) {
+    for (const int mode : {1, 2, 4}) {
       const double k = 2 * std::numbers::pi * mode;
       Particles particles = lattice(cells, rows, dx, 1);
       for (std::size_t a = 0; a < particles.size(); ++a) {
@@ -94,7 +95,7 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
                  .density_diffusion = delta,
                  .period = {1, dx * rows}});
       const double step = 0.3 * dx / sound_speed;
-      const long steps = std::lround(0.5 / step);
+      const long steps = std::lround(duration / step);
       const double symbol = (spline ? lattice_sums<CubicSpline>(smoothing, Arrangement::square, k * dx)
                                     : lattice_sums<WendlandC2>(smoothing, Arrangement::square, k * dx))
                                 .symbol /
@@ -120,15 +121,15 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
       table.rows.push_back({std::string(name_of(kernel)), static_cast<double>(mode),
                             std::hypot(expected.density, expected.velocity) / mach,
                             std::hypot(found.density, found.velocity) / mach});
-      check.that({.id = fmt::format("decay-{}-{}", name_of(kernel), mode),
-                  .text = "Sound dies away as the linear equations say.",
-                  .quantity = "distance of both amplitudes from those expected, over the first amplitude",
-                  .source = source},
-                 {.value = apart, .resolution = fmt::format("{} cells, mode {}, {} steps", cells, mode, steps)},
-                 Bound{.limit = 2 * mach * k * sound_speed * 0.5 + 1e-7,
-                       .reason = "(gamma + 1)/4 M k c_0 t, what goes to the second harmonic and comes back from it at "
-                                 "most; 1e-7: densities of 1 are rounded a thousand times, 2e-16 sqrt(1000) over 1e-6 "
-                                 "is a tenth of it"});
+      check.that(
+          {.id = fmt::format("decay-{}-{}", name_of(kernel), mode),
+           .text = "Sound dies away as the linear equations say.",
+           .quantity = "distance of both amplitudes from those expected, over the first amplitude",
+           .source = source},
+          {.value = apart, .resolution = fmt::format("{} cells, mode {}, {} steps", cells, mode, steps)},
+          Bound{.limit = std::pow(2 * mach * k * sound_speed * duration, 2) + 1e-8,
+                .reason = "((gamma + 1)/4 M k c_0 t)^2, what comes back from the second harmonic; 1e-8: densities "
+                          "of 1 are rounded some 500 times, 2e-16 sqrt(500) over 1e-6, and as much again"});
     }
   }
   check.table(std::move(table));
