@@ -129,6 +129,7 @@ template <class Reader>
 Tally fuzz_file(const std::filesystem::path& path, const std::vector<std::string>& valid, long count,
                 std::uint64_t seed, Reader read) {
   return fuzz(valid, count, seed, [&](const std::string& input) {
+    std::filesystem::remove(path);  // a file that is written anew waits for the disk
     std::ofstream(path, std::ios::binary) << input;
     read(path);
   });
