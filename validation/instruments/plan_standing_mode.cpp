@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "seiche/exact/plan_symbol.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/integrators.hpp"
 #include "seiche/samples.hpp"
 
@@ -21,8 +22,15 @@ exact::PlanDispersion PlanTank::law() const {
   return {gravity, depth, length / static_cast<double>(columns), width / static_cast<double>(rows), inertia};
 }
 
+double PlanTank::frequency(double kx, double ky) const {
+  const exact::PlanSymbol symbol =
+      exact::plan_symbol(kx, ky, length / static_cast<double>(columns), width / static_cast<double>(rows));
+  const double steepened = gamma * std::pow(depth * symbol.gradient, 2) / symbol.potential;
+  return law().frequency(kx, ky) * std::sqrt(1 + steepened);
+}
+
 std::string PlanTank::text() const {
-  return fmt::format("{} x {} cells", columns, rows);
+  return fmt::format("{} x {} cells{}", columns, rows, gamma > 0 ? ", improved dispersion" : "");
 }
 
 PlanMode::PlanMode(const PlanTank& tank, std::size_t half_waves_x, std::size_t half_waves_y)
@@ -59,8 +67,10 @@ double PlanMode::amplitude(const Lattice& lattice, std::span<const double> value
 }
 
 PlanMode::Eigenvalue PlanMode::eigenvalue() const {
-  Model model(lattice(),
-              {.gravity = tank_.gravity, .inertia = tank_.inertia, .solver = linear::NinePointMethod::sparse});
+  Model model(lattice(), {.gravity = tank_.gravity,
+                          .inertia = tank_.inertia,
+                          .gamma = tank_.gamma,
+                          .solver = linear::NinePointMethod::sparse});
   const Lattice& first = model.lattice();
   const mechanics::State rest = model.state();
   const std::size_t n = model.nodes();
@@ -83,7 +93,8 @@ PlanMode::Eigenvalue PlanMode::eigenvalue() const {
 }
 
 double PlanMode::measured_frequency(double tau, int steps, double first_amplitude) const {
-  Model model(lattice(), {.gravity = tank_.gravity, .inertia = tank_.inertia, .tolerance = 1e-13});
+  Model model(lattice(),
+              {.gravity = tank_.gravity, .inertia = tank_.inertia, .gamma = tank_.gamma, .tolerance = 1e-13});
   mechanics::State state = model.state([&](double x, double y) { return Velocity{0, 0, first_amplitude * at(x, y)}; });
   mechanics::Start(model).project(state);
   mechanics::OneStep<Model> stepper(model);

@@ -19,8 +19,12 @@ struct PlanTank {
   double depth = 1;
   double gravity = 1;
   double inertia = 1.0 / 3;
+  double gamma = 0;  ///< of improved dispersion
 
+  /// Of the lattice, without improved dispersion.
   [[nodiscard]] exact::PlanDispersion law() const;
+  /// omega [1/s] in closed form, with improved dispersion.
+  [[nodiscard]] double frequency(double kx, double ky) const;
   [[nodiscard]] std::string text() const;  ///< "12 x 12 cells"
 };
 
@@ -32,7 +36,7 @@ class PlanMode {
   [[nodiscard]] double kx() const { return kx_; }
   [[nodiscard]] double ky() const { return ky_; }
   /// Of the closed form.
-  [[nodiscard]] double linear_frequency() const { return tank_.law().frequency(kx_, ky_); }
+  [[nodiscard]] double linear_frequency() const { return tank_.frequency(kx_, ky_); }
   [[nodiscard]] double at(double x, double y) const;
 
   /// What the linearised model makes of the mode: omega^2, and the largest vertical acceleration off the mode's shape,

@@ -1,15 +1,22 @@
-// Drag on the columns of the plan model: it takes the energy that it should, and leaves volumes alone.
+// Drag on the columns of the plan model: it takes the energy that it should, and leaves volumes alone; layers that
+// absorb.
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "seiche/samples.hpp"
+#include "validation/instruments/plan_standing_mode.hpp"
 #include "verification/check.hpp"
 
 namespace {
 
 using namespace seiche::dispersive_shallow_water_2d;
 using namespace seiche::verification;
+using seiche::evidence::Bound;
 using seiche::evidence::Order;
 using seiche::evidence::Roundoff;
 
@@ -98,4 +105,160 @@ TEST_CASE("friction at the bottom takes the energy of Manning's law", "[manufact
              {.value = volumes},
              Roundoff{.operations = 320, .scale = 6, .reason = "a rounded place, up to 6, per step"});
   check.measure("share of the energy lost", lost / Flow(sloshing()).energy());
+}
+
+TEST_CASE("a layer that absorbs makes standing waves decay at half of its rate", "[manufactured]") {
+  Check check("plan_absorption", "Absorption in plan",
+              "A standing wave of $10^{-6}$ depths in a basin 6 by 4 whose water slows down everywhere at the rate r = "
+              "0.3: $z'' + r z' + \\Omega^2 z = 0$, $\\Omega$ of the lattice in closed form. Elevation in a corner at "
+              "t = 7 against the solution.");
+  constexpr double rate = 0.3;
+  constexpr double time = 7;
+  constexpr double amplitude = 1e-6;
+  const seiche::validation::PlanTank tank{.columns = 12, .rows = 8, .length = 6, .width = 4, .depth = depth};
+  const double omega = tank.frequency(std::numbers::pi / 6, std::numbers::pi / 4);
+  const double damped = std::sqrt(omega * omega - 0.25 * rate * rate);
+  const double expected =
+      std::exp(-0.5 * rate * time) * (std::cos(damped * time) + 0.5 * rate / damped * std::sin(damped * time));
+  std::vector<double> off;
+  const std::vector<double> steps{0.2, 0.1, 0.05, 0.025};
+  for (const double tau : steps) {
+    Flow flow(rectangular_lattice({.begin = 0,
+                                   .end = 6,
+                                   .south = 0,
+                                   .north = 4,
+                                   .columns = 12,
+                                   .rows = 8,
+                                   .elevation =
+                                       [](double x, double y) {
+                                         return amplitude * std::cos(std::numbers::pi * x / 6) *
+                                                std::cos(std::numbers::pi * y / 4);
+                                       },
+                                   .depth = depth}),
+              {}, {}, {.tolerance = 1e-13, .drag = {.absorption = [](seiche::Point) { return rate; }}});
+    flow.advance_to(time, tau);
+    off.push_back(std::abs(flow.z()[0] / amplitude - expected));
+  }
+  check.that({.id = "decay",
+              .text = "The wave swings and decays as the damped oscillator, to O(tau).",
+              .quantity = "order of the difference",
+              .source = "z'' + r z' + Omega^2 z = 0"},
+             seiche::evidence::observed_order(steps, off),
+             Order{1, 0.2, "absorption acts before the forces of a step and not with them"});
+  check.that({.id = "size",
+              .text = "And is that at the smallest step.",
+              .quantity = "difference over the first amplitude",
+              .source = "z'' + r z' + Omega^2 z = 0"},
+             {.value = off.back(), .resolution = "tau = 0.025"},
+             Bound{0.5 * rate * 0.025,
+                   "half a step of decay between places and velocities: r tau/2 of the amplitude; other errors are of "
+                   "second order"});
+}
+
+TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do not", "[manufactured]") {
+  Check check("plan_pattern", "The pattern + - + - in plan",
+              "Velocities of 12 x 10 equal cells before and after a short time in which the pattern + - + - is slowed "
+              "down: that pattern, velocities of second degree in x and y, and random ones.");
+  const Lattice lattice =
+      rectangular_lattice({.begin = 0, .end = 6, .south = 0, .north = 4, .columns = 12, .rows = 10, .depth = depth});
+  const std::size_t n = lattice.shape.nodes();
+  InverseMasses inverse(n);
+  std::vector<double> masses(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    masses[k] = 1 + 0.3 * std::sin(1.7 * static_cast<double>(k));
+    inverse.xx[k] = inverse.yy[k] = 1 / masses[k];
+  }
+  constexpr double rate = 2;
+  constexpr double h = 1e-6;
+  const Drag drag({.lattice_rate = rate}, lattice);
+  const auto slowed = [&](const std::function<seiche::Point(std::size_t)>& velocity, double time,
+                          const std::vector<double>& m, const InverseMasses& w) {
+    std::vector<double> u(3 * n, 0.0);
+    for (std::size_t k = 0; k < n; ++k) {
+      const seiche::Point given = velocity(k);
+      u[k] = given.x;
+      u[n + k] = given.y;
+    }
+    const std::vector<double> before = u;
+    drag.slow(m, w, 1, time, u);
+    return std::pair{before, u};
+  };
+  const auto pattern = [](std::size_t k) {
+    const double sign = (k % 13 + k / 13) % 2 == 0 ? 1 : -1;
+    return seiche::Point{sign, -0.5 * sign};
+  };
+  const std::vector<double> equal(n, 1.0);
+  InverseMasses ones(n);
+  std::fill(ones.xx.begin(), ones.xx.end(), 1.0);
+  std::fill(ones.yy.begin(), ones.yy.end(), 1.0);
+  const std::size_t inner = lattice.shape.node(6, 5);
+  const auto [all, left] = slowed(pattern, h, equal, ones);
+  check.that({.id = "rate",
+              .text = "The pattern decays at the rate.",
+              .quantity = "rate of an inner node over the given one",
+              .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
+             {.value = (1 - left[inner] / all[inner]) / (rate * h)},
+             Bound{.limit = 1e-4,
+                   .reason = "pair after pair: what one takes the next no longer has, some 10 rate h",
+                   .expected = 1});
+  const auto [waves, damped] = slowed(
+      [](std::size_t k) {
+        const double wave = std::cos(0.9 * static_cast<double>(k % 13) + 0.6 * static_cast<double>(k / 13));
+        return seiche::Point{wave, wave};
+      },
+      h, equal, ones);
+  const double s1 = std::pow(std::sin(0.45), 2);
+  const double s2 = std::pow(std::sin(0.3), 2);
+  check.that(
+      {.id = "waves",
+       .text = "Velocities of a plane wave decay at the rate of the law.",
+       .quantity = "rate of an inner node over that",
+       .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
+      {.value = (1 - damped[inner] / waves[inner]) / (rate * h * s1 * s2 * (s1 + s2) / 2)},
+      Bound{
+          .limit = 1e-4, .reason = "one pair after the other, some 10 rate h, and rounding over 1e-8", .expected = 1});
+  const auto [smooth, same] = slowed(
+      [&](std::size_t k) {
+        const double x = lattice.x[k];
+        const double y = lattice.y[k];
+        return seiche::Point{1 + x - 2 * y + x * x - 0.7 * x * y + 0.2 * y * y, 3 - y + 0.4 * x * x + 0.3 * x * y};
+      },
+      0.1, masses, inverse);
+  seiche::Worst changed;
+  for (std::size_t k = 0; k < 2 * n; ++k) changed.add(same[k] - smooth[k]);
+  check.that({.id = "smooth",
+              .text = "Motions of second degree stay.",
+              .quantity = "largest change of a velocity",
+              .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
+             {.value = changed.value()},
+             Roundoff{.operations = 200,
+                      .scale = 40,
+                      .reason = "twelve roundings in each of sixteen pairs of velocities up to 40"});
+  const auto [wild, tamed] = slowed(
+      [](std::size_t k) {
+        const auto at = static_cast<double>(k);
+        return seiche::Point{std::sin(12.9 * at * at), std::cos(7.3 * at * at)};
+      },
+      0.1, masses, inverse);
+  double momentum = 0;
+  double energy_before = 0;
+  double energy_after = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    momentum += masses[k] * (tamed[k] - wild[k] + tamed[n + k] - wild[n + k]);
+    energy_before += masses[k] * (wild[k] * wild[k] + wild[n + k] * wild[n + k]);
+    energy_after += masses[k] * (tamed[k] * tamed[k] + tamed[n + k] * tamed[n + k]);
+  }
+  check.that(
+      {.id = "momentum",
+       .text = "Momentum is kept.",
+       .quantity = "change of its two components together",
+       .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
+      {.value = momentum},
+      Roundoff{.operations = 16 * 2 * static_cast<double>(n), .scale = 1, .reason = "sixteen pairs at every node"});
+  check.that({.id = "energy",
+              .text = "Random motions lose energy.",
+              .quantity = "energy after over that before is less than 1",
+              .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
+             {.value = energy_after < energy_before ? 1.0 : 0.0},
+             seiche::evidence::Qualitative{.detector = "after less than before", .reason = "every pair takes energy"});
 }

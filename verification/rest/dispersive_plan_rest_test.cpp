@@ -26,6 +26,7 @@ const std::string source = "Frank, Discrete models of incompressible fluid (1994
 struct Lake {
   std::string id, text;
   Lattice lattice;
+  Settings settings = {};
 };
 
 Rectangle box(std::shared_ptr<const PlanBottom> bottom = {}) {
@@ -65,7 +66,11 @@ std::vector<Lake> lakes() {
           {"wedge", "slanted walls with a bend", slanted()},
           {"wedge-bump", "slanted walls over a bump", slanted(std::make_shared<BumpBottom>())},
           {"parallelogram", "walls without right angles", sheared()},
-          {"window", "a held and a driven side", rectangular_lattice(window)}};
+          {"window", "a held and a driven side", rectangular_lattice(window)},
+          {"absorbing",
+           "improved dispersion and a layer that absorbs, over a polynomial bottom",
+           rectangular_lattice(box(quartic_bottom())),
+           {.inertia = 0.4, .gamma = 1.0 / 15, .drag = {.absorption = [](Point at) { return at.x; }}}}};
 }
 
 double largest_speed(const State& state) {
@@ -84,7 +89,7 @@ TEST_CASE("a lake at rest in plan stays at rest bit by bit", "[rest]") {
       "pressure, no motion. 200 steps of 0.1.");
   for (const Lake& lake : lakes()) {
     for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
-      PlanProblem problem(jittered(lake.lattice, 0.075, 3));
+      PlanProblem problem(jittered(lake.lattice, 0.075, 3), {}, lake.settings);
       SchemeStepper<Model> stepper(problem.model, {.stepping = stepping});
       State state = problem.start;
       for (int n = 0; n < 200; ++n) stepper.step(state, 0.1);
@@ -109,7 +114,9 @@ TEST_CASE("raised water at rest in plan stays at rest to round-off", "[rest]") {
     if (lake.id == "window") continue;
     Lattice lattice = jittered(lake.lattice, 0.075, 3);
     std::fill(lattice.z.begin(), lattice.z.end(), 0.2);
-    PlanProblem problem(std::move(lattice), {}, {.solver = NinePointMethod::banded});
+    Settings settings = lake.settings;
+    settings.solver = NinePointMethod::banded;
+    PlanProblem problem(std::move(lattice), {}, settings);
     SchemeStepper<Model> stepper(problem.model, {});
     State state = problem.start;
     Largest fastest;

@@ -107,6 +107,11 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
   settings("manning", "Negative friction.", {"manning", "-1", "non-negative"}, {.drag = {.manning = -1}});
   settings("shore_rate", "A force along a shore where there is none.", {"shore_rate", "shoreline", "south"},
            {.drag = {.shore_rate = 1}});
+  settings("lattice_rate", "A pattern that is driven.", {"lattice_rate", "-1", "non-negative"},
+           {.drag = {.lattice_rate = -1}});
+  settings("absorption", "A layer that gives energy.", {"absorption", "-1", "non-negative"},
+           {.drag = {.absorption = [](Point at) { return at.x - 1; }}});
+  settings("gamma", "Improved dispersion the wrong way.", {"gamma", "-0.1", "non-negative"}, {.gamma = -0.1});
   settings("inertia", "No vertical inertia.", {"inertia", "0", "[0.001, 1]"}, {.inertia = 0});
   settings("tolerance", "A tolerance too loose.", {"tolerance", "0.1"},
            {.solver = linear::NinePointMethod::iterative, .tolerance = 0.1});
@@ -117,6 +122,10 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
     Rectangle free_rear = still_water();
     free_rear.sides.west = plan_lattice::FreeSide{};
     Flow flow(rectangular_lattice(free_rear), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
+  });
+  refusals.refused("absorbing_window", "A moving window with a layer that stays.", {"moving window", "absorption"}, [] {
+    Flow flow(rectangular_lattice(still_water()), {}, {}, {.drag = {.absorption = [](Point) { return 1.0; }}}, {},
+              {.reach = [](double t) { return t; }});
   });
   refusals.refused("step", "A step that is not positive.", {"tau", "-0.1", "positive"}, [] {
     Flow flow(rectangular_lattice(still_water()));

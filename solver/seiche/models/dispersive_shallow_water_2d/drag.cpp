@@ -1,5 +1,6 @@
 #include "seiche/models/dispersive_shallow_water_2d/drag.hpp"
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <variant>
@@ -29,11 +30,18 @@ double inverse_along(const InverseMasses& inverse, std::size_t k, Point t) {
 
 }  // namespace
 
-Drag::Drag(DragSettings settings, const Lattice& lattice) : settings_(settings), columns_(lattice.shape.columns) {
+Drag::Drag(DragSettings settings, const Lattice& lattice) : settings_(settings), shape_(lattice.shape) {
   require_not_negative("manning", settings.manning);
   require_not_negative("shore_rate", settings.shore_rate);
+  require_not_negative("lattice_rate", settings.lattice_rate);
   if (settings.shore_rate > 0 && !std::holds_alternative<plan_lattice::ShoreSide>(lattice.sides.south)) {
     throw std::invalid_argument("shore_rate without a shoreline on the south side; allowed: 0");
+  }
+  if (settings.absorption) {
+    for (std::size_t k = 0; k < lattice.shape.nodes(); ++k) {
+      absorption_.push_back(settings.absorption({lattice.x[k], lattice.y[k]}));
+      require_not_negative("absorption", absorption_.back());
+    }
   }
 }
 
@@ -54,8 +62,8 @@ void Drag::measure(const Lattice& lattice, std::span<const double> volumes, mech
     for (std::size_t k = 0; k < n; ++k) depth_[k] /= area_[k];
   }
   if (settings_.shore_rate > 0) {
-    along_.resize(columns_ + 1);
-    for (std::size_t i = 1; i < columns_; ++i) {
+    along_.resize(shape_.columns + 1);
+    for (std::size_t i = 1; i < shape_.columns; ++i) {
       const Point chord{q[i + 1] - q[i - 1], q[n + i + 1] - q[n + i - 1]};
       const double length = std::hypot(chord.x, chord.y);
       along_[i] = {chord.x / length, chord.y / length};
@@ -76,8 +84,8 @@ void Drag::slow(std::span<const double> masses, const InverseMasses& inverse, do
   }
   if (settings_.shore_rate > 0) {
     // Between the ends, which lie on walls.
-    for (std::size_t i = 1; i < columns_; ++i) {
-      const std::size_t beside = i + columns_ + 1;
+    for (std::size_t i = 1; i < shape_.columns; ++i) {
+      const std::size_t beside = i + shape_.columns + 1;
       const Point t = along_[i];
       const double difference = (u[i] - u[beside]) * t.x + (u[n + i] - u[n + beside]) * t.y;
       const double part = h * settings_.shore_rate / (1 + h * settings_.shore_rate);
@@ -85,6 +93,52 @@ void Drag::slow(std::span<const double> masses, const InverseMasses& inverse, do
       push(inverse, i, {-impulse * t.x, -impulse * t.y}, u);
       push(inverse, beside, {impulse * t.x, impulse * t.y}, u);
     }
+  }
+  if (settings_.lattice_rate > 0) slow_pattern(masses, inverse, h, u);
+}
+
+void Drag::absorb(double h, mechanics::Output u) const {
+  const std::size_t n = u.size() / 3;
+  for (std::size_t k = 0; k < absorption_.size(); ++k) {
+    const double left = 1 / (1 + h * absorption_[k]);
+    for (std::size_t axis = 0; axis < 3; ++axis) u[axis * n + k] *= left;
+  }
+}
+
+// Pair after pair of neighbouring cells: each takes energy.
+void Drag::slow_pattern(std::span<const double> masses, const InverseMasses& inverse, double h,
+                        mechanics::Output u) const {
+  constexpr std::array along_pair{1.0, -2.0, 1.0};
+  constexpr std::array across_pair{1.0, -1.0};
+  const std::size_t n = masses.size();
+  // The whole pattern sees its nodes in six pairs along each direction, 32/3 times what one pair does.
+  const double share = 3.0 / 32 * h * settings_.lattice_rate;
+  const double part = share / (1 + share);
+  const auto slow = [&](std::size_t first, std::size_t along, std::size_t across) {
+    double lightness = 0;
+    Force difference{0, 0};
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t b = 0; b < 2; ++b) {
+        const std::size_t k = first + a * along + b * across;
+        const double weight = along_pair[a] * across_pair[b];
+        lightness += weight * weight / masses[k];
+        difference.x += weight * u[k];
+        difference.y += weight * u[n + k];
+      }
+    }
+    const double impulse = -part / lightness;
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (std::size_t b = 0; b < 2; ++b) {
+        const double weight = along_pair[a] * across_pair[b] * impulse;
+        push(inverse, first + a * along + b * across, {weight * difference.x, weight * difference.y}, u);
+      }
+    }
+  };
+  for (std::size_t j = 0; j < shape_.rows; ++j) {
+    for (std::size_t i = 0; i + 1 < shape_.columns; ++i) slow(shape_.node(i, j), 1, shape_.columns + 1);
+  }
+  for (std::size_t j = 0; j + 1 < shape_.rows; ++j) {
+    for (std::size_t i = 0; i < shape_.columns; ++i) slow(shape_.node(i, j), shape_.columns + 1, 1);
   }
 }
 

@@ -11,9 +11,22 @@
 /// end. Between a marker of a shoreline on the south side and its neighbour in the next row a force along the shore
 /// makes the difference d of their speeds along it decay, d' = -rate d. It acts on both and keeps momentum.
 ///
-/// Either takes energy and gives none back, over steps of any length: implicit in the speeds that it slows down.
+/// The pattern + - + - of the lattice's nodes changes no volume, so that nothing restores it, and grows in waves until
+/// the lattice folds. Cells have g = u_0 - u_1 + u_2 - u_3 of it; forces on the six nodes of every two neighbours,
+/// weighted as in the difference of their g, make that difference decay, so that the pattern decays at a given rate.
+/// They keep momentum, and on equal parallelograms angular momentum; motions of second degree over two cells have
+/// nothing of it, and velocities cos(k1 x + k2 y) decay at
+///
+///     rate s1^2 s2^2 (s1^2 + s2^2)/2,   s_i = sin(k_i h_i/2).
+///
+/// A layer that absorbs waves makes all velocities decay, u' = -rate u, at a rate that each column was given at the
+/// beginning: let it grow smoothly from 0 over about a wavelength before a wall, or waves turn back at its edge. On
+/// sides that prescribe velocities it must be 0.
+///
+/// All take energy and give none back, over steps of any length: implicit in the speeds that they slow down.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,27 +37,39 @@
 namespace seiche::dispersive_shallow_water_2d {
 
 struct DragSettings {
-  double manning = 0;     ///< n [s/m^(1/3)]; smooth concrete: 0.011 to 0.013
-  double shore_rate = 0;  ///< [1/s]
+  double manning = 0;       ///< n [s/m^(1/3)]; smooth concrete: 0.011 to 0.013
+  double shore_rate = 0;    ///< [1/s]
+  double lattice_rate = 0;  ///< of the pattern + - + - [1/s]; a few times the frequency of steep waves
+  /// Rate of an absorbing layer [1/s] at the first place of a column; empty for none. Not with a moving window.
+  std::function<double(Point)> absorption = {};
 };
 
 class Drag {
  public:
-  /// Throws std::invalid_argument for negative settings, and for a shore_rate without a shoreline on the south side.
+  /// Throws std::invalid_argument for negative settings, rates of absorption that are negative or not finite, and for a
+  /// shore_rate without a shoreline on the south side.
   Drag(DragSettings settings, const Lattice& lattice);
 
-  [[nodiscard]] bool active() const { return settings_.manning > 0 || settings_.shore_rate > 0; }
+  [[nodiscard]] bool active() const {
+    return settings_.manning > 0 || settings_.shore_rate > 0 || settings_.lattice_rate > 0;
+  }
+  [[nodiscard]] bool absorbs() const { return !absorption_.empty(); }
   /// Depths and directions at places q = (x, y, z).
   void measure(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q);
   /// Slows velocities u = (u, v, w) down over h.
   void slow(std::span<const double> masses, const InverseMasses& inverse, double gravity, double h,
             mechanics::Output u) const;
+  /// What the layer leaves of velocities after h. Before forces: those that balance each other must not be absorbed.
+  void absorb(double h, mechanics::Output u) const;
 
  private:
+  void slow_pattern(std::span<const double> masses, const InverseMasses& inverse, double h, mechanics::Output u) const;
+
   DragSettings settings_;
-  std::size_t columns_;
+  plan_lattice::Shape shape_;
   std::vector<double> depth_, area_;
-  std::vector<Point> along_;  ///< the shore, at the markers of the south side
+  std::vector<Point> along_;        ///< the shore, at the markers of the south side
+  std::vector<double> absorption_;  ///< rates of the nodes; empty for none
 };
 
 }  // namespace seiche::dispersive_shallow_water_2d

@@ -10,8 +10,8 @@ namespace seiche::dispersive_shallow_water_2d {
 
 namespace {
 
-/// 2/omega with omega^2 = g H K^2/(1 + alpha H^2 K^2), K^2 = 4/h1^2 + 4/h2^2 of the narrowest cell: K is larger than
-/// that of any mode, and the factor G < 1 of the dispersion law is left out.
+/// 2/omega with omega^2 = g H K^2 (1 + gamma H^2 K^2)/(1 + alpha H^2 K^2), K^2 = 4/h1^2 + 4/h2^2 of the narrowest cell:
+/// K is larger than that of any mode, and the factor G < 1 of the dispersion law is left out.
 double surely_stable_step(const Model& model) {
   const Lattice& lattice = model.lattice();
   const Settings& settings = model.settings();
@@ -24,14 +24,19 @@ double surely_stable_step(const Model& model) {
     const double depth =
         lattice.bottom ? -lattice.bottom->slope(lattice.x[c0], lattice.y[c0]).elevation : lattice.depth;
     if (!(depth > 0)) continue;
-    fastest = std::max(fastest, settings.gravity * depth * square / (1 + settings.inertia * depth * depth * square));
+    const double s = depth * depth * square;
+    fastest =
+        std::max(fastest, settings.gravity * depth * square * (1 + settings.gamma * s) / (1 + settings.inertia * s));
   }
   return fastest > 0 ? 2 / std::sqrt(fastest) : std::numeric_limits<double>::infinity();
 }
 
-Window shoreless(Window window, const Model& model) {
+Window movable(Window window, const Model& model) {
   if (window.reach && model.has_shoreline()) {
     throw std::invalid_argument("a moving window with a shoreline; allowed: one of them");
+  }
+  if (window.reach && model.absorbs()) {
+    throw std::invalid_argument("a moving window with absorption; allowed: one of them");
   }
   return window;
 }
@@ -46,7 +51,7 @@ Flow::Flow(Lattice lattice, const VelocityAt& velocity, Scheme scheme, Settings 
 Flow::Flow(std::unique_ptr<Model>&& model, const VelocityAt& velocity, Scheme scheme, Window window, bool smooth_start)
     : LatticeFlow(std::move(model), model->state(velocity), model->shape(), model->lattice().sides,
                   {.scheme = scheme,
-                   .window = shoreless(std::move(window), *model),
+                   .window = movable(std::move(window), *model),
                    .stable_step = surely_stable_step(*model),
                    .smooth_start = smooth_start && !model->has_driven_sides(),
                    // A marker may leave an uneven bottom, or touch it, at the end of a step.

@@ -31,6 +31,7 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
       forcing_(std::move(forcing)),
       masses_((require_within("inertia", settings.inertia, 1e-3, 1), lattice_.shape), lattice_.sides, lattice_.x,
               lattice_.y, settings.inertia),
+      dispersion_(lattice_.shape, settings.gamma),
       drag_(settings.drag, lattice_),
       gradients_(lattice_.shape.columns, lattice_.shape.rows),
       push_(3 * lattice_.shape.nodes(), 0.0),
@@ -130,6 +131,7 @@ void Model::linearise(Interval when, Input q) {
     measure(q, 1, false);
     if (bottom_) bottom_->subtract_gradients(plan(q), gradients_);
     if (shoreline_) shoreline_->push(q, settings_.gravity, push_);
+    if (dispersion_.active()) dispersion_.push(volume_, q, q, settings_.gravity, push_);
     stand(q);
   } catch (const OutsidePlanBottom& failure) {
     throw mechanics::Infeasible(failure.what(), failure.place());
@@ -152,6 +154,7 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
     measure(middle_, 4.0 / 6, true);
     if (bottom_) bottom_->subtract_gradients_between(plan(q0), plan(q1), gradients_);
     if (shoreline_) shoreline_->push_between(q0, q1, settings_.gravity, push_);
+    if (dispersion_.active()) dispersion_.push(volume_, q0, q1, settings_.gravity, push_);
     stand(middle_);
     if (shoreline_) {
       shoreline_->tilt_between(q0, q1, normals_);
@@ -267,6 +270,7 @@ void Model::advance(Input from, Input u, double h, Output to) const {
 void Model::kick(double h, Output u) const {
   const std::size_t n = nodes();
   const std::size_t count = shape().columns + 1;
+  if (drag_.absorbs()) drag_.absorb(h, u);
 #pragma omp parallel for schedule(static) if (shape().cells() > parallel_cells)
   for (std::size_t j = 0; j <= shape().rows; ++j) {
     const std::size_t k = j * count;

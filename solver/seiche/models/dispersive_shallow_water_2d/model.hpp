@@ -27,6 +27,9 @@
 /// bottoms: volumes and potential are polynomials, and Simpson's mean of their gradients is exact. Dispersion in closed
 /// form: exact/plan_dispersion.hpp.
 ///
+/// Waves may be shorter with improved dispersion (dispersion_energy.hpp); trains of them need what keeps the lattice
+/// from folding, and layers that absorb (drag.hpp).
+///
 /// When not to use it: waves shorter than about two depths; lattices that shear for long, as in steady eddies;
 /// overturning.
 ///
@@ -45,6 +48,7 @@
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/bottom_volume.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/dispersion_energy.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/drag.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/node_masses.hpp"
@@ -60,6 +64,8 @@ using mechanics::Output;
 struct Settings {
   double gravity = 1;        ///< [m/s^2]
   double inertia = 1.0 / 3;  ///< alpha, of the motion normal to the bottom
+  /// Of improved dispersion (dispersion_energy.hpp): 1/15, with inertia 1/3 + 1/15; 0 in Frank's own model.
+  double gamma = 0;
   linear::NinePointMethod solver = linear::NinePointMethod::automatic;
   double tolerance = 1e-10;  ///< relative residual of iterative solvers; 1e-13 where conservation is measured
   DragSettings drag = {};    ///< takes energy; none in Frank's own model
@@ -134,6 +140,7 @@ class Model {
   [[nodiscard]] std::span<const double> first_volumes() const { return volume_; }
   [[nodiscard]] bool has_driven_sides() const { return masses_.has_driven_sides(); }
   [[nodiscard]] bool has_shoreline() const { return shoreline_.has_value(); }
+  [[nodiscard]] bool absorbs() const { return drag_.absorbs(); }
   [[nodiscard]] const linear::NinePointSolver& solver() const { return solver_; }
   /// A of the last linearisation.
   [[nodiscard]] const linear::NinePointMatrix& matrix() const { return matrix_; }
@@ -171,6 +178,7 @@ class Model {
   double east_width_ = 0;
   std::optional<BottomVolume> bottom_;
   std::optional<Shoreline> shoreline_;
+  DispersionEnergy dispersion_;
   Drag drag_;
 
   CellGradients gradients_;

@@ -93,6 +93,7 @@ double Model::potential_energy(Input q) const {
     sum.add(bilinear_patch::moment(at(q.data(), corners), at(q.data() + n, corners), at(q.data() + 2 * n, corners)));
   }
   if (shoreline_) sum.add(-shoreline_->bottom_moment(q));
+  if (dispersion_.active()) sum.add(dispersion_.value(volume_, q));
   return settings_.gravity * sum.value();
 }
 
