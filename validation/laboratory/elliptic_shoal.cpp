@@ -2,12 +2,18 @@
 Regular waves of 1 s are focused by an elliptic shoal on a slope (Berkhoff, Booij and Radder).
 
 **What is compared.** Amplitude over the incident one along eight sections: the largest, where it is, and the root
-mean square difference. The case scores others.
+mean square difference. The case scores others, and in the full tier the plan model with improved dispersion is judged
+by the same claims: a paddle at x = -10 m, the depth cut at 0.1 m, and a layer beyond 11 m in which waves are absorbed.
 
 **What to look at.** The focus lies on the shallower side, y < 0: a result of another handedness is mirrored. Linear
 theory has the pattern right and the peaks behind the focus a tenth too high; the waves are steep enough for that.
 */
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "validation/laboratory/laboratory_case.hpp"
+#include "validation/laboratory/wave_basin.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -16,7 +22,82 @@ using namespace laboratory;
 
 const std::string source = "J. C. W. Berkhoff, N. Booij, A. C. Radder, Coastal Eng. 6 (1982) 255-279";
 
-Experiment experiment(const Values& /*values*/) {
+constexpr double period = 1;          // [s]
+constexpr double amplitude = 0.0232;  // [m]
+constexpr double side_wall = 10;
+constexpr double shallowest = 0.1;  // the slope ends there, as in other computations
+
+double bottom(double x, double y) {
+  const double turn = 20 * std::numbers::pi / 180;
+  const double along = x * std::cos(turn) - y * std::sin(turn);
+  const double across = x * std::sin(turn) + y * std::cos(turn);
+  double z = -0.45 + 0.02 * std::max(5.84 + along, 0.0);
+  if (std::pow(along / 3, 2) + std::pow(across / 4, 2) < 1) {
+    z += -0.3 + 0.5 * std::sqrt(1 - std::pow(along / 3.75, 2) - std::pow(across / 5, 2));
+  }
+  return std::min(z, -shallowest);
+}
+
+/// Places of a section: its number, abscissae from the shoal's centre.
+std::vector<Point> section(long number, const std::vector<double>& abscissae) {
+  std::vector<Point> places;
+  for (const double s : abscissae) {
+    const auto n = static_cast<double>(number);
+    places.push_back(number <= 5 ? Point{2 * n - 1, s} : Point{s, 2 * (n - 7)});
+  }
+  return places;
+}
+
+Submitted compute(const Run& run, double coarsening) {
+  const double spacing = coarsening * run.real("spacing");
+  auto flow = basin_flow({.begin = -10,
+                          .end = 18,
+                          .south = -side_wall,
+                          .north = side_wall,
+                          .bottom = bottom,
+                          .spacing = spacing,
+                          .absorbed_from = 11,
+                          .absorption = 4},
+                         {.depth = 0.45, .amplitude = amplitude, .period = period});
+  const long steps = std::lround(4 * period / spacing);
+  constexpr double settled = 28;
+  flow.advance_to(settled, period / static_cast<double>(steps));
+  std::vector<SubmittedGroup> groups;
+  std::vector<Point> places;
+  for (long number = 1; number <= 8; ++number) {
+    SubmittedGroup group{.value = static_cast<double>(number), .abscissa = {}, .values = {}};
+    for (double k = 0; k <= 100; ++k) group.abscissa.push_back(number <= 5 ? 0.1 * k - 5 : 0.11 * k);
+    const std::vector<Point> own = section(number, group.abscissa);
+    places.insert(places.end(), own.begin(), own.end());
+    groups.push_back(std::move(group));
+  }
+  const std::vector<double> amplitudes = harmonics_at(flow, places, 1, period, steps, 4).front();
+  auto next = amplitudes.begin();
+  for (SubmittedGroup& group : groups) {
+    for (std::size_t k = 0; k < group.abscissa.size(); ++k) group.values["a"].push_back(*next++ / amplitude);
+  }
+  return {{"sections", groups}};
+}
+
+/// At the standard parameters; a band is an eighth of a misfit and 3 % of a height.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string beside =
+      "beside the focus, and before the shoal already, waves are higher than measured by a tenth of the incident "
+      "amplitude: nothing dissipates here, and the walls of the basin reflect; in the focus itself they agree";
+  const std::string behind = "four metres behind the focus the peak is a tenth lower than measured, at both spacings";
+  return {{"sections-misfit-2", {.value = 0.143, .width = 0.018, .reason = beside}},
+          {"sections-misfit-3", {.value = 0.138, .width = 0.017, .reason = beside}},
+          {"sections-misfit-4", {.value = 0.133, .width = 0.017, .reason = beside}},
+          {"sections-highest-5", {.value = 1.656, .width = 0.05, .reason = behind}},
+          {"sections-misfit-5", {.value = 0.157, .width = 0.02, .reason = beside}},
+          {"sections-highest-6", {.value = 1.248, .width = 0.037, .reason = beside}},
+          {"sections-misfit-6", {.value = 0.182, .width = 0.023, .reason = beside}},
+          {"sections-misfit-7", {.value = 0.153, .width = 0.019, .reason = beside}},
+          {"sections-highest-8", {.value = 1.127, .width = 0.034, .reason = beside}},
+          {"sections-misfit-8", {.value = 0.146, .width = 0.018, .reason = beside}}};
+}
+
+Experiment experiment(const Values& values) {
   Series part{.name = "sections",
               .table = "berkhoff_1982_elliptic_shoal",
               .kind = WantedTable::Kind::profile,
@@ -30,7 +111,15 @@ Experiment experiment(const Values& /*values*/) {
     if (section > 2 && section != 6 && section != 8) part.readings.push_back(when_highest(section, {}, Kind::place));
     part.readings.push_back(misfit(section, {}));
   }
-  return {.source = source, .parts = {part}, .files = {"berkhoff_1982_elliptic_shoal/bathymetry.asc"}};
+  Experiment one{.source = source,
+                 .parts = {part},
+                 .files = {"berkhoff_1982_elliptic_shoal/bathymetry.asc"},
+                 .model = basin_model};
+  if (values.tier() != Tier::quick) {
+    one.compute = compute;
+    one.misses = misses();
+  }
+  return one;
 }
 
 }  // namespace
@@ -39,6 +128,8 @@ Case elliptic_shoal() {
   Case c;
   c.title = "Regular waves on an elliptic shoal";
   c.source = source;
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {real("spacing", 0.07, "m", {0.07, 0.1}, "of the columns, where the model computes")};
   set_laboratory<experiment>(c);
   return c;
 }

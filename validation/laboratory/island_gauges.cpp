@@ -4,11 +4,17 @@ and C, 0.045, 0.09 and 0.18 depths high.
 
 **What is compared.** Surface elevation at four gauges before the island and four around it: highest value, when, and
 the root mean square difference; run-up around the island. Levels before arrival are removed, and one shift of time is
-fitted at gauge 3, before the island. The case scores others; the plan model's run-up is judged in `conical_island`.
+fitted at gauge 3, before the island. The case scores others; for wave A the plan model, in the flow of
+`conical_island`, is judged by the same claims. Of waves B and C its lattice folds before the records end.
 
 **What to look at.** Two distributions of the same run-up differ by up to 1.9: the mean of both is asked for, and half
 of their distance is an uncertainty. The records show a wave B of 0.087 depths, not the 0.096 that is stated.
 */
+#include <array>
+#include <cmath>
+
+#include "validation/instruments/island_flow.hpp"
+#include "validation/instruments/plan_gauges.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases {
@@ -30,6 +36,69 @@ Wave wave_of(const Values& values) {
   if (values.text("wave") == "A") return {"briggs_1995_conical_island_a", 1, 28.80, 36};
   if (values.text("wave") == "B") return {"briggs_1995_conical_island_b", 2, 28.30, 35};
   return {"briggs_1995_conical_island_c", 3, 27.80, 35};
+}
+
+struct Gauge {
+  double number;
+  Point place;  ///< from the middle of the island; half of the basin is computed
+};
+
+/// Of wave A.
+const std::array gauges_of_a{Gauge{1, {-7.2, 2.25}}, Gauge{2, {-7.2, 0.75}}, Gauge{3, {-7.2, 0.75}},
+                             Gauge{4, {-7.2, 2.25}}, Gauge{6, {-3.6, 0}},    Gauge{9, {-2.6, 0}},
+                             Gauge{16, {0, 2.58}},   Gauge{22, {2.6, 0}}};
+
+Submitted compute(const Run& run, double coarsening) {
+  const ConicalIsland island({.height = 0.045, .depth = 0.32, .spacing = coarsening * run.real("spacing")});
+  auto flow = island.flow();
+  std::vector<Point> places;
+  std::vector<SubmittedGroup> records;
+  for (const Gauge& gauge : gauges_of_a) {
+    places.push_back(gauge.place);
+    records.push_back({.value = gauge.number, .abscissa = {}, .values = {}});
+  }
+  const auto note = [&](double time, std::size_t k, double eta) {
+    records[k].abscissa.push_back(time);
+    records[k].values["eta"].push_back(eta);
+  };
+  // The flow begins with the crest at this time of the experiment where it is then; before, the wave came undisturbed.
+  const double begin = wave_of(run).passes - (places.front().x - island.crest()) / island.wave().speed();
+  for (double time = begin - 4; time < begin - 0.01; time += 0.05) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const double behind = places[k].x - island.crest() - island.wave().speed() * (time - begin);
+      note(time, k, island.wave().elevation(behind));
+    }
+  }
+  PlanGauges gauges(flow.shape(), places);
+  RunupEnvelope envelope(flow);
+  const auto observe = [&] {
+    envelope.observe(flow);
+    const auto eta = gauges.read({flow.x(), flow.y(), flow.z()});
+    for (std::size_t k = 0; k < places.size(); ++k) note(begin + flow.time(), k, eta[k]);
+  };
+  observe();
+  flow.advance_to(island.passage() + 6, island.step(), observe);
+  return {{"gauges", records},
+          {"runup", {{.value = 0, .abscissa = envelope.angle(), .values = {{"R", envelope.runup()}}}}}};
+}
+
+/// Of wave A; a band is an eighth of a misfit and a thirtieth of a height; the tiers differ by less than a fiftieth.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string behind =
+      "behind its crest the wave of the experiment is no solitary wave: the surface at gauges 1 to 4 falls 1 mm below "
+      "its level and stays there, where the model has up to 3 mm of what the island sends back; crests and times agree";
+  const std::string before =
+      "in front of the island the model is 2 to 3 mm higher from the crest on, as at gauges 1 to 4 later; finer "
+      "columns do not change it";
+  return {{"gauges-misfit-1", {.value = 0.00208, .width = 0.00026, .reason = behind}},
+          {"gauges-misfit-2", {.value = 0.00216, .width = 0.00027, .reason = behind}},
+          {"gauges-misfit-3", {.value = 0.0022, .width = 0.00028, .reason = behind}},
+          {"gauges-misfit-4", {.value = 0.00226, .width = 0.00028, .reason = behind}},
+          {"gauges-misfit-6", {.value = 0.00257, .width = 0.00032, .reason = behind}},
+          {"gauges-misfit-9", {.value = 0.00262, .width = 0.00033, .reason = behind}},
+          {"gauges-misfit-16", {.value = 0.00194, .width = 0.00024, .reason = behind}},
+          {"gauges-highest-6", {.value = 0.0172, .width = 0.0006, .reason = before}},
+          {"gauges-highest-9", {.value = 0.0251, .width = 0.0008, .reason = before}}};
 }
 
 Experiment experiment(const Values& values) {
@@ -64,10 +133,16 @@ Experiment experiment(const Values& values) {
                .useful = 0.8,
                .readings = {}};
   for (const double angle : {0, 45, 90, 135, 180}) runup.readings.push_back(at(0, angle, Kind::run_up));
-  return {
+  Experiment one{
       .source = source,
       .parts = {gauges, runup},
-      .files = {"briggs_1995_conical_island_a/bathymetry.asc", wave.table + "/gauges.csv", wave.table + "/paddle.csv"}};
+      .files = {"briggs_1995_conical_island_a/bathymetry.asc", wave.table + "/gauges.csv", wave.table + "/paddle.csv"},
+      .model = "dispersive shallow water in plan"};
+  if (wave.letter == 1) {
+    one.compute = compute;
+    one.misses = misses();
+  }
+  return one;
 }
 
 }  // namespace
@@ -76,7 +151,9 @@ Case island_gauges() {
   Case c;
   c.title = "A solitary wave around a conical island: gauges and run-up";
   c.source = source;
-  c.parameters = {choice("wave", std::string("A"), {"A", "B", "C"}, "the wave: 0.045, 0.09 or 0.18 depths high")};
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {choice("wave", std::string("A"), {"A", "B", "C"}, "the wave: 0.045, 0.09 or 0.18 depths high"),
+                  real("spacing", {0.35, 0.25, 0.25}, "m", {0.2, 0.5}, "of the columns along the walls of the basin")};
   set_laboratory<experiment>(c);
   return c;
 }

@@ -2,22 +2,95 @@
 Regular waves are focused by a semicircular shoal in a tank (Whalin): periods of 1, 2 and 3 s.
 
 **What is compared.** Amplitudes of the harmonics of the elevation along the centre line: the largest, where it is,
-and the root mean square difference from 5 to 23 m. The case scores others.
+and the root mean square difference from 5 to 23 m. The case scores others, and the plan model with improved dispersion
+is judged by the same claims: half of the tank, a paddle at x = 0, and a layer beyond 25 m in which waves are absorbed.
 
 **What to look at.** The amplitude of the incident wave is itself uncertain by a tenth: the first harmonic before the
 shoal is 14 % above, 6 % below and 10 % above the nominal one. The third harmonic of 2 s is not known well enough to
 be judged. Waves of 1 s need good linear dispersion, $kh$ = 1.9.
 */
+#include <algorithm>
+#include <cmath>
+
 #include "validation/laboratory/laboratory_case.hpp"
+#include "validation/laboratory/wave_basin.hpp"
 
 namespace seiche::validation::cases {
 namespace {
 
 using namespace laboratory;
 
+constexpr double half_width = 3.048;  // of the tank [m]
+
 const std::string source =
     "R. W. Whalin, The limit of applicability of linear wave refraction theory in a convergence zone, Research Report "
     "H-71-3, US Army Engineer Waterways Experiment Station, Vicksburg (1971)";
+
+/// A set of waves of the experiment, and how long they take to be the same from one period to the next.
+struct Train {
+  double amplitude;  ///< [m]
+  double settled;    ///< [s]
+  long periods;      ///< from then on that are judged
+};
+
+Train train_of(long period) {
+  if (period == 1) return {0.0195, 34, 3};
+  if (period == 2) return {0.0075, 28, 2};
+  return {0.0068, 30, 2};
+}
+
+double bottom(double x, double y) {
+  const double from_axis = std::min(std::abs(y), half_width - 0.15);  // beside the walls the edge is infinitely steep
+  const double edge = 10.67 - std::sqrt(half_width * half_width - from_axis * from_axis);
+  return -0.4572 + std::clamp((x - edge) / 25, 0.0, 0.3048);
+}
+
+/// Half of the tank: its axis is a line of symmetry.
+Submitted compute(const Run& run, double coarsening) {
+  const long period = run.integer("period");
+  const double spacing = coarsening * run.real("spacing");
+  const auto [amplitude, settled, periods] = train_of(period);
+  auto flow = basin_flow({.begin = 0,
+                          .end = 31,
+                          .south = 0,
+                          .north = half_width,
+                          .bottom = bottom,
+                          .raster = 0.1016,
+                          .spacing = spacing,
+                          .absorbed_from = 25},
+                         {.depth = 0.4572, .amplitude = amplitude, .period = static_cast<double>(period)});
+  const long steps = std::lround(4 * static_cast<double>(period) / spacing);
+  const auto length = static_cast<double>(period);
+  flow.advance_to(std::ceil(settled / length) * length, length / static_cast<double>(steps));
+  std::vector<Point> places;
+  std::vector<double> abscissa;
+  for (double k = 0; k <= 190; ++k) {
+    abscissa.push_back(4.5 + 0.1 * k);
+    places.push_back({abscissa.back(), 0});
+  }
+  const auto amplitudes = harmonics_at(flow, places, period == 1 ? 2 : 3, length, steps, periods);
+  std::vector<SubmittedGroup> groups;
+  for (std::size_t order = 0; order < amplitudes.size(); ++order) {
+    groups.push_back(
+        {.value = static_cast<double>(order + 1), .abscissa = abscissa, .values = {{"a", amplitudes[order]}}});
+  }
+  return {{"harmonics", groups}};
+}
+
+/// A band is an eighth of a height and what places are known to, 0.3 m; twice the spacing changes half of it.
+std::map<std::string, evidence::KnownFailure> misses(long period) {
+  if (period != 3) return {};
+  return {
+      {"harmonics-when-1",
+       {.value = 17.3,
+        .width = 0.3,
+        .reason = "the first harmonic is level, 10.3 to 10.5 mm from 15 to 18.5 m: half a metre of it is 1 %"}},
+      {"harmonics-highest-2",
+       {.value = 0.0052,
+        .width = 0.00065,
+        .reason = "measured, the second harmonic goes on growing beyond 20 m, from 5.0 to 7.6 mm at 22.8 m; here to "
+                  "5.2 mm, at both spacings"}}};
+}
 
 Experiment experiment(const Values& values) {
   const double period = static_cast<double>(values.integer("period"));
@@ -38,7 +111,12 @@ Experiment experiment(const Values& values) {
     part.readings.push_back(when_highest(harmonic, window, Kind::place));
     part.readings.push_back(misfit(harmonic, window));
   }
-  return {.source = source, .parts = {part}, .files = {"whalin_1971_semicircular_shoal/bathymetry.asc"}};
+  return {.source = source,
+          .parts = {part},
+          .files = {"whalin_1971_semicircular_shoal/bathymetry.asc"},
+          .compute = compute,
+          .model = basin_model,
+          .misses = misses(values.integer("period"))};
 }
 
 }  // namespace
@@ -47,7 +125,9 @@ Case semicircular_shoal() {
   Case c;
   c.title = "Regular waves on a semicircular shoal";
   c.source = source;
-  c.parameters = {integer("period", 2, {1, 3}, "of the waves [s]")};
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {integer("period", {2, 1, 3}, {1, 3}, "of the waves [s]"),
+                  real("spacing", {0.125, 0.075, 0.1}, "m", {0.05, 0.15}, "of the columns")};
   set_laboratory<experiment>(c);
   return c;
 }
