@@ -2,8 +2,8 @@
 Regular waves of 1 s are focused by an elliptic shoal on a slope (Berkhoff, Booij and Radder).
 
 **What is compared.** Amplitude over the incident one along eight sections: the largest, where it is, and the root
-mean square difference. The case scores others, and in the full tier the plan model with improved dispersion is judged by
-the same claims: a paddle at x = -10 m, the depth cut at 0.1 m, and a layer beyond 11 m in which waves are absorbed.
+mean square difference. The case scores others, and in the full tier the plan model with improved dispersion is judged
+by the same claims: a paddle at x = -10 m, the depth cut at 0.1 m, and a layer beyond 11 m in which waves are absorbed.
 
 **What to look at.** The focus lies on the shallower side, y < 0: a result of another handedness is mirrored. Linear
 theory has the pattern right and the peaks behind the focus a tenth too high; the waves are steep enough for that.
@@ -79,8 +79,22 @@ Submitted compute(const Run& run, double coarsening) {
   return {{"sections", groups}};
 }
 
+/// At the standard parameters; a band is an eighth of a misfit and 3 % of a height.
 std::map<std::string, evidence::KnownFailure> misses() {
-  return {};
+  const std::string beside =
+      "beside the focus, and before the shoal already, waves are higher than measured by a tenth of the incident "
+      "amplitude: nothing dissipates here, and the walls of the basin reflect; in the focus itself they agree";
+  const std::string behind = "four metres behind the focus the peak is a tenth lower than measured, at both spacings";
+  return {{"sections-misfit-2", {.value = 0.143, .width = 0.018, .reason = beside}},
+          {"sections-misfit-3", {.value = 0.138, .width = 0.017, .reason = beside}},
+          {"sections-misfit-4", {.value = 0.133, .width = 0.017, .reason = beside}},
+          {"sections-highest-5", {.value = 1.656, .width = 0.05, .reason = behind}},
+          {"sections-misfit-5", {.value = 0.157, .width = 0.02, .reason = beside}},
+          {"sections-highest-6", {.value = 1.248, .width = 0.037, .reason = beside}},
+          {"sections-misfit-6", {.value = 0.182, .width = 0.023, .reason = beside}},
+          {"sections-misfit-7", {.value = 0.153, .width = 0.019, .reason = beside}},
+          {"sections-highest-8", {.value = 1.127, .width = 0.034, .reason = beside}},
+          {"sections-misfit-8", {.value = 0.146, .width = 0.018, .reason = beside}}};
 }
 
 Experiment experiment(const Values& values) {
@@ -115,7 +129,7 @@ Case elliptic_shoal() {
   c.title = "Regular waves on an elliptic shoal";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
-  c.parameters = {real("spacing", 0.1, "m", {0.05, 0.2}, "of the columns, where the model computes")};
+  c.parameters = {real("spacing", 0.07, "m", {0.07, 0.1}, "of the columns, where the model computes")};
   set_laboratory<experiment>(c);
   return c;
 }

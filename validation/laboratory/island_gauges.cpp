@@ -13,9 +13,9 @@ of their distance is an uncertainty. The records show a wave B of 0.087 depths, 
 #include <array>
 #include <cmath>
 
+#include "validation/instruments/island_flow.hpp"
 #include "validation/instruments/plan_gauges.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
-#include "validation/run_up/island_flow.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -82,6 +82,25 @@ Submitted compute(const Run& run, double coarsening) {
           {"runup", {{.value = 0, .abscissa = envelope.angle(), .values = {{"R", envelope.runup()}}}}}};
 }
 
+/// Of wave A; a band is an eighth of a misfit and a thirtieth of a height; the tiers differ by less than a fiftieth.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string behind =
+      "behind its crest the wave of the experiment is no solitary wave: the surface at gauges 1 to 4 falls 1 mm below "
+      "its level and stays there, where the model has up to 3 mm of what the island sends back; crests and times agree";
+  const std::string before =
+      "in front of the island the model is 2 to 3 mm higher from the crest on, as at gauges 1 to 4 later; finer "
+      "columns do not change it";
+  return {{"gauges-misfit-1", {.value = 0.00208, .width = 0.00026, .reason = behind}},
+          {"gauges-misfit-2", {.value = 0.00216, .width = 0.00027, .reason = behind}},
+          {"gauges-misfit-3", {.value = 0.0022, .width = 0.00028, .reason = behind}},
+          {"gauges-misfit-4", {.value = 0.00226, .width = 0.00028, .reason = behind}},
+          {"gauges-misfit-6", {.value = 0.00257, .width = 0.00032, .reason = behind}},
+          {"gauges-misfit-9", {.value = 0.00262, .width = 0.00033, .reason = behind}},
+          {"gauges-misfit-16", {.value = 0.00194, .width = 0.00024, .reason = behind}},
+          {"gauges-highest-6", {.value = 0.0172, .width = 0.0006, .reason = before}},
+          {"gauges-highest-9", {.value = 0.0251, .width = 0.0008, .reason = before}}};
+}
+
 Experiment experiment(const Values& values) {
   const Wave wave = wave_of(values);
   Series gauges{.name = "gauges",
@@ -119,7 +138,10 @@ Experiment experiment(const Values& values) {
       .parts = {gauges, runup},
       .files = {"briggs_1995_conical_island_a/bathymetry.asc", wave.table + "/gauges.csv", wave.table + "/paddle.csv"},
       .model = "dispersive shallow water in plan"};
-  if (wave.letter == 1) one.compute = compute;
+  if (wave.letter == 1) {
+    one.compute = compute;
+    one.misses = misses();
+  }
   return one;
 }
 

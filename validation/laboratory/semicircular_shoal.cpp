@@ -77,8 +77,19 @@ Submitted compute(const Run& run, double coarsening) {
   return {{"harmonics", groups}};
 }
 
-std::map<std::string, evidence::KnownFailure> misses(long /*period*/) {
-  return {};
+/// A band is an eighth of a height and what places are known to, 0.3 m; twice the spacing changes half of it.
+std::map<std::string, evidence::KnownFailure> misses(long period) {
+  if (period != 3) return {};
+  return {
+      {"harmonics-when-1",
+       {.value = 17.3,
+        .width = 0.3,
+        .reason = "the first harmonic is level, 10.3 to 10.5 mm from 15 to 18.5 m: half a metre of it is 1 %"}},
+      {"harmonics-highest-2",
+       {.value = 0.0052,
+        .width = 0.00065,
+        .reason = "measured, the second harmonic goes on growing beyond 20 m, from 5.0 to 7.6 mm at 22.8 m; here to "
+                  "5.2 mm, at both spacings"}}};
 }
 
 Experiment experiment(const Values& values) {
@@ -116,7 +127,7 @@ Case semicircular_shoal() {
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {integer("period", {2, 1, 3}, {1, 3}, "of the waves [s]"),
-                  real("spacing", {0.1, 0.075, 0.075}, "m", {0.05, 0.15}, "of the columns")};
+                  real("spacing", {0.125, 0.075, 0.1}, "m", {0.05, 0.15}, "of the columns")};
   set_laboratory<experiment>(c);
   return c;
 }

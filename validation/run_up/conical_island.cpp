@@ -32,7 +32,7 @@ is 6 and 30 % higher, and without the force along the shore B folds before its e
 #include "validation/case/case.hpp"
 #include "validation/case/reference_source.hpp"
 #include "validation/instruments/fine_limit.hpp"
-#include "validation/run_up/island_flow.hpp"
+#include "validation/instruments/island_flow.hpp"
 
 namespace seiche::validation::cases {
 namespace {

@@ -130,6 +130,20 @@ TEST_CASE("a shoreline is refused") {
   CHECK(message.find("on many processes") != std::string::npos);
 }
 
+TEST_CASE("the decay of the lattice's pattern is refused") {
+  const Problem problem = box();
+  std::string message;
+  try {
+    const distributed::PlanFlow flow(
+        problem.lattice.shape, 1,
+        [&](const distributed::Patch& patch) { return distributed::part_of(problem.lattice, patch); },
+        problem.lattice.sides, {}, {.drag = {.lattice_rate = 1}});
+  } catch (const std::invalid_argument& refusal) {
+    message = refusal.what();
+  }
+  CHECK(message.find("lattice_rate on many processes") != std::string::npos);
+}
+
 TEST_CASE("what all processes write is read back as it was") {
   const Problem problem = box();
   // One folder for all: the number of the first process's program.

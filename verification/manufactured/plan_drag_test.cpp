@@ -201,6 +201,22 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
              Bound{.limit = 1e-4,
                    .reason = "pair after pair: what one takes the next no longer has, some 10 rate h",
                    .expected = 1});
+  const auto [waves, damped] = slowed(
+      [](std::size_t k) {
+        const double wave = std::cos(0.9 * static_cast<double>(k % 13) + 0.6 * static_cast<double>(k / 13));
+        return seiche::Point{wave, wave};
+      },
+      h, equal, ones);
+  const double s1 = std::pow(std::sin(0.45), 2);
+  const double s2 = std::pow(std::sin(0.3), 2);
+  check.that(
+      {.id = "waves",
+       .text = "Velocities of a plane wave decay at the rate of the law.",
+       .quantity = "rate of an inner node over that",
+       .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
+      {.value = (1 - damped[inner] / waves[inner]) / (rate * h * s1 * s2 * (s1 + s2) / 2)},
+      Bound{
+          .limit = 1e-4, .reason = "one pair after the other, some 10 rate h, and rounding over 1e-8", .expected = 1});
   const auto [smooth, same] = slowed(
       [&](std::size_t k) {
         const double x = lattice.x[k];

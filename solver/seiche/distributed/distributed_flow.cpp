@@ -22,6 +22,9 @@ namespace {
 std::unique_ptr<dispersive_shallow_water_2d::Model> local_model(dispersive_shallow_water_2d::Lattice part,
                                                                 dispersive_shallow_water_2d::Settings settings) {
   settings.solver = linear::NinePointMethod::iterative;
+  if (settings.drag.lattice_rate > 0) {
+    throw std::invalid_argument("lattice_rate on many processes; allowed: on one, with the model's own flow");
+  }
   return std::make_unique<dispersive_shallow_water_2d::Model>(std::move(part), settings);
 }
 

@@ -101,7 +101,7 @@ void Drag::absorb(double h, mechanics::Output u) const {
   const std::size_t n = u.size() / 3;
   for (std::size_t k = 0; k < absorption_.size(); ++k) {
     const double left = 1 / (1 + h * absorption_[k]);
-    for (const std::size_t axis : {0, 1, 2}) u[axis * n + k] *= left;
+    for (std::size_t axis = 0; axis < 3; ++axis) u[axis * n + k] *= left;
   }
 }
 

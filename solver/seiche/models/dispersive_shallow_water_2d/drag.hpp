@@ -15,9 +15,9 @@
 /// the lattice folds. Cells have g = u_0 - u_1 + u_2 - u_3 of it; forces on the six nodes of every two neighbours,
 /// weighted as in the difference of their g, make that difference decay, so that the pattern decays at a given rate.
 /// They keep momentum, and on equal parallelograms angular momentum; motions of second degree over two cells have
-/// nothing of it, and smooth waves of wavenumber (k1, k2) decay at no more than
+/// nothing of it, and velocities cos(k1 x + k2 y) decay at
 ///
-///     rate s1^2 s2^2 (s1^2 + s2^2)/4,   s_i = sin(k_i h_i/2).
+///     rate s1^2 s2^2 (s1^2 + s2^2)/2,   s_i = sin(k_i h_i/2).
 ///
 /// A layer that absorbs waves makes all velocities decay, u' = -rate u, at a rate that each column was given at the
 /// beginning: let it grow smoothly from 0 over about a wavelength before a wall, or waves turn back at its edge. On
@@ -39,7 +39,7 @@ namespace seiche::dispersive_shallow_water_2d {
 struct DragSettings {
   double manning = 0;       ///< n [s/m^(1/3)]; smooth concrete: 0.011 to 0.013
   double shore_rate = 0;    ///< [1/s]
-  double lattice_rate = 0;  ///< of the pattern + - + - [1/s]; about the frequency of the waves
+  double lattice_rate = 0;  ///< of the pattern + - + - [1/s]; a few times the frequency of steep waves
   /// Rate of an absorbing layer [1/s] at the first place of a column; empty for none. Not with a moving window.
   std::function<double(Point)> absorption = {};
 };

@@ -27,8 +27,8 @@
 /// bottoms: volumes and potential are polynomials, and Simpson's mean of their gradients is exact. Dispersion in closed
 /// form: exact/plan_dispersion.hpp.
 ///
-/// Waves may be shorter with improved dispersion (dispersion_energy.hpp); trains of them need what keeps the lattice from
-/// folding, and layers that absorb (drag.hpp).
+/// Waves may be shorter with improved dispersion (dispersion_energy.hpp); trains of them need what keeps the lattice
+/// from folding, and layers that absorb (drag.hpp).
 ///
 /// When not to use it: waves shorter than about two depths; lattices that shear for long, as in steady eddies;
 /// overturning.

@@ -1,4 +1,4 @@
-#include "validation/run_up/island_flow.hpp"
+#include "validation/instruments/island_flow.hpp"
 
 #include <algorithm>
 #include <cmath>
