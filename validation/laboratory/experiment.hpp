@@ -62,6 +62,7 @@ struct Experiment {
   std::function<Submitted(const Run&, double coarsening)> compute = {};
   std::string model = {};                                     ///< its name
   std::map<std::string, evidence::KnownFailure> misses = {};  ///< of it, by the claim's id
+  std::map<std::string, std::string> undecided = {};          ///< what its spacings cannot decide, and why
 };
 
 /// A part of kind scalars is one row of a table; its abscissa tells which and is not asked for.

@@ -139,7 +139,10 @@ void claim_experiment(const Experiment& experiment, const Values& values, const 
       const double fine = one.answer(r.fine);
       return {.value = fine, .uncertainty = std::abs(one.answer(r.coarse) - fine)};
     };
-    const auto judged = claims.at(experiment.model + ", two spacings");
+    const auto open = experiment.undecided.find(one.claim().id);
+    const auto judged =
+        claims.at(experiment.model + ", two spacings")
+            .only_if(open == experiment.undecided.end(), open == experiment.undecided.end() ? "" : open->second);
     const auto miss = experiment.misses.find(one.claim().id);
     if (miss == experiment.misses.end()) {
       judged.check(one.claim(), answer, one.criterion());
