@@ -40,7 +40,7 @@ class Command(unittest.TestCase):
         self.out = pathlib.Path(scratch.name) / "evidence"
 
     # A run long enough to be caught in the act.
-    LONG = ["riemann", "--set", "particles=4000", "--set", "time_step=0.0005", "--set", "time=5"]
+    LONG = ["riemann", "--set", "particles=4000", "--set", "time_step=0.00005", "--set", "time=5"]
 
     def record(self, name):
         return json.loads((self.out / f"{name}.json").read_text())
