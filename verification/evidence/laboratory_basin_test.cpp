@@ -46,8 +46,9 @@ struct Channel {
   [[nodiscard]] double left() const { return std::exp(-rate * layer() / (3 * group_speed())); }
   [[nodiscard]] Bound bound() const {
     return {.limit = std::pow(k() * spacing, 2) / 12 + 2 * left() + rate / (4 * omega() * k() * layer()),
-            .reason = "the lattice errs by (k h)^2/12; waves reach the wall behind the layer and come back, twice "
-                      "exp(-int r dx/c_g); its rate rises within a length L, which sends back r/(4 omega k L)"};
+            .reason =
+                "the lattice errs by (k h)^2/12; waves reach the wall behind the layer and come back, twice "
+                "exp(-int r dx/c_g); its rate rises within a length L, which sends back r/(4 omega k L)"};
   }
 };
 
