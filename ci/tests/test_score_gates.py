@@ -67,6 +67,26 @@ class Ladders(Sines):
                 self.refused(self.score("standing_wave", "--data", file, "--table", "wall", *words), *expected)
 
 
+class RepeatedRuns(Sines):
+    def test_the_mean_of_several_runs_is_judged_and_their_scatter_said(self):
+        data = [word for share in (-0.1, 0, 0.13) for word in ("--data", self.wave(share, f"run{share}.csv"))]
+        self.judged(*data[:2], status=1)
+        self.judged(*data, "--repeats", "3")
+        measured = self.record("standing_wave.mine")["measurements"]
+        self.assertEqual(measured["repeats"], 3)
+        self.assertAlmostEqual(measured["eta_amplitude_ratio"], 1.01, 6)
+        self.assertGreater(measured["repeats_scatter_eta"], 0)
+
+    def test_wrong_numbers_of_runs_are_refused(self):
+        file = self.wave()
+        for words, expected in [
+                (["--repeats", "2"], ["1 files for 2", "as many for each"]),
+                (["--repeats", "1"], ["--repeats"]),
+                (["--data", file, "--data", file, "--repeats", "3", "--sizes", "0.1,0.2,0.3"], ["leave one of the two out"])]:
+            with self.subTest(words=words[-2:]):
+                self.refused(self.score("standing_wave", "--data", file, "--table", "wall", *words), *expected)
+
+
 class Histories(Sines):
     def test_a_history_beside_the_result_is_judged(self):
         t = np.linspace(0, 10, 21)

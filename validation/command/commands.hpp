@@ -77,6 +77,7 @@ struct ScoreOptions {
   std::vector<double> sizes;        ///< of a ladder: so many files for each, [m]
   std::vector<double> seconds;      ///< none: not said; one, or one for each size
   long threads = 0;                 ///< 0: not said
+  std::size_t repeats = 1;          ///< runs of one set-up: so many files for each
   bool template_only = false;
   std::string baseline;  ///< folder with earlier records
   bool bless = false;    ///< write this score there

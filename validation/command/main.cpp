@@ -192,6 +192,11 @@ void add_score(CLI::App& app, Action& action) {
       ->allow_extra_args(false)
       ->check(CLI::PositiveNumber);
   command
+      ->add_option("--repeats", options->repeats,
+                   "runs of the same set-up, as many --data for each: their mean is judged, and their scatter counts "
+                   "in the uncertainty that you state")
+      ->check(CLI::Range(2, 1000));
+  command
       ->add_option("--seconds", options->seconds,
                    "processor time that your run took; with --sizes one for each, T1,T2,T3")
       ->delimiter(',')

@@ -23,6 +23,7 @@
 #include "validation/scoring/diagnosis.hpp"
 #include "validation/scoring/first_look.hpp"
 #include "validation/scoring/ladder.hpp"
+#include "validation/scoring/repeats.hpp"
 #include "validation/scoring/score.hpp"
 #include "validation/scoring/solver_files.hpp"
 #include "validation/scoring/submitted.hpp"
@@ -151,6 +152,16 @@ std::size_t finest_of(const std::vector<double>& sizes) {
   return static_cast<std::size_t>(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
 }
 
+void require_repeats(const ScoreOptions& options) {
+  if (options.repeats == 1) return;
+  if (!options.sizes.empty()) throw std::invalid_argument("--repeats and --sizes: leave one of the two out");
+  if (options.data.size() % options.repeats != 0) {
+    throw std::invalid_argument(
+        fmt::format("--data: {} files for {} --repeats: must be as many for each, first those of the first run",
+                    options.data.size(), options.repeats));
+  }
+}
+
 void require_ladder(const ScoreOptions& options) {
   const std::size_t sizes = options.sizes.size();
   if (options.seconds.size() > 1 && options.seconds.size() != sizes) {
@@ -220,10 +231,10 @@ Read read(const ScoreOptions& options, const std::vector<std::string>& data, con
   return result;
 }
 
-/// Every size's files, coarse or fine first.
+/// Every size's files, coarse or fine first, or every repeat's.
 std::vector<Read> read_all(const ScoreOptions& options, const std::vector<WantedTable>& wanted,
                            const validation::ColumnNames& renamed) {
-  const std::size_t blocks = std::max<std::size_t>(options.sizes.size(), 1);
+  const std::size_t blocks = std::max<std::size_t>(options.sizes.size(), options.repeats);
   const std::size_t each = options.data.size() / blocks;
   std::vector<Read> all;
   for (std::size_t k = 0; k < blocks; ++k) {
@@ -243,6 +254,16 @@ std::optional<validation::Ladder> ladder_of(const ScoreOptions& options, const s
                      .submitted = all[k].submitted});
   }
   return validation::ladder_of(wanted, std::move(rungs));
+}
+
+/// The mean of several runs in the place of the first, where there are several.
+std::optional<validation::Repeats> repeats_of(const ScoreOptions& options, std::vector<Read>& all) {
+  if (options.repeats == 1) return std::nullopt;
+  std::vector<validation::Submitted> runs;
+  for (const Read& one : all) runs.push_back(one.submitted);
+  validation::Repeats repeats = validation::repeats_of(runs);
+  all.front().submitted = repeats.mean;
+  return repeats;
 }
 
 void require_baseline(const ScoreOptions& options, const std::string& stem) {
@@ -327,6 +348,7 @@ int score(const ScoreOptions& options) {
   require_solver_name(options.solver);
   require_format(options);
   require_ladder(options);
+  require_repeats(options);
   const validation::ColumnNames renamed = column_names(one, wanted, options.map);
   auto uncertainty = uncertainties(one, wanted, options.uncertainty);
 
@@ -342,9 +364,11 @@ int score(const ScoreOptions& options) {
     }
     wanted = {alone};
   }
-  const std::vector<Read> all = read_all(options, wanted, renamed);
+  std::vector<Read> all = read_all(options, wanted, renamed);
   const std::optional<validation::Ladder> ladder = ladder_of(options, wanted, all);
   if (ladder) validation::add_numerical(*ladder, uncertainty);
+  const std::optional<validation::Repeats> repeats = repeats_of(options, all);
+  if (repeats) validation::add_scatter(*repeats, uncertainty);
   const Read& judged = all[finest_of(options.sizes)];
   for (const Read& read : all) note_files(read.files, record);
   std::vector<validation::Finding> findings;
@@ -358,6 +382,7 @@ int score(const ScoreOptions& options) {
     findings = validation::diagnosis(wanted, judged.submitted, shift_fitted);
     validation::show_diagnosis(findings, record);
     if (ladder) validation::show_ladder(*ladder, record);
+    if (repeats) validation::show_repeats(*repeats, record);
     look = validation::first_look(wanted, judged.submitted, record, findings, ladder);
     validation::show_first_look(look, record);
   } catch (const std::invalid_argument& wrong) {
