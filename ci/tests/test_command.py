@@ -54,23 +54,11 @@ class Command(unittest.TestCase):
         written = [p.name for p in self.out.glob("*")] if self.out.exists() else []
         self.assertEqual([name for name in written if name != "junit.xml"], [])
 
-    def test_a_run_is_stopped_after_the_most_seconds(self):
-        result = seiche("run", "lake_at_rest_1d", "--set", "time=1000000", "--most-seconds", "1", "--out", self.out)
-        self.assertEqual(result.returncode, 3, result.stdout + result.stderr)
-        record = self.record("lake_at_rest_1d")
-        self.assertEqual(record["status"], "error")
-        self.assertRegex(record["error"], r"time limit of 1 s, \d+ % done")
-        self.assertEqual([claim["verdict"] for claim in record["claims"] if claim["verdict"] != "error"], [])
-
-    def test_threads_are_as_asked_and_change_no_number(self):
-        found = {}
+    def test_threads_are_as_asked(self):
         for threads in ("1", "2"):
             result = seiche("run", "moving_bore", "--threads", threads, "--out", self.out)
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-            record = self.record("moving_bore")
-            self.assertEqual(record["provenance"]["threads"], int(threads))
-            found[threads] = [(claim["id"], claim["measured"]) for claim in record["claims"]]
-        self.assertEqual(found["1"], found["2"])
+            self.assertEqual(self.record("moving_bore")["provenance"]["threads"], int(threads))
         self.assertEqual(seiche("run", "moving_bore", "--threads", "0", "--out", self.out).returncode, 2)
 
     def test_list_names_every_case_and_parameter(self):

@@ -36,6 +36,14 @@ class Interruptions(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         return result
 
+    def test_a_run_is_stopped_after_the_most_seconds(self):
+        result = seiche("run", "lake_at_rest_1d", "--set", "time=1000000", "--most-seconds", "1", "--out", self.out)
+        self.ends(result, 3, "time limit of 1 s")
+        record = json.loads((self.out / "lake_at_rest_1d.json").read_text())
+        self.assertEqual(record["status"], "error")
+        self.assertRegex(record["error"], r"time limit of 1 s, \d+ % done")
+        self.assertEqual([claim["verdict"] for claim in record["claims"] if claim["verdict"] != "error"], [])
+
     def ends(self, result, status, *words):
         text = result.stdout + result.stderr
         self.assertEqual(result.returncode, status, text)

@@ -23,7 +23,7 @@ sys.path.insert(0, str(REPORTS))
 import h5py  # noqa: E402
 import numpy  # noqa: E402
 
-from render import atlas, defects, experiments, pages, quantities, records, speed  # noqa: E402
+from render import atlas, defects, experiments, pages, quantities, records  # noqa: E402
 from render.command import main  # noqa: E402
 from render.formulas import Formulas  # noqa: E402
 from render.store import Store  # noqa: E402
@@ -319,22 +319,6 @@ class Report(unittest.TestCase):
         rows = defects.read()
         self.assertEqual(page.count("<tr id="), len(rows))
         self.assertIn("defects.html", self.index)
-
-    def test_speed_is_set_beside_what_the_machine_can_do(self):
-        with tempfile.TemporaryDirectory() as folder:
-            record = pathlib.Path(folder) / "speed.csv"
-            record.write_text("program,benchmark,nanoseconds_per_item,bytes_per_second,of_bandwidth,"
-                              "operations_per_second,of_peak,processor,date\n"
-                              "machine,triad/1000,0.1,2e11,,,,A processor,2026-01-02\n"
-                              "particles,G1/1000,36,8.5e9,0.43,4e9,,A processor,2026-01-02\n")
-            survey = speed.survey(speed.read(record))
-        memo = Store(self.cache).memo
-        page = pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("speed.html.j2").render(
-            root="", page="speed.html", title="T", fonts=False, speed=survey)
-        self.assertIn(">200</span> GB/s", page)
-        self.assertIn(">43</span> %</td><td class=\"r\"></td>", page)
-        self.assertIn("A processor, 2026-01-02", page)
-        self.assertNotIn("triad", page[page.index('id="particles"'):])
 
     def tile(self, name):
         atlas = (self.out / "atlas.html").read_text(encoding="utf-8")

@@ -1,0 +1,47 @@
+"""The page of benchmarks, beside what the machine can do."""
+import pathlib
+import sys
+import tempfile
+import unittest
+
+REPORTS = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(REPORTS))
+
+from render import pages, speed  # noqa: E402
+from render.formulas import Formulas  # noqa: E402
+from render.store import Store  # noqa: E402
+from render.text import Typesetter  # noqa: E402
+
+RECORD = """program,benchmark,nanoseconds_per_item,bytes_per_second,of_bandwidth,operations_per_second,of_peak,processor,date
+machine,triad/1000,0.1,2e11,,,,A processor,2026-01-02
+particles,G1/1000,36,8.5e9,0.43,4e9,,A processor,2026-01-02
+"""
+
+
+def page_of(rows, folder):
+    memo = Store(folder / "cache").memo
+    return pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("speed.html.j2").render(
+        root="", page="speed.html", title="T", fonts=False, speed=speed.survey(rows))
+
+
+class Speed(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+    def test_benchmarks_stand_beside_the_machine(self):
+        record = self.folder / "speed.csv"
+        record.write_text(RECORD)
+        page = page_of(speed.read(record), self.folder)
+        self.assertIn(">200</span> GB/s", page)
+        self.assertIn(">43</span> %</td><td class=\"r\"></td>", page)
+        self.assertIn("A processor, 2026-01-02", page)
+        self.assertNotIn("triad", page[page.index('id="particles"'):])
+
+    def test_without_a_table_the_page_says_how_to_make_one(self):
+        self.assertIn("ci/benchmarks --table", page_of(speed.read(self.folder / "none.csv"), self.folder))
+
+
+if __name__ == "__main__":
+    unittest.main()
