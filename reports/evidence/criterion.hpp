@@ -67,9 +67,10 @@ struct Bound {
   bool relative = false;
 };
 
-/// |value - expected| <= coverage sqrt(u_num^2 + u_input^2 + u_data^2) (ASME V&V 20-2009). Inconclusive when that
-/// uncertainty exceeds `useful`, for agreement within an uncertainty that large says nothing, and when u_num was not
-/// estimated.
+/// |value - expected| <= coverage sqrt(u_num^2 + u_input^2 + u_data^2) (ASME V&V 20-2009). Agreement is inconclusive
+/// when that uncertainty exceeds `useful`, for agreement within an uncertainty that large says nothing; a larger
+/// difference is one whatever its uncertainty. Where u_num was not estimated, it is inconclusive, unless the difference
+/// exceeds the rest by more than `useful`: then no u_num that decides anything explains it.
 struct Uncertainty {
   Amount expected = 0;
   Amount data = 0;    ///< standard uncertainty of the reference

@@ -12,8 +12,8 @@ namespace seiche::evidence {
 /// @param digests  SHA-256 of the files beside it, by name
 std::string to_json(const Record& record, const std::map<std::string, std::string>& digests = {});
 
-/// Writes `<stem>.h5` (and `<stem>.xdmf` where the record has snapshots), then `<stem>.json`, which carries their digests
-/// and its own (seal.hpp). Each appears whole; where the last of them is missing, the digests tell.
+/// Writes `<stem>.h5` (and `<stem>.xdmf` where the record has snapshots), then `<stem>.json`, which carries their
+/// digests and its own (seal.hpp). Each appears whole; where the last of them is missing, the digests tell.
 void write(const Record& record, const std::filesystem::path& directory);
 
 /// What a later run or a summary needs of a written record.
@@ -43,7 +43,7 @@ struct Summary {
   std::string shows;      ///< a published set that it is equal to, empty if none
   bool standard = false;  ///< the parameters are the tier's defaults or those of `set`
   std::string solver;
-  std::string error;  ///< why it did not finish, or that the file is not the one that was written
+  std::string error;    ///< why it did not finish, or that the file is not the one that was written
   bool sealed = false;  ///< carries its digest, so that a change would be seen
   std::string fingerprint;
   std::string commit;  ///< of the program that wrote the record; "-dirty" after it for uncommitted changes
@@ -62,8 +62,8 @@ void refresh_article(const std::filesystem::path& json_file, const std::string& 
 
 /// Which of a record's files are looked at: those beside the JSON may hold many numbers.
 enum class Reading { json, all_files };
-/// Reads a record back. What was changed since it was written reads as a run that did not finish, for that reason. Words
-/// of the record are printable.
+/// Reads a record back. What was changed since it was written reads as a run that did not finish, for that reason.
+/// Words of the record are printable.
 /// @throws std::runtime_error naming the file when it is not a record.
 Summary read_summary(const std::filesystem::path& json_file, Reading reading = Reading::json);
 /// All records of a directory, sorted by file name. A file that is not a record is an error naming it.

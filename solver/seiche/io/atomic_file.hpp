@@ -10,8 +10,8 @@ namespace seiche::io {
 /// destructor otherwise. Readers never see half a file, and a failed run leaves none behind.
 class AtomicFile {
  public:
-  /// @throws std::runtime_error if the folder does not exist and cannot be made, or if the name is taken by anything but
-  /// a file: a device, a pipe, a folder, a symbolic link
+  /// @throws std::runtime_error if the folder does not exist and cannot be made, or if the name is taken by anything
+  /// but a file: a device, a pipe, a folder, a symbolic link
   explicit AtomicFile(std::filesystem::path target);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
