@@ -9,16 +9,16 @@ set of runs bottom and slope are one curve, rounded over a column's width on eit
 and the nodes beside it slide, the scheme is the conservative one, and the hourglass potential, $\kappa_0 = 0.1$, holds
 nodes in their rows. No condition is set at the shoreline.
 
-**What is compared.** The run-up, five amplitudes on each slope: with an earlier program on the same meshes,
-with the values of the thesis, which does not say on what mesh they were found, and with the formula of Hall and Watts
-for their measurements.
+**What is compared.** The run-up, five amplitudes on each slope: with the exact values of the Euler
+equations (`seiche exact slope_runup`), with an earlier program on the same meshes, with the values of the thesis, which
+does not say on what mesh they were found, and with the formula of Hall and Watts for their measurements.
 
 **What to look at.** The run-up converges with the first order only. A surface node feels the pressure half a cell below
 it; that makes its motion along the surface inexact to first order, and on a slope the contact point climbs by such
 motion. Against a vertical wall it does not, and the order is two (`wall_run_up_mesh`). Extrapolated values lie within a
-few per cent of the formula. Water arrives at the toe in finite time and goes on up the slope. With Frank's toe a node
-on the level bottom cannot: it passes the toe, the last cell at the bottom folds, its area stays right, and the run goes
-on
+few per cent of the formula, which is drawn through measurements, and nearer to the exact ones. Water arrives at the toe
+in finite time and goes on up the slope. With Frank's toe a node on the level bottom cannot: it passes the toe, the last
+cell at the bottom folds, its area stays right, and the run goes on
 (`beyond_folds`). With the toe that slides no cell folds, and energy is exact while nodes go around the corner. What
 either changes of the run-up is of first order like its error: 3 % of the highest wave on the mild slope with columns an
 eighth wide, a few tenths of a per cent of most.
@@ -66,6 +66,7 @@ struct Row {
   double amplitude = 0;
   OnMeshes earlier = {};  ///< run-up by an earlier program
   double thesis = std::numeric_limits<double>::quiet_NaN();
+  double exact = std::numeric_limits<double>::quiet_NaN();
 
   [[nodiscard]] double formula() const { return exact::HallWatts(1, 1 / cot_slope).runup(amplitude); }
 };
@@ -83,6 +84,7 @@ double entry(const io::Table& table, const std::string& column, const Row& row) 
 std::vector<Row> rows_of(const Values& values) {
   const io::Table earlier = values.table("regression_slope_run_up");
   const io::Table thesis = values.table("frank_1994_runup");
+  const io::Table exact = values.table("slope_runup_exact");
   std::vector<Row> rows;
   for (std::size_t k = 0; k < earlier.rows(); ++k) {
     const double cot_slope = earlier.column("cot_slope")[k];
@@ -94,6 +96,7 @@ std::vector<Row> rows_of(const Values& values) {
       if (earlier.column("h1")[k] == meshes[m].spacing) row->earlier[m] = earlier.column("R")[k];
     }
     row->thesis = entry(thesis, "R_calc", *row);
+    row->exact = entry(exact, "R", *row);
   }
   return rows;
 }
@@ -116,6 +119,10 @@ struct Climbed : Row {
     const std::size_t n = runup.size();
     const double left = std::abs(runup[n - 1] - runup[n - 2]) + std::abs(sliding[n - 1] - sliding[n - 2]);
     return (sliding[n - 1] - runup[n - 1]) / left;
+  }
+  /// Of the difference from the exact run-up, from the last halving.
+  [[nodiscard]] double order_of_error() const {
+    return std::log2(std::abs(runup[runup.size() - 2] - exact) / std::abs(runup.back() - exact));
   }
   /// From the last two halvings.
   [[nodiscard]] double order() const {
@@ -220,6 +227,40 @@ void claim_convergence(const Claims<std::vector<Climbed>>& claims) {
                 .expected = 1});
 }
 
+void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels) {
+  const auto extrapolated =
+      claims.at(fmt::format("to zero from h1 = {:g} and {:g}", meshes[levels - 2].spacing, meshes[levels - 1].spacing));
+  extrapolated.check(
+      {.id = "exact",
+       .text = "Extrapolated to fine meshes, it is that of the Euler equations.",
+       .quantity = "largest difference over what the last halving changes of the extrapolated run-up",
+       .source = source},
+      [](const std::vector<Climbed>& all) -> Measurement {
+        Worst off;
+        for (const Climbed& one : all) {
+          off.add((one.extrapolated() - one.exact) / std::abs(one.extrapolated() - one.extrapolated(1)), one.amplitude);
+        }
+        return {.value = off.value(), .where = fmt::format("A = {:g}", off.where())};
+      },
+      Bound{.limit = 1,
+            .reason = "what the first order leaves is of the second: a third of what the last halving changes, "
+                      "of the fractional orders that corners add no more than all of it"});
+  claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing))
+      .check(
+          {.id = "exact-order",
+           .text = "It converges to that of the Euler equations with the first order.",
+           .quantity = "order of the difference from the last halving, farthest from 1 of all waves",
+           .source = source},
+          [](const std::vector<Climbed>& all) -> Measurement {
+            Worst off;
+            for (std::size_t k = 0; k < all.size(); ++k) off.add(all[k].order_of_error() - 1, static_cast<double>(k));
+            const Climbed& worst = all.at(static_cast<std::size_t>(off.where()));
+            return {.value = worst.order_of_error(),
+                    .where = fmt::format("A = {:g}, cot = {:g}", worst.amplitude, worst.cot_slope)};
+          },
+          Bound{.limit = 0.5, .reason = "half an order, as for the order from the meshes alone", .expected = 1});
+}
+
 void claim_measurements(const Claims<std::vector<Climbed>>& claims, std::size_t levels) {
   claims.at(fmt::format("to zero from h1 = {:g} and {:g}", meshes[levels - 2].spacing, meshes[levels - 1].spacing))
       .check(
@@ -292,6 +333,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_regression(all);
   claim_thesis(all, rows_of(values));
   claim_convergence(all);
+  claim_exact(all, levels(values));
   claim_measurements(all, levels(values));
   claim_sliding_toe(all, levels(values));
 }
@@ -368,7 +410,8 @@ void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
                         .title = "Run-up on slopes",
                         .caption =
                             "By meshes of columns 1, 1/2, 1/4 wide (in brackets: an earlier program), then "
-                            "extrapolated from the two finest; on the finest with a toe that slides; the thesis; the "
+                            "extrapolated from the two finest; on the finest with a toe that slides; of the Euler "
+                            "equations; the thesis; the "
                             "formula of Hall and Watts; when with Frank's toe a cell folds first on the finest mesh "
                             "that does, before the largest run-up.",
                         .columns = {{"tan", "1"},
@@ -381,6 +424,7 @@ void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
                                     {"(1/4)", "depth"},
                                     {"extrapolated", "depth"},
                                     {"sliding toe", "depth"},
+                                    {"exact", "depth"},
                                     {"thesis", "depth"},
                                     {"Hall-Watts", "depth"},
                                     {"fold", "sqrt(depth/g)"}},
@@ -395,6 +439,7 @@ void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
     }
     cells.emplace_back(rounded(one.extrapolated()));
     cells.emplace_back(rounded(one.sliding.back()));
+    cells.emplace_back(rounded(one.exact));
     cells.emplace_back(one.thesis);
     cells.emplace_back(rounded(one.formula()));
     cells.emplace_back(one.fold_time ? rounded(*one.fold_time) : std::variant<double, std::string>(""));
@@ -416,15 +461,17 @@ void draw(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
     const exact::HallWatts law(1, 1 / cot_slope);
     for (const double a : fine) formula.push_back(law.runup(a));
     panel.line("Hall and Watts", fine, formula, Role::guide);
-    std::vector<double> a, thesis, limit;
+    std::vector<double> a, thesis, limit, exact;
     std::array<std::vector<double>, compared> r;
     for (const Climbed& one : all) {
       if (one.cot_slope != cot_slope) continue;
       a.push_back(one.amplitude);
       thesis.push_back(one.thesis);
       limit.push_back(one.extrapolated());
+      exact.push_back(one.exact);
       for (std::size_t m = 0; m < compared; ++m) r[m].push_back(one.runup[m]);
     }
+    panel.points("Euler equations", a, exact, Role::exact);
     panel.points("thesis", a, thesis, Role::data);
     for (std::size_t m = 0; m < compared; ++m) panel.line(fmt::format("h1 = {:g}", meshes[m].spacing), a, r[m]);
     panel.line("extrapolated", a, limit, Role::peer);

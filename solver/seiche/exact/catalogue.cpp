@@ -70,6 +70,7 @@ const std::vector<ExactSolution>& catalogue() {
       hall_watts_entry(),
       wall_load_entry(),
       wall_runup_entry(),
+      slope_runup_entry(),
       mach_reflection_entry(),
       kadomtsev_petviashvili_entry(),
       wavemaker_entry(),

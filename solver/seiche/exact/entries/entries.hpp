@@ -34,6 +34,7 @@ ExactSolution solitary_runup_entry();
 ExactSolution hall_watts_entry();
 ExactSolution wall_load_entry();
 ExactSolution wall_runup_entry();
+ExactSolution slope_runup_entry();
 ExactSolution wavemaker_entry();
 ExactSolution wavemaker_start_entry();
 ExactSolution thacker_radial_entry();

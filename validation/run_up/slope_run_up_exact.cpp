@@ -1,0 +1,131 @@
+/*
+A solitary wave of the full Euler equations climbs a plane slope behind a level bottom. The largest run-up follows from
+fully nonlinear potential flow by a spectral boundary-integral method, in a plane where bottom and slope are one
+straight line (`seiche exact slope_runup`).
+
+**What is compared.** The run-up with the formula that Hall and Watts drew through their measurements, over heights and
+slopes. The case scores others: submit the largest elevation of the shore.
+
+**What to look at.** The computed water climbs higher than the measured one: it has neither friction nor surface
+tension, and no measured tongue is followed to where it is thinner than a film.
+
+**When it is no test.** Of waves that break on their way up; of slopes milder than 1:3.
+*/
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/hall_watts.hpp"
+#include "seiche/exact/slope_runup.hpp"
+#include "validation/case/case.hpp"
+#include "validation/case/reference_case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Role;
+
+const std::string source = "Grilli, Svendsen and Subramanya (1997)";
+
+struct Results {
+  double runup = 0;
+  double uncertainty = 0;
+  exact::SelfTest identities;
+  std::vector<exact::SlopeRunup::Shore> shore;
+};
+
+double formula(const Values& values) {
+  return exact::HallWatts(values.real("depth"), 1 / values.real("cotangent")).runup(values.real("amplitude"));
+}
+
+void claims(const Values& values, const Claims<Results>& claims) {
+  claim_identities(claims.of(&Results::identities),
+                   exact::SlopeRunup::identities(values.real("amplitude") / values.real("depth")), source);
+  claims.only_if(values.real("cotangent") > 0, "measurements are of slopes")
+      .check(
+          {.id = "measurements",
+           .text = "The run-up lies above the measured one, by no more than friction and scatter explain.",
+           .quantity = "R/R_measured - 1",
+           .source = "Hall and Watts (1953)"},
+          [measured = values.real("cotangent") > 0 ? formula(values) : 0](const Results& r) {
+            return r.runup / measured - 1;
+          },
+          evidence::Bound{.limit = 0.05,
+                          .reason = "0 to 10 %: what has no friction cannot lie below; above, by two standard "
+                                    "uncertainties of the measurements, 5 % each (assumed), at most",
+                          .expected = 0.05});
+}
+
+Results compute(const Run& run) {
+  const exact::SlopeRunup slope(run.real("amplitude"), run.real("cotangent"), run.real("depth"));
+  run.progress(0.6);
+  return {slope.runup(), slope.uncertainty(), slope.self_test(), slope.history()};
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  exhibit.measure("reference_uncertainty", r.uncertainty);
+  exhibit.measure("runup", r.runup);
+  const io::Table table = values.table("slope_runup_exact");
+  auto& figure = exhibit.figure("runup", "Run-up over amplitude",
+                                fmt::format("Exact values (tabulated, and this run's at a = {:g} depth) beside the "
+                                            "formula of Hall and Watts for their measurements.",
+                                            values.real("amplitude") / values.real("depth")));
+  for (const double cotangent : {1.0, 2.0}) {
+    auto& panel = figure.panel(
+        {.x = "amplitude/depth", .y = "run-up/amplitude", .title = fmt::format("cotangent {:g}", cotangent)});
+    std::vector<double> a, ratio, law;
+    for (std::size_t k = 0; k < table.rows(); ++k) {
+      if (table.column("cot_slope")[k] != cotangent) continue;
+      a.push_back(table.column("A")[k]);
+      ratio.push_back(table.column("R")[k] / a.back());
+      law.push_back(exact::HallWatts(1, 1 / cotangent).runup(a.back()) / a.back());
+    }
+    panel.points("exact, tabulated", a, ratio, Role::exact);
+    panel.line("Hall and Watts", a, law, Role::guide);
+    if (values.real("cotangent") == cotangent) {
+      panel.points("this run", std::vector{values.real("amplitude") / values.real("depth")},
+                   std::vector{r.runup / values.real("amplitude")}, Role::computed);
+    }
+  }
+  std::vector<double> time, level;
+  for (const auto& shore : r.shore) {
+    time.push_back(shore.time);
+    level.push_back(shore.level);
+  }
+  exhibit.figure("shore", "The shore", "Its elevation above still water; at t = 0 the crest would pass the toe.")
+      .panel({.x = "t sqrt(g/depth)", .y = "elevation [m]"})
+      .line("shore", time, level, Role::exact);
+}
+
+std::vector<WantedTable> wanted(const Values& values) {
+  const double amplitude = values.real("amplitude");
+  const double cotangent = values.real("cotangent");
+  const double depth = values.real("depth");
+  const std::function<double()> runup = [=] { return exact::SlopeRunup(amplitude, cotangent, depth).runup(); };
+  return {{.name = "numbers",
+           .quantities = {wanted_number({"runup", "m", "largest elevation of the shore above still water"}, runup,
+                                        values, "The run-up is that of fully nonlinear potential flow.", source)},
+           .exact = {fmt::format("seiche exact slope_runup --set amplitude={:.17g},cotangent={:.17g},depth={:.17g}",
+                                 amplitude, cotangent, depth)}}};
+}
+
+}  // namespace
+
+Case slope_run_up_exact() {
+  Case c;
+  c.title = "A solitary wave climbs a plane slope";
+  c.source =
+      "S. T. Grilli, I. A. Svendsen, R. Subramanya, J. Waterway, Port, Coastal, Ocean Eng. 123 (1997) 102; J. V. Hall, "
+      "G. M. Watts, Beach Erosion Board Tech. Memo. 33 (1953)";
+  c.parameters = {
+      real("amplitude", 0.3, "m", {1e-6, 1e6}, "of the incident wave, 0.02 to 0.5 depth"),
+      real("cotangent", 1.0, "1", {0, 3}, "of the slope; 0: a vertical wall"),
+      real("depth", 1.0, "m", {1e-6, 1e6}, "depth"),
+      tolerance_parameter(),
+  };
+  c.study = Study(claims, compute, show);
+  c.submission = {.tables = wanted};
+  return c;
+}
+
+}  // namespace seiche::validation::cases

@@ -1,0 +1,160 @@
+#include "seiche/exact/slope_runup.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/slope_climb/wedge_flow.hpp"
+#include "seiche/exact/wall_runup.hpp"
+#include "seiche/samples.hpp"
+#include "validation/case/reference_table.hpp"
+#include "verification/self_test_claims.hpp"
+
+using namespace seiche;
+using exact::SlopeRunup;
+using exact::slope_climb::WedgeFlow;
+using verification::Role;
+using Complex = std::complex<double>;
+
+namespace {
+
+/// Poles of sixth order above the surface and, mirrored, below the bottom, in the plane where bottom and slope are one
+/// line: no water crosses them.
+class MirroredPoles {
+ public:
+  MirroredPoles(double slope, Complex place)
+      : slope_(slope), power_(std::numbers::pi / (std::numbers::pi - slope)), pole_(zeta(place)) {}
+
+  [[nodiscard]] Complex zeta(Complex z) const {
+    const Complex turned = z * std::polar(1.0, -slope_);
+    return std::polar(std::pow(std::abs(turned), power_), power_ * std::arg(turned));
+  }
+  [[nodiscard]] Complex potential(Complex z) const { return part(z, pole_) + part(z, std::conj(pole_)); }
+  [[nodiscard]] Complex velocity(Complex z) const {
+    const Complex at = zeta(z);
+    const auto of = [&](Complex pole) { return -6.0 * part(z, pole) / (at - pole); };
+    return (of(pole_) + of(std::conj(pole_))) * power_ * at / z;
+  }
+
+ private:
+  [[nodiscard]] Complex part(Complex z, Complex pole) const { return std::pow(pole_.imag() / (zeta(z) - pole), 6); }
+
+  double slope_;
+  double power_;
+  Complex pole_;
+};
+
+/// Largest error of the velocity over the largest velocity.
+double error_of_velocity(std::size_t intervals, double cotangent) {
+  const double slope = std::atan2(1, cotangent);
+  const MirroredPoles poles(slope, {-2, 3});
+  WedgeFlow flow(intervals, slope);
+  constexpr double far = -60;
+  const Eigen::VectorXd& nodes = flow.line().nodes();
+  const auto n = nodes.size();
+  Eigen::VectorXcd z(n);
+  Eigen::VectorXd phi(n);
+  const double shore = 1.2;  // above the bottom
+  const Complex rest = poles.potential({far, 1});
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double x = far + (1 + nodes[i]) / 2 * (shore * cotangent - far);
+    const double from_shore = x - shore * cotangent;
+    z[i] = {x, 1 + (shore - 1) * std::exp(-from_shore * from_shore / 2)};
+    phi[i] = (poles.potential(z[i]) - rest).real();
+  }
+  flow.solve(z, phi);
+  Worst error;
+  Worst largest;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Complex expected = poles.velocity(z[i]);
+    error.add(std::abs(flow.velocity()[i] - expected), z[i].real());
+    largest.add(std::abs(expected));
+  }
+  return error.value() / largest.value();
+}
+
+}  // namespace
+
+TEST_CASE("solitary waves run up slopes as high as the reference says", "[exact]") {
+  const std::string source =
+      "Grilli, Svendsen & Subramanya, J. Waterway, Port, Coastal, Ocean Eng. 123 (1997) 102; regression: table "
+      "reference_data/slope_runup_exact";
+  verification::Check check(
+      "exact_slope_runup", "Run-up of solitary waves on slopes",
+      "A solitary wave of the Euler equations is moved by Cauchy's integral in a plane where bottom and slope are one "
+      "straight line. The velocities are compared with those of a potential with poles outside the water; the run-up "
+      "on a vertical wall with that of the head-on collision of two waves, another method; on slopes with values of "
+      "finer computations.");
+  for (const double cotangent : {0.0, 1.0, 3.0}) {
+    const double coarse = error_of_velocity(100, cotangent);
+    const double fine = error_of_velocity(200, cotangent);
+    check.that({.id = fmt::format("velocity-{:g}", cotangent),
+                .text = "The velocities at the surface are those of the potential.",
+                .quantity = fmt::format("largest error over the largest velocity, cotangent {:g}", cotangent),
+                .source = source},
+               {.value = fine, .resolution = "200 intervals"},
+               evidence::Bound{.limit = 1e-7, .reason = "less than the uncertainty of the tabulated run-up"});
+    check.that({.id = fmt::format("faster-{:g}", cotangent),
+                .text = "Twice the nodes leave far less than any power of the spacing that other methods have.",
+                .quantity = fmt::format("error with 200 intervals over that with 100, cotangent {:g}", cotangent),
+                .source = source},
+               {.value = fine / coarse},
+               evidence::Bound{.limit = 1.0 / 256, .reason = "order eight; Chebyshev nodes have no order"});
+  }
+  const SlopeRunup wall(0.3, 0);
+  check.that({.id = "wall",
+              .text = "A slope that is a wall is climbed as by two waves that collide.",
+              .quantity = "run-up of a wave of 0.3 depths",
+              .unit = "depth",
+              .source = source},
+             {.value = wall.runup(), .uncertainty = wall.uncertainty() * wall.runup()},
+             evidence::Uncertainty{.expected = exact::WallRunup(0.3, 1, 256).runup(),
+                                   .data = 1e-9,
+                                   .useful = 1e-5,
+                                   .reason = "of the collision, 256 markers; our own from fewer markers and longer "
+                                             "steps, of use up to a unit of the fifth decimal"});
+  verification::claim_self_test(check, "wall", wall, source);
+  const auto table = validation::reference_table("slope_runup_exact", check.record().reference_data);
+  std::vector<double> amplitudes;
+  std::vector<double> computed;
+  std::vector<double> printed;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double a = table.column("A")[row];
+    const double cotangent = table.column("cot_slope")[row];
+    if (a != 0.29 && a != 0.5) continue;
+    const SlopeRunup slope(a, cotangent, 1, 160);
+    check.that(
+        {.id = fmt::format("runup-{:.0f}-{:g}", 100 * a, cotangent),
+         .text = fmt::format("A wave of {} depths climbs a slope of cotangent {:g} as high as the reference says.", a,
+                             cotangent),
+         .quantity = "run-up",
+         .unit = "depth",
+         .source = source},
+        {.value = slope.runup(), .resolution = "160 markers, tolerance 1e-8"},
+        evidence::Bound{.limit = 5e-5 * a,
+                        .reason = "half a unit of the fourth decimal of the amplitude: the fewest markers that "
+                                  "are accepted",
+                        .expected = table.column("R")[row]});
+    if (a == 0.29) verification::claim_self_test(check, fmt::format("slope-{:g}", cotangent), slope, source);
+    amplitudes.push_back(cotangent);
+    computed.push_back(slope.runup() / a);
+    printed.push_back(table.column("R")[row] / a);
+  }
+  auto& panel = check.figure("runup", "Run-up on slopes", "Over the amplitude, for waves of 0.29 and 0.5 depths.")
+                    .panel({.x = "cotangent", .y = "R/a"});
+  panel.points("reference", amplitudes, printed, Role::exact);
+  panel.points("160 markers", amplitudes, computed, Role::computed);
+  const SlopeRunup twice(0.4, 1, 2, 160);
+  CHECK(std::abs(twice.runup() - 2 * SlopeRunup(0.2, 1, 1, 160).runup()) < 1e-12);
+  CHECK(std::abs(twice.level(twice.runup_time()) - twice.runup()) < 1e-14);
+  const auto& moment = twice.history()[twice.history().size() / 2];
+  CHECK(std::abs(twice.level(moment.time) - moment.level) < 1e-14);
+  CHECK_THROWS_AS(twice.level(twice.runup_time() + 1), std::out_of_range);
+  CHECK_THROWS_AS(SlopeRunup(0.55, 1), std::invalid_argument);
+  CHECK_THROWS_AS(SlopeRunup(0.3, 3.5), std::invalid_argument);
+  CHECK_THROWS_AS(SlopeRunup(0.3, -0.1), std::invalid_argument);
+  CHECK_THROWS_AS(SlopeRunup(0.3, 1, 1, 158), std::invalid_argument);
+  CHECK_THROWS_AS(SlopeRunup(0.3, 1, 1, 161), std::invalid_argument);
+}
