@@ -1,7 +1,7 @@
 /*
 A solitary wave climbs a vertical wall or a plane slope, by free particles under Gauss's principle of least constraint.
-At a wall the exact run-up of the Euler equations is known to many digits (`wall_run_up_exact`). Depth and gravity
-are 1.
+The exact run-up of the Euler equations is known to many digits, on a wall (`wall_run_up_exact`) and on slopes down to a
+cotangent of 3 (`slope_run_up_exact`). Depth and gravity are 1.
 
 **Set-up.** The exact solitary wave, with its own velocities, starts so far from toe or wall that there less than 0.4 %
 of its height is cut off. Cubic splines on square cells that follow the bottom; the toe of a slope is rounded over a
@@ -10,9 +10,9 @@ their mass on, for the tongue of water is thin. The penalty on gradients of vort
 have no mass, trace the surface; the highest one beyond the toe, or at the wall, is the run-up.
 
 **What is compared.** Three lattices of half, three quarters and all of the cells, and of the particles to a cell's side
-with them: sums over particles are no exact integrals, which no refinement of the cells alone can mend. Against a wall,
-the run-up with the exact one. On slopes no exact value is known: there the method is compared with itself, and with the
-measurements of Hall and Watts (1953). It knows no friction and has to lie above them.
+with them: sums over particles are no exact integrals, which no refinement of the cells alone can mend. The run-up with
+the exact one; on slopes with the measurements of Hall and Watts (1953) besides. It knows no friction and has to lie
+above them.
 
 **What to look at.** The run-up converges from above, with an order near 3 while cells and particles are refined
 together. With six particles to a side and ever finer cells, an error of 0.7 % is left at $A = 0.3$, and one of 3 % at
@@ -31,6 +31,7 @@ more slowly than at a wall.
 #include "reports/evidence/grid_convergence.hpp"
 #include "reports/evidence/slope_guide.hpp"
 #include "seiche/exact/hall_watts.hpp"
+#include "seiche/exact/slope_runup.hpp"
 #include "seiche/exact/wall_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
@@ -92,6 +93,17 @@ std::optional<double> tabled(const Values& values, const std::string& name, cons
   return {};
 }
 
+std::optional<double> tabled_exact(const Values& values) {
+  return tabled(values, values.real("cot_slope") == 0 ? "wall_runup_exact" : "slope_runup_exact", "R");
+}
+
+/// Whether the run-up of the Euler equations is known, by a table or by a computation.
+bool is_known(const GaussClimb& climb) {
+  const double amplitude = climb.wave.amplitude();
+  if (climb.cot_slope == 0) return amplitude >= 0.05 && amplitude <= 0.6;
+  return climb.cot_slope <= 3 && amplitude >= 0.02 && amplitude <= 0.5;
+}
+
 /// By the table of Hall and Watts' measurements, or else by their formula; none for other slopes.
 std::optional<double> measured(const Values& values) {
   const double cot_slope = values.real("cot_slope");
@@ -133,15 +145,14 @@ void claim_method(const GaussClimb& climb, const Claims<GaussClimbRun>& claims) 
 void claims(const Values& values, const Claims<Results>& all) {
   const GaussClimb climb = climb_of(values);
   const double amplitude = climb.wave.amplitude();
-  const bool wall = climb.cot_slope == 0;
   claim_method(climb, all.of(&Results::finest).at(climb.resolution()));
   const auto ladder = all.at(climb.resolution() + ", and two coarser lattices")
                           .only_if(has_coarser(values), "coarser lattices need multiples of 4");
-  const std::optional<double> exact = wall ? tabled(values, "wall_runup_exact", "R") : std::nullopt;
-  ladder.only_if(wall, "no exact value is known on slopes")
+  const std::optional<double> exact = tabled_exact(values);
+  ladder.only_if(is_known(climb), "no exact value is known on such a slope")
       .check(
           {.id = "exact",
-           .text = "The run-up at the wall is that of the Euler equations.",
+           .text = "The run-up is that of the Euler equations.",
            .quantity = "run-up",
            .unit = "depth",
            .source = source},
@@ -151,11 +162,11 @@ void claims(const Values& values, const Claims<Results>& all) {
             return runup;
           },
           evidence::Uncertainty{
-              .expected = exact ? evidence::Amount(*exact) : evidence::Amount::told_by_run(3 * amplitude),
+              .expected = exact ? evidence::Amount(*exact) : evidence::Amount::told_by_run(4 * amplitude),
               .data = 1.1e-5,
               .useful = 0.05 * 2 * amplitude,
               .reason = "from the change from lattice to lattice, of use up to 5 % of 2 A; the exact value to 1.1e-5, "
-                        "and where no table has it, computed: up to A = 0.6 it is less than 3 A"});
+                        "and where no table has it, computed: it is less than 4 A"});
   ladder.check({.id = "converged",
                 .text = "The run-up does not depend on the lattice any more.",
                 .quantity = "change by the last refinement, relative",
@@ -176,6 +187,13 @@ void claims(const Values& values, const Claims<Results>& all) {
                 .expected = 0.05});
 }
 
+double computed_exact(const GaussClimb& climb) {
+  const double amplitude = climb.wave.amplitude();
+  if (climb.cot_slope > 0) return exact::SlopeRunup(amplitude, climb.cot_slope).runup();
+  constexpr std::size_t markers = 256;
+  return exact::WallRunup(amplitude, 1, markers).runup();
+}
+
 Results compute(const Run& run) {
   Results r{.climb = climb_of(run)};
   if (has_coarser(run)) {
@@ -189,10 +207,10 @@ Results compute(const Run& run) {
   r.finest = climb(r.climb);
   r.spacing.push_back(r.climb.spacing());
   r.runup.push_back(r.finest.runup());
-  if (r.climb.cot_slope != 0) return r;
-  const auto known = tabled(run, "wall_runup_exact", "R");
-  constexpr std::size_t markers = 256;
-  r.exact = known ? *known : exact::WallRunup(r.climb.wave.amplitude(), 1, markers).runup();
+  if (is_known(r.climb)) {
+    const auto known = tabled_exact(run);
+    r.exact = known ? *known : computed_exact(r.climb);
+  }
   return r;
 }
 
@@ -244,7 +262,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   if (!std::isnan(r.exact)) {
     exhibit.measure("runup_exact", r.exact);
     exhibit.measure("runup_error", r.finest.runup() - r.exact);
-    exhibit.measure("su_mirie", exact::WallRunup::su_mirie(r.climb.wave.amplitude()));
+    if (r.climb.cot_slope == 0) exhibit.measure("su_mirie", exact::WallRunup::su_mirie(r.climb.wave.amplitude()));
   }
   const auto add = [&](const std::string& name, std::optional<double> number) {
     if (number) exhibit.measure(name, *number);
