@@ -72,8 +72,6 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
   const TaitFluid fluid(plain.density, plain.sound_speed, plain.exponent);
   Worst pressure_error;
   Worst area_error;
-  Worst place_error;
-  Worst density_error;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     const Scene scene = levels(low, lattice, plain);
     const Particles& p = scene.particles;
@@ -87,19 +85,6 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
     }
     area_error.add(behind / (column * high) - 1);
     area_error.add(ahead / ((basin - column) * low) - 1);
-
-    const Scene level = levels(high, lattice, plain);
-    const Scene whole = tank({.width = basin, .depth = high, .spacing = dx, .lattice = lattice}, plain);
-    const std::vector<std::size_t> one = fluid_in_order(level.particles);
-    const std::vector<std::size_t> other = fluid_in_order(whole.particles);
-    REQUIRE(one.size() == other.size());
-    for (std::size_t k = 0; k < one.size(); ++k) {
-      const std::size_t a = one[k];
-      const std::size_t b = other[k];
-      place_error.add((level.particles.x[a] - whole.particles.x[b]) / dx);
-      place_error.add((level.particles.z[a] - whole.particles.z[b]) / dx);
-      density_error.add(level.particles.density[a] / whole.particles.density[b] - 1);
-    }
   }
   check.that({.id = "hydrostatic",
               .text = "The pressure is that of the depth below the level of its side, in water and walls.",
@@ -115,9 +100,26 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
               .source = source},
              {.value = area_error.value()},
              Roundoff{.operations = 900, .scale = 1, .reason = "a rounding per particle of up to 900 on a side"});
+
+  Worst place_error;
+  Worst density_error;
+  for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
+    const Scene level = levels(high, lattice, plain);
+    const Scene whole = tank({.width = basin, .depth = high, .spacing = dx, .lattice = lattice}, plain);
+    const std::vector<std::size_t> one = fluid_in_order(level.particles);
+    const std::vector<std::size_t> other = fluid_in_order(whole.particles);
+    place_error.add(static_cast<double>(one.size()) - static_cast<double>(other.size()));
+    for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k) {
+      const std::size_t a = one[k];
+      const std::size_t b = other[k];
+      place_error.add((level.particles.x[a] - whole.particles.x[b]) / dx);
+      place_error.add((level.particles.z[a] - whole.particles.z[b]) / dx);
+      density_error.add(level.particles.density[a] / whole.particles.density[b] - 1);
+    }
+  }
   check.that({.id = "place",
               .text = "Equal levels: the water is a tank's.",
-              .quantity = "largest distance over dx",
+              .quantity = "largest distance over dx, or particles too many",
               .source = source},
              {.value = place_error.value()},
              Roundoff{.operations = 4, .scale = 50, .reason = "coordinates of up to 50 dx, counted from the gate"});
