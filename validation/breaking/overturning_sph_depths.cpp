@@ -1,7 +1,7 @@
 /*
 Whether and when a wave overturns depends on its height $H/L$ and on the depth $d/L$ of the water: weakly compressible
-SPH beside exact potential flow, for four waves. And what the stress of unresolved eddies does to the air that the jet
-of the steepest one shuts off.
+SPH beside exact potential flow, for four waves. And what artificial viscosity and the stress of unresolved eddies do
+to the air that the jet of the steepest one shuts off.
 
 **Set-up.** As in `overturning_sph`: a periodic layer, a cosine with the velocities and pressures of an exact potential
 flow. Lengths are in metres, $L = 1$ m. The spacing is the same for all, so the lower and shallower waves have fewer
@@ -9,7 +9,8 @@ particles in their height.
 
 **What is compared.** The surfaces with those of the boundary-integral computation (`overturning_wave`), when its front
 is vertical and when its jet is developed: for each wave at a time of its own. From the tier `full` on also the cavity
-at the instant in which the jet closes it, without and with the stress; coarser particles close one three of them wide.
+at the instant in which the jet closes it, with artificial viscosity, laminar, and with the stress: that artificial
+viscosity makes it smaller is declared. Coarser particles close one that is three of them wide.
 
 **What to look at.** The times in the table: a lower wave overturns later, a wave over deeper water too, for its trough
 slows the front less. When the front of the particles hangs over by a hundredth of the wavelength, little more than one
@@ -67,7 +68,8 @@ struct Turn {
 
 struct Results {
   std::array<Turn, shapes.size()> turns;
-  SphOverturned stress;  ///< of the first shape
+  /// The first shape without artificial viscosity: laminar water with the density filter, and with the stress too.
+  SphOverturned laminar, stress;
 };
 
 Results compute(const Run& run) {
@@ -81,14 +83,17 @@ Results compute(const Run& run) {
     });
   };
   const bool lands = run.tier() != Tier::quick;
-  climb(run, shapes.size() + (lands ? 1 : 0), [&](std::size_t k) {
+  climb(run, shapes.size() + (lands ? 2 : 0), [&](std::size_t k) {
     const Shape& shape = shapes.at(k % shapes.size());
     wcsph::Settings settings = sph_settings(run, gravity, 1000, std::sqrt(gravity * shape.depth));
     const double last = last_phase * shape.period();
-    if (k == shapes.size()) {
-      settings.viscosity = wcsph::LaminarSps{run.real("nu0"), run.real("smagorinsky"), run.real("isotropic")};
+    if (k >= shapes.size()) {
+      const bool stress = k == shapes.size();
       settings.filter_every = 30;
-      r.stress = overturned(shape, settings, {last}, "unresolved eddies");
+      settings.viscosity =
+          wcsph::LaminarSps{run.real("nu0"), stress ? run.real("smagorinsky") : 0, stress ? run.real("isotropic") : 0};
+      (stress ? r.stress : r.laminar) =
+          overturned(shapes.front(), settings, {last}, stress ? "unresolved eddies" : "laminar");
       return;
     }
     const exact::OverturningWave exact({.amplitude = 0.5 * shape.height,
@@ -112,46 +117,88 @@ Results compute(const Run& run) {
   return r;
 }
 
-void claim_turn(const Claims<Turn>& claims, const Shape& shape, double spacing) {
+/// Whether what is declared of the full tier holds.
+bool full_as_it_stands(const Values& values) {
+  return values.standard() && values.tier() == Tier::full;
+}
+
+/// The band is an eighth of the value.
+evidence::KnownFailure late_jet() {
+  return {.value = 0.00357,
+          .width = 0.00045,
+          .reason =
+              "1 per cent more than a spacing: this jet is compared when it is longest, and the deepest water is "
+              "compressed most by its weight, which by g d^2/(2 c_0^2) is 1.0 mm at any spacing"};
+}
+
+void claim_turn(const Claims<Turn>& claims, const Shape& shape, const Values& values) {
   const auto surface = [&](const std::string& id, const std::string& when, std::size_t instant) {
-    claims.check(
-        {.id = id + shape.id,
-         .text = fmt::format("{} the surface is that of potential flow to one spacing ({}).", when, shape.name),
-         .quantity = "rms distance of the surfaces",
-         .unit = "m",
-         .source = source},
-        [instant](const Turn& turn) -> Measurement {
-          return {.value = turn.distances.at(instant).rms,
-                  .resolution = sph_resolution(turn.run.spacing, turn.run.particles),
-                  .where = fmt::format("t = {:.3f} s", turn.times.at(instant))};
-        },
-        Bound{.limit = spacing,
-              .reason = "one spacing of the particles: no surface of theirs is known better than to a part of it"});
+    const evidence::Claim claim{
+        .id = id + shape.id,
+        .text = fmt::format("{} the surface is that of potential flow to one spacing ({}).", when, shape.name),
+        .quantity = "rms distance of the surfaces",
+        .unit = "m",
+        .source = source};
+    const auto distance = [instant](const Turn& turn) -> Measurement {
+      return {.value = turn.distances.at(instant).rms,
+              .resolution = sph_resolution(turn.run.spacing, turn.run.particles),
+              .where = fmt::format("t = {:.3f} s", turn.times.at(instant))};
+    };
+    const Bound spacing{.limit = 1 / static_cast<double>(values.integer("columns")),
+                        .reason =
+                            "one spacing of the particles: no surface of theirs is known better than to a part "
+                            "of it"};
+    if (claim.id == "jet-deep" && full_as_it_stands(values)) {
+      claims.known_failure(claim, distance, spacing, late_jet());
+    } else {
+      claims.check(claim, distance, spacing);
+    }
   };
   surface("vertical-", "With a vertical front", 0);
   surface("jet-", "With a developed jet", 1);
 }
 
+void claim_cavities(const Claims<Results>& claims, const Values& values) {
+  const auto landed =
+      claims.only_if(values.tier() != Tier::quick, "its particles close a cavity that is three of them wide");
+  const auto claim = [](const std::string& id, const std::string& text, const std::string& other) {
+    return evidence::Claim{
+        .id = id,
+        .text = text,
+        .quantity = fmt::format("area of the cavity as it closes, with the stress over that {}", other),
+        .source = "Plunging breaking waves by weakly compressible smoothed particles, figure 6"};
+  };
+  const auto over = [](const SphOverturned& other, const SphOverturned& stress) -> Measurement {
+    return {.value = stress.cavity / other.cavity,
+            .resolution = sph_resolution(other.spacing, other.particles),
+            .told = {.limit = 2 * std::sqrt(std::numbers::pi / other.cavity) * other.spacing}};
+  };
+  const Bound rim{.limit = Amount::told_by_run(0.5),
+                  .reason = "a rim known to half a spacing in each of both: as for a round hole of the same area",
+                  .expected = 1};
+  landed.check(
+      claim("cavity", "The stress of unresolved eddies leaves the air that the jet shuts off as it is.",
+            "of laminar water"),
+      [over](const Results& r) { return over(r.laminar, r.stress); }, rim);
+  const evidence::Claim standard =
+      claim("cavity-standard", "Artificial viscosity leaves it as it is.", "with artificial viscosity");
+  const auto over_standard = [over](const Results& r) { return over(r.turns.front().run, r.stress); };
+  if (full_as_it_stands(values)) {
+    landed.known_failure(standard, over_standard, rim,
+                         {.value = 1.45,
+                          .width = 0.18,
+                          .reason = "artificial viscosity holds the jet back, which then shuts off less: laminar water "
+                                    "without it and without the stress has the larger cavity too"});
+  } else {
+    landed.check(standard, over_standard, rim);
+  }
+}
+
 void claims(const Values& values, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < shapes.size(); ++k) {
-    claim_turn(claims.of([k](const Results& r) -> const Turn& { return r.turns.at(k); }), shapes.at(k),
-               1 / static_cast<double>(values.integer("columns")));
+    claim_turn(claims.of([k](const Results& r) -> const Turn& { return r.turns.at(k); }), shapes.at(k), values);
   }
-  claims.only_if(values.tier() != Tier::quick, "its particles close a cavity that is three of them wide")
-      .check(
-          {.id = "cavity",
-           .text = "The stress of unresolved eddies leaves the air that the jet shuts off as it is.",
-           .quantity = "area of the cavity as it closes, with the stress over that without",
-           .source = "Plunging breaking waves by weakly compressible smoothed particles, figure 6"},
-          [](const Results& r) -> Measurement {
-            const SphOverturned& standard = r.turns.front().run;
-            return {.value = r.stress.cavity / standard.cavity,
-                    .resolution = sph_resolution(standard.spacing, standard.particles),
-                    .told = {.limit = 2 * std::sqrt(std::numbers::pi / standard.cavity) * standard.spacing}};
-          },
-          Bound{.limit = Amount::told_by_run(0.5),
-                .reason = "a rim known to half a spacing in each of both: as for a round hole of the same area",
-                .expected = 1});
+  claim_cavities(claims, values);
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
@@ -191,7 +238,8 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   }
   exhibit.table(std::move(table));
   if (r.stress.times.empty()) return;
-  for (const auto& [name, run] : {std::pair{"standard", &r.turns.front().run}, std::pair{"stress", &r.stress}}) {
+  for (const auto& [name, run] : {std::pair{"standard", &r.turns.front().run}, std::pair{"laminar", &r.laminar},
+                                  std::pair{"stress", &r.stress}}) {
     exhibit.measure(fmt::format("cavity_{}", name), run->cavity);
     exhibit.measure(fmt::format("touches_{}", name), run->touches);
   }
