@@ -91,7 +91,7 @@ void exchange(Tape& tape, Polyline& line) {
 
 void exchange(Tape& tape, SphOverturned& r) {
   tape(r.spacing, r.smoothing_length, r.particles, r.steps, r.times, r.surfaces, r.speed, r.snapshots, r.kinetic,
-       r.energy, r.level, r.hangs_over, r.touches, r.extremes);
+       r.energy, r.level, r.hangs_over, r.touches, r.cavity, r.extremes);
 }
 
 SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched,
@@ -111,6 +111,7 @@ SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& t
     if (std::isnan(result.hangs_over) && wcsph::overturns(curves, overhang)) result.hangs_over = flow.time();
     if (std::isnan(result.touches) && !std::isnan(result.hangs_over) && wcsph::touches_down(curves, hole)) {
       result.touches = flow.time();
+      result.cavity = wcsph::cavity_area(curves, hole);
     }
     return curves;
   };

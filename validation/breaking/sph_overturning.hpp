@@ -42,6 +42,7 @@ struct SphOverturned {
   std::vector<double> level;                ///< there, mean elevation [m]: 0 for water that keeps its volume
   double hangs_over = std::numeric_limits<double>::quiet_NaN();  ///< first time with the overhang asked for [s]
   double touches = std::numeric_limits<double>::quiet_NaN();     ///< first time with a closed cavity [s]
+  double cavity = std::numeric_limits<double>::quiet_NaN();      ///< area of the air in it then [m^2]
   wcsph::Extremes extremes;
 };
 

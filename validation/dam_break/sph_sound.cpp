@@ -1,26 +1,14 @@
 #include "validation/dam_break/sph_sound.hpp"
 
 #include <cmath>
-#include <variant>
+
+#include "validation/studies/wcsph/sound_rule.hpp"
 
 namespace seiche::validation {
-namespace {
-
-/// Sound speed of the second run over the largest speed of the first.
-constexpr double enough = 12.5;
-
-bool by_rule(const Values& values) {
-  return values.text("sound_from") == "largest_speed";
-}
-
-}  // namespace
 
 std::vector<Parameter> sph_dam_parameters(SphDefaults defaults) {
   defaults.sound = 10 * std::sqrt(2.0);
-  return with({choice("sound_from", std::string("largest_speed"), {"largest_speed", "height"},
-                      "largest_speed: 12.5 times that of a first run with the sound speed of height; height: given by "
-                      "the parameter sound")},
-              sph_parameters(defaults, "sqrt(g times the height of the column)"));
+  return with({sound_rule("height")}, sph_parameters(defaults, "sqrt(g times the height of the column)"));
 }
 
 void exchange(Tape& tape, SphCollapses& runs) {
@@ -36,21 +24,18 @@ SphCollapses collapse_by_rule(const SphDam& dam, const Values& values, const Wat
       if (progress) progress(from + (to - from) * done);
     };
   };
-  if (!by_rule(values)) return {.first = {}, .run = collapse(dam, watch, frames, on_frame, part(0, 1))};
+  if (!by_sound_rule(values)) return {.first = {}, .run = collapse(dam, watch, frames, on_frame, part(0, 1))};
   // The steps of the second run are shorter, as its sound is faster.
   constexpr double share = 0.3;
   SphCollapses runs{.first = collapse(dam, watch, {}, {}, part(0, share)), .run = {}};
   SphDam second = dam;
-  second.settings.sound_speed = enough * runs.first->largest_speed();
-  if (auto* artificial = std::get_if<wcsph::ArtificialViscosity>(&second.settings.viscosity)) {
-    artificial->alpha *= dam.settings.sound_speed / second.settings.sound_speed;
-  }
+  second.settings = with_sound_for(dam.settings, runs.first->largest_speed());
   runs.run = collapse(second, watch, frames, on_frame, part(share, 1));
   return runs;
 }
 
 void claim_sound(const Claims<SphCollapses>& claims, const Values& values) {
-  claims.only_if(by_rule(values), "the sound speed is given, not taken from the largest speed")
+  claims.only_if(by_sound_rule(values), "the sound speed is given, not taken from the largest speed")
       .check(
           {.id = "mach",
            .text = "Speeds stay below a tenth of the sound speed.",

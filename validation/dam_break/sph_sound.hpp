@@ -1,13 +1,5 @@
-/// The sound speed of a collapsing column by the source's rule: ten times the largest speed of the whole run.
-///
-/// Nobody knows that speed before. A first run, with ten times the speed of a free fall through the column's height,
-/// tells it; a second one, with the sound speed that follows, is the computation. Fastest are single particles of the
-/// splash at the far wall, so lattices and sound speeds differ by a tenth or two: a quarter more than ten is taken.
-///
-/// Artificial viscosity is proportional to alpha c_0. That product stays what it is in the first run: with alpha itself
-/// a faster sound would thicken the water, and slow the front down by a twentieth.
-///
-/// Reference: Monaghan, Simulating free surface flows with SPH, J. Comput. Phys. 110 (1994) 399.
+/// The sound speed of a collapsing column by the source's rule (sound_rule.hpp): the first run has ten times the speed
+/// of a free fall through the column's height. What is fastest is the splash at the far wall.
 #pragma once
 
 #include <functional>

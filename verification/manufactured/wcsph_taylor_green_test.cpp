@@ -1,4 +1,5 @@
 // Decaying vortices between periodic boundaries: the laminar operator, and particle shifting.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -35,9 +36,10 @@ struct Decay {
   double velocity_error;  ///< at the end, over the initial speed
   long steps;
 
-  /// Mean rate of decay of the amplitude so far over the exact one.
-  [[nodiscard]] double rate_over(double exact) const {
-    return -std::log(amplitude.back() / amplitude.front()) / (exact * time.back());
+  /// Mean rate of decay of the amplitude over the exact one, during the first `part` of the run.
+  [[nodiscard]] double rate_over(double exact, double part = 1) const {
+    const auto last = static_cast<std::size_t>(std::lround(part * static_cast<double>(time.size() - 1)));
+    return -std::log(amplitude[last] / amplitude.front()) / (exact * time[last]);
   }
 };
 
@@ -46,6 +48,26 @@ struct Run {
   double disorder = 0;
   Settings settings = {};
 };
+
+/// Rate at which the laminar term makes the vortices decay where the particles stand on the square lattice, over
+/// 2 nu k^2: the sum of (4) over the neighbours, with the cubic spline and eta^2 = 0.01 h^2.
+double rate_on_lattice(std::size_t n, double smoothing) {
+  const double dx = 1 / static_cast<double>(n);
+  const double h = smoothing * dx;
+  double sum = 0;
+  const int reach = static_cast<int>(std::ceil(2 * smoothing));
+  for (int i = -reach; i <= reach; ++i) {
+    for (int j = -reach; j <= reach; ++j) {
+      const double r = dx * std::hypot(i, j);
+      const double q = r / h;
+      if (r == 0 || q >= 2) continue;
+      const double inner = std::max(1 - q, 0.0);
+      const double slope = 10 / (7 * std::numbers::pi * h * h * h) * (3 * inner * inner - 0.75 * (2 - q) * (2 - q));
+      sum += 2 * dx * dx * slope * r / (r * r + 0.01 * h * h) * (1 - std::cos(k * i * dx) * std::cos(k * j * dx));
+    }
+  }
+  return -sum / (2 * k * k);
+}
 
 /// To one decay time of the velocity.
 Decay run(const Vortices& vortices, Run wanted) {
@@ -114,6 +136,41 @@ void draw(Check& check, const std::string& caption, const Vortices& vortices,
   for (std::size_t i = 0; i < runs.size(); ++i) panel.line(runs[i].first, scaled, runs[i].second.kinetic, roles[i % 4]);
 }
 
+/// What the operator and what the strain of the lattice takes; N = 50 and 100.
+void judge_trace(Check& check, const Vortices& vortices, const Decay& coarse, const Decay& fine) {
+  const double rate = vortices.rate();
+  constexpr double early = 0.05;
+  const auto first = [&](const std::string& id, std::size_t n, const Decay& decay) {
+    check.that({.id = id + "-first",
+                .text = fmt::format("At first the rate is that of the operator on the lattice (N = {}).", n),
+                .quantity = "rate of decay over 2 nu k^2, during a twentieth of the decay time",
+                .source = "lattice sum of the laminar term"},
+               {.value = decay.rate_over(rate, early), .resolution = fmt::format("N = {}", n)},
+               Bound{.limit = std::pow(k * early / rate, 2),
+                     .reason = "the strain of the lattice by then, k U t, squared: its sign does not matter",
+                     .expected = rate_on_lattice(n, 1.3)});
+  };
+  first("n50", 50, coarse);
+  first("n100", 100, fine);
+  const auto loss = [&](const Decay& decay, std::size_t n, double smoothing) {
+    return rate_on_lattice(n, smoothing) - decay.rate_over(rate);
+  };
+  check.that(
+      {.id = "strain-spacing",
+       .text = "What is lost later does not depend on the spacing.",
+       .quantity = "rate of the lattice less that of the run, N = 100 over N = 50",
+       .source = source},
+      {.value = loss(fine, 100, 1.3) / loss(coarse, 50, 1.3)},
+      Bound{.limit = 0.25, .reason = "an error of first order would halve, to 0.5: half of that way", .expected = 1});
+  const Decay wide = run(vortices, {50, 0, {.smoothing = 2}});
+  check.that({.id = "strain-neighbours",
+              .text = "More neighbours do not feel the strain.",
+              .quantity = "rate of the lattice less that of the run, h = 2 dx over h = 1.3 dx",
+              .source = source},
+             {.value = loss(wide, 50, 2) / loss(coarse, 50, 1.3), .resolution = "N = 50"},
+             Bound{.limit = 0.5, .reason = "what names the cause takes more than half of it away"});
+}
+
 }  // namespace
 
 TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufactured]") {
@@ -121,7 +178,12 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
       "wcsph_taylor_green", "Taylor-Green vortices at Reynolds number 10",
       "$u = (-\\cos kx \\sin kz,\\ \\sin kx \\cos kz)\\,e^{-2\\nu k^2 t}$ on the periodic unit square, $\\nu = 0.1$, "
       "$c_0 = 10$, laminar term alone, no smoothed motion. Rate of decay of the projection on the exact mode "
-      "over one decay time.");
+      "over one decay time.\n\n"
+      "Two things make it slow. At the start it is that of the operator on the lattice, a sum that is known. Then the "
+      "flow strains the lattice, and 21 neighbours of a strained lattice give the second derivative 1 % too small: in "
+      "the mean over the decay time, with any spacing, for the strain does not know the spacing. With a wider kernel "
+      "it is gone. The rates of an earlier program, 0.3 to 0.5 % higher, are those of a flow that is strained less: "
+      "after half of the time, or from a uniform density, ours come as near.");
   const Vortices vortices{0.1};
   struct Row {
     std::string id, name;
@@ -141,9 +203,10 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
                 .source = source},
                {.value = decay.rate_over(vortices.rate()), .resolution = resolution},
                Bound{.limit = 0.01,
-                     .reason = "the operator errs by 0.5 % on the lattice of N = 50; what disorder the vortices make "
-                               "differs with rounding and with the start",
+                     .reason = "the strain of the lattice takes as much, and how much there is of it depends on the "
+                               "start and on when one reads it",
                      .expected = row.printed});
+    check.measure(row.id + ": rate over the first half", decay.rate_over(vortices.rate(), 0.5));
     check.that({.id = row.id + "-velocity",
                 .text = fmt::format("The velocity field is that of the vortices ({}).", row.name),
                 .quantity = "L2 of the velocity error over the initial speed, after one decay time",
@@ -152,6 +215,7 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
                Bound{.limit = 0.02, .reason = "regression: 1e-2 in an earlier program; factor 2 for the start"});
     runs.emplace_back(row.name, decay);
   }
+  judge_trace(check, vortices, runs.front().second, runs.back().second);
   draw(check, "Reynolds number 10: kinetic energy of particles.", vortices, runs);
 }
 

@@ -59,6 +59,12 @@ TEST_CASE("bad scenes are refused with name, value and range", "[robustness]") {
           [](DamBreak& d, Settings&) { d.width = 2.5; });
   bad_dam("too-high", "A column higher than its walls.", {"height", "= 1.6", "1.5"},
           [](DamBreak& d, Settings&) { d.height = 1.6; });
+  bad_dam("ahead-negative", "Water of a negative depth ahead.", {"water_ahead", "-0.1", "[0, 1]"},
+          [](DamBreak& d, Settings&) { d.water_ahead = -0.1; });
+  bad_dam("ahead-higher", "Water ahead that is higher than the column.", {"water_ahead", "= 1.2", "[0, 1]"},
+          [](DamBreak& d, Settings&) { d.water_ahead = 1.2; });
+  bad_dam("ahead-thin", "Water ahead thinner than half a spacing.", {"water_ahead", "0.01", "at least 1"},
+          [](DamBreak& d, Settings&) { d.water_ahead = 0.01; });
   bad_dam("tank-infinite", "An endless tank.", {"tank_length", "inf"},
           [](DamBreak& d, Settings&) { d.tank_length = infinity; });
   bad_dam("too-fine", "A spacing that would need more particles than there is memory.", {"1e+09"},

@@ -30,13 +30,20 @@ Scene dam_break(const DamBreak& dam, const Settings& settings) {
   require_within("width", builder.length(columns), dam.spacing, builder.length(tank - 1));
   require_within("height", builder.length(rows), dam.spacing, builder.length(wall_height));
   require_within("wall_rows", dam.wall_rows, 1, 3);
+  require_within("water_ahead", dam.water_ahead, 0, dam.height);
+  const long rows_ahead = dam.water_ahead > 0 ? builder.whole("water_ahead", dam.water_ahead) : 0;
 
   builder.still_water(dam.lattice, columns, rows, dam.hydrostatic);
+  if (rows_ahead > 0) builder.water_at_rest(dam.lattice, columns, tank - 1 - columns, rows_ahead, dam.hydrostatic);
   Scene& scene = builder.scene;
   scene.far_wall = builder.length(tank - 1);
   const std::array<Place, 4> corners = basin(-half, scene.far_wall + half, -half, builder.length(wall_height) - half);
   const double column_end = builder.length(columns);
-  const auto surface = [&](double x) { return dam.hydrostatic && x <= column_end ? scene.still_water : dry; };
+  const double level_ahead = rows_ahead > 0 ? builder.length(rows_ahead) : dry;
+  const auto surface = [&](double x) {
+    if (!dam.hydrostatic) return dry;
+    return x <= column_end ? scene.still_water : level_ahead;
+  };
   const double back = builder.basin_walls(corners, tank - 1, wall_height, {dam.wall_rows, dam.corners_twice}, surface);
   scene.extents = {-back, scene.far_wall + back, -back, corners[0].z};
   return std::move(builder.scene);

@@ -44,16 +44,18 @@ struct Scene {
   double rear_wall = 0;    ///< effective, x [m]; lengths along the tank count from here
   double far_wall = 0;     ///< effective, x [m]; the period in periodic scenes
   double bottom = 0;       ///< effective, z [m]
-  double still_water = 0;  ///< level of the water of the beginning, of the mean surface in a periodic layer, z [m]
+  double still_water = 0;  ///< level of the water of the beginning, of the column or of the mean surface, z [m]
   /// Of the walls, infinite where there is none: a fluid particle outside has left the domain.
   Box extents = unbounded;
   std::vector<std::string> warnings;
 };
 
-/// Column of water at the rear wall of an open tank.
+/// Column of water at the rear wall of an open tank, before a dry floor or lower water at rest. Both are in hydrostatic
+/// balance by themselves: the gate between them is gone at once.
 struct DamBreak {
   double width = 0;        ///< of the column [m]
   double height = 0;       ///< of the column [m]
+  double water_ahead = 0;  ///< depth of the water from the column to the far wall, at most `height` [m]; 0: a dry floor
   double tank_length = 0;  ///< between the front rows of both walls [m]
   double wall_height = 0;  ///< from the front row of the bottom [m]
   double spacing = 0;      ///< dx [m]

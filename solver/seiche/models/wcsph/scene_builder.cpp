@@ -56,14 +56,19 @@ void SceneBuilder::fluid(const Place& place, double area, double density, const 
 }
 
 void SceneBuilder::still_water(Lattice lattice, long columns, long rows, bool hydrostatic_start) {
+  scene.still_water = length(rows);
+  water_at_rest(lattice, 0, columns, rows, hydrostatic_start);
+}
+
+void SceneBuilder::water_at_rest(Lattice lattice, long first, long columns, long rows, bool hydrostatic_start) {
   const double cells = static_cast<double>(columns) * static_cast<double>(rows);
   if (cells > most_cells) {
     throw std::invalid_argument(fmt::format("{} x {} cells of water at spacing = {:g}: must be at most {:g}", columns,
                                             rows, scene.spacing, most_cells));
   }
-  scene.still_water = length(rows);
-  for (const Place& place : rectangle(lattice, scene.spacing, 0, 0, columns, rows)) {
-    fluid(place, particle_area_, hydrostatic(hydrostatic_start ? scene.still_water - place.z : 0));
+  const double level = length(rows);
+  for (const Place& place : rectangle(lattice, scene.spacing, length(first), 0, columns, rows)) {
+    fluid(place, particle_area_, hydrostatic(hydrostatic_start ? level - place.z : 0));
   }
 }
 

@@ -60,6 +60,8 @@ class SceneBuilder {
   }
   /// Lattice points in whole cells from the origin, at rest below a level surface.
   void still_water(Lattice lattice, long columns, long rows, bool hydrostatic_start = true);
+  /// The same in columns from number `first` on, with a surface of its own.
+  void water_at_rest(Lattice lattice, long first, long columns, long rows, bool hydrostatic_start = true);
 
   Scene scene;
 

@@ -1,0 +1,127 @@
+// The particle count published with the plunging wave, 35232, and what it says of its flume.
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "seiche/models/wcsph/lattice.hpp"
+#include "seiche/models/wcsph/scene.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::wcsph;
+using verification::Check;
+
+const std::string source = "particle counts published with two dam breaks and a plunging wave";
+constexpr long published = 35232;
+constexpr long layers = 26;       // of 0.05 cm in 1.3 cm of water
+constexpr long highest_wall = 8;  // in depths
+
+/// How the walls of a flume are made.
+struct Walls {
+  int paddle_rows = 2;
+  bool corner_twice = true;  // of bottom and far wall
+};
+
+/// Particles of a straight wall of so many steps, two staggered rows deep or three.
+long straight(long steps, int rows) {
+  return rows == 2 ? 2 * steps + 1 : 3 * steps + 2;
+}
+
+/// @param columns  of water, in dx; bottom, far wall and paddle are so many dx long
+long flume_count(Lattice lattice, long columns, long bottom, long far_wall, long paddle, const Walls& walls) {
+  const long per_cell = lattice == Lattice::square ? 1 : 2;
+  return per_cell * layers * columns + straight(bottom, 2) + straight(far_wall, 2) - (walls.corner_twice ? 0 : 1) +
+         straight(paddle, walls.paddle_rows);
+}
+
+/// Flumes with the published count: water of any length, a bottom that reaches up to 1.5 depths behind the paddle,
+/// walls of one to eight depths.
+long solutions(Lattice lattice, const Walls& walls) {
+  long found = 0;
+  for (long columns = layers; flume_count(lattice, columns, columns, layers, layers, walls) <= published; ++columns) {
+    for (long behind = 0; behind <= 3 * layers / 2; ++behind) {
+      for (long far_wall = layers; far_wall <= highest_wall * layers; ++far_wall) {
+        const long rest = published - flume_count(lattice, columns, columns + behind, far_wall, layers, walls);
+        const long per_step = walls.paddle_rows;
+        if (rest >= 0 && rest % per_step == 0 && rest / per_step <= (highest_wall - 1) * layers) ++found;
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("the published flume cannot be decoded from its number of particles", "[geometry]") {
+  Check check("wcsph_flume_count", "Particle count of the plunging wave",
+              "The counts of both dam breaks follow from their geometry, with walls of two staggered rows and a "
+              "particle for each of both walls at a common corner. A flume has a bottom, a far wall and a paddle. By "
+              "the same rules each of the three has an odd number of particles, $2n + 1$, and 26 layers of water an "
+              "even one: the sum is odd, 35232 is even. By other rules, a corner counted once or a paddle of three "
+              "rows, tens of thousands of flumes have that number. So the length of the published flume cannot be "
+              "told from its count.");
+  Worst formula;
+  for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
+    for (const int paddle_rows : {2, 3}) {
+      constexpr double dx = 0.0005;
+      constexpr long columns = 60;
+      constexpr long behind = 30;
+      const Scene scene = flume({.length = columns * dx,
+                                 .depth = layers * dx,
+                                 .wall_height = 40 * dx,
+                                 .paddle_height = 50 * dx,
+                                 .stroke = 0.01,
+                                 .frequency = 20,
+                                 .sweep = (behind - 0.5) * dx,
+                                 .spacing = dx,
+                                 .lattice = lattice,
+                                 .paddle_rows = paddle_rows},
+                                {.sound_speed = 4});
+      // Behind the paddle and beyond the far wall the bottom goes on for half a spacing, the far wall below and above.
+      formula.add(static_cast<double>(scene.particles.size()) -
+                  static_cast<double>(flume_count(lattice, columns, columns + behind + 1, 41, 50,
+                                                  {.paddle_rows = paddle_rows, .corner_twice = false})));
+    }
+  }
+  check.that({.id = "formula",
+              .text = "Flumes of both lattices, with paddles of two rows and three, have the number of the formula.",
+              .quantity = "largest difference",
+              .source = source},
+             {.value = formula.value()}, evidence::Bound{.limit = 0, .reason = "a count"});
+  Count even;
+  for (long steps = 1; steps <= highest_wall * layers; ++steps) {
+    const std::array<Place, 2> ends{{{0, 0}, {static_cast<double>(steps), 0}}};
+    even.add(static_cast<double>(wall(ends, 1).size()), [](double count) { return std::fmod(count, 2) == 0; });
+  }
+  check.that({.id = "odd",
+              .text = "A straight wall of two rows has an odd number of particles.",
+              .quantity = "walls with an even one",
+              .source = source},
+             {.value = even.value()}, evidence::Bound{.limit = 0, .reason = "n + 1 and n"});
+  const Walls as_dam_breaks{};
+  check.that({.id = "impossible",
+              .text = "By the rules of the dam breaks no flume has the published number.",
+              .quantity = "flumes with it, of both lattices",
+              .source = source},
+             {.value = static_cast<double>(solutions(Lattice::square, as_dam_breaks) +
+                                           solutions(Lattice::body_centred, as_dam_breaks))},
+             evidence::Bound{.limit = 0, .reason = "three odd numbers and an even one make an odd one"});
+  Smallest otherwise;
+  for (const Walls& walls : std::vector<Walls>{{.paddle_rows = 3}, {.corner_twice = false}}) {
+    otherwise.add(static_cast<double>(solutions(Lattice::body_centred, walls)));
+  }
+  check.that({.id = "ambiguous",
+              .text = "By other rules it does not tell the flume.",
+              .quantity = "more than one flume has the number",
+              .source = source},
+             {.value = otherwise.value() > 1 ? 1.0 : 0.0},
+             evidence::Qualitative{.detector = "body-centred flumes with 35232 particles, with a paddle of three rows, "
+                                               "and with the corner counted once: more than one of each",
+                                   .reason = "three lengths and one number"});
+  check.measure("flumes with the published number, paddle of three rows or corner once, fewer of both",
+                otherwise.value());
+}
