@@ -33,11 +33,11 @@ struct Flume {
   [[nodiscard]] dispersive::Channel channel() const;
 };
 
-/// Regular waves that run to the right over a level bed, with a second harmonic after Stokes; they fade within a
+/// Regular waves that run to the right over a level bed, with the second harmonic bound to them; they fade within a
 /// wavelength at both ends.
 struct Train {
-  double depth = 1, amplitude = 0.01, period = 1;
-  double from = 0, to = 1;  ///< [m]
+  double depth = 1, amplitude = 0.01, period = 1;  ///< amplitude of the water's surface
+  double from = 0, to = 1;                         ///< [m]
 };
 
 inline constexpr double improved = 1.0 / 15;  ///< gamma
@@ -70,7 +70,7 @@ dispersive::Flow solitary_waves(const Flume& flume, const std::vector<Solitary>&
 /// right.
 dispersive::Flow smooth_bore(const Flume& flume, double depth, double jump, double width);
 
-/// The elevation at gauges, every `interval` from now to `end`; times less `origin`.
+/// The water's surface (water_surface.hpp) at gauges, every `interval` from now to `end`; times less `origin`.
 std::vector<SubmittedGroup> gauge_records(dispersive::Flow& flow, const Flume& flume, const std::vector<double>& groups,
                                           const std::vector<double>& places, double interval, double end,
                                           double origin = 0);
