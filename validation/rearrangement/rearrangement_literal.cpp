@@ -3,20 +3,21 @@ The rearrangement of Bogomolov, Zakharov and Zerkal as it is written, beside wha
 theirs: every rectangle moves with its velocity; pairs that overlap or part are rebuilt, in an overlap the particle of
 smaller density, at a gap the faster one; from the new depths follow pressures, from these new velocities. Figure 4
 adds: if the rebuilt particle would become denser than the one that rebuilt it, its position changes as well; that is,
-it gets the other's density, and its far side moves.
+it gets the other's density, and its far side moves, until all pairs touch.
 
 The text leaves the pressure at the shared side open ("the pressure scheme of [4]"). Three readings are tried: the mean
 of both particles', that of the particle that is rebuilt, and that of the other one; and with the mean the density cap
-of figure 4, pairs from left to right until all touch.
+of figure 4, pairs from left to right again and again.
 
 **Set-up.** Their bore, 2 m over 1 m, 120 particles of 1 m, $\tau$ = 0.08 s, 100 steps.
 
 **What is compared.** How many of the 100 steps each reading comes through before a particle has passed through its
-neighbour, and by how much the water is then higher than the bore; the same of today's hand-over, where edge velocity
-and pressure come from one Riemann problem.
+neighbour (or, with the cap, the pairs can no more be made to touch), and by how much the water is then higher than the
+bore; the same of today's hand-over, where edge velocity and pressure come from one Riemann problem.
 
 **What to look at.** None of the readings gives the paper's figures: a one-sided choice of a velocity with a pressure
-that does not belong to it has nothing that would dissipate what a bore must lose.
+that does not belong to it has nothing that would dissipate what a bore must lose. With the cap no particle behind the
+bore may be compressed, the bore hands the whole row on towards the piston, and there is no room.
 */
 #include <algorithm>
 #include <array>
@@ -183,7 +184,7 @@ void claims(const Values& /*values*/, const Claims<Results>& claims) {
   const auto claim_steps = [&](const std::string& id, const std::string& of) {
     return evidence::Claim{.id = id + "-steps",
                            .text = "With " + of + " the row comes through 100 steps.",
-                           .quantity = "steps before a particle passes through its neighbour",
+                           .quantity = "steps before a particle passes through its neighbour or pairs cannot touch",
                            .source = source};
   };
   const auto claim_rise = [&](const std::string& id, const std::string& of) {
@@ -202,7 +203,7 @@ void claims(const Values& /*values*/, const Claims<Results>& claims) {
   struct Missed {
     double steps, rise;
   };
-  const std::array<Missed, readings.size()> missed{{{33, 0}, {100, 0}, {15, 0}, {8, 0}}};
+  const std::array<Missed, readings.size()> missed{{{29, 6.33}, {100, 1.16}, {10, 2.49}, {5, 0}}};
   for (std::size_t k = 0; k < readings.size(); ++k) {
     const auto steps_of = [k](const Results& r) { return static_cast<double>(r.literal.at(k).steps); };
     const auto rise_of = [k](const Results& r) { return r.literal.at(k).rise; };
@@ -210,10 +211,14 @@ void claims(const Values& /*values*/, const Claims<Results>& claims) {
       here.check(claim_steps(readings.at(k).id, readings.at(k).name), steps_of, all);
     } else {
       here.known_failure(claim_steps(readings.at(k).id, readings.at(k).name), steps_of, all,
-                         miss(missed.at(k).steps, 0.5));
+                         miss(missed.at(k).steps, 1));
     }
-    here.known_failure(claim_rise(readings.at(k).id, readings.at(k).name), rise_of, as_high,
-                       miss(missed.at(k).rise, 0.01));
+    if (missed.at(k).rise == 0) {
+      here.check(claim_rise(readings.at(k).id, readings.at(k).name), rise_of, as_high);
+    } else {
+      here.known_failure(claim_rise(readings.at(k).id, readings.at(k).name), rise_of, as_high,
+                         miss(missed.at(k).rise, 0.05 * missed.at(k).rise));
+    }
   }
   here.check(
       claim_steps("hand-over", "the hand-over"),
