@@ -67,10 +67,12 @@ Channel Flume::channel() const {
 }
 
 Parameter dispersion_parameter() {
-  return choice("dispersion", std::string("improved"), {"improved", "serre"}, "law of the model's linear waves");
+  return choice("dispersion", std::string("improved"), {"improved", "one-parameter", "serre"},
+                "law of the model's linear waves");
 }
 
 double gamma_of(const std::string& dispersion) {
+  if (dispersion == "one-parameter") return one_parameter;
   return dispersion == "improved" ? improved : 0;
 }
 

@@ -41,8 +41,11 @@ struct Train {
 };
 
 inline constexpr double improved = 1.0 / 15;  ///< gamma
+/// gamma of the linear law of Bonneton, Chazel, Lannes, Marche and Tissier, J. Comput. Phys. 230 (2011) 1479, whose
+/// alpha = 1.153 is 1 + 3 gamma: closest to Airy's phase velocity up to k h = 3.
+inline constexpr double one_parameter = 0.051;
 
-/// "dispersion": improved, or Serre's with gamma = 0.
+/// "dispersion": improved, one-parameter, or Serre's with gamma = 0.
 Parameter dispersion_parameter();
 double gamma_of(const std::string& dispersion);
 

@@ -14,7 +14,7 @@ a Froude number of 1.3; Manning's $n$ = 0.01. Nothing is fitted to the gauges on
 */
 #include <cmath>
 #include <filesystem>
-#include <functional>
+#include <map>
 #include <memory>
 
 #include "seiche/io/csv_table.hpp"
@@ -96,6 +96,33 @@ Submitted compute(const Run& run, double coarsening) {
   return all;
 }
 
+/// At the standard parameters; a band is a half more than what twice the spacing changes, or an eighth of what is
+/// missed.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string brief =
+      "what the record holds above 1.2 Hz is too short for the model at the toe, k h above 2.8, where its waves carry "
+      "their energy 15 to 80 % too fast, and so grow on the slope like longer ones: even very small waves come to 0.35 "
+      "m "
+      "of water 5 % higher than at the toe; driven up to 1.6 Hz alone, 2 %";
+  const std::string smeared =
+      "the fronts of breaking waves are smeared by the viscosity that leaves no waves behind a bore: with 0.3 of it "
+      "the "
+      "asymmetry near the shore is half as large again, and the waves are then a fifth too high";
+  return {
+      {"std-at-0_1", {.value = 0.0158, .width = 0.00015, .reason = brief}},
+      {"std-at-0_15", {.value = 0.0167, .width = 0.00042, .reason = brief}},
+      {"std-at-0_2", {.value = 0.0168, .width = 0.00021, .reason = brief}},
+      {"std-at-0_35", {.value = 0.0166, .width = 9.3e-05, .reason = brief}},
+      {"skewness-at-0_05", {.value = 0.769, .width = 0.14, .reason = smeared}},
+      {"skewness-at-0_075", {.value = 0.776, .width = 0.02, .reason = smeared}},
+      {"skewness-at-0_1", {.value = 0.688, .width = 0.019, .reason = smeared}},
+      {"asymmetry-at-0_025", {.value = 0.338, .width = 0.14, .reason = smeared}},
+      {"asymmetry-at-0_05", {.value = 0.225, .width = 0.069, .reason = smeared}},
+      {"asymmetry-at-0_075", {.value = 0.144, .width = 0.075, .reason = smeared}},
+      {"asymmetry-at-0_1", {.value = 0.0917, .width = 0.11, .reason = smeared}},
+  };
+}
+
 Series statistic(const std::string& name, const Column& quantity, const std::vector<double>& wanted) {
   Series part{.name = name,
               .table = "mase_kirby_1992_irregular_slope",
@@ -118,7 +145,10 @@ Experiment experiment(const Values& values) {
                           {0.025, 0.05, 0.075, 0.1})},
       .files = {"mase_kirby_1992_irregular_slope/incident.csv", "mase_kirby_1992_irregular_slope/bed.csv"},
       .model = "dispersive shallow water with breaking, improved dispersion"};
-  if (values.tier() != Tier::quick) one.compute = compute;
+  if (values.tier() != Tier::quick) {
+    one.compute = compute;
+    one.misses = misses();
+  }
   return one;
 }
 
