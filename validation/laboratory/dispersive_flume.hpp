@@ -1,10 +1,10 @@
 /// Laboratory flumes in the one-dimensional dispersive model: water between a wall and a wall or a shoreline, with
 /// gauges.
 ///
-/// Periodic waves and bores have the improved dispersion of Madsen and Sorensen (1992), gamma = 1/15 and alpha = 1/3 +
-/// gamma, which is Airy's law to the fourth order of k h; solitary waves are those of Serre's equations, gamma = 0, for
-/// which they are exact at the start. Over slopes the kinetic energy is that of Green and Naghdi. Lengths in metres,
-/// times in seconds.
+/// Bores and irregular waves have the improved dispersion of Madsen and Sorensen (1992), gamma = 1/15 and alpha = 1/3 +
+/// gamma, which is Airy's law to the fourth order of k h, waves over bars that of Bonneton et al. (2011), gamma =
+/// 0.051, which stays by it up to k h = 4; solitary waves are those of Serre's equations, gamma = 0, for which they are
+/// exact at the start. Over slopes the kinetic energy is that of Green and Naghdi. Lengths in metres, times in seconds.
 #pragma once
 
 #include <functional>
@@ -42,7 +42,7 @@ struct Train {
 
 inline constexpr double improved = 1.0 / 15;  ///< gamma
 /// gamma of the linear law of Bonneton, Chazel, Lannes, Marche and Tissier, J. Comput. Phys. 230 (2011) 1479, whose
-/// alpha = 1.153 is 1 + 3 gamma: closest to Airy's phase velocity up to k h = 3.
+/// alpha = 1.153 is 1 + 3 gamma: within 2 % of Airy's phase velocity up to k h = 4.
 inline constexpr double one_parameter = 0.051;
 
 /// "dispersion": improved, one-parameter, or Serre's with gamma = 0.

@@ -40,51 +40,51 @@ Submitted compute(const Wave& wave, const Run& run, double coarsening) {
 std::map<std::string, evidence::KnownFailure> misses_a() {
   const std::string why =
       "the harmonics that were measured carry 31 to 36 % less energy behind the bar than before it, by Airy's group "
-      "velocities; this model loses none, its waves stay higher, and higher ones run 0.05 to 0.1 s ahead";
+      "velocities; this model loses none, its waves stay higher, and the first harmonic runs up to 0.1 s ahead";
   return {
-      {"gauges-height-12_5", {.value = 0.0366, .width = 0.00046, .reason = why}},
-      {"gauges-misfit-12_5", {.value = 0.00234, .width = 0.00029, .reason = why}},
-      {"gauges-height-13_5", {.value = 0.0391, .width = 0.00037, .reason = why}},
-      {"gauges-misfit-13_5", {.value = 0.00293, .width = 0.00037, .reason = why}},
-      {"gauges-height-14_5", {.value = 0.0388, .width = 0.00093, .reason = why}},
-      {"gauges-misfit-14_5", {.value = 0.00519, .width = 0.00075, .reason = why}},
-      {"gauges-height-15_7", {.value = 0.0304, .width = 0.0019, .reason = why}},
-      {"gauges-misfit-15_7", {.value = 0.00313, .width = 0.00093, .reason = why}},
-      {"gauges-harmonic-1-15_7", {.value = 0.00725, .width = 0.00016, .reason = why}},
-      {"gauges-misfit-17_3", {.value = 0.00632, .width = 0.00087, .reason = why}},
-      {"gauges-harmonic-1-17_3", {.value = 0.00669, .width = 0.00018, .reason = why}},
-      {"gauges-height-19", {.value = 0.0321, .width = 0.0012, .reason = why}},
-      {"gauges-misfit-19", {.value = 0.00645, .width = 0.0011, .reason = why}},
-      {"gauges-harmonic-1-19", {.value = 0.00731, .width = 0.00014, .reason = why}},
-      {"gauges-misfit-21", {.value = 0.00772, .width = 0.00097, .reason = why}},
-      {"gauges-harmonic-1-21", {.value = 0.00722, .width = 0.00019, .reason = why}},
+      {"gauges-height-12_5", {.value = 0.0363, .width = 0.00043, .reason = why}},
+      {"gauges-misfit-12_5", {.value = 0.00215, .width = 0.00027, .reason = why}},
+      {"gauges-height-13_5", {.value = 0.0389, .width = 0.00046, .reason = why}},
+      {"gauges-misfit-13_5", {.value = 0.00251, .width = 0.00031, .reason = why}},
+      {"gauges-height-14_5", {.value = 0.0382, .width = 0.0012, .reason = why}},
+      {"gauges-misfit-14_5", {.value = 0.00429, .width = 0.00054, .reason = why}},
+      {"gauges-misfit-15_7", {.value = 0.0018, .width = 0.00023, .reason = why}},
+      {"gauges-harmonic-1-15_7", {.value = 0.00727, .width = 0.00016, .reason = why}},
+      {"gauges-height-17_3", {.value = 0.0381, .width = 0.00042, .reason = why}},
+      {"gauges-misfit-17_3", {.value = 0.00357, .width = 0.0012, .reason = why}},
+      {"gauges-harmonic-1-17_3", {.value = 0.00691, .width = 0.0002, .reason = why}},
+      {"gauges-height-19", {.value = 0.0292, .width = 0.0021, .reason = why}},
+      {"gauges-misfit-19", {.value = 0.00265, .width = 0.00092, .reason = why}},
+      {"gauges-height-21", {.value = 0.0345, .width = 0.0036, .reason = why}},
+      {"gauges-misfit-21", {.value = 0.00226, .width = 0.0012, .reason = why}},
+      {"gauges-harmonic-1-21", {.value = 0.00689, .width = 0.00015, .reason = why}},
   };
 }
 
 std::map<std::string, evidence::KnownFailure> misses_c() {
   const std::string why =
-      "the harmonics that were measured carry 19 to 36 % less energy behind the bar than before it, by Airy's group "
-      "velocities, and this model loses none: its waves stay higher and run 0.1 s, a tenth of the period, ahead from "
-      "the top of the bar on; the second harmonic runs free with k h = 6.4, where they are 1.2 times too fast";
+      "waves of k h = 1.7 are 1 % too slow here, 0.05 s at the foot of the bar; the second harmonic runs free behind "
+      "it "
+      "with k h = 6.4, where they are 1.12 times too fast; and the harmonics that were measured carry 19 to 36 % less "
+      "energy behind the bar than before it, by Airy's group velocities, while this model loses none";
   return {
-      {"gauges-misfit-4", {.value = 0.00313, .width = 0.00039, .reason = why}},
-      {"gauges-misfit-10_5", {.value = 0.00241, .width = 0.0003, .reason = why}},
-      {"gauges-height-12_5", {.value = 0.0489, .width = 0.00051, .reason = why}},
-      {"gauges-misfit-12_5", {.value = 0.0119, .width = 0.0015, .reason = why}},
-      {"gauges-height-13_5", {.value = 0.0466, .width = 0.0013, .reason = why}},
-      {"gauges-misfit-13_5", {.value = 0.01, .width = 0.0013, .reason = why}},
-      {"gauges-harmonic-1-13_5", {.value = 0.0206, .width = 0.00051, .reason = why}},
-      {"gauges-height-14_5", {.value = 0.0497, .width = 0.0031, .reason = why}},
-      {"gauges-misfit-14_5", {.value = 0.0144, .width = 0.0022, .reason = why}},
-      {"gauges-height-15_7", {.value = 0.0448, .width = 0.0011, .reason = why}},
-      {"gauges-misfit-15_7", {.value = 0.0121, .width = 0.0026, .reason = why}},
-      {"gauges-misfit-17_3", {.value = 0.0102, .width = 0.0013, .reason = why}},
-      {"gauges-harmonic-1-17_3", {.value = 0.0202, .width = 0.00074, .reason = why}},
-      {"gauges-misfit-19", {.value = 0.0103, .width = 0.002, .reason = why}},
-      {"gauges-harmonic-1-19", {.value = 0.0206, .width = 0.00058, .reason = why}},
-      {"gauges-height-21", {.value = 0.0427, .width = 0.001, .reason = why}},
-      {"gauges-misfit-21", {.value = 0.0124, .width = 0.0039, .reason = why}},
-      {"gauges-harmonic-1-21", {.value = 0.0195, .width = 0.00056, .reason = why}},
+      {"gauges-misfit-2", {.value = 0.00233, .width = 0.00029, .reason = why}},
+      {"gauges-misfit-4", {.value = 0.0022, .width = 0.00027, .reason = why}},
+      {"gauges-misfit-10_5", {.value = 0.00447, .width = 0.00056, .reason = why}},
+      {"gauges-misfit-12_5", {.value = 0.00265, .width = 0.00033, .reason = why}},
+      {"gauges-height-13_5", {.value = 0.0457, .width = 0.00049, .reason = why}},
+      {"gauges-misfit-13_5", {.value = 0.00228, .width = 0.00034, .reason = why}},
+      {"gauges-misfit-14_5", {.value = 0.00459, .width = 0.00057, .reason = why}},
+      {"gauges-harmonic-1-14_5", {.value = 0.0199, .width = 0.00047, .reason = why}},
+      {"gauges-misfit-15_7", {.value = 0.00319, .width = 0.0018, .reason = why}},
+      {"gauges-harmonic-1-15_7", {.value = 0.0202, .width = 0.00029, .reason = why}},
+      {"gauges-misfit-17_3", {.value = 0.00466, .width = 0.0022, .reason = why}},
+      {"gauges-harmonic-1-17_3", {.value = 0.0201, .width = 0.00026, .reason = why}},
+      {"gauges-misfit-19", {.value = 0.00741, .width = 0.0038, .reason = why}},
+      {"gauges-harmonic-1-19", {.value = 0.0205, .width = 0.00057, .reason = why}},
+      {"gauges-height-21", {.value = 0.043, .width = 0.0029, .reason = why}},
+      {"gauges-misfit-21", {.value = 0.00467, .width = 0.0028, .reason = why}},
+      {"gauges-harmonic-1-21", {.value = 0.0199, .width = 0.0011, .reason = why}},
   };
 }
 
