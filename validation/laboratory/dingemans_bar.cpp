@@ -40,19 +40,16 @@ Submitted compute(const Run& run, double coarsening) {
 /// At the standard parameters; a band is a half more than what twice the spacing changes, or an eighth.
 std::map<std::string, evidence::KnownFailure> misses() {
   const std::string why =
-      "half of the third harmonic that the experiment sets free behind the bar is missing here, and the first is 14 % "
-      "too high: long-wave equations of this order transfer less energy to harmonics of k h above 3, and nothing "
-      "dissipates; finer markers or the kinetic energy of the slope change neither";
+      "as in the same test at half the scale: what was measured behind the bar carries a fifth less energy than before "
+      "it, and this model loses none";
   return {
-      {"gauges-misfit-26_04", {.value = 0.00278, .width = 0.00033, .reason = why}},
-      {"gauges-misfit-30_44", {.value = 0.00476, .width = 0.001, .reason = why}},
-      {"gauges-harmonic-1-30_44", {.value = 0.014, .width = 0.00026, .reason = why}},
-      {"gauges-harmonic-3-30_44", {.value = 0.00723, .width = 0.0012, .reason = why}},
-      {"gauges-height-37_04", {.value = 0.054, .width = 0.001, .reason = why}},
-      {"gauges-misfit-37_04", {.value = 0.0104, .width = 0.0023, .reason = why}},
-      {"gauges-harmonic-1-37_04", {.value = 0.014, .width = 0.00025, .reason = why}},
-      {"gauges-harmonic-2-37_04", {.value = 0.0168, .width = 0.00024, .reason = why}},
-      {"gauges-harmonic-3-37_04", {.value = 0.00704, .width = 0.00056, .reason = why}},
+      {"gauges-misfit-30_44", {.value = 0.00283, .width = 0.00097, .reason = why}},
+      {"gauges-harmonic-1-30_44", {.value = 0.0141, .width = 0.00023, .reason = why}},
+      {"gauges-harmonic-2-30_44", {.value = 0.0197, .width = 0.00025, .reason = why}},
+      {"gauges-height-37_04", {.value = 0.0542, .width = 0.0044, .reason = why}},
+      {"gauges-misfit-37_04", {.value = 0.0043, .width = 0.0022, .reason = why}},
+      {"gauges-harmonic-1-37_04", {.value = 0.0139, .width = 0.0002, .reason = why}},
+      {"gauges-harmonic-2-37_04", {.value = 0.0179, .width = 0.00035, .reason = why}},
   };
 }
 

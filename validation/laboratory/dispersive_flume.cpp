@@ -8,6 +8,7 @@
 
 #include "seiche/exact/serre_cnoidal.hpp"
 #include "seiche/exact/solitary_asymptotic.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "validation/instruments/agreement.hpp"
 
 namespace seiche::validation::laboratory {
@@ -66,10 +67,12 @@ Channel Flume::channel() const {
 }
 
 Parameter dispersion_parameter() {
-  return choice("dispersion", std::string("improved"), {"improved", "serre"}, "law of the model's linear waves");
+  return choice("dispersion", std::string("one-parameter"), {"improved", "one-parameter", "serre"},
+                "law of the model's linear waves");
 }
 
 double gamma_of(const std::string& dispersion) {
+  if (dispersion == "one-parameter") return one_parameter;
   return dispersion == "improved" ? improved : 0;
 }
 
@@ -85,11 +88,15 @@ Flow regular_waves(const Flume& flume, const Train& train) {
   const double k = wavenumber(train.depth, train.period, flume.gravity, flume.gamma);
   const double speed = 2 * std::numbers::pi / (train.period * k);
   const double length = 2 * std::numbers::pi / k;
-  const double sigma = std::tanh(k * train.depth);
-  const double second = 0.25 * k * train.amplitude * (3 - sigma * sigma) / std::pow(sigma, 3);
+  // Of the markers, whose wave keeps its form.
+  const double amplitude = train.amplitude / dispersive::surface_of_wave(flume.gamma, k * train.depth);
+  const Channel channel = flume.channel();
+  const double second =
+      amplitude / train.depth *
+      dispersive::bound_second_harmonic(channel.alpha, channel.gamma, channel.depth_power, k * train.depth);
   const auto elevation = [=](double x) {
     const double phase = k * (x - train.to);
-    return train.amplitude * fade(x - train.from, length) * fade(train.to - x, length) *
+    return amplitude * fade(x - train.from, length) * fade(train.to - x, length) *
            (std::cos(phase) + second * std::cos(2 * phase));
   };
   const auto velocity = [=](double x) { return speed * elevation(x) / (train.depth + elevation(x)); };
@@ -154,7 +161,7 @@ std::vector<SubmittedGroup> gauge_records(Flow& flow, const Flume& flume, const 
   std::vector<SubmittedGroup> records;
   for (const double group : groups) records.push_back({.value = group, .abscissa = {}, .values = {}});
   const auto note = [&] {
-    const std::vector<double> eta = flow.elevation_at(places);
+    const std::vector<double> eta = dispersive::water_surface_at(flow, places);
     for (std::size_t k = 0; k < records.size(); ++k) {
       records[k].abscissa.push_back(flow.time() - origin);
       records[k].values["eta"].push_back(eta[k]);

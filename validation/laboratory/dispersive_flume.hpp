@@ -1,10 +1,10 @@
 /// Laboratory flumes in the one-dimensional dispersive model: water between a wall and a wall or a shoreline, with
 /// gauges.
 ///
-/// Periodic waves and bores have the improved dispersion of Madsen and Sorensen (1992), gamma = 1/15 and alpha = 1/3 +
-/// gamma, which is Airy's law to the fourth order of k h; solitary waves are those of Serre's equations, gamma = 0, for
-/// which they are exact at the start. Over slopes the kinetic energy is that of Green and Naghdi. Lengths in metres,
-/// times in seconds.
+/// Bores and irregular waves have the improved dispersion of Madsen and Sorensen (1992), gamma = 1/15 and alpha = 1/3 +
+/// gamma, which is Airy's law to the fourth order of k h, waves over bars that of Bonneton et al. (2011), gamma =
+/// 0.051, which stays by it up to k h = 4; solitary waves are those of Serre's equations, gamma = 0, for which they are
+/// exact at the start. Over slopes the kinetic energy is that of Green and Naghdi. Lengths in metres, times in seconds.
 #pragma once
 
 #include <functional>
@@ -33,16 +33,19 @@ struct Flume {
   [[nodiscard]] dispersive::Channel channel() const;
 };
 
-/// Regular waves that run to the right over a level bed, with a second harmonic after Stokes; they fade within a
+/// Regular waves that run to the right over a level bed, with the second harmonic bound to them; they fade within a
 /// wavelength at both ends.
 struct Train {
-  double depth = 1, amplitude = 0.01, period = 1;
-  double from = 0, to = 1;  ///< [m]
+  double depth = 1, amplitude = 0.01, period = 1;  ///< amplitude of the water's surface
+  double from = 0, to = 1;                         ///< [m]
 };
 
 inline constexpr double improved = 1.0 / 15;  ///< gamma
+/// gamma of the linear law of Bonneton, Chazel, Lannes, Marche and Tissier, J. Comput. Phys. 230 (2011) 1479, whose
+/// alpha = 1.153 is 1 + 3 gamma: within 2 % of Airy's phase velocity up to k h = 4.
+inline constexpr double one_parameter = 0.051;
 
-/// "dispersion": improved, or Serre's with gamma = 0.
+/// "dispersion": improved, one-parameter, or Serre's with gamma = 0.
 Parameter dispersion_parameter();
 double gamma_of(const std::string& dispersion);
 
@@ -70,7 +73,7 @@ dispersive::Flow solitary_waves(const Flume& flume, const std::vector<Solitary>&
 /// right.
 dispersive::Flow smooth_bore(const Flume& flume, double depth, double jump, double width);
 
-/// The elevation at gauges, every `interval` from now to `end`; times less `origin`.
+/// The water's surface (water_surface.hpp) at gauges, every `interval` from now to `end`; times less `origin`.
 std::vector<SubmittedGroup> gauge_records(dispersive::Flow& flow, const Flume& flume, const std::vector<double>& groups,
                                           const std::vector<double>& places, double interval, double end,
                                           double origin = 0);

@@ -2,11 +2,27 @@
 Irregular waves climb a slope of 1:20 and break (Mase and Kirby, run 2; spectral peak at 1 Hz).
 
 **What is compared.** Standard deviation, skewness and asymmetry of the elevation against the still depth, of the
-whole record of 750 s; their standard errors are those of ten blocks. The case scores others. Drive the model with the
-record over 0.47 m of water, which the template names.
+whole record of 750 s; their standard errors are those of ten blocks. The case scores others, and in the full tier the
+one-dimensional dispersive model with breaking and improved dispersion is judged by the same claims. Drive the model
+with the record over 0.47 m of water, which the template names.
+
+**Set-up of our own.** A force along the bottom 4 m before the slope makes the record at its toe, in linear waves from
+0.2 to 2.2 Hz; what comes back or goes left is absorbed behind it. Breaking begins at a slope of 30 degrees and ends at
+a Froude number of 1.3; Manning's $n$ = 0.01. Nothing is fitted to the gauges on the slope.
 
 **What to look at.** Skewness grows as the waves steepen and falls behind; asymmetry grows until the shore.
 */
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "seiche/io/csv_table.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/wave_source.hpp"
+#include "validation/case/data_folder.hpp"
+#include "validation/instruments/wave_statistics.hpp"
+#include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases {
@@ -15,8 +31,99 @@ namespace {
 using namespace laboratory;
 
 const std::string source = "H. Mase, J. T. Kirby, Proc. 23rd Int. Conf. Coastal Eng. (1992) 474-487";
+const std::vector<double> depths{0.025, 0.05, 0.075, 0.1, 0.125, 0.15, 0.175, 0.2, 0.25, 0.3, 0.35};
 
-Series statistic(const std::string& name, const Column& quantity, const std::vector<double>& depths) {
+/// Still water before a slope of 1:20, from x = -10 m to the shore; the toe is at 0.
+constexpr double depth = 0.47;
+constexpr double shore = 20 * depth;
+constexpr double begin = -10;
+constexpr double layer_end = -5.5;  // of the absorbing layer, which begins at the left wall
+constexpr double sample = 0.05;     // of the records [s]
+
+Submitted compute(const Run& run, double coarsening) {
+  const Flume flume{.bed_x = {begin - 1, 0, shore, shore + 4},
+                    .bed_z = {-depth, -depth, 0, 0.2},
+                    .spacing = coarsening * run.real("spacing"),
+                    .tau = coarsening * run.real("spacing") / 3,
+                    .shoreline = true,
+                    .gamma = improved,
+                    .friction = {dispersive::FrictionLaw::manning, 0.01},
+                    .breaking = dispersive::Breaking{}};
+  const dispersive::Channel channel = flume.channel();
+  const io::Table incident =
+      io::read_csv(data_folder("reference_data") / "mase_kirby_1992_irregular_slope" / "incident.csv");
+  const std::vector<double>& record = incident.column("eta");
+  const auto waves = std::make_shared<dispersive::WaveSource>(
+      channel, dispersive::WaveSourcePlace{.depth = depth, .source = -4, .width = 0.08, .target = 0}, record, sample,
+      0.2, 2.2);
+
+  const auto cells = static_cast<std::size_t>(std::lround((shore - begin) / flume.spacing));
+  // Markers stay near where they were at rest; the force sees them where they are.
+  const auto flow_now = std::make_shared<const dispersive::Flow*>(nullptr);
+  const double warm_up = 40;
+  dispersive::Forcing forcing;
+  forcing.body_force = [=](double time, std::span<double> along, std::span<double> across) {
+    if (*flow_now == nullptr) return;
+    const dispersive::Flow& flow = **flow_now;
+    const double strength = std::min(time / 5, 1.0) * waves->strength(time - warm_up);
+    for (std::size_t i = 0; i < along.size() && flow.x()[i] < 0; ++i) {
+      const double x = flow.x()[i];
+      along[i] += strength * waves->shape(x);
+      if (x > layer_end) continue;
+      const double rate = 4 * std::pow((layer_end - x) / (layer_end - begin), 2);
+      along[i] -= rate * flow.p()[i];
+      across[i] -= rate * flow.r()[i];
+    }
+  };
+  dispersive::Flow flow(
+      channel, dispersive::still_markers(channel, dispersive::equal_labels(channel, begin, shore, cells)), {}, forcing);
+  *flow_now = &flow;
+  flow.advance_to(warm_up, flume.tau);
+  std::vector<double> places;
+  for (const double one : depths) places.push_back(20 * (depth - one));
+  const std::vector<SubmittedGroup> gauges =
+      gauge_records(flow, flume, depths, places, sample, warm_up + run.real("duration"), warm_up);
+  std::map<std::string, std::vector<double>> statistics;
+  for (const SubmittedGroup& gauge : gauges) {
+    const WaveStatistics one = wave_statistics(gauge.values.at("eta"));
+    statistics["std"].push_back(one.deviation);
+    statistics["skewness"].push_back(one.skewness);
+    statistics["asymmetry"].push_back(one.asymmetry);
+  }
+  Submitted all;
+  for (const auto& [name, values] : statistics)
+    all[name] = {{.value = 0, .abscissa = depths, .values = {{name, values}}}};
+  return all;
+}
+
+/// At the standard parameters; a band is a half more than what twice the spacing changes, or an eighth of what is
+/// missed.
+std::map<std::string, evidence::KnownFailure> misses() {
+  const std::string brief =
+      "what the record holds above 1.2 Hz is too short for the model at the toe, k h above 2.8, where its waves carry "
+      "their energy 15 to 80 % too fast, and so grow on the slope like longer ones: even very small waves come to 0.35 "
+      "m "
+      "of water 5 % higher than at the toe; driven up to 1.6 Hz alone, 2 %";
+  const std::string smeared =
+      "the fronts of breaking waves are smeared by the viscosity that leaves no waves behind a bore: with 0.3 of it "
+      "the "
+      "asymmetry near the shore is half as large again, and the waves are then a fifth too high";
+  return {
+      {"std-at-0_1", {.value = 0.0158, .width = 0.00015, .reason = brief}},
+      {"std-at-0_15", {.value = 0.0167, .width = 0.00042, .reason = brief}},
+      {"std-at-0_2", {.value = 0.0168, .width = 0.00021, .reason = brief}},
+      {"std-at-0_35", {.value = 0.0166, .width = 9.3e-05, .reason = brief}},
+      {"skewness-at-0_05", {.value = 0.769, .width = 0.14, .reason = smeared}},
+      {"skewness-at-0_075", {.value = 0.776, .width = 0.02, .reason = smeared}},
+      {"skewness-at-0_1", {.value = 0.688, .width = 0.019, .reason = smeared}},
+      {"asymmetry-at-0_025", {.value = 0.338, .width = 0.14, .reason = smeared}},
+      {"asymmetry-at-0_05", {.value = 0.225, .width = 0.069, .reason = smeared}},
+      {"asymmetry-at-0_075", {.value = 0.144, .width = 0.075, .reason = smeared}},
+      {"asymmetry-at-0_1", {.value = 0.0917, .width = 0.11, .reason = smeared}},
+  };
+}
+
+Series statistic(const std::string& name, const Column& quantity, const std::vector<double>& wanted) {
   Series part{.name = name,
               .table = "mase_kirby_1992_irregular_slope",
               .kind = WantedTable::Kind::profile,
@@ -24,18 +131,25 @@ Series statistic(const std::string& name, const Column& quantity, const std::vec
               .quantity = quantity,
               .spread = quantity.name + "_se",
               .readings = {}};
-  for (const double depth : depths) part.readings.push_back(at(0, depth, Kind::statistic));
+  for (const double one : wanted) part.readings.push_back(at(0, one, Kind::statistic));
   return part;
 }
 
-Experiment experiment(const Values& /*values*/) {
+Experiment experiment(const Values& values) {
   const std::vector<double> everywhere{0.025, 0.05, 0.075, 0.1, 0.15, 0.2, 0.35};
-  return {.source = source,
-          .parts = {statistic("std", {"std", "m", "standard deviation of the elevation"}, everywhere),
-                    statistic("skewness", {"skewness", "1", "skewness of the elevation"}, everywhere),
-                    statistic("asymmetry", {"asymmetry", "1", "asymmetry: less the skewness of the Hilbert transform"},
-                              {0.025, 0.05, 0.075, 0.1})},
-          .files = {"mase_kirby_1992_irregular_slope/incident.csv", "mase_kirby_1992_irregular_slope/bed.csv"}};
+  Experiment one{
+      .source = source,
+      .parts = {statistic("std", {"std", "m", "standard deviation of the elevation"}, everywhere),
+                statistic("skewness", {"skewness", "1", "skewness of the elevation"}, everywhere),
+                statistic("asymmetry", {"asymmetry", "1", "asymmetry: less the skewness of the Hilbert transform"},
+                          {0.025, 0.05, 0.075, 0.1})},
+      .files = {"mase_kirby_1992_irregular_slope/incident.csv", "mase_kirby_1992_irregular_slope/bed.csv"},
+      .model = "dispersive shallow water with breaking, improved dispersion"};
+  if (values.tier() != Tier::quick) {
+    one.compute = compute;
+    one.misses = misses();
+  }
+  return one;
 }
 
 }  // namespace
@@ -44,6 +158,9 @@ Case irregular_waves_slope() {
   Case c;
   c.title = "Irregular waves shoal and break on a slope";
   c.source = source;
+  c.parameters = {real("spacing", 0.025, "m", {0.01, 0.1}, "of the markers"),
+                  real("duration", 749.95, "s", {10, 749.95}, "that is recorded")};
+  c.tiers = {Tier::quick, Tier::full};
   set_laboratory<experiment>(c);
   return c;
 }

@@ -13,6 +13,7 @@ they ran. The theory of modulated waves lets the first crest grow beyond twice t
 #include <algorithm>
 #include <cmath>
 
+#include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
@@ -37,7 +38,8 @@ Submitted compute(const Run& run, double coarsening) {
     dispersive::Flow flow = smooth_bore(flume, depth, jump, 5 * depth);
     froude.push_back(std::sqrt((1 + jump) * (1 + jump / 2)));
     flow.advance_to(63.5 / (froude.back() * std::sqrt(flume.gravity * depth)), flume.tau);
-    crest.push_back(*std::max_element(flow.y().begin(), flow.y().end()) / depth);
+    const std::vector<double> surface = dispersive::water_surface(flow);
+    crest.push_back(*std::max_element(surface.begin(), surface.end()) / depth);
   }
   std::vector<SubmittedGroup> series;
   for (const double one : depths)

@@ -78,6 +78,12 @@ TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact 
     }
   }
   const std::string resolution = "N = 120, tau = 0.08 s, 100 steps";
+  check.that({.id = "alone",
+              .text = "Beside an isolated bore no second jump is seen.",
+              .quantity = "jumps dropped beside a larger one",
+              .source = source},
+             {.value = static_cast<double>(flow.events().adjacent_discarded), .resolution = resolution},
+             Bound{.limit = 0, .reason = "the water on both sides is uniform"});
   const ProfileError error = reconstructed(flow, exact);
   check.that({.id = "depth",
               .text = "Reconstructed depth is exact.",

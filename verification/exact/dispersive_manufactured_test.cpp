@@ -243,6 +243,10 @@ TEST_CASE("the manufactured motion over an uneven bottom satisfies the forced di
   claim_self_test(check, "alpha-0-4", DispersiveManufactured(dimensional), source);
   dimensional.green_naghdi = false;
   claim_self_test(check, "alpha-0-4-frank", DispersiveManufactured(dimensional), source);
+  dimensional.gamma = 1.0 / 15;
+  claim_self_test(check, "gamma-frank", DispersiveManufactured(dimensional), source);
+  dimensional.green_naghdi = true;
+  claim_self_test(check, "gamma", DispersiveManufactured(dimensional), source);
   draw(check, frank);
   dimensional.amplitude = 0.3;
   CHECK_THROWS_AS(DispersiveManufactured(dimensional), std::invalid_argument);

@@ -7,6 +7,7 @@
 #include "seiche/divergence.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -95,10 +96,44 @@ TEST_CASE("bad particles, ends and steps are refused with their name", "[robustn
     flow.advance(0.05);
     flow.advance(0.09);
   });
+  refused("vacuum_wall", "Water that parts from a wall faster than it can follow.",
+          "wall velocity = 0 leaves a vacuum at x = 10", [] {
+            Particles p = still_water();
+            p.velocity.back() = -6.3;  // 2 c = 6.264
+            ParticleFlow flow(p);
+          });
+  refused("vacuum_piston", "A piston that leaves the water from the start.",
+          "piston velocity = -6.3 leaves a vacuum at x = 0", [] {
+            ParticleFlow flow(still_water(), {Piston{[](double) { return -6.3; }}, Wall{}});
+          });
+  refused("vacuum_later", "A piston that leaves the water later.",
+          "piston velocity = 20 leaves a vacuum at x = 10, t = 0.11", [] {
+            ParticleFlow flow(still_water(), {Wall{}, Piston{[](double t) { return t < 0.1 ? 0.0 : 20.0; }}});
+            flow.advance(0.1);
+            flow.advance(0.02);
+          });
   refused("tau_piston", "A piston that would cross the first particle within the step.", "piston", [] {
     ParticleFlow flow(still_water(), {Piston{[](double) { return 50.0; }}, Wall{}});
     flow.advance(0.1);
   });
+}
+
+TEST_CASE("a piston may leave as fast as the water follows", "[robustness]") {
+  Check check(
+      "particles_piston_almost_escapes", "A piston that withdraws just below the limit",
+      "Still water follows a piston up to twice its celerity. A piston with 0.99 of that is no vacuum: the run goes "
+      "on, with positive depths.");
+  const double escape = 2 * seiche::shallow_water::celerity(9.81, 1);
+  ParticleFlow flow(still_water(40), {Piston{[=](double) { return -0.99 * escape; }}, Wall{}});
+  flow.advance_to(0.5);
+  seiche::Smallest thinnest;
+  for (std::size_t i = 0; i < flow.particles().size(); ++i) thinnest.add(flow.particles().depth(i));
+  check.that({.id = "wet",
+              .text = "Every particle stays wet.",
+              .quantity = "all depths positive at t = 0.5 s",
+              .source = "Stoker, Water Waves (1957), 10.4: a piston that withdraws faster than 2 c leaves the water"},
+             {.value = thinnest.value() > 0 ? 1.0 : 0.0},
+             Qualitative{"smallest depth positive", "the limit must not refuse what the equations allow"});
 }
 
 TEST_CASE("a breakdown stops with time, step and place", "[robustness]") {

@@ -9,6 +9,10 @@
 ///
 ///     Fx = -g y_x - pi_x - pi y_x/H,   Fy = pi/H,   f_x = f_a/x_a
 ///
+/// and with improved dispersion, whose energy is (g gamma/2) H^2 y_x^2 per unit of x, M = H x_a,
+///
+///     Fx -= (3 g gamma/2) (M^2 y_a^2/x_a^4)_a/M,   Fy += g gamma (M^2 y_a/x_a^3)_a/M
+///
 /// Kinetic energy (p^2 + alpha r^2)/2 per unit mass, in one of two frames; u = x_t, v = y_t, c = 1/sqrt(1 + b'^2),
 /// s = b' c:
 ///
@@ -62,6 +66,7 @@ class DispersiveManufactured {
     int pressure_mode = 2;          ///< k2 likewise
     double alpha = 1.0 / 3;         ///< share of the vertical motion in the energy; >= 1/4 in the second frame
     bool green_naghdi = false;      ///< frame of p and r
+    double gamma = 0;               ///< factor of the energy of improved dispersion
   };
 
   /// What a marker of the model carries, and the force on it.

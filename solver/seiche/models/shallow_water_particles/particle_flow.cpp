@@ -83,7 +83,31 @@ void ParticleFlow::validate() const {
       if (!piston->velocity) throw std::invalid_argument("piston: a velocity as a function of time must be given");
       require_finite("piston velocity", piston->velocity(0));
     }
+    refuse_vacuum(s, 0);
   }
+}
+
+void ParticleFlow::refuse_vacuum(Side s, double at_time) const {
+  const std::optional<double> wall = wall_velocity(s, at_time);
+  if (!wall) return;
+  const std::size_t i = s.particle(0);
+  // A middle that is dry in the Riemann problem with the mirror image.
+  const double escape = 2 * shallow_water::celerity(forcing_.gravity, now_.depth(i));
+  const double parting = s.outward() * (*wall - now_.velocity[i]);
+  if (parting < escape) return;
+  // Later the mean of the end particle lags behind the water at the wall: only what leaves all of the water behind,
+  // with more than u + 2 c anywhere, is a vacuum for certain.
+  for (std::size_t k = 0; steps_ > 0 && k < now_.size(); ++k) {
+    const double follows =
+        s.outward() * now_.velocity[k] + 2 * shallow_water::celerity(forcing_.gravity, now_.depth(k));
+    if (s.outward() * *wall < follows) return;
+  }
+  throw std::invalid_argument(
+      fmt::format("{} velocity = {:g} leaves a vacuum at x = {:g}, t = {:g}: it parts with {:g} from particle {}, "
+                  "whose velocity is "
+                  "{:g}; allowed: less than 2 c = {:g}. Dry ground is an end of kind Vacuum",
+                  end_is<Piston>(s) ? "piston" : "wall", *wall, now_.edge[s.edge(0)], at_time, parting, i,
+                  now_.velocity[i], escape));
 }
 
 void ParticleFlow::resize_work() {
@@ -178,6 +202,7 @@ void ParticleFlow::check_step(double tau) const {
   StepLimit limit = step_limit(hard_courant, false);
   for (const bool right : {false, true}) {
     const Side s = side(right);
+    refuse_vacuum(s, time() + 0.5 * tau);
     if (!end_is<Piston>(s)) continue;
     const std::size_t i = s.particle(0);
     const double approach = -s.outward() * (*wall_velocity(s, time() + 0.5 * tau) - now_.velocity[i]);

@@ -128,6 +128,11 @@ void ParticleFlow::discard_adjacent() {
       continue;
     }
     const std::size_t smaller = jumps_[k].size() < jumps_[k + 1].size() ? k : k + 1;
+    const InteriorJump& dropped = jumps_[smaller];
+    const bool not_yet_there = (smaller > k) == (dropped.facing == Facing::right);
+    const auto beyond = [&](double behind) { return not_yet_there ? behind : 1 - behind; };
+    events_.discarded_inside.add(beyond(dropped.behind_by_volume));
+    events_.discarded_inside.add(beyond(dropped.behind_by_momentum));
     jumps_.erase(jumps_.begin() + static_cast<std::ptrdiff_t>(smaller));
     ++events_.adjacent_discarded;
   }
