@@ -7,9 +7,9 @@ namespace {
 
 /// Every number of what is run.
 std::string name_of(const ReflectionRun& what) {
-  return fmt::format("{} {} a {} psi {} h {} tau {} t {} height {} tolerance {}",
+  return fmt::format("{} {} a {} psi {} h {} tau {} t {} height {} tolerance {} excess {}",
                      what.model == WaveModel::plan ? "plan" : "hexahedra", what.layers, what.amplitude, what.angle,
-                     what.spacing, what.tau(), what.duration(), what.height, what.tolerance);
+                     what.spacing, what.tau(), what.duration(), what.height, what.tolerance, what.excess);
 }
 
 }  // namespace

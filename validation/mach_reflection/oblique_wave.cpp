@@ -95,6 +95,22 @@ struct Frame {
   std::function<double(double)> reach;
 };
 
+/// By how much the first wave is stronger than the undisturbed one.
+double strength(const ObliqueWave& wave, const ReflectionWindow& window, double y) {
+  const double distance = y / (6 * wave.width_unit());
+  return 1 + window.excess * std::exp(-distance * distance);
+}
+
+double first_elevation(const ObliqueWave& wave, const ReflectionWindow& window, double x, double y) {
+  return strength(wave, window, y) * wave.elevation(x, y, 0);
+}
+
+Velocity first_velocity(const ObliqueWave& wave, const ReflectionWindow& window, double x, double y) {
+  const double factor = strength(wave, window, y);
+  const Velocity undisturbed = wave.velocity(x, y, 0);
+  return {.u = factor * undisturbed.u, .v = factor * undisturbed.v, .w = factor * undisturbed.w};
+}
+
 /// Cells that fill a length, in a number that suits Fourier transforms.
 std::size_t cells(double length, double spacing) {
   return linear::fast_size_from(std::max<std::size_t>(static_cast<std::size_t>(std::ceil(length / spacing)), 4));
@@ -134,29 +150,30 @@ Flow reflection_flow(const ObliqueWave& wave, const ReflectionWindow& window,
       .north = frame.north,
       .columns = frame.columns,
       .rows = frame.rows,
-      .elevation = [&](double x, double y) { return wave.elevation(x, y, 0); },
+      .elevation = [&](double x, double y) { return first_elevation(wave, window, x, y); },
       .sides = frame.sides};
-  return Flow(rectangular_lattice(rectangle), [&](double x, double y) { return wave.velocity(x, y, 0); }, scheme,
-              settings, {}, {.reach = frame.reach});
+  return Flow(rectangular_lattice(rectangle), [&](double x, double y) { return first_velocity(wave, window, x, y); },
+              scheme, settings, {}, {.reach = frame.reach});
 }
 
 lagrangian_mesh_3d::Flow layered_reflection_flow(const ObliqueWave& wave, const ReflectionWindow& window,
                                                  std::size_t layers, lagrangian_mesh_3d::Settings settings,
                                                  lagrangian_mesh_3d::Scheme scheme) {
   const Frame frame = frame_of(wave, window);
-  const lagrangian_mesh_3d::Layer layer{.begin = frame.begin,
-                                        .end = frame.end,
-                                        .south = 0,
-                                        .north = frame.north,
-                                        .depth = 1,
-                                        .columns = frame.columns,
-                                        .rows = frame.rows,
-                                        .layers = layers,
-                                        .elevation = [&](double x, double y) { return wave.elevation(x, y, 0); },
-                                        .sides = frame.sides};
+  const lagrangian_mesh_3d::Layer layer{
+      .begin = frame.begin,
+      .end = frame.end,
+      .south = 0,
+      .north = frame.north,
+      .depth = 1,
+      .columns = frame.columns,
+      .rows = frame.rows,
+      .layers = layers,
+      .elevation = [&](double x, double y) { return first_elevation(wave, window, x, y); },
+      .sides = frame.sides};
   const auto velocity = [&](plan_lattice::Place at) {
-    const Velocity top = wave.velocity(at.x, at.y, 0);
-    const double share = (1 + at.z) / (1 + wave.elevation(at.x, at.y, 0));
+    const Velocity top = first_velocity(wave, window, at.x, at.y);
+    const double share = (1 + at.z) / (1 + first_elevation(wave, window, at.x, at.y));
     return lagrangian_mesh_3d::Vector{top.u, top.v, share * top.w};
   };
   return lagrangian_mesh_3d::Flow(layer_mesh(layer), velocity, scheme, settings, {.reach = frame.reach});

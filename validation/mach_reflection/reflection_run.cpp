@@ -173,6 +173,7 @@ Reflection reflect(const ReflectionRun& run, const std::function<void(double)>& 
   const ObliqueWave wave(run.amplitude, run.angle);
   ReflectionWindow window = window_until(run.duration(), wave, run.spacing);
   if (run.height > 0) window.height = run.height;
+  window.excess = run.excess;
   if (run.model == WaveModel::hexahedra) {
     auto flow = layered_reflection_flow(wave, window, run.layers, {.tolerance = run.tolerance});
     return follow(flow, run, progress);

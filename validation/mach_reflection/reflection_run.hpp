@@ -42,6 +42,7 @@ struct ReflectionRun {
   std::size_t layers = 2;   ///< of hexahedra
   double height = 0;        ///< of the window; 0 for what window_until() finds sufficient
   double tolerance = 1e-7;  ///< relative residual of the solver
+  double excess = 0;        ///< of the first wave next to the wall (oblique_wave.hpp)
 
   [[nodiscard]] double tau() const { return step * spacing; }
   [[nodiscard]] double kappa() const;               ///< psi/sqrt(3a)
@@ -71,8 +72,9 @@ struct Reflection {
 
   /// a_w at a time, linearly between its values; the last of them after it.
   [[nodiscard]] double wall_at(double when) const;
-  /// a_w/a_i at the end and for t -> infinity, a_r/a_i, psi_r [deg]; NaN without a reflected crest.
+  /// a_w/a_i at the end, a_i, a_w/a_i for t -> infinity, a_r/a_i, psi_r [deg]; NaN without a reflected crest.
   [[nodiscard]] evidence::Measurement wall_ratio() const;
+  [[nodiscard]] evidence::Measurement incident_amplitude() const { return pattern.incident_amplitude; }
   [[nodiscard]] evidence::Measurement limit_ratio() const;
   [[nodiscard]] evidence::Measurement reflected_ratio() const;
   [[nodiscard]] evidence::Measurement reflected_angle() const;

@@ -23,6 +23,9 @@ void add_options(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--columns", options.columns, "of cells")->check(CLI::Range(2, 1000000))->capture_default_str();
   app.add_option("--rows", options.rows, "of cells")->check(CLI::Range(1, 1000000))->capture_default_str();
+  app.add_option("--layers", options.layers, "of hexahedra; 0: the plan model")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
   app.add_option("--spacing", options.spacing, "of the lattice [depths]")->capture_default_str();
   app.add_option("--amplitude", options.amplitude, "[depths]")->capture_default_str();
   app.add_option("--time", options.time, "[sqrt(depth/g)]")->capture_default_str();
@@ -66,22 +69,47 @@ dispersive_shallow_water_2d::VelocityAt velocity(const Options& options) {
   };
 }
 
+lagrangian_mesh_3d::Layer layered_water(const Options& options) {
+  const dispersive_shallow_water_2d::Rectangle seen_from_above = water(options);
+  return {.begin = seen_from_above.begin,
+          .end = seen_from_above.end,
+          .south = seen_from_above.south,
+          .north = seen_from_above.north,
+          .columns = seen_from_above.columns,
+          .rows = seen_from_above.rows,
+          .layers = options.layers,
+          .elevation = seen_from_above.elevation};
+}
+
+lagrangian_mesh_3d::VelocityAt layered_velocity(const Options& options) {
+  const dispersive_shallow_water_2d::VelocityAt of_columns = velocity(options);
+  if (!of_columns) return {};
+  return [of_columns, surface = water(options).elevation](plan_lattice::Place at) {
+    const auto top = of_columns(at.x, at.y);
+    return lagrangian_mesh_3d::Vector{top.u, top.v, (1 + at.z) / (1 + surface(at.x, at.y)) * top.w};
+  };
+}
+
 evidence::Record begun(const Options& options) {
   evidence::Record record;
-  record.name = "parallel_" + options.flow;
+  record.name = "parallel_" + options.flow + (options.layers > 0 ? "_hexahedra" : "");
   record.group = "parallel";
   record.title =
       options.flow == "hump" ? "A hump of water in a box, on many processes" : "A solitary wave, on many processes";
   record.source = "validation/parallel/flows.cpp";
-  record.article =
-      "The plan model of dispersive shallow water on a lattice shared out among processes (MPI); PETSc exchanges what "
-      "neighbours need and solves the system of all cells.";
+  record.article = std::string(options.layers > 0 ? "Layers of Lagrangian hexahedra"
+                                                  : "The plan model of dispersive shallow water") +
+                   " on a lattice shared out among processes (MPI); PETSc exchanges what neighbours need and solves "
+                   "the system of all "
+                   "cells.";
   const Options standard;
   const auto keep = [&](const char* name, auto value, auto usual, const char* unit, const char* meaning) {
     record.parameters[name] = {.value = value, .standard = usual, .unit = unit, .meaning = meaning};
   };
   keep("columns", static_cast<long>(options.columns), static_cast<long>(standard.columns), "1", "cells along x");
   keep("rows", static_cast<long>(options.rows), static_cast<long>(standard.rows), "1", "cells along y");
+  keep("layers", static_cast<long>(options.layers), static_cast<long>(standard.layers), "1",
+       "of hexahedra; 0: the plan model");
   keep("spacing", options.spacing, standard.spacing, "depth", "of the lattice");
   keep("amplitude", options.amplitude, standard.amplitude, "depth", "of the first surface");
   keep("time", options.time, standard.time, "sqrt(depth/g)", "at the end");
@@ -91,23 +119,28 @@ evidence::Record begun(const Options& options) {
 }
 
 void judge(evidence::Record& record, const Options& options, const Findings& findings) {
-  const std::string resolution = fmt::format("{} x {} cells, {} steps", options.columns, options.rows, findings.steps);
+  const std::string resolution =
+      fmt::format("{} x {}{} cells, {} steps", options.columns, options.rows,
+                  options.layers > 0 ? fmt::format(" x {}", options.layers) : "", findings.steps);
   record.check({.id = "copies",
                 .text = "What several processes hold of a node is the same, bit by bit.",
                 .quantity = "largest difference between copies",
                 .source = "decomposition of the lattice"},
                {.value = findings.rim_difference, .resolution = resolution},
                evidence::Bound{.limit = 0, .reason = "copies are copied"});
-  // The model's frequencies are below sqrt(3) (alpha = 1/3, unit depth and gravity).
+  // Squares of the models' frequencies are below 3 for columns (alpha = 1/3, unit depth and gravity), below 2 over the
+  // height of a layer for hexahedra.
+  const double fastest = options.layers > 0 ? 2 * static_cast<double>(options.layers) : 3;
   record.check(
       {.id = "energy",
        .text = "Energy stays within what the one-step scheme lets it oscillate by.",
        .quantity = "largest change of energy over its first value",
        .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
       {.value = findings.energy_change / findings.energy, .resolution = resolution},
-      evidence::Bound{.limit = 3 * options.step * options.step / 4,
-                      .reason = "(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, kick, "
-                                "drift, at the highest frequency sqrt(3 g/depth)"});
+      evidence::Bound{.limit = fastest * options.step * options.step / 4,
+                      .reason = fmt::format("(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, "
+                                            "kick, drift, at the highest frequency sqrt({:g} g/depth)",
+                                            fastest)});
 }
 
 }  // namespace seiche::parallel

@@ -1,10 +1,12 @@
-// seiche-parallel: plan flows on many processes.
+// seiche-parallel: flows of the plan model and of hexahedra on many processes.
 //
 //     mpirun -n 4 seiche-parallel hump --columns 800 --rows 400 --time 20 --out run
+//     mpirun -n 4 seiche-parallel soliton --columns 240 --rows 40 --layers 2 --out run
 //     srun seiche-parallel soliton --columns 8000 --rows 4000 --spacing 0.25 --every 5 --out run -- -pc_type bjacobi
 //
 // writes run/fields_0000.h5, ... by all processes together and run/parallel_hump.json by the first one. What follows
 // "--" is for PETSc: -ksp_view, -log_view, -pc_type, -seiche_da_processors_x.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -28,13 +30,15 @@ using distributed::rank;
 using distributed::ranks;
 
 using Clock = std::chrono::steady_clock;
+constexpr std::size_t one = 1;
 
 /// Largest over the processes.
 double seconds_since(Clock::time_point begin) {
   return distributed::Decomposition::largest(std::chrono::duration<double>(Clock::now() - begin).count());
 }
 
-void write_record(evidence::Record& record, distributed::PlanFlow& flow, const Options& options) {
+template <class Flow>
+void write_record(evidence::Record& record, Flow& flow, const Options& options) {
   const std::vector<double> x = flow.decomposition().gathered(flow.place(0));
   const std::vector<double> y = flow.decomposition().gathered(flow.place(1));
   const std::vector<double> z = flow.decomposition().gathered(flow.place(2));
@@ -45,12 +49,9 @@ void write_record(evidence::Record& record, distributed::PlanFlow& flow, const O
   evidence::write(record, options.out);
 }
 
-int run(const Options& options) {
-  const Clock::time_point begin = Clock::now();
-  const dispersive_shallow_water_2d::Rectangle rectangle = water(options);
-  distributed::PlanFlow flow({rectangle.columns, rectangle.rows}, 1,
-                             [&](const distributed::Patch& patch) { return distributed::part_of(rectangle, patch); },
-                             rectangle.sides, velocity(options), {.tolerance = options.tolerance});
+/// @param begin  of the set-up
+template <class Flow>
+int run(Flow& flow, const Options& options, Clock::time_point begin) {
   if (rank() == 0) std::filesystem::create_directories(options.out);
   const double set_up = seconds_since(begin);
   const double energy = flow.energy();
@@ -89,14 +90,14 @@ int run(const Options& options) {
   record.measure("time to set up [s]", set_up);
   record.measure("time per step [s]", per_step);
   record.measure("time per step and 1000 cells [ms]",
-                 1e6 * per_step / static_cast<double>(rectangle.columns * rectangle.rows));
+                 1e6 * per_step / static_cast<double>(options.columns * options.rows * std::max(options.layers, one)));
   record.measure("time to write a file [s]", writing / static_cast<double>(files));
   record.measure("iterations per solution",
                  static_cast<double>(system.iterations()) / static_cast<double>(system.solutions()));
   record.measure("largest change of a cell's volume [depth^3]", flow.volume_defect());
   const bool passed = record.as_declared();
   if (rank() == 0) {
-    fmt::print("{} process(es), {} x {} cells, {} steps\n", ranks(), rectangle.columns, rectangle.rows, flow.steps());
+    fmt::print("{} process(es), {} x {} cells, {} steps\n", ranks(), options.columns, options.rows, flow.steps());
     for (const auto& [quantity, value] : record.measurements()) fmt::print("  {:<36} {:.4g}\n", quantity, value);
     for (const auto& claim : record.claims()) {
       fmt::print("  {:<36} {:.3g}  {}\n", claim.claim.id, claim.judgement.measured,
@@ -107,12 +108,29 @@ int run(const Options& options) {
   return passed ? 0 : 1;
 }
 
+int run(const Options& options) {
+  const Clock::time_point begin = Clock::now();
+  if (options.layers == 0) {
+    const dispersive_shallow_water_2d::Rectangle rectangle = water(options);
+    distributed::PlanFlow flow({rectangle.columns, rectangle.rows}, 1,
+                               [&](const distributed::Patch& patch) { return distributed::part_of(rectangle, patch); },
+                               rectangle.sides, velocity(options), {.tolerance = options.tolerance});
+    return run(flow, options, begin);
+  }
+  const lagrangian_mesh_3d::Mesh mesh = layer_mesh(layered_water(options));
+  distributed::HexahedralFlow flow(mesh.plan, mesh.layers,
+                                   [&](const distributed::Patch& patch) { return distributed::part_of(mesh, patch); },
+                                   mesh.sides, layered_velocity(options), {.tolerance = options.tolerance});
+  return run(flow, options, begin);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const distributed::Runtime runtime(argc, argv);
   Options options;
-  CLI::App app("Plan flows on many processes; what follows -- is for PETSc", "seiche-parallel");
+  CLI::App app("Flows of the plan model and of hexahedra on many processes; what follows -- is for PETSc",
+               "seiche-parallel");
   app.footer(
       "Exit status: 0 every claim has its declared verdict, 1 a check failed, 2 wrong usage or input,\n"
       "3 the run could not finish (diverged, disk full, killed).");

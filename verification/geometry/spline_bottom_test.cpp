@@ -175,3 +175,52 @@ TEST_CASE("a spline bottom refuses bad grids and places", "[robustness]") {
   CHECK_THROWS_AS(bottom.integral(1, -0.01), OutsidePlanBottom);
   CHECK_THROWS_AS(bottom.slope(std::numeric_limits<double>::quiet_NaN(), 1), OutsidePlanBottom);
 }
+
+TEST_CASE("the integral of a bottom grows over a way by what the way says, however short", "[geometry]") {
+  Check check("plan_bottom_increment", "Increments of the bottom's integral",
+              "Between two places the bottom's integral along x grows by the integral of its gradient along the way "
+              "between them. Over long ways, across many cells of the grid, that is the difference of the two values; "
+              "over short ones it is known far better than that difference.");
+  const SplineBottom bottom = hill_bottom(0.5);
+  Worst far;
+  Worst halves;
+  Worst near;
+  over_places([&](double x, double y) {
+    const double to_x = 10 - 0.8 * x;
+    const double to_y = 10 - 0.9 * y;
+    const double grown = bottom.increment(x, y, to_x - x, to_y - y);
+    far.add(grown - (bottom.integral(to_x, to_y).value - bottom.integral(x, y).value));
+    constexpr double dx = -3e-4;
+    constexpr double dy = 4e-4;
+    if (x + dx < -1 || y + dy > 11) return;
+    halves.add((bottom.increment(x, y, dx, dy) - bottom.increment(x, y, dx / 2, dy / 2) -
+                bottom.increment(x + dx / 2, y + dy / 2, dx / 2, dy / 2)) /
+               5e-4);
+    const auto at = bottom.integral(x, y);
+    near.add((bottom.increment(x, y, 1e-6 * dx, 1e-6 * dy) - 1e-6 * (at.elevation * dx + at.along_y * dy)) / 5e-10);
+  });
+  check.that({.id = "far",
+              .text = "Over a long way the integral grows by the difference of its values.",
+              .quantity = "largest difference",
+              .source = source},
+             {.value = far.value()},
+             Roundoff{.operations = 48 * 12,
+                      .scale = 12,
+                      .reason = "up to 48 pieces of the way, each a sum of some 12 terms; values up to 12"});
+  check.that({.id = "halves",
+              .text = "Over a short way it grows by what it grows over both halves.",
+              .quantity = "largest difference over the length of the way",
+              .source = source},
+             {.value = halves.value()},
+             Roundoff{.operations = 16,
+                      .scale = 12,
+                      .reason = "gradients of up to 12, at places rounded to a unit in the last place of 11"});
+  check.that({.id = "near",
+              .text = "Over a way of half a thousand-millionth it grows by gradient times way.",
+              .quantity = "largest difference over the length of the way",
+              .source = source},
+             {.value = near.value()},
+             Bound{.limit = 1e-9,
+                   .reason = "half the way times second derivatives below 4; a difference of two values would have "
+                             "their round-off over the way, 4e-6"});
+}

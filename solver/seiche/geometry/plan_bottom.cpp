@@ -1,5 +1,6 @@
 #include "seiche/geometry/plan_bottom.hpp"
 
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -27,6 +28,21 @@ OutsidePlanBottom::OutsidePlanBottom(double x, double y, const char* coordinate,
     : std::runtime_error(fmt::format("({:g}, {:g}) is outside the bottom; allowed: {} within [{:g}, {:g}]", x, y,
                                      coordinate, lowest, highest)),
       x_(x) {}
+
+double PlanBottom::increment(double x, double y, double dx, double dy) const {
+  // Abramowitz and Stegun, table 25.4.
+  static constexpr std::array<std::pair<double, double>, 2> gauss{
+      std::pair{0.339981043584856264803, 0.652145154862546142627},
+      std::pair{0.861136311594052575224, 0.347854845137453857373}};
+  double sum = 0;
+  for (const auto& [place, weight] : gauss) {
+    for (const double s : {0.5 - 0.5 * place, 0.5 + 0.5 * place}) {
+      const Integral at = integral(x + s * dx, y + s * dy);
+      sum += 0.5 * weight * (at.elevation * dx + at.along_y * dy);
+    }
+  }
+  return sum;
+}
 
 PolynomialBottom::PolynomialBottom(std::vector<Term> terms) : terms_(std::move(terms)) {
   if (terms_.empty()) throw std::invalid_argument("a polynomial bottom without terms; allowed: at least one");

@@ -41,6 +41,10 @@ class PlanBottom {
   /// Throw OutsidePlanBottom.
   [[nodiscard]] virtual Slope slope(double x, double y) const = 0;
   [[nodiscard]] virtual Integral integral(double x, double y) const = 0;
+  /// B(x + dx, y + dy) - B(x, y), rounded as a number of its own size and not of B's: the integral of b dx + B_y dy
+  /// along the straight way, by Gauss's rule of four points. For ways along which b is a polynomial of degree six in
+  /// effect; bottoms that are smooth in pieces add up their pieces.
+  [[nodiscard]] virtual double increment(double x, double y, double dx, double dy) const;
 };
 
 /// b = sum c_kl x^k y^l.

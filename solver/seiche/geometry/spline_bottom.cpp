@@ -207,4 +207,25 @@ PlanBottom::Integral SplineBottom::integral(double x, double y) const {
           .along_y = sum(slope_weights(at_y.width, at_y.t), area[0], area[1], area_y[0], area_y[1])};
 }
 
+double SplineBottom::increment(double x, double y, double dx, double dy) const {
+  std::vector<double> ends;  // of the pieces of the way, as parts of it
+  const auto add_crossings = [&](std::span<const double> lines, double from, double way) {
+    const auto first = std::upper_bound(lines.begin(), lines.end(), std::min(from, from + way));
+    for (auto line = first; line != lines.end() && *line < std::max(from, from + way); ++line) {
+      ends.push_back((*line - from) / way);
+    }
+  };
+  add_crossings(x_, x, dx);
+  add_crossings(y_, y, dy);
+  std::sort(ends.begin(), ends.end());
+  ends.push_back(1);
+  double sum = 0;
+  double begin = 0;
+  for (const double end : ends) {
+    sum += PlanBottom::increment(x + begin * dx, y + begin * dy, (end - begin) * dx, (end - begin) * dy);
+    begin = end;
+  }
+  return sum;
+}
+
 }  // namespace seiche

@@ -39,6 +39,8 @@ class SplineBottom final : public PlanBottom {
 
   [[nodiscard]] Slope slope(double x, double y) const override;
   [[nodiscard]] Integral integral(double x, double y) const override;
+  /// Exact: cell by cell of the grid.
+  [[nodiscard]] double increment(double x, double y, double dx, double dy) const override;
 
  private:
   struct Node {

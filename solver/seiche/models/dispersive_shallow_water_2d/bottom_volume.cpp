@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace seiche::dispersive_shallow_water_2d {
@@ -29,48 +28,65 @@ BottomVolume::BottomVolume(plan_lattice::Shape shape, std::shared_ptr<const Plan
       bottom_(std::move(bottom)),
       edges_(shape.columns * (shape.rows + 1) + shape.rows * (shape.columns + 1)) {}
 
-BottomVolume::Edge BottomVolume::edge(Places at, std::size_t p, std::size_t q) const {
+BottomVolume::Parts BottomVolume::parts(Places at, std::size_t p, std::size_t q) const {
   const double width = at.x[q] - at.x[p];
   const double height = at.y[q] - at.y[p];
-  Edge edge;
+  Parts parts;
   for (const auto [t, weight] : gauss_points()) {
     const auto b = bottom_->integral(at.x[p] + t * width, at.y[p] + t * height);
-    edge.value += weight * height * b.value;
-    edge.xp += weight * height * (1 - t) * b.elevation;
-    edge.xq += weight * height * t * b.elevation;
-    edge.yp += weight * (height * (1 - t) * b.along_y - b.value);
-    edge.yq += weight * (height * t * b.along_y + b.value);
+    parts.value += weight * height * b.value;
+    parts.xp += weight * height * (1 - t) * b.elevation;
+    parts.xq += weight * height * t * b.elevation;
+    parts.yp += weight * height * (1 - t) * b.along_y;
+    parts.yq += weight * height * t * b.along_y;
+    parts.integral += weight * b.value;
   }
-  return edge;
+  return parts;
+}
+
+BottomVolume::Edge BottomVolume::edge(Places at, std::size_t p, std::size_t q) const {
+  const Parts all = parts(at, p, q);
+  return {.value = all.value, .xp = all.xp, .yp = all.yp - all.integral, .xq = all.xq, .yq = all.yq + all.integral};
 }
 
 BottomVolume::Edge BottomVolume::edge_between(Places q0, Places q1, std::size_t p, std::size_t q) const {
   // The middle of the four coordinates, as two nodes.
   const std::array x{0.5 * (q0.x[p] + q1.x[p]), 0.5 * (q0.x[q] + q1.x[q])};
   const std::array y{0.5 * (q0.y[p] + q1.y[p]), 0.5 * (q0.y[q] + q1.y[q])};
-  const Edge begin = edge(q0, p, q);
-  const Edge middle = edge({x.data(), y.data()}, 0, 1);
-  const Edge end = edge(q1, p, q);
-  const auto mean = [&](double Edge::*part) { return (begin.*part + 4 * (middle.*part) + end.*part) / 6; };
-  Edge result{.value = end.value - begin.value,
-              .xp = mean(&Edge::xp),
-              .yp = mean(&Edge::yp),
-              .xq = mean(&Edge::xq),
-              .yq = mean(&Edge::yq)};
+  const Parts begin = parts(q0, p, q);
+  const Parts middle = parts({x.data(), y.data()}, 0, 1);
+  const Parts end = parts(q1, p, q);
+  const auto mean = [&](double Parts::*part) { return (begin.*part + 4 * (middle.*part) + end.*part) / 6; };
   const std::array way{q1.x[p] - q0.x[p], q1.y[p] - q0.y[p], q1.x[q] - q0.x[q], q1.y[q] - q0.y[q]};
-  const double square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2] + way[3] * way[3];
-  const double along = result.xp * way[0] + result.yp * way[1] + result.xq * way[2] + result.yq * way[3];
-  const double lacking = result.value - along;
-  // Divided by a short way, round-off would become a force.
-  const double roundoff = 8 * std::numeric_limits<double>::epsilon() * (std::abs(begin.value) + std::abs(end.value));
-  if (std::abs(lacking) > roundoff) {
-    const double correction = lacking / square;
-    result.xp += correction * way[0];
-    result.yp += correction * way[1];
-    result.xq += correction * way[2];
-    result.yq += correction * way[3];
+  std::array slope{mean(&Parts::xp), mean(&Parts::yp), mean(&Parts::xq), mean(&Parts::yq)};
+  // What E grows by, less the mean gradient times the way. Both are the same for B and for its difference from B where
+  // a point of the rule is in the middle.
+  const double stretch = way[3] - way[1];
+  double lacking = 0;
+  for (const auto [t, weight] : gauss_points()) {
+    const double dx = 0.5 * std::lerp(way[0], way[2], t);
+    const double dy = 0.5 * std::lerp(way[1], way[3], t);
+    const double place_x = x[0] + t * (x[1] - x[0]);
+    const double place_y = y[0] + t * (y[1] - y[0]);
+    const double after = bottom_->increment(place_x, place_y, dx, dy);
+    const double before = bottom_->increment(place_x, place_y, -dx, -dy);
+    lacking += weight * ((y[1] - y[0]) * (after - before) + stretch / 2 * (after + before));
+    lacking -= weight * stretch * (after + before) / 6;
   }
-  return result;
+  double square = 0;
+  for (std::size_t k = 0; k < way.size(); ++k) {
+    lacking -= slope[k] * way[k];
+    square += way[k] * way[k];
+  }
+  if (square > 0) {
+    for (std::size_t k = 0; k < way.size(); ++k) slope[k] += lacking / square * way[k];
+  }
+  const double integral = mean(&Parts::integral);
+  return {.value = end.value - begin.value,
+          .xp = slope[0],
+          .yp = slope[1] - integral,
+          .xq = slope[2],
+          .yq = slope[3] + integral};
 }
 
 template <class Work>

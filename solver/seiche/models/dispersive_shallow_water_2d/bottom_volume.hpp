@@ -4,6 +4,10 @@
 ///
 /// by Gauss's rule of three points, exact for bottoms of degree 4. Edges cancel between neighbours, so that inner nodes
 /// of raised water at rest feel no force, whatever the error of the rule.
+///
+/// Discrete gradients over a way: what Simpson's mean lacks of E's difference is divided by the way. B counts from far
+/// away, and the difference of two E has the round-off of |B|, which a short way would make a force: a step's sweeps
+/// then never settle. So only differences of B over the way enter, which are as short as it is.
 #pragma once
 
 #include <memory>
@@ -38,7 +42,15 @@ class BottomVolume {
     double value = 0;
     double xp = 0, yp = 0, xq = 0, yq = 0;
   };
+  /// E, its derivatives but for what B itself gives, and the integral of B over the edge's parameter: of E's
+  /// derivatives -B belongs to y_p and B to y_q.
+  struct Parts {
+    double value = 0;
+    double xp = 0, yp = 0, xq = 0, yq = 0;
+    double integral = 0;
+  };
 
+  [[nodiscard]] Parts parts(Places at, std::size_t p, std::size_t q) const;
   [[nodiscard]] Edge edge(Places at, std::size_t p, std::size_t q) const;
   [[nodiscard]] Edge edge_between(Places q0, Places q1, std::size_t p, std::size_t q) const;
   /// work(edge number, p, q) for all edges: those along i first, then those along j.

@@ -18,8 +18,10 @@ Window over_level_bottom(Window window, const Model& model) {
 
 }  // namespace
 
-Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings, Window window, bool smooth_start)
-    : Flow(std::make_unique<Model>(std::move(mesh), settings), velocity, scheme, std::move(window), smooth_start) {}
+Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings, Window window, bool smooth_start,
+           Forcing forcing)
+    : Flow(std::make_unique<Model>(std::move(mesh), settings, std::move(forcing)), velocity, scheme, std::move(window),
+           smooth_start) {}
 
 Flow::Flow(std::unique_ptr<Model>&& model, const Velocity& velocity, Scheme scheme, Window window, bool smooth_start)
     : LatticeFlow(std::move(model), model->state(velocity), model->mesh().plan, model->mesh().sides,

@@ -28,7 +28,7 @@ class Flow : public plan_lattice::LatticeFlow<Model> {
   /// @param smooth_start  the first velocities of the one-step scheme get the part outside the constraints that keeps
   ///                      its multipliers from alternating (mechanics/start.hpp); not with driven sides or compositions
   explicit Flow(Mesh mesh, const Velocity& velocity = {}, Scheme scheme = {}, Settings settings = {},
-                Window window = {}, bool smooth_start = true);
+                Window window = {}, bool smooth_start = true, Forcing forcing = {});
 
   /// The nodes of the free surface, numbered as in plan: node (i, j) at j (columns + 1) + i.
   [[nodiscard]] std::span<const double> surface_x() const { return x().last(shape().nodes()); }

@@ -36,7 +36,7 @@ std::vector<double> volumes_of(const Mesh& mesh) {
 
 }  // namespace
 
-Model::Model(Mesh mesh, Settings settings)
+Model::Model(Mesh mesh, Settings settings, Forcing forcing)
     : mesh_(valid(std::move(mesh))),
       settings_(settings),
       volume_(volumes_of(mesh_)),
@@ -45,6 +45,7 @@ Model::Model(Mesh mesh, Settings settings)
       bottom_(mesh_.bottom, nodes_.on_bottom()),
       gradients_(mesh_.plan.columns, cell_rows(), components),
       patch_forces_(mesh_.plan.columns, mesh_.plan.rows, patch_forces),
+      forcing_(std::move(forcing)),
       driven_place_(nodes_.driven().size()),
       no_cells_(mesh_.plan.columns + 1, 0.0),
       matrix_(mesh_.plan.columns, mesh_.plan.rows, mesh_.layers),
@@ -101,6 +102,7 @@ void Model::linearise(Interval when, Input q) {
   measure(q);
   for (auto& push : push_) std::fill(push.begin(), push.end(), 0.0);
   add_surface_forces(q, 1);
+  measure_body_force(when.middle());
   assemble_and_factor();
   sweeping_ = false;
 }
@@ -127,6 +129,7 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
   add_surface_forces(q0, 1.0 / 6);
   add_surface_forces(middle_, 4.0 / 6);
   add_surface_forces(q1, 1.0 / 6);
+  measure_body_force(when.middle());
   if (sweep == 0) assemble_and_factor();
   sweeping_ = true;
 }
@@ -271,12 +274,31 @@ void Model::kick(double h, Output u) const {
     u[slide.node] += kick * slide.direction.x;
     u[n + slide.node] += kick * slide.direction.y;
   }
+  kick_bodies(h, u);
   // The bottom takes what would go through it.
   for (std::size_t k = 0; k < bottom_.nodes(); ++k) {
     const Vector left = bottom_.along(k, {u[k], u[n + k], u[2 * n + k]});
     u[k] = left.x;
     u[n + k] = left.y;
     u[2 * n + k] = left.z;
+  }
+}
+
+void Model::measure_body_force(double time) {
+  if (!forcing_.body_force) return;
+  body_force_.resize(nodes_.size());
+  for (std::size_t k = 0; k < nodes_.size(); ++k) {
+    body_force_[k] = forcing_.body_force({mesh_.x[k], mesh_.y[k], mesh_.z[k]}, time);
+  }
+}
+
+void Model::kick_bodies(double h, Output u) const {
+  const std::size_t n = nodes_.size();
+  for (std::size_t k = 0; k < body_force_.size(); ++k) {
+    const Vector force = k < bottom_.nodes() ? body_force_[k] : nodes_.allowed(k, body_force_[k]);
+    u[k] += h * force.x;
+    u[n + k] += h * force.y;
+    u[2 * n + k] += h * force.z;
   }
 }
 

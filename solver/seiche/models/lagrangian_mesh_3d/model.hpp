@@ -60,6 +60,12 @@ struct Settings {
   double tolerance = 1e-10;  ///< relative residual of the iteration; 1e-13 where conservation is measured
 };
 
+/// What acts on the water besides gravity.
+struct Forcing {
+  /// Force per unit mass on the node that was at `label` at the beginning [m/s^2]; empty for none.
+  std::function<Vector(Place label, double time)> body_force = {};
+};
+
 /// Velocities at the beginning [m/s], from the water's at a place or of all nodes one by one; empty: water at rest.
 using VelocityAt = std::function<Vector(Place place)>;
 using Velocity = std::variant<VelocityAt, std::vector<Vector>>;
@@ -67,7 +73,7 @@ using Velocity = std::variant<VelocityAt, std::vector<Vector>>;
 class Model {
  public:
   /// Masses and volumes from the mesh. Throws std::invalid_argument (mesh.hpp, sides.hpp, settings out of range).
-  explicit Model(Mesh mesh, Settings settings = {});
+  explicit Model(Mesh mesh, Settings settings = {}, Forcing forcing = {});
 
   /// No guesses from earlier multipliers: A hardly sees checkerboards in plan, so that the solver leaves their errors,
   /// and extrapolation makes them grow from step to step until they cost more iterations than a guess can save.
@@ -138,6 +144,8 @@ class Model {
   [[noreturn]] void throw_folded(Input q) const;
   void assemble_and_factor();
   void add_surface_forces(Input q, double weight);
+  void measure_body_force(double time);
+  void kick_bodies(double h, Output u) const;
   [[nodiscard]] Vector gradient(std::size_t cell, std::size_t corner) const;
 
   /// Cells around a node with their gradients there.
@@ -161,6 +169,8 @@ class Model {
   linear::RowBlocks gradients_;              // by rows of cells, rows.hpp
   linear::RowBlocks patch_forces_;           // surface.hpp
   std::array<std::vector<double>, 3> push_;  // forces on the nodes of the surface
+  Forcing forcing_;
+  std::vector<Vector> body_force_;  // per unit mass, of the last linearisation; empty without
   std::vector<double> middle_, delta_;
   std::vector<Place> driven_place_;  // of driven nodes at the linearised configuration
   std::vector<double> no_cells_;

@@ -1,0 +1,397 @@
+/*
+Figure 7 of Frank (1994) with both of his models: amplitudes and angles of solitary waves reflected by a wall, by
+columns of water and by layers of hexahedra. The theory of Miles (1977) is a limit: of small waves, after infinite time.
+Here each number is one of fine lattices and long times, and goes to that limit with the amplitude. Lengths are in
+depths, times in $\sqrt{\text{depth}/g}$.
+
+**Set-up.** As in `mach_reflection_curves`: spacings go with the length of the waves; runs last until the stem should
+have settled. Each is made on three lattices, with 1.4 and 2 times the spacing of
+the finest, and extrapolated to $h \to 0$; amplitudes at the wall first
+to $t \to \infty$. The hexahedra run at $a_i$ = 0.097 and 0.186, as in the source, and the columns at 0.05 and 0.3 too.
+
+**What is compared.** With the theory for finite angles, at the measured incident amplitude, for the hexahedra shed some
+of theirs: $\kappa = \tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$ gives $a_w = (1+\kappa)^2 a_i$, $a_r = \kappa^2 a_i$ and
+$\tan\psi_r = \sqrt{3a_i}\cos\psi_i$. It leaves out what is of the order of $a_i$: that is the limit. The time in which
+the stem settles, for small waves; the two models with each other. And a run that starts from a wave half as high again
+next to the wall.
+
+**What to look at.** Of $a_i$ = 0.3, 0.186, 0.097, 0.05 the smaller, the nearer to the theory. Stems settle later than
+it says, the later the higher the wave. What the start was is forgotten. Regular reflection gives back all of the
+incident amplitude: what lattices of half a depth lack, 4 to 5 %, is theirs.
+*/
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/mach_reflection.hpp"
+#include "validation/case/case.hpp"
+#include "validation/case/on_threads.hpp"
+#include "validation/instruments/fine_limit.hpp"
+#include "validation/mach_reflection/kept_reflection.hpp"
+#include "validation/mach_reflection/reflection_run.hpp"
+#include "validation/mach_reflection/reflection_sweep.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Bound;
+using evidence::Measurement;
+using evidence::Role;
+using exact::MachReflection;
+
+const std::string theory_source = "Miles (1977); Li, Yeh and Kodama (2011)";
+const std::vector<double> lattices{1, 1.4, 2};  // spacings over that of the finest
+constexpr double none = std::numeric_limits<double>::infinity();
+constexpr double lowest_reflected = 0.03;
+constexpr double cusp = 0.15;           // of kappa: next to 1 no limit is reached
+constexpr double small = 0.1;           // amplitude up to which the theory's second order still tells something
+constexpr double coarser_layers = 1.4;  // spacing of hexahedra over that of columns
+constexpr double excess = 0.5;          // of the other start
+
+/// What is run at one amplitude.
+struct Plan {
+  double amplitude;
+  double coarseness;  ///< spacing over that at a = 0.3
+  std::vector<double> angles;
+  double hexahedra_from;  ///< least angle of the hexahedra: below, their reflected crests sink into the ripples
+};
+
+std::vector<Plan> plans(const Values& values) {
+  if (values.tier() == Tier::quick) return {{0.097, 1.8, {20}, none}};
+  const std::vector<Plan> all = {{0.05, 2.5, {14, 17, 24}, none},
+                                 {0.097, 1.8, {18, 20, 22, 30}, 20},
+                                 {0.186, 1.2, {20, 25, 28, 40}, 25},
+                                 {0.3, 1, {25, 30, 33, 45}, none}};
+  if (values.real("amplitude") == 0) return all;
+  for (const Plan& plan : all) {
+    if (plan.amplitude == values.real("amplitude")) return {plan};
+  }
+  throw std::invalid_argument(fmt::format("amplitude = {:g}; allowed: 0.05, 0.097, 0.186, 0.3, or 0 for all of them",
+                                          values.real("amplitude")));
+}
+
+/// One wave and one model: lattices, the finest first, and the other start on the coarsest.
+struct Wave {
+  double amplitude = 0;
+  double angle = 0;  ///< [deg]
+  WaveModel model = WaveModel::plan;
+  std::vector<Reflection> lattices = {};
+  std::optional<Reflection> strengthened = {};
+
+  [[nodiscard]] std::string name() const { return model == WaveModel::plan ? "columns" : "hexahedra"; }
+  [[nodiscard]] std::string id() const { return fmt::format("{}-{}-{:g}", name(), id_of(amplitude), angle); }
+  [[nodiscard]] std::string text() const {
+    return fmt::format("{}, a = {:g}, {:g} deg", model == WaveModel::plan ? "Columns" : "Hexahedra", amplitude, angle);
+  }
+  /// By the nominal amplitude: what is claimed must not depend on what comes out.
+  [[nodiscard]] MachReflection nominal() const {
+    return {amplitude, radians(angle), MachReflection::Theory::kodama_yeh};
+  }
+  [[nodiscard]] bool stem() const { return nominal().kappa() < 1 - cusp + 1e-9; }
+  [[nodiscard]] double incident() const { return limit(&Reflection::incident_amplitude).value; }
+  [[nodiscard]] MachReflection theory() const {
+    return {incident(), radians(angle), MachReflection::Theory::kodama_yeh};
+  }
+  /// tan(psi_r) = sqrt(3a) cos(psi_i) where a stem grows [deg].
+  [[nodiscard]] double theory_angle() const {
+    return stem() ? degrees(std::atan(std::sqrt(3 * incident()) * std::cos(radians(angle)))) : angle;
+  }
+
+  /// Of fine lattices, from what each of them gave.
+  [[nodiscard]] Measurement limit(Measurement (Reflection::*of)() const) const {
+    std::vector<double> sizes, numbers;
+    for (const Reflection& r : lattices) {
+      sizes.push_back(r.run.spacing);
+      numbers.push_back((r.*of)().value);
+    }
+    const FineLimit fine = fine_limit(sizes, numbers);
+    return {.value = fine.value,
+            .uncertainty = std::hypot(fine.uncertainty, (lattices.front().*of)().half_width()),
+            .resolution = fmt::format("{} and {} times that", lattices.front().run.resolution(), "1.4 and 2")};
+  }
+};
+
+using Results = std::vector<Wave>;
+
+std::vector<Wave> waves(const Values& values) {
+  std::vector<Wave> all;
+  for (const Plan& plan : plans(values)) {
+    for (const double angle : plan.angles) {
+      all.push_back({.amplitude = plan.amplitude, .angle = angle});
+      if (angle >= plan.hexahedra_from)
+        all.push_back({.amplitude = plan.amplitude, .angle = angle, .model = WaveModel::hexahedra});
+    }
+  }
+  return all;
+}
+
+double coarseness(const Values& values, double amplitude) {
+  for (const Plan& plan : plans(values)) {
+    if (plan.amplitude == amplitude) return plan.coarseness;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The other start: of the first angle at each amplitude.
+bool starts_otherwise(const Values& values, const Wave& wave) {
+  if (wave.model != WaveModel::plan) return false;
+  const std::vector<Plan> all = plans(values);
+  return std::any_of(all.begin(), all.end(), [&](const Plan& plan) {
+    return plan.amplitude == wave.amplitude && plan.angles.front() == wave.angle;
+  });
+}
+
+Measurement relative(const Measurement& found, double expected) {
+  return {.value = found.value / expected - 1,
+          .uncertainty = found.half_width() / expected,
+          .resolution = found.resolution};
+}
+
+void claim_theory(const Claims<Wave>& claims, const Wave& wave) {
+  const Bound bound{.limit = wave.amplitude, .reason = "what the theory leaves out is of the order of the amplitude"};
+  claims.check(
+      {.id = "wall-" + wave.id(),
+       .text = wave.text() + ": the wave on the wall is as high as the theory says.",
+       .quantity = "a_w/a_i for fine lattices and infinite time over the theory's, less 1",
+       .source = theory_source},
+      [](const Wave& w) { return relative(w.limit(&Reflection::limit_ratio), w.theory().wall_ratio()); }, bound);
+  const MachReflection nominal = wave.nominal();
+  claims
+      .only_if(nominal.reflected_ratio() * wave.amplitude > lowest_reflected,
+               "waves lower than 0.03 depths these lattices do not know to a tenth")
+      .check(
+          {.id = "reflected-" + wave.id(),
+           .text = wave.text() + ": so is the reflected wave.",
+           .quantity = "a_r/a_i for fine lattices over the theory's, less 1",
+           .source = theory_source},
+          [](const Wave& w) { return relative(w.limit(&Reflection::reflected_ratio), w.theory().reflected_ratio()); },
+          Bound{.limit = 2 * wave.amplitude,
+                .reason = "kappa is known to the order of the amplitude, its square to twice that"});
+  claims.check(
+      {.id = "angle-" + wave.id(),
+       .text = wave.text() + ": it leaves the wall at the theory's angle.",
+       .quantity = "psi_r for fine lattices over the theory's, less 1",
+       .source = theory_source},
+      [](const Wave& w) { return relative(w.limit(&Reflection::reflected_angle), w.theory_angle()); }, bound);
+}
+
+void claim_small(const Claims<Wave>& claims, const Wave& wave) {
+  const double kappa = wave.nominal().kappa();
+  claims.check(
+      {.id = "settling-" + wave.id(),
+       .text = wave.text() + ": the stem settles at the theory's rate.",
+       .quantity = "rate of the fitted exponential over the theory's, less 1",
+       .source = "Kodama and Yeh (2016)"},
+      [](const Wave& w) -> Measurement {
+        const Reflection& r = w.lattices.front();
+        return {.value = r.limit.exponential.rate / r.run.settling_rate() - 1, .resolution = r.run.resolution()};
+      },
+      Bound{.limit = wave.amplitude * (2.5 + kappa / (1 - kappa)),
+            .reason = "r = S^3 kappa (1 - kappa)/3: a relative error a in S^2 and in kappa makes 3a/2, a and "
+                      "a kappa/(1 - kappa)"});
+}
+
+void claim_start(const Claims<Wave>& claims, const Wave& wave) {
+  claims.check(
+      {.id = "start-" + wave.id(),
+       .text = wave.text() + ": a wave that starts half as high again next to the wall ends alike.",
+       .quantity = "difference of a_w/a_i for infinite time",
+       .source = "Frank (1994), section 4.3"},
+      [](const Wave& w) -> Measurement {
+        const Measurement usual = w.lattices.back().limit_ratio();
+        const Measurement other = w.strengthened->limit_ratio();
+        return {.value = other.value - usual.value,
+                .resolution = w.strengthened->run.resolution(),
+                .told = {.limit = std::hypot(usual.half_width(), other.half_width())}};
+      },
+      Bound{.limit = evidence::Amount::told_by_run(0.1),
+            .reason = "how well the two limits are known, together; a tenth at most, where a start that is half "
+                      "remembered would leave a quarter of a_w/a_i"});
+}
+
+void claim_models(const Claims<Results>& claims, const Wave& wave, std::size_t columns, std::size_t hexahedra) {
+  claims.check(
+      {.id = fmt::format("models-{}-{:g}", id_of(wave.amplitude), wave.angle),
+       .text = fmt::format("a = {:g}, {:g} deg: the two models have nearly the same amplitude at the wall.",
+                           wave.amplitude, wave.angle),
+       .quantity = "a_w/a_i of the hexahedra over that of the columns, less 1",
+       .source = "Frank (1994), section 4.3"},
+      [=](const Results& r) {
+        const Measurement layered = r.at(hexahedra).limit(&Reflection::limit_ratio);
+        const Measurement plain = r.at(columns).limit(&Reflection::limit_ratio);
+        return Measurement{.value = layered.value / plain.value - 1,
+                           .uncertainty = std::hypot(layered.half_width(), plain.half_width()) / plain.value,
+                           .resolution = layered.resolution};
+      },
+      Bound{.limit = wave.amplitude, .reason = "they differ by what the theory of both leaves out"});
+}
+
+void claims(const Values& values, const Claims<Results>& claims) {
+  const std::vector<Wave> all = waves(values);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto wave = claims.of([k](const Results& r) -> const Wave& { return r.at(k); });
+    claim_theory(wave, all[k]);
+    if (all[k].amplitude < small && all[k].stem()) claim_small(wave, all[k]);
+    if (starts_otherwise(values, all[k])) claim_start(wave, all[k]);
+    if (all[k].model == WaveModel::hexahedra) claim_models(claims, all[k], k - 1, k);
+  }
+}
+
+Results compute(const Run& run) {
+  Results all = waves(run);
+  struct Task {
+    std::size_t wave;
+    ReflectionRun what;
+    Reflection* result;
+  };
+  std::vector<Task> tasks;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    Wave& wave = all[k];
+    wave.lattices.resize(lattices.size());
+    if (starts_otherwise(run, wave)) wave.strengthened.emplace();
+    const bool layered = wave.model == WaveModel::hexahedra;
+    ReflectionRun what{.amplitude = wave.amplitude,
+                       .angle = radians(wave.angle),
+                       .model = wave.model,
+                       .layers = static_cast<std::size_t>(run.integer("layers")),
+                       .tolerance = layered ? 1e-6 : 1e-7};
+    for (std::size_t lattice = 0; lattice < lattices.size(); ++lattice) {
+      what.spacing =
+          run.real("h") * coarseness(run, wave.amplitude) * (layered ? coarser_layers : 1) * lattices[lattice];
+      tasks.push_back({k, what, &wave.lattices[lattice]});
+    }
+    if (!wave.strengthened) continue;
+    what.excess = excess;
+    tasks.push_back({k, what, &*wave.strengthened});
+  }
+  on_threads(
+      tasks.size(), workers_of(run.tier()),
+      [&](std::size_t k) { *tasks[k].result = reflect_as_part(run, tasks[k].what); },
+      [&](std::size_t finished) { run.progress(static_cast<double>(finished) / static_cast<double>(tasks.size())); });
+  return all;
+}
+
+/// kappa by the measured amplitude, a_w/a_i and a_r/a_i with their uncertainties.
+struct Points {
+  std::vector<double> kappa, wall, wall_error, reflected, reflected_error;
+};
+
+void draw(evidence::Exhibit& exhibit, const Results& all) {
+  auto& figure = exhibit.figure("amplitudes", "Amplitudes for fine lattices and long times, by both models",
+                                "Against kappa for finite angles, by the measured incident amplitude. Lines: theory "
+                                "for small waves.",
+                                {"frank-fig-7"});
+  auto& wall = figure.panel({.x = "kappa", .y = "a_w/a_i"});
+  auto& reflected = figure.panel({.x = "kappa", .y = "a_r/a_i"});
+  std::vector<double> kappa, high, low;
+  for (double k = 0.4; k < 1.6; k += 0.005) {
+    kappa.push_back(k);
+    high.push_back(MachReflection::wall_ratio(k));
+    low.push_back(MachReflection::reflected_ratio(k));
+  }
+  wall.line("theory", kappa, high, Role::guide);
+  reflected.line("theory", kappa, low, Role::guide);
+  for (const WaveModel model : {WaveModel::plan, WaveModel::hexahedra}) {
+    std::vector<double> amplitudes;
+    for (const Wave& wave : all) {
+      if (wave.model == model && (amplitudes.empty() || amplitudes.back() != wave.amplitude)) {
+        amplitudes.push_back(wave.amplitude);
+      }
+    }
+    for (const double amplitude : amplitudes) {
+      Points p;
+      std::string name;
+      for (const Wave& wave : all) {
+        if (wave.model != model || wave.amplitude != amplitude) continue;
+        name = fmt::format("{}, a = {:g}", wave.name(), amplitude);
+        const Measurement a_w = wave.limit(&Reflection::limit_ratio);
+        const Measurement a_r = wave.limit(&Reflection::reflected_ratio);
+        p.kappa.push_back(wave.theory().kappa());
+        p.wall.push_back(a_w.value);
+        p.wall_error.push_back(a_w.half_width());
+        p.reflected.push_back(a_r.value);
+        p.reflected_error.push_back(a_r.half_width());
+      }
+      const Role role = model == WaveModel::plan ? Role::computed : Role::peer;
+      wall.points(name, p.kappa, p.wall, role, p.wall_error);
+      reflected.points(name, p.kappa, p.reflected, role, p.reflected_error);
+    }
+  }
+  auto& growth = exhibit.figure("start", "Two starts", "The second one is half as high again next to the wall.");
+  for (const Wave& wave : all) {
+    if (!wave.strengthened) continue;
+    auto& panel = growth.panel({.x = "t [sqrt(depth/g)]", .y = "a_w [depth]", .title = wave.text()});
+    panel.line("usual", wave.lattices.back().time, wave.lattices.back().wall);
+    panel.line("higher next to the wall", wave.strengthened->time, wave.strengthened->wall, Role::peer);
+  }
+}
+
+void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  draw(exhibit, all);
+  evidence::Table table{.id = "limits",
+                        .title = "Limits of fine lattices and long times",
+                        .caption = "Settling: rate of the fitted exponential over the theory's.",
+                        .columns = {{"model", ""},
+                                    {"a", "depth"},
+                                    {"psi_i", "deg"},
+                                    {"run", ""},
+                                    {"a_i", "depth"},
+                                    {"kappa", "1"},
+                                    {"a_w/a_i", "1"},
+                                    {"theory", "1"},
+                                    {"a_r/a_i", "1"},
+                                    {"theory", "1"},
+                                    {"3 a_r/psi_i^2", "1"},
+                                    {"psi_r", "deg"},
+                                    {"theory", "deg"},
+                                    {"settling", "1"},
+                                    {"processor time", "s"}},
+                        .rows = {},
+                        .atlas = {}};
+  const auto digits = [](double value) { return std::round(value * 1e4) / 1e4; };
+  for (const Wave& wave : all) {
+    const Reflection& finest = wave.lattices.front();
+    const double settling = wave.stem() ? finest.limit.exponential.rate / finest.run.settling_rate()
+                                        : std::numeric_limits<double>::quiet_NaN();
+    table.rows.push_back({wave.name(), wave.amplitude, wave.angle, finest.run.resolution(), digits(wave.incident()),
+                          digits(wave.theory().kappa()), digits(wave.limit(&Reflection::limit_ratio).value),
+                          digits(wave.theory().wall_ratio()), digits(wave.limit(&Reflection::reflected_ratio).value),
+                          digits(wave.theory().reflected_ratio()),
+                          digits(3 * wave.limit(&Reflection::reflected_ratio).value * wave.incident() /
+                                 std::pow(radians(wave.angle), 2)),
+                          digits(wave.limit(&Reflection::reflected_angle).value), digits(wave.theory_angle()),
+                          wave.stem() ? fmt::format("{:.2f}", settling) : std::string("-"),
+                          std::round(10 * finest.seconds) / 10});
+    if (wave.stem()) exhibit.measure("settling_" + wave.id(), settling);
+  }
+  exhibit.table(std::move(table));
+}
+
+}  // namespace
+
+Case mach_reflection_limits() {
+  Case c;
+  c.title = "Mach reflection by two models: limits of fine lattices, small waves and long times";
+  c.source =
+      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 4, figure 7; J. W. Miles, "
+      "J. "
+      "Fluid Mech. 79 (1977) 171";
+  c.tiers = {Tier::quick, Tier::full, Tier::paper};
+  c.parameters = {
+      real("amplitude", {0.097, 0, 0}, "depth", {0, 0.3}, "of the only wave: 0.05, 0.097, 0.186 or 0.3; 0 for all"),
+      real("h", {0.5, 0.35, 0.3}, "depth", {0.2, 0.6},
+           "finest spacing of columns at a = 0.3; 1.2, 1.8 and 2.5 times that at the others"),
+      integer("layers", 2, {1, 4}, "of hexahedra"),
+  };
+  c.published = {{.tiles = {"frank-fig-7"},
+                  .tier = Tier::full,
+                  .differs = "the thesis states neither the spacing nor all of the angles"}};
+  c.study = Study(claims, compute, show);
+  return c;
+}
+
+}  // namespace seiche::validation::cases

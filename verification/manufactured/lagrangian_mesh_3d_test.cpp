@@ -1,0 +1,317 @@
+// Hexahedra against a manufactured motion of water over an uneven bottom: orders in space, and in time alone.
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "reports/evidence/slope_guide.hpp"
+#include "seiche/models/lagrangian_mesh_3d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+#include "verification/manufactured/hexahedral_motion.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::verification;
+using namespace seiche::lagrangian_mesh_3d;
+using evidence::observed_order;
+using evidence::Order;
+using evidence::Roundoff;
+using Motion = HexahedralMotion;
+
+const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";
+constexpr double duration = 0.6;
+
+Mesh mesh_of(std::size_t n) {
+  const auto bottom = Motion::bottom();
+  return layer_mesh({.begin = 0,
+                     .end = Motion::length,
+                     .south = 0,
+                     .north = Motion::length,
+                     .columns = n,
+                     .rows = n,
+                     .layers = n,
+                     .elevation = [=](double x, double y) { return bottom->slope(x, y).elevation + Motion::depth; },
+                     .bottom = bottom});
+}
+
+Flow flow_of(std::size_t n, Stepping stepping, long steps) {
+  Flow flow(mesh_of(n), VelocityAt([](Place p) {
+              return Motion::at({p.x, p.y, p.z}, 0).velocity;
+            }),
+            {.stepping = stepping}, {.gravity = Motion::gravity, .tolerance = 1e-11}, {}, false,
+            {.body_force = [](Place label, double time) {
+              return Motion::at({label.x, label.y, label.z}, time).force;
+            }});
+  for (long step = 0; step < steps; ++step) flow.advance(duration / static_cast<double>(steps));
+  return flow;
+}
+
+double dot(const Vector& a, const Vector& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// Is a node in the middle half of the mesh, each way?
+bool in_the_middle(std::size_t index, std::size_t n) {
+  return 4 * index >= n && 4 * index <= 3 * n;
+}
+
+/// Root mean squares at the end.
+struct Errors {
+  double interior = 0;   ///< places in the middle half of the water, each way
+  double velocity = 0;   ///< there
+  double lambda = 0;     ///< in the middles of cells there, one step before the end
+  double shape = 0;      ///< distance of the surface's nodes from the exact surface, in its middle half each way
+  double slip = 0;       ///< and their displacement along it
+  double on_bottom = 0;  ///< displacement of nodes along the bottom, in its middle half
+};
+
+class MeanSquare {
+ public:
+  void add(double value) {
+    sum_ += value * value;
+    ++count_;
+  }
+  [[nodiscard]] double root() const { return std::sqrt(sum_ / count_); }
+
+ private:
+  double sum_ = 0;
+  double count_ = 0;  // none: not a number
+};
+
+Errors errors_of(const Flow& flow) {
+  const Mesh& mesh = flow.model().mesh();
+  const auto exact_at = [&](std::size_t k, double time) { return Motion::at({mesh.x[k], mesh.y[k], mesh.z[k]}, time); };
+  const std::size_t n = mesh.layers;
+  MeanSquare interior, velocity, lambda, shape, slip, on_bottom;
+  for (std::size_t l = 0; l <= n; ++l) {
+    for (std::size_t j = 0; j <= n; ++j) {
+      for (std::size_t i = 0; i <= n; ++i) {
+        if (!in_the_middle(i, n) || !in_the_middle(j, n)) continue;
+        const std::size_t k = mesh.node(i, j, l);
+        const Motion::Sample exact = exact_at(k, duration);
+        const Vector off{flow.x()[k] - exact.place.x, flow.y()[k] - exact.place.y, flow.z()[k] - exact.place.z};
+        const double distance = std::sqrt(dot(off, off));
+        if (in_the_middle(l, n)) {
+          const Vector du{flow.u()[k] - exact.velocity.x, flow.v()[k] - exact.velocity.y,
+                          flow.w()[k] - exact.velocity.z};
+          interior.add(distance);
+          velocity.add(std::sqrt(dot(du, du)));
+        }
+        if (l == 0) on_bottom.add(distance);
+        if (l == n) {
+          const double through = dot(off, exact.normal) / std::sqrt(dot(exact.normal, exact.normal));
+          shape.add(through);
+          slip.add(std::sqrt(std::abs(distance * distance - through * through)));
+        }
+      }
+    }
+  }
+  const std::vector<double> pressure = flow.dynamic_pressure();
+  const double tau = flow.time() / static_cast<double>(flow.steps());
+  const auto inside = [n](std::size_t index) { return 4 * index >= n && 4 * (index + 1) <= 3 * n; };
+  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+    if (!inside(cell % n) || !inside(cell / n % n) || !inside(cell / (n * n))) continue;
+    Vector middle;
+    for (const std::size_t k : mesh.corners(cell)) {
+      middle = {middle.x + mesh.x[k] / 8, middle.y + mesh.y[k] / 8, middle.z + mesh.z[k] / 8};
+    }
+    lambda.add(pressure[cell] - Motion::at(middle, duration - tau).lambda);
+  }
+  return {.interior = interior.root(),
+          .velocity = velocity.root(),
+          .lambda = lambda.root(),
+          .shape = shape.root(),
+          .slip = slip.root(),
+          .on_bottom = on_bottom.root()};
+}
+
+struct Quantity {
+  std::string id, text;
+  double Errors::*error;
+  Order order;
+};
+
+const std::vector<Quantity> quantities = {
+    {"interior",
+     "places in the interior are of second order",
+     &Errors::interior,
+     {2, 0.15, "second order; coarse meshes' interiors still feel the layer at the surface and the bottom"}},
+    {"velocity",
+     "so are the velocities there",
+     &Errors::velocity,
+     {2, 0.15, "second order; coarse meshes' interiors still feel the layer at the surface and the bottom"}},
+    {"pressure",
+     "so is the pressure there",
+     &Errors::lambda,
+     {2, 0.15, "second order; coarse meshes' interiors still feel the layer at the surface and the bottom"}},
+    {"shape",
+     "the surface's shape is of second order",
+     &Errors::shape,
+     {2, 0.2, "second order: what is of first order is along the surface"}},
+    {"slip",
+     "surface nodes slip along the surface to first order",
+     &Errors::slip,
+     {1, 0.15, "a node feels the pressure gradient half a cell inside; the next term is of second order"}},
+    {"bottom",
+     "nodes slide along the bottom to first order",
+     &Errors::on_bottom,
+     {1, 0.15, "a node feels the pressure gradient half a cell inside; the next term is of second order"}},
+};
+
+}  // namespace
+
+TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from its force", "[manufactured]") {
+  Check check("hexahedral_motion", "The manufactured motion over an uneven bottom: identities",
+              "Volumes, walls and the bottom are kept by identities. Velocities are the rates of places, and the force "
+              "over the acceleration is the gradient of the pressure, $F^T (f - r_{tt}) = \\nabla \\lambda$ over the "
+              "labels: both by differences of sixth order over steps of 1/50, which know nothing of the formulas for "
+              "derivatives.");
+  const auto bottom = Motion::bottom();
+  /// At labels X, Y, height and a time.
+  using At = std::array<double, 4>;
+  const auto sample = [&](const At& at) {
+    return Motion::at({at[0], at[1], bottom->slope(at[0], at[1]).elevation + at[2]}, at[3]);
+  };
+  constexpr double h = 0.02;
+  const auto derivative = [&](const At& at, std::size_t along, const auto& part) {
+    double sum = 0;
+    for (const auto& [k, weight] : {std::pair{1, 45.0}, {2, -9.0}, {3, 1.0}}) {
+      At ahead = at;
+      At behind = at;
+      ahead[along] += k * h;
+      behind[along] -= k * h;
+      sum += weight / (60 * h) * (part(sample(ahead)) - part(sample(behind)));
+    }
+    return sum;
+  };
+  using Part = double (*)(const Motion::Sample&);
+  const std::array<Part, 3> places{[](const Motion::Sample& s) { return s.place.x; },
+                                   [](const Motion::Sample& s) { return s.place.y; },
+                                   [](const Motion::Sample& s) { return s.place.z; }};
+  const std::array<Part, 3> velocities{[](const Motion::Sample& s) { return s.velocity.x; },
+                                       [](const Motion::Sample& s) { return s.velocity.y; },
+                                       [](const Motion::Sample& s) { return s.velocity.z; }};
+  const std::array<Part, 3> forces{[](const Motion::Sample& s) { return s.force.x; },
+                                   [](const Motion::Sample& s) { return s.force.y; },
+                                   [](const Motion::Sample& s) { return s.force.z; }};
+  Worst volume, walls, velocity, balance;
+  for (const double t : {0.0, 0.4, 1.0}) {
+    for (const double a : {0.0, 0.3, 0.7, 1.1, 1.6, 2.0}) {
+      for (const double c : {0.0, 0.5, 1.2, 2.0}) {
+        for (const double height : {0.0, 0.4, 1.0}) {
+          const At at{a, c, height, t};
+          const Motion::Sample s = sample(at);
+          volume.add(s.volume - 1);
+          if (a == 0 || a == 2) walls.add(s.place.x - a);
+          if (c == 0 || c == 2) walls.add(s.place.y - c);
+          if (height == 0) walls.add(s.place.z - bottom->slope(s.place.x, s.place.y).elevation);
+          std::array<double, 3> excess{};
+          for (std::size_t i = 0; i < 3; ++i) {
+            velocity.add(derivative(at, 3, places[i]) - velocities[i](s));
+            excess[i] = forces[i](s) - derivative(at, 3, velocities[i]);
+          }
+          for (std::size_t label = 0; label < 3; ++label) {
+            double along = 0;
+            for (std::size_t i = 0; i < 3; ++i) along += excess[i] * derivative(at, label, places[i]);
+            balance.add(along - derivative(at, label, [](const Motion::Sample& m) { return m.lambda; }));
+          }
+        }
+      }
+    }
+  }
+  check.that({.id = "volume", .text = "The motion keeps volumes.", .quantity = "largest det F - 1", .source = source},
+             {.value = volume.value()},
+             Roundoff{.operations = 100, .scale = 4, .reason = "products of three of some tens of roundings each"});
+  check.that({.id = "walls",
+              .text = "It keeps the walls and the bottom.",
+              .quantity = "largest distance from them",
+              .source = source},
+             {.value = walls.value()},
+             Roundoff{.operations = 20, .scale = 2, .reason = "some twenty roundings of places up to 2"});
+  const evidence::Bound bound{.limit = 1e-7,
+                              .reason =
+                                  "h^6/140 of a seventh derivative, some 4^7 of functions of order 1: 8e-9; "
+                                  "a term of the pressure forgotten or a wrong sign makes 1e-2"};
+  check.that({.id = "velocity",
+              .text = "Velocities are rates of places.",
+              .quantity = "largest difference from that by differences",
+              .source = source},
+             {.value = velocity.value()}, bound);
+  check.that({.id = "force",
+              .text = "The force over the acceleration is the gradient of the pressure.",
+              .quantity = "largest difference by differences",
+              .source = source},
+             {.value = balance.value()}, bound);
+}
+
+TEST_CASE("hexahedra over an uneven bottom are of second order against a manufactured motion", "[manufactured]") {
+  Check check(
+      "lagrangian_mesh_3d_manufactured", "Hexahedra: manufactured motion over an uneven bottom",
+      "Water 1 deep over a bottom bent along both axes, between walls 2 apart each way, follows a prescribed "
+      "motion under the body force that sustains it: columns are sheared along x and along y, the bottom's "
+      "nodes slide on it by up to 0.1. $n^3$ cells, steps of some half of the height of a cell, until $t = 0.6$; root "
+      "mean squares. A node of the surface, of the bottom or of a wall feels the pressure gradient half a cell "
+      "inside and slips along it to first order, in a layer of one cell, which the pressure there feels. Everything "
+      "else is of second order.");
+  std::vector<double> sizes;
+  std::vector<std::vector<double>> errors(quantities.size());
+  for (const std::size_t n : {16U, 20U, 24U, 32U, 40U}) {
+    const Errors found = errors_of(flow_of(n, Stepping::one_step, 5 * static_cast<long>(n) / 4));
+    sizes.push_back(1 / static_cast<double>(n));
+    for (std::size_t i = 0; i < quantities.size(); ++i) errors[i].push_back(found.*quantities[i].error);
+  }
+  auto& panel = check.figure("convergence", "Errors under refinement", "Grey lines have slopes 1 and 2.")
+                    .panel({.x = "height of a cell", .y = "error", .log_x = true, .log_y = true});
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    const Quantity& quantity = quantities[i];
+    panel.line(quantity.id, sizes, errors[i]);
+    check.that({.id = quantity.id,
+                .text = "Over the uneven bottom " + quantity.text + ".",
+                .quantity = "observed order",
+                .source = source},
+               observed_order(sizes, errors[i]), quantity.order);
+    check.measure(quantity.id + ": error with 40^3 cells", errors[i].back());
+  }
+  validation::slope_guide(panel, 1, sizes, errors[4].back() * 1.5);
+  validation::slope_guide(panel, 2, sizes, errors[0].back() / 1.5);
+}
+
+TEST_CASE("hexahedra over an uneven bottom are of second order in time alone", "[manufactured]") {
+  Check check("lagrangian_mesh_3d_manufactured_time", "Hexahedra: manufactured motion, order in time",
+              "The same motion on $6^3$ cells with 8 to 64 steps, against 512 steps on the same cells: errors of time "
+              "alone, with the bottom's nodes among them.");
+  constexpr std::size_t n = 6;
+  for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
+    const Flow finest = flow_of(n, stepping, 512);
+    std::vector<double> taus, places, velocities;
+    for (const long steps : {8, 16, 32, 64}) {
+      const Flow flow = flow_of(n, stepping, steps);
+      MeanSquare place, velocity;
+      for (std::size_t k = 0; k < 3 * flow.x().size(); ++k) {
+        place.add(flow.state().q[k] - finest.state().q[k]);
+        velocity.add(flow.state().u[k] - finest.state().u[k]);
+      }
+      taus.push_back(duration / static_cast<double>(steps));
+      places.push_back(place.root());
+      velocities.push_back(velocity.root());
+    }
+    const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
+    const Order second{2, 0.1, "a symmetric scheme; 512 steps err by 1/64 of 64"};
+    check.that({.id = id + "-places",
+                .text = id + ": places are of second order in time.",
+                .quantity = "observed order",
+                .source = source},
+               observed_order(taus, places), second);
+    check.that({.id = id + "-velocities",
+                .text = id + ": velocities are of second order in time.",
+                .quantity = "observed order",
+                .source = source},
+               observed_order(taus, velocities), second);
+  }
+}
