@@ -23,6 +23,7 @@ for the errors of the pressure and of the inertia cancel; at an angle $\theta$ a
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -56,6 +57,14 @@ Fitted fitted(double kx, double ky, double h1, double h2) {
   Fitted result;
   side(kx, h1, result.tank.length, result.tank.columns, result.half_waves_x);
   side(ky, h2, result.tank.width, result.tank.rows, result.half_waves_y);
+  constexpr double most = 4e6;  // some gigabytes
+  if (const double cells = static_cast<double>(result.tank.columns) * static_cast<double>(result.tank.rows);
+      cells > most) {
+    throw std::invalid_argument(
+        fmt::format("h1 = {:g}, h2 = {:g} and the wavenumber make {:.3g} cells: must be at most "
+                    "{:g}",
+                    h1, h2, cells, most));
+  }
   return result;
 }
 

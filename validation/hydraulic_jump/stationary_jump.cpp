@@ -17,8 +17,8 @@ for them. For the particles the water moves 43 m and the jump stays: to the last
 #include <fmt/format.h>
 
 #include "seiche/exact/bore.hpp"
-#include "seiche/require.hpp"
 #include "validation/case/case.hpp"
+#include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases {
@@ -42,7 +42,7 @@ struct SetUp {
 
 SetUp set_up(const Values& values) {
   const double gravity = values.real("gravity");
-  require_within("deep_depth/shallow_depth", values.real("deep_depth") / values.real("shallow_depth"), 1.001, 1e6);
+  require_bore(values, "deep_depth", "shallow_depth");
   const StationaryJump jump(gravity, values.real("shallow_depth"), values.real("deep_depth"), place);
   const Discretisation discretisation{
       .scheme = "H2", .particles = values.integer("particles"), .time_step = values.real("time_step"), .theta = 1.5};
