@@ -253,8 +253,8 @@ Case dispersion_plan() {
   c.parameters = {
       real("wavenumber", 1.0, "1/H", {1e-2, 20}, "of the wave"),
       real("direction", 30.0, "degrees", {0, 90}, "of the wave, from the x axis"),
-      real("h1", 0.5, "H", {1e-2, 5}, "length of cells; changed to fit a whole number of times between the walls"),
-      real("h2", 0.5, "H", {1e-2, 5}, "width of cells, likewise"),
+      real("h1", 0.5, "H", {1e-2, 1.5}, "length of cells; changed to fit a whole number of times between the walls"),
+      real("h2", 0.5, "H", {1e-2, 1.5}, "width of cells, likewise"),
       real("tau", 0.1, "sqrt(H/g)", {1e-3, 1}, "time step"),
       real("periods", {10.0, 20.0, 40.0}, "1", {2, 1000}, "length of the run"),
   };
