@@ -27,6 +27,7 @@ reproduced.
 #include "seiche/exact/bore_reflection.hpp"
 #include "validation/case/case.hpp"
 #include "validation/scoring/score.hpp"
+#include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/judged_states.hpp"
 
 namespace seiche::validation::cases {
@@ -78,6 +79,7 @@ Mirrored solution_of(const Values& values) {
   }
   const bool left = values.text("wall") == "left";
   const double mirrored_jump = left ? start + end - jump : jump;
+  require_bore(values, "front_depth", "still_depth");
   const exact::Bore incident(gravity, values.real("still_depth"), values.real("front_depth"), 0, mirrored_jump);
   return {exact::BoreReflection(incident, end), start, end, left};
 }

@@ -16,6 +16,7 @@ jumps, and then both that leave it.
 #include "seiche/exact/colliding_bores.hpp"
 #include "validation/case/case.hpp"
 #include "validation/scoring/score.hpp"
+#include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/judged_states.hpp"
 
 namespace seiche::validation::cases {
@@ -45,6 +46,8 @@ struct SetUp {
 
 SetUp set_up(const Values& values) {
   const double gravity = values.real("gravity");
+  require_bore(values, "left_depth", "still_depth");
+  require_bore(values, "right_depth", "still_depth");
   const exact::CollidingBores bores(gravity, values.real("left_depth"), values.real("still_depth"),
                                     values.real("right_depth"), 30, 70);
   using End = FlowProblem::End;

@@ -29,6 +29,7 @@ digit. Every peer smears it over several cells.
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
 #include "validation/scoring/score.hpp"
+#include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/judged_states.hpp"
 
 namespace seiche::validation::cases {
@@ -59,6 +60,7 @@ struct SetUp {
 
 SetUp set_up(const Values& values) {
   const double gravity = values.real("gravity");
+  require_bore(values, "front_depth", "still_depth");
   const exact::Bore bore(gravity, values.real("still_depth"), values.real("front_depth"), 0, start);
   const Discretisation discretisation{
       .scheme = "H2", .particles = values.integer("particles"), .time_step = values.real("time_step"), .theta = 1.5};

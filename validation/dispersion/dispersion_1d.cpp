@@ -34,6 +34,7 @@ are roundings: the program solves what the formula describes.
 #include "validation/case/reference_case.hpp"
 #include "validation/dispersion/frequency_roundoff.hpp"
 #include "validation/instruments/dispersive_standing_mode.hpp"
+#include "validation/instruments/stable_standing_box.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -69,13 +70,13 @@ Worst worst_of(const std::vector<Found>& found) {
 
 StandingBox own_box(const Values& values) {
   const double k = values.real("wavenumber");
-  return {.wavenumber = k,
-          .cells = StandingBox::cells_of(k, values.real("h")),
-          .tau = values.real("tau"),
-          .scheme = {.stepping = stepping_named(values.text("scheme"))},
-          .alpha = values.real("alpha"),
-          .slope_energy = values.real("beta"),
-          .gamma = values.real("gamma")};
+  return stable({.wavenumber = k,
+                 .cells = StandingBox::cells_of(k, values.real("h")),
+                 .tau = values.real("tau"),
+                 .scheme = {.stepping = stepping_named(values.text("scheme"))},
+                 .alpha = values.real("alpha"),
+                 .slope_energy = values.real("beta"),
+                 .gamma = values.real("gamma")});
 }
 
 /// Twelve waves from long and resolved to short and hardly so.

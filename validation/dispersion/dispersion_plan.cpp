@@ -23,6 +23,7 @@ for the errors of the pressure and of the inertia cancel; at an angle $\theta$ a
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -56,6 +57,14 @@ Fitted fitted(double kx, double ky, double h1, double h2) {
   Fitted result;
   side(kx, h1, result.tank.length, result.tank.columns, result.half_waves_x);
   side(ky, h2, result.tank.width, result.tank.rows, result.half_waves_y);
+  constexpr double most = 4e6;  // some gigabytes
+  if (const double cells = static_cast<double>(result.tank.columns) * static_cast<double>(result.tank.rows);
+      cells > most) {
+    throw std::invalid_argument(
+        fmt::format("h1 = {:g}, h2 = {:g} and the wavenumber make {:.3g} cells: must be at most "
+                    "{:g}",
+                    h1, h2, cells, most));
+  }
   return result;
 }
 
@@ -244,8 +253,8 @@ Case dispersion_plan() {
   c.parameters = {
       real("wavenumber", 1.0, "1/H", {1e-2, 20}, "of the wave"),
       real("direction", 30.0, "degrees", {0, 90}, "of the wave, from the x axis"),
-      real("h1", 0.5, "H", {1e-2, 5}, "length of cells; changed to fit a whole number of times between the walls"),
-      real("h2", 0.5, "H", {1e-2, 5}, "width of cells, likewise"),
+      real("h1", 0.5, "H", {1e-2, 1.5}, "length of cells; changed to fit a whole number of times between the walls"),
+      real("h2", 0.5, "H", {1e-2, 1.5}, "width of cells, likewise"),
       real("tau", 0.1, "sqrt(H/g)", {1e-3, 1}, "time step"),
       real("periods", {10.0, 20.0, 40.0}, "1", {2, 1000}, "length of the run"),
   };

@@ -59,7 +59,8 @@ AffineEllipsoid drop_of(const Values& values) {
   const double pressure = drop.at(0).central_pressure;
   if (!(pressure > 0)) {
     throw std::invalid_argument(
-        fmt::format("the velocity gradient xx, xy, ... makes a pressure of {:g} at the centre, out of range: positive; "
+        fmt::format("the velocity gradient xx, xy, xz, yx, yy, yz, zx, zy makes a pressure of {:g} at the centre, out "
+                    "of range: positive; "
                     "else it is below that of the surroundings and the surface unstable",
                     pressure));
   }

@@ -18,6 +18,7 @@ for them. For the particles the water moves 43 m and the jump stays: to the last
 
 #include "seiche/exact/bore.hpp"
 #include "validation/case/case.hpp"
+#include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases {
@@ -41,6 +42,7 @@ struct SetUp {
 
 SetUp set_up(const Values& values) {
   const double gravity = values.real("gravity");
+  require_bore(values, "deep_depth", "shallow_depth");
   const StationaryJump jump(gravity, values.real("shallow_depth"), values.real("deep_depth"), place);
   const Discretisation discretisation{
       .scheme = "H2", .particles = values.integer("particles"), .time_step = values.real("time_step"), .theta = 1.5};

@@ -37,6 +37,7 @@ are near Tadjbakhsh and Keller's; shorter ones slow down too little.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/dispersive_standing_mode.hpp"
+#include "validation/instruments/stable_standing_box.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -145,13 +146,13 @@ double in_wavelengths(double uncertainty, double wavelength) {
 /// The wave of the parameters.
 StandingBox own_box(const Values& values) {
   const double kh = values.real("wavenumber");
-  return {.wavenumber = kh,
-          .cells = StandingBox::cells_of(kh, values.real("h")),
-          .tau = values.real("tau"),
-          .scheme = {.stepping = stepping_named(values.text("scheme"))},
-          .alpha = values.real("alpha"),
-          .gamma = values.real("gamma"),
-          .depth_power = values.real("depth_power")};
+  return stable({.wavenumber = kh,
+                 .cells = StandingBox::cells_of(kh, values.real("h")),
+                 .tau = values.real("tau"),
+                 .scheme = {.stepping = stepping_named(values.text("scheme"))},
+                 .alpha = values.real("alpha"),
+                 .gamma = values.real("gamma"),
+                 .depth_power = values.real("depth_power")});
 }
 
 constexpr std::array judged_depths{0.6, 0.9419, 1.0581, 1.4};

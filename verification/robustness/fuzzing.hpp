@@ -116,11 +116,19 @@ inline long fuzz_factor() {
   return std::max(factor, 1L);
 }
 
+/// Other inputs than those of a usual run where SEICHE_FUZZ_SEED is not 0, as `ci/fuzz` sets it.
+inline std::uint64_t fuzz_seed(std::uint64_t usual) {
+  const char* chosen = std::getenv("SEICHE_FUZZ_SEED");  // NOLINT(concurrency-mt-unsafe): tests are single-threaded
+  const std::uint64_t other = chosen == nullptr ? 0 : std::strtoull(chosen, nullptr, 10);
+  const std::uint64_t seed = usual ^ (other * 0x9E3779B97F4A7C15U);
+  return seed == 0 ? usual : seed;  // the generator would stay at 0
+}
+
 /// Damages the valid inputs and reads them. A reader may throw std::invalid_argument or std::runtime_error.
 /// @param count  of inputs, in a usual run
 template <class Reader>
 Tally fuzz(const std::vector<std::string>& valid, long count, std::uint64_t seed, Reader read) {
-  Xorshift random(seed);
+  Xorshift random(fuzz_seed(seed));
   Tally tally;
   for (long k = 0; k < count * fuzz_factor(); ++k) {
     const std::string input = mutated(valid[random.below(valid.size())], valid, random);

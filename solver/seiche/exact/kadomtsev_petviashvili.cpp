@@ -23,6 +23,9 @@ ExponentialSum::Term product(double k_i, double k_j, double constant = 0) {
 }
 
 constexpr double closest_to_one = 1e-6;
+/// Largest kappa. The rates of the exponentials differ by a kappa-th of themselves, and that squared is what waves that
+/// meet so steeply do to each other.
+constexpr double steepest = 100;
 
 }  // namespace
 
@@ -47,7 +50,10 @@ KadomtsevPetviashvili::KadomtsevPetviashvili(double amplitude, double angle, dou
         "kappa = tan(angle)/sqrt(3 amplitude/depth) = {:.9g} is out of range: must differ from 1 by at least {:g}",
         kappa_, closest_to_one));
   }
-  if (pattern == Pattern::resonant_triad) require_within("kappa of a resonant triad", kappa_, 0, 1);
+  if (pattern == Pattern::resonant_triad) {
+    require_within("kappa = tan(angle)/sqrt(3 amplitude/depth) of a resonant triad", kappa_, 0, 1);
+  }
+  require_within("kappa = tan(angle)/sqrt(3 amplitude/depth)", kappa_, 0, steepest);
   outer_ = 0.5 * (sum + slope);
   inner_ = 0.5 * (sum - slope);
   tau_ = tau_function(pattern);
@@ -125,8 +131,9 @@ double KadomtsevPetviashvili::uncertainty() const {
 SelfTest KadomtsevPetviashvili::self_test() const {
   // Lengths along x and y and the time in which the waves change.
   const double across = depth_ / (outer_ + inner_);
-  const double along = across / (outer_ + inner_);
-  const double time = along / (celerity_ * (outer_ + inner_));
+  const double steep = std::max(1.0, kappa_);
+  const double along = across / ((outer_ + inner_) * steep);
+  const double time = along / (celerity_ * (outer_ + inner_) * steep);
   Worst equation;
   for (const double s : {-1.3, 0.2, 0.9}) {
     for (const double r : {0.0, 0.4, 1.7}) {

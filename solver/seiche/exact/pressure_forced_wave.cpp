@@ -5,7 +5,10 @@
 #include <complex>
 #include <iterator>
 #include <memory>
+#include <stdexcept>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "seiche/exact/overturning/evolution.hpp"
 #include "seiche/exact/overturning/initial.hpp"
@@ -29,6 +32,12 @@ const PressureForcedWave::Parameters& checked(const PressureForcedWave::Paramete
   require_positive("gravity", p.gravity);
   require_positive("tolerance", p.tolerance);
   require_positive("depth", std::isinf(p.depth) && p.depth > 0 ? p.wavelength : p.depth);
+  // As of Stokes waves; the markers must be closer to each other than to the bottom.
+  if (2 * std::numbers::pi * p.depth < 0.2 * p.wavelength) {
+    throw std::invalid_argument(
+        fmt::format("depth = {:g} is out of range: must be at least 0.2 wavelength/(2 pi) = {:g}", p.depth,
+                    0.1 * p.wavelength / std::numbers::pi));
+  }
   require_within("amplitude", p.amplitude, 0, p.wavelength);
   require_positive("amplitude + |pressure|/gravity", p.amplitude + std::abs(p.pressure) / p.gravity);
   require_within("k pressure/gravity", 2 * std::numbers::pi / p.wavelength * p.pressure / p.gravity, -1, 1);

@@ -23,7 +23,7 @@ Riemann::Riemann(double gravity, State left, State right, double jump)
   const bool wet_left = left.depth > 0;
   const bool wet_right = right.depth > 0;
   if (!wet_left && !wet_right)
-    throw std::invalid_argument("left depth and right depth are both 0: one must be positive");
+    throw std::invalid_argument("left_depth and right_depth are both 0: one must be positive");
   if (!wet_left) left_.velocity = 0;
   if (!wet_right) right_.velocity = 0;
 
@@ -99,8 +99,10 @@ SelfTest Riemann::self_test() const {
   SelfTest tests;
   const auto add = [&](const Wave& wave, const State& outer, double side, const std::string& name) {
     if (wave.kind == Kind::jump) {
-      const auto both = side < 0 ? jump_identities(name, gravity_, outer, star_, wave.slowest)
-                                 : jump_identities(name, gravity_, star_, outer, wave.slowest);
+      // The velocity between the waves is the mean of those beside them and of two changes.
+      const double largest = std::max(std::abs(left_.velocity), std::abs(right_.velocity));
+      const auto both = side < 0 ? jump_identities(name, gravity_, outer, star_, wave.slowest, largest)
+                                 : jump_identities(name, gravity_, star_, outer, wave.slowest, largest);
       tests.insert(tests.end(), both.begin(), both.end());
     } else if (wave.kind == Kind::fan) {
       const auto invariant = [&](const State& s) { return s.velocity - side * 2 * sw::celerity(gravity_, s.depth); };

@@ -20,17 +20,25 @@ static_assert(ReferenceSolution<SerreCnoidal>);
 
 namespace {
 
-/// K and E/K of the parameter m = 1 - complement, by the arithmetic-geometric mean, which keeps the digits as m -> 1.
+/// The parameter m of the elliptic functions, and 1 - m: each to all its digits.
+struct Parameter {
+  double m, complement;
+
+  static Parameter of(double m) { return {m, 1 - m}; }
+  static Parameter without(double complement) { return {1 - complement, complement}; }
+};
+
+/// K and E/K, by the arithmetic-geometric mean, which keeps the digits as m -> 1.
 struct CompleteIntegrals {
   double first;
   double ratio;
 };
 
-CompleteIntegrals complete_integrals(double complement) {
+CompleteIntegrals complete_integrals(Parameter parameter) {
   double a = 1;
-  double b = std::sqrt(complement);
+  double b = std::sqrt(parameter.complement);
   double weight = 0.5;
-  double sum = weight * (1 - complement);
+  double sum = weight * parameter.m;
   while (std::abs(a - b) > 1e-8 * a) {  // the next difference is its square
     const double c = (a - b) / 2;
     const double mean = (a + b) / 2;
@@ -47,9 +55,9 @@ struct Roots {
   double crest, trough, lowest, kappa, first;
 };
 
-Roots roots_of(double height, double depth, double complement) {
-  const CompleteIntegrals complete = complete_integrals(complement);
-  const double span = height / (1 - complement);  // h_c - h_0
+Roots roots_of(double height, double depth, Parameter parameter) {
+  const CompleteIntegrals complete = complete_integrals(parameter);
+  const double span = height / parameter.m;  // h_c - h_0
   const double lowest = depth - span * complete.ratio;
   const double crest = lowest + span;
   const double trough = crest - height;
@@ -62,13 +70,17 @@ constexpr int points = 512;
 /// 1 - m of the longest wave: between its crests the depth is constant to eight digits.
 constexpr double least_complement = 1e-8;
 
-/// 1 - m of the wave. Throws std::invalid_argument.
-double complement_of(double height, double wavelength, double depth) {
-  const auto longer = [&](double complement) {
-    const Roots r = roots_of(height, depth, complement);
+/// Of the depth: shorter and lower waves have too few digits, the shorter are no waves of shallow water either.
+constexpr double least_wavelength = 0.01;
+constexpr double least_height = 1e-9;
+
+/// Throws std::invalid_argument.
+Parameter parameter_of(double height, double wavelength, double depth) {
+  const auto longer = [&](Parameter parameter) {
+    const Roots r = roots_of(height, depth, parameter);
     return r.lowest > 0 ? 2 * r.first / r.kappa - wavelength : -wavelength;
   };
-  const double longest = longer(least_complement);
+  const double longest = longer(Parameter::without(least_complement));
   if (!(longest > 0)) {
     throw std::invalid_argument(fmt::format(
         "wavelength = {:g} is out of range: must be below {:g}, where the crests of waves of this height and "
@@ -76,10 +88,19 @@ double complement_of(double height, double wavelength, double depth) {
         wavelength, longest + wavelength));
   }
   std::uintmax_t evaluations = 200;
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      longer, least_complement, 1 - 1e-15, longest, -wavelength,
-      [](double a, double b) { return std::abs(a - b) <= 4e-16 * a; }, evaluations);
-  return 0.5 * (low + high);
+  const auto close = [](double a, double b) { return std::abs(a - b) <= 4e-16 * a; };
+  const double middle = longer(Parameter::of(0.5));
+  if (middle > 0) {
+    // The third root is below 0 where m is half the height over the depth.
+    const auto [low, high] =
+        boost::math::tools::toms748_solve([&](double m) { return longer(Parameter::of(m)); }, 0.5 * height / depth, 0.5,
+                                          -wavelength, middle, close, evaluations);
+    return Parameter::of(0.5 * (low + high));
+  }
+  const auto [low, high] =
+      boost::math::tools::toms748_solve([&](double complement) { return longer(Parameter::without(complement)); },
+                                        least_complement, 0.5, longest, middle, close, evaluations);
+  return Parameter::without(0.5 * (low + high));
 }
 
 }  // namespace
@@ -90,10 +111,16 @@ SerreCnoidal::SerreCnoidal(double height, double wavelength, double depth, doubl
   require_positive("depth", depth);
   require_positive("gravity", gravity);
   require_positive("height", height);
-  require_within("height", height, 0, depth);
-  const double complement = complement_of(height, wavelength, depth);
-  const Roots roots = roots_of(height, depth, complement);
-  modulus_ = std::sqrt(1 - complement);
+  require_within("height", height, least_height * depth, depth);
+  if (wavelength < least_wavelength * depth) {
+    throw std::invalid_argument(
+        fmt::format("wavelength = {:g} is out of range: must be at least a hundredth of the "
+                    "depth, {:g}; these equations are of long waves",
+                    wavelength, least_wavelength * depth));
+  }
+  const Parameter parameter = parameter_of(height, wavelength, depth);
+  const Roots roots = roots_of(height, depth, parameter);
+  modulus_ = std::sqrt(parameter.m);
   crest_ = roots.crest;
   trough_ = roots.trough;
   lowest_ = roots.lowest;

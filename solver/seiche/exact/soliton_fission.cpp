@@ -63,8 +63,10 @@ SelfTest SolitonFission::self_test() const {
   const double flux = reflection_ * reflection_ + transmission_ * transmission_ * root;
   // The bound states that decay within the interval.
   const double slowest = std::max(0.5, order_ / 4);
-  const double spacing = std::min(0.2, 0.8 / order_);
-  const Eigen::VectorXd found = levels(order_, spacing, 15 / slowest);
+  const double spacing = std::min(0.15, 0.8 / order_);  // sech^2 has poles at i pi/2: exp(-pi^2/(2 spacing))
+  // They oscillate out to where the potential is their level, about nu sech x = slowest, and decay from there.
+  const double turning = std::acosh(std::max(1.0, (order_ + 0.5) / slowest));
+  const Eigen::VectorXd found = levels(order_, spacing, turning + 1 + 15 / slowest);
   Worst worst;
   for (int n = 1; n <= solitons(); ++n) {
     const double decay = std::sqrt(amplitude(n)) / depth_;

@@ -30,10 +30,11 @@ double checked_wavenumber(double wavelength, double depth, const char* depth_nam
   const double wavenumber = 2 * pi / wavelength;
   constexpr double shallowest = 0.2;
   if (wavenumber * depth < shallowest) {
-    throw std::invalid_argument(fmt::format(
-        "k {} = {:.17g} is out of range: must be at least {}; the crests of longer waves are solitary waves: use "
-        "SolitaryWave",
-        depth_name, wavenumber * depth, shallowest));
+    throw std::invalid_argument(
+        fmt::format("k {} = {:.17g}, k = 2 pi/wavelength, is out of range: must be at least {}; the crests of longer "
+                    "waves are solitary waves: use "
+                    "SolitaryWave",
+                    depth_name, wavenumber * depth, shallowest));
   }
   return wavenumber;
 }

@@ -117,7 +117,7 @@ double StretchingDrop::uncertainty() const {
 
 SelfTest StretchingDrop::self_test() const {
   const double unit = mean_axis_ / std::sqrt(invariant_);
-  const double t = 1.7 * unit;
+  const double t = 1.7 * unit * std::hypot(1, start_);  // as much deformation where the ellipse is slender
   const double a = semi_axis(t);
   const double b = other_axis(t);
   const double alpha = strain_rate(t);

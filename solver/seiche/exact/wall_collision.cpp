@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "seiche/divergence.hpp"
 #include "seiche/exact/overturning/initial.hpp"
 #include "seiche/require.hpp"
@@ -71,8 +73,9 @@ double WallCollision::rise(const ow::Moment& moment) const {
 
 void WallCollision::require_resolved() const {
   if (motion_.ending() == ow::Ending::none) return;
-  throw Divergence(motion_.ending_reason(), motion_.now().time / std::sqrt(k_),
-                   static_cast<long>(motion_.moments().size() - 1), motion_.ending_place() / k_ * depth_);
+  throw Divergence(fmt::format("{} (markers = {} are too few, or the wave breaks)", motion_.ending_reason(), 2 * wall_),
+                   motion_.now().time / std::sqrt(k_), static_cast<long>(motion_.moments().size() - 1),
+                   motion_.ending_place() / k_ * depth_);
 }
 
 void WallCollision::advance_until_below(double level) {

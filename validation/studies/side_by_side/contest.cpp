@@ -103,8 +103,9 @@ Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool ma
 Contest contest(const Run& run, const std::vector<Contender>& contenders, const Trial& trial) {
   if (trial.end > trial.last) {
     throw std::invalid_argument(
-        fmt::format("last: the models are followed until t = {:g}, and compared at t = {:g}; must not be earlier",
-                    trial.last, trial.end));
+        fmt::format("time: errors are compared at t = {:g}; must not be later than the last = {:g}, until which the "
+                    "models are followed",
+                    trial.end, trial.last));
   }
   std::vector<Entry> entries;
   std::vector<std::function<void()>> work;

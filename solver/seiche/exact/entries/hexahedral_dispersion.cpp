@@ -17,7 +17,7 @@ ExactSolution hexahedral_dispersion_entry() {
       {direction_parameter(),
        {"spacing_x", "m", 0.5, 1e-9, 1e6, "side of a cell along x"},
        {"spacing_y", "m", 0.5, 1e-9, 1e6, "side of a cell along y"},
-       {"layers", "1", 2, 1, 1e6, "layers of cells"},
+       {"layers", "1", 2, 1, 1e4, "layers of cells"},
        {"tuned", "1", 0, 0, 1, "vertical inertia of surface nodes", {"nodal", "tuned"}}},
       [](const Values& p) {
         const double layers = p.at("layers");

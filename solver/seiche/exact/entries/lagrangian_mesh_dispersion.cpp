@@ -14,7 +14,7 @@ ExactSolution lagrangian_mesh_dispersion_entry() {
   return law_in_time_entry<LagrangianMeshDispersion>(
       "lagrangian_mesh_dispersion", "Dispersion of Frank's two-dimensional Lagrangian mesh, and with a time step",
       {{"column_width", "m", 0.25, 1e-9, 1e6, "width of a column of cells"},
-       {"rows", "1", 4, 1, 1e6, "rows of cells"},
+       {"rows", "1", 4, 1, 1e4, "rows of cells"},
        {"tuned", "1", 0, 0, 1, "vertical inertia of surface nodes", {"nodal", "tuned"}}},
       [](const Values& p) {
         const double rows = p.at("rows");

@@ -16,7 +16,7 @@ ExactSolution pressure_forced_wave_entry() {
                      depth_parameter(std::numbers::pi, infinite),
                      gravity_parameter(1),
                      {"pressure", "m^2/s^2", 0.1, -1e6, 1e6, "amplitude p0 of the pressure over the density"},
-                     {"markers", "1", 256, 64, 4096, "markers per wavelength, even"},
+                     {"markers", "1", 256, 192, 4096, "markers per wavelength, even"},
                      {"last_time", "s", 0, 0, 1e9, "end of the computation; 0: 7.4/sqrt(g k)"},
                      points_of_profile},
       .inputs = {time_t},

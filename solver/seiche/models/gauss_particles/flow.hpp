@@ -37,6 +37,12 @@ class Flow {
   /// @param velocity  at the beginning, of all particles: exact ones, not projected; empty for rest
   Flow(Particles particles, std::unique_ptr<FieldSpace> space, const Velocity& velocity = {}, Settings settings = {},
        Forcing forcing = {}, Stepping stepping = Stepping::conservative);
+  /// The steppers keep references to the model: a flow stays where it was made.
+  Flow(const Flow&) = delete;
+  Flow& operator=(const Flow&) = delete;
+  Flow(Flow&&) = delete;
+  Flow& operator=(Flow&&) = delete;
+  ~Flow() = default;
 
   /// One step, 0 < tau <= 2/sqrt(pi g/h) with h the shortest length that the space resolves.
   void advance(double tau);

@@ -5,13 +5,7 @@
 #include <limits>
 
 #include "seiche/models/shallow_water_particles/edge_riemann.hpp"
-
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__AVX2__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define SEICHE_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define SEICHE_CLONES
-#endif
+#include "seiche/simd_clones.hpp"
 
 namespace seiche::shallow_water_particles {
 
@@ -20,14 +14,14 @@ namespace {
 constexpr std::size_t block = 64;
 
 // Branch-free form of shallow_water::limited_slope for the loop below.
-inline double limited(double backward, double central, double forward, double theta) {
+SEICHE_INLINE double limited(double backward, double central, double forward, double theta) {
   const double one_sided = theta * std::min(std::abs(backward), std::abs(forward));
   const double magnitude = std::min(one_sided, std::abs(central));
   return backward * forward > 0 ? std::copysign(magnitude, backward) : 0.0;
 }
 
 template <int Steps>
-inline void newton(const EdgeRow& row, std::size_t first, std::size_t last, int steps) {
+SEICHE_INLINE void newton(const EdgeRow& row, std::size_t first, std::size_t last, int steps) {
   const double* __restrict hl = row.right_depth - 1;
   const double* __restrict ul = row.right_velocity - 1;
   const double* __restrict hr = row.left_depth;
@@ -44,7 +38,7 @@ inline void newton(const EdgeRow& row, std::size_t first, std::size_t last, int 
 
 }  // namespace
 
-SEICHE_CLONES
+SEICHE_SIMD_CLONES
 void predict_row(const PredictionRow& row, std::size_t first, std::size_t last) {
   const double* __restrict x = row.edge;
   const double* __restrict h = row.depth;
@@ -89,7 +83,7 @@ void predict_row(const PredictionRow& row, std::size_t first, std::size_t last) 
   }
 }
 
-SEICHE_CLONES
+SEICHE_SIMD_CLONES
 void solve_row(const EdgeRow& row, std::size_t first, std::size_t last) {
   const double* __restrict hl = row.right_depth - 1;
   const double* __restrict ul = row.right_velocity - 1;
@@ -126,7 +120,7 @@ void solve_row(const EdgeRow& row, std::size_t first, std::size_t last) {
   }
 }
 
-SEICHE_CLONES
+SEICHE_SIMD_CLONES
 void move_row(double* edge, double* velocity, const double* inv_mass, const double* edge_velocity,
               const double* edge_thrust, double tau, std::size_t count) {
   double* __restrict x = edge;
@@ -141,7 +135,7 @@ void move_row(double* edge, double* velocity, const double* inv_mass, const doub
   x[count] += tau * us[count];
 }
 
-SEICHE_CLONES
+SEICHE_SIMD_CLONES
 RowLimits measure_row(const double* edge, const double* velocity, const double* mass, double* inv_width, double* depth,
                       double gravity, std::size_t count) {
   const double* __restrict x = edge;
@@ -177,7 +171,7 @@ RowLimits measure_row(const double* edge, const double* velocity, const double* 
           *std::max_element(worst, worst + lanes) == 0};
 }
 
-SEICHE_CLONES
+SEICHE_SIMD_CLONES
 bool may_hold_jump(const double* depth, const double* velocity, double gravity, double threshold, std::size_t first,
                    std::size_t last) {
   const double* __restrict h = depth;

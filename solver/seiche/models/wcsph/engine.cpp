@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -71,6 +73,15 @@ Flow::Engine::Engine(Particles particles, double spacing, const Settings& settin
 }
 
 void Flow::Engine::check_start() const {
+  if (const auto* laminar = std::get_if<LaminarSps>(&settings_.viscosity)) {
+    const double highest = viscous_courant * smoothing_ * settings_.sound_speed / (shortest_step * settings_.courant);
+    if (laminar->kinematic_viscosity > highest) {
+      throw std::invalid_argument(fmt::format(
+          "kinematic viscosity nu0 = {:.17g} m^2/s is out of range: must be in [0, {:g}], or a stable step, 0.125 "
+          "h^2/nu0, is below a thousandth of the acoustic one",
+          laminar->kinematic_viscosity, highest));
+    }
+  }
   std::vector<std::int32_t> sources(particles_.size());
   for (std::size_t i = 0; i < sources.size(); ++i) sources[i] = static_cast<std::int32_t>(i);
   for (const Image& image : neighbours_.images()) sources.push_back(image.source);

@@ -14,6 +14,11 @@
 
 namespace seiche::wcsph {
 
+/// A step this much shorter than the acoustic one means that the run has broken down.
+inline constexpr double shortest_step = 1e-3;
+/// Of the limit of a step by viscosity, dt <= 0.125 h^2/nu_0.
+inline constexpr double viscous_courant = 0.125;
+
 class Flow::Engine {
  public:
   Engine(Particles particles, double spacing, const Settings& settings, std::vector<Paddle> paddles);

@@ -11,8 +11,6 @@
 namespace seiche::wcsph {
 namespace {
 
-/// A step this much shorter than the acoustic one means that the run has broken down.
-constexpr double shortest_step = 1e-3;
 /// Densities within these, over rho_0, are a run that goes on.
 constexpr double least_density = 0.5;
 constexpr double greatest_density = 1.5;
@@ -73,7 +71,7 @@ double Flow::Engine::step_by_rule() const {
   if (settings_.limit_by_viscosity) {
     if (const auto* laminar = std::get_if<LaminarSps>(&settings_.viscosity);
         laminar && laminar->kinematic_viscosity > 0) {
-      tau = std::min(tau, 0.125 * smoothing_ * smoothing_ / laminar->kinematic_viscosity);
+      tau = std::min(tau, viscous_courant * smoothing_ * smoothing_ / laminar->kinematic_viscosity);
     }
   }
   if (settings_.limit_by_forces) {
