@@ -26,17 +26,12 @@ using verification::Xorshift;
 /// How many members of a family are drawn. Solutions that integrate a motion or solve for a surface take up to seconds
 /// each: few of them, and some only in longer runs.
 long members_of(const ExactSolution& solution) {
-  static const std::map<std::string, double> slow{{"overturning_wave", 0.1},
-                                                  {"pressure_forced_wave", 3},
-                                                  {"released_column", 4},
-                                                  {"wavemaker_start", 4},
-                                                  {"solitary_runup", 2},
-                                                  {"wall_runup", 1},
-                                                  {"wall_load", 1},
-                                                  {"standing", 10},
-                                                  {"stokes", 20},
-                                                  {"solitary", 20},
-                                                  {"affine_ellipsoid", 40}};
+  static const std::map<std::string, double> slow{{"overturning_wave", 0.1}, {"pressure_forced_wave", 3},
+                                                  {"released_column", 4},    {"wavemaker_start", 4},
+                                                  {"solitary_runup", 2},     {"slope_runup", 1},
+                                                  {"wall_runup", 1},         {"wall_load", 1},
+                                                  {"standing", 10},          {"stokes", 20},
+                                                  {"solitary", 20},          {"affine_ellipsoid", 40}};
   const auto found = slow.find(solution.name);
   return std::lround(
       std::floor((found == slow.end() ? 100 : found->second) * static_cast<double>(verification::fuzz_factor())));

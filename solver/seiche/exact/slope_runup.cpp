@@ -72,7 +72,8 @@ SlopeRunup::SlopeRunup(double amplitude, double cotangent, double depth, std::si
     climb.step();
     keep();
     if (climb.time() > passes + most_climbs) {
-      throw Divergence("the shore does not come to rest", climb.time(), climb.steps(), history_.back().level);
+      throw Divergence("at this amplitude and cotangent the shore does not come to rest", climb.time(), climb.steps(),
+                       history_.back().level);
     }
   }
   // Highest where the shore rests within the last step.
@@ -93,10 +94,11 @@ SlopeRunup::SlopeRunup(double amplitude, double cotangent, double depth, std::si
   energy_change_ = std::abs(climb.energy() / energy - 1);
   volume_change_ = std::abs(climb.volume() / volume - 1);
   if (!(energy_change_ < settled)) {
-    throw Divergence(fmt::format("{:g} of the energy is lost: the water overturns, or its angle with the slope is too "
-                                 "small for so many markers",
-                                 energy_change_),
-                     climb.time(), climb.steps(), runup_);
+    throw Divergence(
+        fmt::format("{:g} of the energy is lost: the surface overturns at this amplitude and cotangent, or "
+                    "has too few markers",
+                    energy_change_),
+        climb.time(), climb.steps(), runup_);
   }
 }
 

@@ -70,8 +70,9 @@ void Climb::rate(const State& state, State& rate) {
 void Climb::require_finite() const {
   for (std::size_t k = 0; k < n_; ++k) {
     if (std::isfinite(state_[k]) && std::isfinite(state_[n_ + k]) && std::isfinite(state_[2 * n_ + k])) continue;
-    throw Divergence("the surface is not resolved: it overturns, or its angle with the slope is too small", time_,
-                     steps_, state_[k]);
+    throw Divergence(
+        "the surface is not resolved: it overturns at this amplitude and cotangent, or has too few markers", time_,
+        steps_, state_[k]);
   }
 }
 
@@ -93,8 +94,9 @@ void Climb::step() {
   stepper_.reset();  // the filter changed the state since
   while (stepper_.try_step(system, state_, time_, duration_) == odeint::fail) {
     if (duration_ > shortest) continue;
-    throw Divergence("steps get shorter without end: the surface overturns, or is not resolved", time_, steps_,
-                     state_[n_ - 1]);
+    throw Divergence(
+        "steps get shorter without end: the surface overturns at this amplitude and cotangent, or has too few markers",
+        time_, steps_, state_[n_ - 1]);
   }
   ++steps_;
   require_finite();
