@@ -32,6 +32,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--step", options.step, "[sqrt(depth/g)]")->capture_default_str();
   app.add_option("--every", options.every, "time between files; 0: one at the end")->capture_default_str();
   app.add_option("--tolerance", options.tolerance, "relative residual of the solver")->capture_default_str();
+  app.add_option("--scheme", options.scheme, "one_step, or conservative: energy exact, several solutions a step")
+      ->check(CLI::IsMember({"one_step", "conservative"}))
+      ->capture_default_str();
   app.add_option("--out", options.out, "folder for fields_*.h5 and the record")->capture_default_str();
 }
 
@@ -114,6 +117,7 @@ evidence::Record begun(const Options& options) {
   keep("amplitude", options.amplitude, standard.amplitude, "depth", "of the first surface");
   keep("time", options.time, standard.time, "sqrt(depth/g)", "at the end");
   keep("step", options.step, standard.step, "sqrt(depth/g)", "of time");
+  keep("scheme", options.scheme, standard.scheme, "", "of time");
   keep("tolerance", options.tolerance, standard.tolerance, "1", "relative residual of the solver");
   return record;
 }
@@ -128,6 +132,16 @@ void judge(evidence::Record& record, const Options& options, const Findings& fin
                 .source = "decomposition of the lattice"},
                {.value = findings.rim_difference, .resolution = resolution},
                evidence::Bound{.limit = 0, .reason = "copies are copied"});
+  if (options.scheme == "conservative") {
+    record.check({.id = "energy",
+                  .text = "The conservative scheme keeps the energy.",
+                  .quantity = "largest change of energy over its first value",
+                  .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
+                 {.value = findings.energy_change / findings.energy, .resolution = resolution},
+                 evidence::Bound{.limit = 1e-11 * static_cast<double>(findings.steps),
+                                 .reason = "sweeps end at the latest when velocities change by 1e-11 of the largest"});
+    return;
+  }
   // Squares of the models' frequencies are below 3 for columns (alpha = 1/3, unit depth and gravity), below 2 over the
   // height of a layer for hexahedra.
   const double fastest = options.layers > 0 ? 2 * static_cast<double>(options.layers) : 3;

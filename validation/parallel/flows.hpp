@@ -24,6 +24,7 @@ struct Options {
   double step = 0.2;
   double every = 0;         ///< between files; 0: one at the end
   double tolerance = 1e-9;  ///< relative residual
+  std::string scheme = "one_step";
   std::filesystem::path out = "seiche-parallel";
 };
 

@@ -112,15 +112,17 @@ int run(const Options& options) {
   const Clock::time_point begin = Clock::now();
   if (options.layers == 0) {
     const dispersive_shallow_water_2d::Rectangle rectangle = water(options);
-    distributed::PlanFlow flow({rectangle.columns, rectangle.rows}, 1,
-                               [&](const distributed::Patch& patch) { return distributed::part_of(rectangle, patch); },
-                               rectangle.sides, velocity(options), {.tolerance = options.tolerance});
+    distributed::PlanFlow flow(
+        {rectangle.columns, rectangle.rows}, 1,
+        [&](const distributed::Patch& patch) { return distributed::part_of(rectangle, patch); }, rectangle.sides,
+        velocity(options), {.tolerance = options.tolerance}, true, mechanics::stepping_named(options.scheme));
     return run(flow, options, begin);
   }
   const lagrangian_mesh_3d::Mesh mesh = layer_mesh(layered_water(options));
-  distributed::HexahedralFlow flow(mesh.plan, mesh.layers,
-                                   [&](const distributed::Patch& patch) { return distributed::part_of(mesh, patch); },
-                                   mesh.sides, layered_velocity(options), {.tolerance = options.tolerance});
+  distributed::HexahedralFlow flow(
+      mesh.plan, mesh.layers, [&](const distributed::Patch& patch) { return distributed::part_of(mesh, patch); },
+      mesh.sides, layered_velocity(options), {.tolerance = options.tolerance}, true,
+      mechanics::stepping_named(options.scheme));
   return run(flow, options, begin);
 }
 

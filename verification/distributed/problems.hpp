@@ -77,6 +77,7 @@ inline Problem wedge() {
 /// x, y, z, u, v, w of the nodes of the surface at the end, one after the other; empty but on the first process.
 struct Outcome {
   std::vector<double> numbers;
+  double first_energy = 0;
   double energy = 0;
   double rim_difference = 0;
   double condition = 0;   ///< of the last step's preconditioned matrix
@@ -85,9 +86,11 @@ struct Outcome {
 
 template <class Flow>
 Outcome outcome(Flow& flow, double step, long steps) {
+  const double first_energy = flow.energy();
   for (long n = 0; n < steps; ++n) flow.advance(step);
   const distributed::CellSystem& system = flow.model().system();
   Outcome result{.numbers = {},
+                 .first_energy = first_energy,
                  .energy = flow.energy(),
                  .rim_difference = flow.rim_difference(),
                  .condition = system.condition(),
@@ -100,17 +103,18 @@ Outcome outcome(Flow& flow, double step, long steps) {
 }
 
 /// On all processes.
-inline Outcome shared_out(const Problem& problem, double tolerance) {
+inline Outcome shared_out(const Problem& problem, double tolerance,
+                          mechanics::Stepping stepping = mechanics::Stepping::one_step) {
   distributed::PlanFlow flow(
       problem.lattice.shape, 1,
       [&](const distributed::Patch& patch) { return distributed::part_of(problem.lattice, patch); },
-      problem.lattice.sides, {}, {.tolerance = tolerance});
+      problem.lattice.sides, {}, {.tolerance = tolerance}, true, stepping);
   return outcome(flow, problem.step, problem.steps);
 }
 
 /// On one process, with the direct solver of its model.
-inline Outcome alone(const Problem& problem) {
-  plan::Flow flow(problem.lattice, {}, {}, {.solver = linear::NinePointMethod::banded});
+inline Outcome alone(const Problem& problem, mechanics::Stepping stepping = mechanics::Stepping::one_step) {
+  plan::Flow flow(problem.lattice, {}, {.stepping = stepping}, {.solver = linear::NinePointMethod::banded});
   for (long n = 0; n < problem.steps; ++n) flow.advance(problem.step);
   Outcome result{.energy = flow.energy()};
   for (const auto& values : {flow.x(), flow.y(), flow.z(), flow.u(), flow.v(), flow.w()}) {

@@ -42,6 +42,31 @@ void require_no_shoreline(const plan_lattice::Sides& sides) {
   }
 }
 
+template <class Model>
+void require_sweepable(const DistributedModel<Model>& model, bool uneven) {
+  if (!model.fuses_step()) return;
+  if (uneven || model.has_driven_sides()) {
+    throw std::invalid_argument(
+        "the conservative scheme on many processes over an uneven bottom or with driven sides; allowed: level bottoms, "
+        "sides at rest, or on one process the model's own flow");
+  }
+}
+
+bool is_conservative(mechanics::Stepping stepping) {
+  if (stepping == mechanics::Stepping::one_step_feedback) {
+    throw std::invalid_argument("one_step_feedback on many processes; allowed: one_step, conservative");
+  }
+  return stepping == mechanics::Stepping::conservative;
+}
+
+bool is_uneven(const dispersive_shallow_water_2d::Model& model) {
+  return model.lattice().bottom != nullptr;
+}
+
+bool is_uneven(const lagrangian_mesh_3d::Model& model) {
+  return model.mesh().bottom != nullptr;
+}
+
 double weight_of_water(const dispersive_shallow_water_2d::Settings& settings) {
   return settings.gravity;
 }
@@ -55,13 +80,17 @@ double weight_of_water(const lagrangian_mesh_3d::Settings& settings) {
 template <class Kind>
 Flow<Kind>::Flow(plan_lattice::Shape lattice, std::size_t layers, const MakePart& part,
                  const plan_lattice::Sides& sides, const typename Kind::Velocity& velocity,
-                 const typename Kind::Settings& settings, bool smooth_start)
+                 const typename Kind::Settings& settings, bool smooth_start, mechanics::Stepping stepping)
     : decomposition_((require_no_shoreline(sides), lattice), std::is_same_v<Kind, PlanModel> ? 3 : 3 * (layers + 1),
                      layers),
-      model_(decomposition_, local_model(part(decomposition_.patch()), settings), sides, settings.tolerance),
+      model_(decomposition_, local_model(part(decomposition_.patch()), settings), sides, settings.tolerance,
+             is_conservative(stepping)),
       state_(model_.local().state(velocity)),
       stepper_(model_),
-      smooth_start_(smooth_start && !model_.has_driven_sides()) {
+      sweeper_(model_),
+      conservative_(is_conservative(stepping)),
+      smooth_start_(smooth_start && !model_.has_driven_sides() && !conservative_) {
+  require_sweepable(model_, is_uneven(model_.local()));
   decomposition_.exchange_nodes(state_.u);
   mechanics::Start(model_).project(state_);
 }
@@ -70,7 +99,11 @@ template <class Kind>
 void Flow<Kind>::advance(double tau) {
   mechanics::require_step(tau);
   if (state_.steps == 0 && smooth_start_) mechanics::Start(model_).project_to_smooth(state_, tau);
-  stepper_.step(state_, tau);
+  if (conservative_) {
+    sweeper_.step(state_, tau);
+  } else {
+    stepper_.step(state_, tau);
+  }
 }
 
 template <class Kind>

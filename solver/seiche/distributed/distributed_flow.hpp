@@ -1,4 +1,5 @@
-/// A flow of a lattice model whose lattice is shared out among processes, stepped by the one-step scheme.
+/// A flow of a lattice model whose lattice is shared out among processes, stepped by the one-step scheme or, over level
+/// bottoms and without driven sides, the conservative one.
 ///
 ///     Runtime runtime(argc, argv);
 ///     PlanFlow flow(lattice.shape, 1, [&](const Patch& patch) { return part_of(lattice, patch); }, lattice.sides,
@@ -17,7 +18,9 @@
 
 #include "seiche/distributed/distributed_model.hpp"
 #include "seiche/distributed/fields_file.hpp"
+#include "seiche/mechanics/conservative_step.hpp"
 #include "seiche/mechanics/one_step.hpp"
+#include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
@@ -49,9 +52,11 @@ class Flow {
   /// @param part     the process's part of the lattice: part_of (patches.hpp)
   /// @param sides    of the whole lattice
   /// @param smooth_start  as in the models' own flows
+  /// @param stepping      one_step or conservative
+  /// Throws std::invalid_argument.
   Flow(plan_lattice::Shape lattice, std::size_t layers, const MakePart& part, const plan_lattice::Sides& sides,
        const typename Kind::Velocity& velocity = {}, const typename Kind::Settings& settings = {},
-       bool smooth_start = true);
+       bool smooth_start = true, mechanics::Stepping stepping = mechanics::Stepping::one_step);
 
   /// One step of length tau > 0.
   void advance(double tau);
@@ -88,6 +93,8 @@ class Flow {
   DistributedModel<Local> model_;
   mechanics::State state_;
   mechanics::OneStep<DistributedModel<Local>> stepper_;
+  mechanics::ConservativeStep<DistributedModel<Local>> sweeper_;
+  bool conservative_;
   bool smooth_start_;
 };
 

@@ -1,5 +1,5 @@
-/// A lattice model whose lattice is shared out among processes: what mechanics::OneStep steps, each process on its
-/// patch (decomposition.hpp).
+/// A lattice model whose lattice is shared out among processes: what mechanics::OneStep and ConservativeStep step, each
+/// process on its patch (decomposition.hpp).
 ///
 /// The patch's own model computes everything that belongs to it. Beside it
 ///
@@ -9,24 +9,30 @@
 /// so that positions, velocities and multipliers stay the same at all processes that hold them, bit by bit. In between,
 /// after kick, velocities of the rim are wrong; constraint rates of owned cells do not need them.
 ///
-/// What one process finds infeasible stops all: linearise throws on each of them.
+/// What one process finds infeasible stops all: linearise throws on each of them. The sweeps of ConservativeStep are
+/// the model's own (fused_sweep): the change that ends them is the largest of all processes, so that all end together.
 ///
-/// When not to use it: on one machine, where the model alone with its own solvers is faster; with ConservativeStep,
-/// whose number of sweeps every process would decide for itself (the concept does not let it).
+/// When not to use it: on one machine, where the model alone with its own solvers is faster; with ConservativeStep over
+/// uneven bottoms or with driven sides, where sweeps would have to bring velocities to another configuration.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "seiche/distributed/cell_system.hpp"
 #include "seiche/distributed/decomposition.hpp"
+#include "seiche/mechanics/conservative_step.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/projection.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::distributed {
@@ -45,9 +51,13 @@ class DistributedModel {
   /// @param local          model of decomposition.patch()
   /// @param sides          of the whole lattice
   /// @param tolerance      relative residual of solve
+  /// @param sweeps         it is stepped by ConservativeStep
   DistributedModel(Decomposition& decomposition, std::unique_ptr<Local> local, const plan_lattice::Sides& sides,
-                   double tolerance)
-      : decomposition_(decomposition), local_(std::move(local)), system_(decomposition, local_->matrix(), tolerance) {
+                   double tolerance, bool sweeps)
+      : decomposition_(decomposition),
+        local_(std::move(local)),
+        system_(decomposition, local_->matrix(), tolerance),
+        sweeps_(sweeps) {
     for (const auto* side : {&sides.west, &sides.east, &sides.south, &sides.north}) {
       driven_ |= std::holds_alternative<plan_lattice::DrivenSide>(*side);
     }
@@ -62,6 +72,10 @@ class DistributedModel {
     together([&] { local_->linearise(when, q); });
     system_.assemble();
   }
+  void linearise_between(Interval when, Input q0, Input q1, int sweep) {
+    together([&] { local_->linearise_between(when, q0, q1, sweep); });
+    if (sweep == 0) system_.assemble();
+  }
   void advance(Input from, Input u, double h, Output to) const { local_->advance(from, u, h, to); }
   void kick(double h, Output u) const { local_->kick(h, u); }
   void enter(Input q, Output u) const { local_->enter(q, u); }
@@ -75,6 +89,27 @@ class DistributedModel {
     decomposition_.exchange_nodes(u);
   }
   void solve(Input right_hand_side, Output mu) { system_.solve(right_hand_side, mu); }
+
+  // What mechanics::FusesSweep asks for.
+  [[nodiscard]] bool fuses_step() const { return sweeps_; }
+  [[noreturn]] void fused_step(Interval, Output, Output, Input, Output) {
+    throw std::logic_error("a one-step step of a model that is set up for sweeps");
+  }
+  /// As ConservativeStep's own sweep, but for the changes, which are those of all processes.
+  mechanics::SweepChange fused_sweep(Interval when, Input q0, Output q1, Input u0, Output mean, Input target, Output mu,
+                                     int sweep) {
+    linearise_between(when, q0, q1, sweep);
+    candidate_.assign(u0.begin(), u0.end());
+    kick(when.length / 2, candidate_);
+    react(mu, candidate_);
+    mechanics::Projection<DistributedModel>(*this).correct(candidate_, target, mu);
+    const mechanics::SweepChange here = mechanics::change_between(mean, candidate_);
+    std::copy(candidate_.begin(), candidate_.end(), mean.begin());
+    advance(q0, mean, when.length, q1);
+    const bool finite = std::isfinite(here.largest_change) && std::isfinite(here.largest_rate);
+    if (Decomposition::least(finite ? 1 : 0) < 1) throw mechanics::Infeasible("a velocity is not finite", 0);
+    return {Decomposition::largest(here.largest_change), Decomposition::largest(here.largest_rate)};
+  }
 
   [[nodiscard]] bool has_driven_sides() const { return driven_; }
   [[nodiscard]] const Local& local() const { return *local_; }
@@ -105,7 +140,9 @@ class DistributedModel {
   Decomposition& decomposition_;
   std::unique_ptr<Local> local_;
   CellSystem system_;
+  bool sweeps_;
   bool driven_ = false;
+  std::vector<double> candidate_;  // of a sweep
 };
 
 }  // namespace seiche::distributed
