@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import tempfile
+import time
 import types
 import unittest
 
@@ -47,6 +48,30 @@ class Corners(unittest.TestCase):
         self.assertEqual(corners.corner(cases, "1", 7), corners.corner(cases, "1", 7))
         ends = {corners.corner(cases, "1", k)[1].get("depth") for k in range(40)}
         self.assertEqual(ends - {None}, {"0.5", "2.0"})
+
+    def test_an_exact_corner_is_the_same_each_time(self):
+        solutions = [{"name": "riemann", "parameters": [{"name": "depth", "minimum": "0", "maximum": "2"},
+                                                        {"name": "kind", "choices": ["piston", "flap"]},
+                                                        {"name": "markers", "minimum": "64", "maximum": "4096"}]}]
+        drawn = [corners.exact_corner(solutions, "1", k)[1] for k in range(60)]
+        self.assertEqual(drawn[7], corners.exact_corner(solutions, "1", 7)[1])
+        self.assertEqual({one.get("depth") for one in drawn}, {None, "0", "2"})
+        self.assertEqual({one.get("kind") for one in drawn}, {None, "piston", "flap"})
+        self.assertFalse(any("markers" in one for one in drawn))
+
+    def test_what_outlives_its_limit_is_ended_with_its_children(self):
+        options = types.SimpleNamespace(most_seconds=0.2 - corners.GRACE)
+        begin = time.monotonic()
+        self.assertIsNone(corners.limited(options, ["sh", "-c", "sleep 60 & sleep 60"]))
+        self.assertLess(time.monotonic() - begin, 10)
+
+    def test_runs_of_the_same_seed_are_not_repeated(self):
+        with tempfile.TemporaryDirectory() as folder:
+            table = pathlib.Path(folder) / "corners.jsonl"
+            table.write_text("".join(json.dumps({"number": k, "seed": seed, "exact": False}) + "\n"
+                                     for k, seed in ((0, "1"), (3, "1"), (1, "2"), (9, "1"))))
+            options = types.SimpleNamespace(only=None, table=table, seed="1", exact=False, count=5)
+            self.assertEqual([one["number"] for one in corners.kept(options)], [0, 3])
 
 
 if __name__ == "__main__":

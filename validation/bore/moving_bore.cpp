@@ -68,8 +68,10 @@ SetUp set_up(const Values& values) {
   const double time = static_cast<double>(steps) * discretisation.time_step;
   if (bore.position(time) >= length) {
     throw std::invalid_argument(
-        fmt::format("steps = {} is out of range: the bore would leave the channel at t = {:g} s", steps,
-                    (length - start) / bore.speed()));
+        fmt::format("steps = {} of time_step = {:g} are out of range: must end before t = {:g} s, when the bore of "
+                    "front_depth = {:g} and still_depth = {:g} leaves the channel",
+                    steps, discretisation.time_step, (length - start) / bore.speed(), values.real("front_depth"),
+                    values.real("still_depth")));
   }
   return {bore,
           problem_of(bore, gravity, 0, length, {start}, FlowProblem::End::stream, FlowProblem::End::wall),

@@ -75,7 +75,9 @@ Oscillation fit_oscillation(std::span<const double> samples, double tau, const s
     }
     previous = size;
   }
-  throw std::runtime_error(fmt::format("no oscillation near the frequency {:.6g}: the fit does not settle", frequency));
+  throw std::runtime_error(
+      fmt::format("no oscillation near the frequency {:.6g} in {} samples, {:g} apart in time: the fit does not settle",
+                  frequency, count, tau));
 }
 
 }  // namespace seiche::validation

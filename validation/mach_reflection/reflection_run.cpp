@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "seiche/divergence.hpp"
 #include "seiche/exact/mach_reflection.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
@@ -33,6 +34,16 @@ evidence::Measurement over(const evidence::Measurement& a, const evidence::Measu
   return {.value = value,
           .uncertainty = std::abs(value) * std::hypot(a.half_width() / a.value, b.half_width() / b.value),
           .resolution = resolution};
+}
+
+/// Throws Divergence where the lattice shows no pattern.
+ReflectionPattern pattern_of(const SurfaceLattice& surface, const ReflectionRun& run, double time, long step) {
+  try {
+    return measured_reflection(surface, run.amplitude);
+  } catch (const std::runtime_error& missing) {
+    throw Divergence(fmt::format("{} (the spacing h = {:g} may be too long)", missing.what(), run.spacing), time, step,
+                     wall_crest(surface, 0.5 * run.amplitude).x);
+  }
 }
 
 template <class Flow>
@@ -72,7 +83,7 @@ Reflection follow(Flow& flow, const ReflectionRun& run, const std::function<void
       if (progress) progress(static_cast<double>(step) / static_cast<double>(steps));
     }
     if ((steps - step) % every_pattern == 0 && 5 * (steps - step) <= 2 * steps) {
-      result.pattern = measured_reflection(surface_of(flow), run.amplitude);
+      result.pattern = pattern_of(now, run, flow.time(), step);
       wall_x.push_back(result.pattern.wall.x);
       stem_length.push_back(result.pattern.stem_length.value);
     }

@@ -82,8 +82,8 @@ struct Reflection {
   [[nodiscard]] std::string growth_flag() const;
 };
 
-/// Throws std::invalid_argument for what cannot be run, Divergence where it breaks down, std::runtime_error if there
-/// is no pattern to be measured at the end.
+/// Throws std::invalid_argument for what cannot be run, Divergence where it breaks down or shows no pattern that can be
+/// measured.
 /// @param progress  told the share of the time that is done
 Reflection reflect(const ReflectionRun& run, const std::function<void(double)>& progress = {});
 

@@ -63,6 +63,8 @@ struct Life {
   /// Of the first forty time units, with harmonics.
   [[nodiscard]] double frequency() const {
     const auto count = std::min(amplitude.size(), static_cast<std::size_t>(40 / tau));
+    constexpr std::size_t fewest = 12;
+    if (fold && count < fewest) throw Divergence(*fold);  // before the wave has a frequency
     return fit_oscillation({amplitude.data(), count}, tau, {1, 3}).frequency;
   }
 };
