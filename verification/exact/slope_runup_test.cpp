@@ -111,8 +111,7 @@ TEST_CASE("solitary waves run up slopes as high as the reference says", "[exact]
       "exact_slope_runup", "Run-up of solitary waves on slopes",
       "A solitary wave of the Euler equations is moved by Cauchy's integral in a plane where bottom and slope are one "
       "straight line. The run-up on a vertical wall is compared with that of the head-on collision of two waves, "
-      "another method; on slopes with values of "
-      "finer computations.");
+      "another method; on slopes with values of finer computations.");
   const SlopeRunup wall(0.3, 0);
   check.that({.id = "wall",
               .text = "A slope that is a wall is climbed as by two waves that collide.",
