@@ -1,4 +1,9 @@
 // The hexahedral model shared out among processes against the same model on one.
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
@@ -15,7 +20,8 @@ using distributed::rank;
 using distributed::ranks;
 using evidence::Bound;
 
-TEST_CASE("a flow of hexahedra shared out among processes is that of one process") {
+/// @param bottom  null for a level one
+void compare_with_one(const std::string& id, const std::string& where, std::shared_ptr<const PlanBottom> bottom) {
   constexpr double tolerance = 1e-11;
   constexpr double step = 0.2;
   constexpr long steps = 30;
@@ -27,7 +33,8 @@ TEST_CASE("a flow of hexahedra shared out among processes is that of one process
                                       .columns = 24,
                                       .rows = 16,
                                       .layers = 2,
-                                      .elevation = [](double x, double y) { return 0.2 * hump(x + 3, y) / 0.3; }});
+                                      .elevation = [](double x, double y) { return 0.2 * hump(x + 3, y) / 0.3; },
+                                      .bottom = std::move(bottom)});
   distributed::HexahedralFlow flow(mesh.plan, mesh.layers,
                                    [&](const distributed::Patch& patch) { return distributed::part_of(mesh, patch); },
                                    mesh.sides, {}, {.tolerance = tolerance});
@@ -43,8 +50,8 @@ TEST_CASE("a flow of hexahedra shared out among processes is that of one process
                              values.end());
   }
   Check check(
-      fmt::format("distributed_hexahedral_flow_{}", ranks()),
-      fmt::format("Hexahedral model shared out among {} process(es)", ranks()),
+      fmt::format("distributed_hexahedral_{}_{}", id, ranks()),
+      fmt::format("Hexahedral model{} shared out among {} process(es)", where, ranks()),
       "As the plan model: blocks of columns of cells, of all layers each, and a ring of neighbours' columns. A "
       "relative residual $\\varepsilon$ leaves at most the part $\\kappa\\varepsilon$ of the multipliers, which "
       "change velocities by less than the largest velocity $U$ in a step.");
@@ -67,6 +74,16 @@ TEST_CASE("a flow of hexahedra shared out among processes is that of one process
              Bound{.limit = 0, .reason = "copies are copied"});
   check.measure("difference of energies", shared.energy - reference.energy);
   check.measure("iterations per solution", shared.iterations);
+}
+
+TEST_CASE("a flow of hexahedra shared out among processes is that of one process") {
+  compare_with_one("flow", "", nullptr);
+}
+
+TEST_CASE("a flow of hexahedra over an uneven bottom shared out among processes is that of one process") {
+  compare_with_one("slope", " over an uneven bottom",
+                   std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{
+                       {.coefficient = -1}, {.coefficient = 0.02, .x_power = 1}, {.coefficient = 1e-3, .y_power = 2}}));
 }
 
 }  // namespace

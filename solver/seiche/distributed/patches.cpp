@@ -1,6 +1,5 @@
 #include "seiche/distributed/patches.hpp"
 
-#include <stdexcept>
 #include <vector>
 
 namespace seiche::distributed {
@@ -64,8 +63,6 @@ dispersive_shallow_water_2d::Lattice part_of(const dispersive_shallow_water_2d::
 
 lagrangian_mesh_3d::Mesh part_of(const lagrangian_mesh_3d::Mesh& mesh, const Patch& patch) {
   mesh.require_valid();
-  if (mesh.bottom)
-    throw std::invalid_argument("a hexahedral mesh over an uneven bottom on many processes; allowed: one");
   const std::size_t levels = mesh.layers + 1;
   return {.plan = patch.shape(),
           .layers = mesh.layers,
@@ -73,7 +70,8 @@ lagrangian_mesh_3d::Mesh part_of(const lagrangian_mesh_3d::Mesh& mesh, const Pat
           .y = cut(mesh.y, patch, levels),
           .z = cut(mesh.z, patch, levels),
           .sides = patch.sides(mesh.sides),
-          .free_bottom = mesh.free_bottom};
+          .free_bottom = mesh.free_bottom,
+          .bottom = mesh.bottom};
 }
 
 }  // namespace seiche::distributed
