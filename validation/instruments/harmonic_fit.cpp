@@ -76,8 +76,8 @@ Oscillation fit_oscillation(std::span<const double> samples, double tau, const s
     previous = size;
   }
   throw std::runtime_error(
-      fmt::format("no oscillation near the frequency {:.6g} in {} samples, {:g} apart in time: the fit does not settle",
-                  frequency, count, tau));
+      fmt::format("no oscillation near the frequency {:.6g} in {} samples over a time of {:g}: the fit does not settle",
+                  frequency, count, 2 * half));
 }
 
 }  // namespace seiche::validation

@@ -3,6 +3,7 @@
 #include "seiche/exact/entries/entries.hpp"
 #include "seiche/exact/entries/entry_parts.hpp"
 #include "seiche/exact/wavemaker_transient.hpp"
+#include "seiche/require.hpp"
 
 namespace seiche::exact {
 
@@ -23,6 +24,9 @@ ExactSolution wavemaker_start_entry() {
                   {"wavenumber", "1/m", "of the settled progressive wave"}},
       .factory =
           [](const Values& p) {
+            // Waves of 600 depths: the panels of the quadrature over a period grow with the period.
+            require_within("period sqrt(gravity/depth)", p.at("period") * std::sqrt(p.at("gravity") / p.at("depth")), 0,
+                           600);
             return evaluator_of(
                 WavemakerTransient::with_period(p.at("kind") == 0 ? Paddle::piston : Paddle::flap, p.at("gravity"),
                                                 p.at("depth"), p.at("period"), p.at("stroke")),
