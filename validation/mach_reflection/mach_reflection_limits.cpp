@@ -50,10 +50,10 @@ const std::string theory_source = "Miles (1977); Li, Yeh and Kodama (2011)";
 const std::vector<double> lattices{1, 1.4, 2};  // spacings over that of the finest
 constexpr double none = std::numeric_limits<double>::infinity();
 constexpr double lowest_reflected = 0.03;
-constexpr double cusp = 0.15;           // of kappa: next to 1 no limit is reached
-constexpr double small = 0.1;           // amplitude up to which the theory's second order still tells something
-constexpr double coarser_layers = 1.4;  // spacing of hexahedra over that of columns
-constexpr double excess = 0.5;          // of the other start
+constexpr double cusp = 0.15;                // of kappa: next to 1 no limit is reached
+constexpr double small = 0.1;                // amplitude up to which the theory's second order still tells something
+constexpr double coarser_layers = 10.0 / 7;  // spacing of hexahedra over that of columns: 0.5 for 0.35
+constexpr double excess = 0.5;               // of the other start
 
 /// What is run at one amplitude.
 struct Plan {
