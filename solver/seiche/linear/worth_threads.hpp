@@ -4,9 +4,19 @@
 
 namespace seiche::linear {
 
+/// `usual`, a size from which on a loop is worth threads; less in a build whose threads are to be looked at
+/// (SEICHE_THREADS_FROM, set with the thread sanitizer).
+constexpr std::size_t threads_from([[maybe_unused]] std::size_t usual) {
+#ifdef SEICHE_THREADS_FROM
+  return SEICHE_THREADS_FROM;
+#else
+  return usual;
+#endif
+}
+
 /// Unknowns below which passes over a lattice stay on one thread. Two idle cores pay from 2e4 unknowns on; on a machine
 /// whose cores are busy every pass waits for a time slice of the other thread, 4 ms, which small systems do not make
 /// good.
-inline constexpr std::size_t worth_threads = 131072;
+inline constexpr std::size_t worth_threads = threads_from(131072);
 
 }  // namespace seiche::linear

@@ -14,6 +14,7 @@
 
 #include <omp.h>
 
+#include "seiche/linear/worth_threads.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"
 #include "seiche/models/wcsph/particles.hpp"
 #include "seiche/models/wcsph/settings.hpp"
@@ -70,7 +71,7 @@ class Neighbours {
  private:
   /// Clusters below which one thread does it all: a pass over 4096 particles takes a millisecond, less than a time
   /// slice on a machine whose cores are busy.
-  static constexpr std::size_t worth_threads = 4096 / static_cast<std::size_t>(abreast);
+  static constexpr std::size_t worth_threads = linear::threads_from(4096) / static_cast<std::size_t>(abreast);
 
   struct Tally {
     long long pairs = 0;
