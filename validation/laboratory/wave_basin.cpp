@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "seiche/geometry/spline_bottom.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/water_surface.hpp"
 #include "validation/instruments/plan_gauges.hpp"
 #include "validation/laboratory/dispersive_flume.hpp"
 
@@ -25,7 +27,8 @@ double paddle_velocity(const PaddleWaves& waves) {
   const double omega = 2 * std::numbers::pi / waves.period;
   const double nu = omega * omega * waves.depth / gravity;
   const double kh = wavenumber(waves.depth, waves.period, gravity, improved) * waves.depth;
-  return waves.amplitude * omega / kh * (1 + improved * std::pow(kh, 4) / nu);
+  const double of_markers = waves.amplitude / dispersive_shallow_water_1d::surface_of_wave(improved, kh);
+  return of_markers * omega / kh * (1 + improved * std::pow(kh, 4) / nu);
 }
 
 Flow basin_flow(const Basin& basin, const PaddleWaves& waves) {
@@ -65,11 +68,12 @@ Flow basin_flow(const Basin& basin, const PaddleWaves& waves) {
 std::vector<std::vector<double>> harmonics_at(Flow& flow, const std::vector<Point>& places, std::size_t orders,
                                               double period, long steps, long periods) {
   PlanGauges gauges(flow.shape(), places);
+  dispersive_shallow_water_2d::WaterSurface surface(flow.shape(), flow.model().settings().gamma);
   std::vector<std::vector<std::complex<double>>> sums(orders, std::vector<std::complex<double>>(places.size()));
   const long samples = steps * periods;
   for (long sample = 0; sample < samples; ++sample) {
     flow.advance(period / static_cast<double>(steps));
-    const std::span<const double> eta = gauges.read({flow.x(), flow.y(), flow.z()});
+    const std::span<const double> eta = gauges.read({flow.x(), flow.y(), surface.read(flow)});
     for (std::size_t order = 0; order < orders; ++order) {
       const double phase = 2 * std::numbers::pi * static_cast<double>(order + 1) * static_cast<double>(sample % steps) /
                            static_cast<double>(steps);

@@ -345,32 +345,35 @@ void draw(evidence::Exhibit& exhibit, const Results& all) {
 
 void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhibit) {
   draw(exhibit, all);
-  evidence::Table table{.id = "limits",
-                        .title = "Limits of fine lattices and long times",
-                        .caption = "Settling: rate of the fitted exponential over the theory's.",
-                        .columns = {{"model", ""},
-                                    {"a", "depth"},
-                                    {"psi_i", "deg"},
-                                    {"run", ""},
-                                    {"a_i", "depth"},
-                                    {"kappa", "1"},
-                                    {"a_w/a_i", "1"},
-                                    {"theory", "1"},
-                                    {"a_r/a_i", "1"},
-                                    {"theory", "1"},
-                                    {"3 a_r/psi_i^2", "1"},
-                                    {"psi_r", "deg"},
-                                    {"theory", "deg"},
-                                    {"settling", "1"},
-                                    {"processor time", "s"}},
-                        .rows = {},
-                        .atlas = {}};
+  evidence::Table table{
+      .id = "limits",
+      .title = "Limits of fine lattices and long times",
+      .caption =
+          "h: the finest lattice's spacing. Settling: rate of the fitted exponential over the theory's. "
+          "Time: processor's, of the finest run.",
+      .columns = {{"model", ""},
+                  {"a", "depth"},
+                  {"psi_i", "deg"},
+                  {"h", "depth"},
+                  {"a_i", "depth"},
+                  {"kappa", "1"},
+                  {"a_w/a_i", "1"},
+                  {"theory", "1"},
+                  {"a_r/a_i", "1"},
+                  {"theory", "1"},
+                  {"3 a_r/psi_i^2", "1"},
+                  {"psi_r", "deg"},
+                  {"theory", "deg"},
+                  {"settling", "1"},
+                  {"time", "s"}},
+      .rows = {},
+      .atlas = {}};
   const auto digits = [](double value) { return std::round(value * 1e4) / 1e4; };
   for (const Wave& wave : all) {
     const Reflection& finest = wave.lattices.front();
     const double settling = wave.stem() ? finest.limit.exponential.rate / finest.run.settling_rate()
                                         : std::numeric_limits<double>::quiet_NaN();
-    table.rows.push_back({wave.name(), wave.amplitude, wave.angle, finest.run.resolution(), digits(wave.incident()),
+    table.rows.push_back({wave.name(), wave.amplitude, wave.angle, digits(finest.run.spacing), digits(wave.incident()),
                           digits(wave.theory().kappa()), digits(wave.limit(&Reflection::limit_ratio).value),
                           digits(wave.theory().wall_ratio()), digits(wave.limit(&Reflection::reflected_ratio).value),
                           digits(wave.theory().reflected_ratio()),

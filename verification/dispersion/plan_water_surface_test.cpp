@@ -1,0 +1,191 @@
+// The water's surface over lattices with improved dispersion.
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/water_surface.hpp"
+#include "seiche/samples.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using dispersive_shallow_water_2d::WaterSurface;
+using evidence::Bound;
+using evidence::Roundoff;
+using plan_lattice::Shape;
+using verification::Check;
+
+constexpr double pi = std::numbers::pi;
+constexpr double improved = 1.0 / 15;
+constexpr double accuracy = 1e-8;  // of the solution, relative to the difference from z
+const std::string derived = "derived in dispersive_shallow_water_2d/water_surface.hpp";
+
+/// Markers and the water of cells.
+struct Sheet {
+  Shape shape;
+  std::vector<double> q;
+  std::vector<double> volumes;
+
+  explicit Sheet(Shape of) : shape(of), q(3 * of.nodes()), volumes(of.cells()) {}
+
+  [[nodiscard]] double& x(std::size_t node) { return q[node]; }
+  [[nodiscard]] double& y(std::size_t node) { return q[shape.nodes() + node]; }
+  [[nodiscard]] double& z(std::size_t node) { return q[2 * shape.nodes() + node]; }
+  [[nodiscard]] double area(std::size_t cell) {
+    const auto [c0, c1, c2, c3] = shape.corners(cell);
+    return 0.5 * ((x(c2) - x(c0)) * (y(c3) - y(c1)) - (x(c3) - x(c1)) * (y(c2) - y(c0)));
+  }
+};
+
+/// Equal rectangles of depth 1, turned.
+Sheet turned(Shape shape, double h1, double h2, double angle) {
+  Sheet sheet(shape);
+  for (std::size_t j = 0; j <= shape.rows; ++j) {
+    for (std::size_t i = 0; i <= shape.columns; ++i) {
+      const double along = h1 * static_cast<double>(i);
+      const double across = h2 * static_cast<double>(j);
+      sheet.x(shape.node(i, j)) = along * std::cos(angle) - across * std::sin(angle);
+      sheet.y(shape.node(i, j)) = along * std::sin(angle) + across * std::cos(angle);
+    }
+  }
+  for (double& volume : sheet.volumes) volume = h1 * h2;
+  return sheet;
+}
+
+}  // namespace
+
+TEST_CASE("the water's surface of a wave over equal rectangles has its closed form", "[dispersion]") {
+  Check check("plan_water_surface_factor", "The water's surface in plan: factor of waves over a level bottom",
+              "Rectangles of 0.3 x 0.2 depths between walls along a turned square: every wave cos(k x) cos(l y) of the "
+              "lattice is one of the water's surface, (1 + 3 s/4)/(1 + s/4) times as high, s = gamma Q with the Q of "
+              "dispersion_energy.hpp.");
+  const Shape shape{12, 9};
+  constexpr double h1 = 0.3;
+  constexpr double h2 = 0.2;
+  Sheet sheet = turned(shape, h1, h2, 0.7);
+  WaterSurface surface(shape, improved);
+  Largest deviation;
+  for (std::size_t m = 0; m <= shape.columns; ++m) {
+    for (std::size_t n = 0; n <= shape.rows; ++n) {
+      const double half1 = 0.5 * pi * static_cast<double>(m) / static_cast<double>(shape.columns);
+      const double half2 = 0.5 * pi * static_cast<double>(n) / static_cast<double>(shape.rows);
+      const double s = improved * (std::pow(2 * std::sin(half1) * std::cos(half2) / h1, 2) +
+                                   std::pow(2 * std::sin(half2) * std::cos(half1) / h2, 2));
+      const double factor = (1 + 0.75 * s) / (1 + 0.25 * s);
+      for (std::size_t j = 0; j <= shape.rows; ++j) {
+        for (std::size_t i = 0; i <= shape.columns; ++i) {
+          sheet.z(shape.node(i, j)) =
+              std::cos(2 * half1 * static_cast<double>(i)) * std::cos(2 * half2 * static_cast<double>(j));
+        }
+      }
+      const auto found = surface.read(sheet.volumes, sheet.q);
+      for (std::size_t node = 0; node < shape.nodes(); ++node) {
+        deviation.add(std::abs(found[node] - factor * sheet.z(node)));
+      }
+    }
+  }
+  check.that({.id = "factor",
+              .text = "Every wave is higher by its factor.",
+              .quantity = "largest deviation over the amplitude",
+              .source = derived},
+             {.value = deviation.value(), .resolution = "12 x 9 rectangles, all waves"},
+             Bound{.limit = 2 * std::sqrt(13.0 * 10.0) * accuracy,
+                   .reason = "the solution's relative accuracy in the mean of 130 nodes; the surface is at most three "
+                             "times as high as the markers"});
+}
+
+TEST_CASE("over waves along one axis the surface is the channel's", "[dispersion]") {
+  Check check("plan_water_surface_channel", "The water's surface in plan: as in a channel",
+              "Columns of unequal widths and depths, three rows of unequal widths, elevations at random along the "
+              "channel: each row's nodes against those of a channel with the water of a unit of width.");
+  const Shape shape{20, 3};
+  Sheet sheet(shape);
+  std::minstd_rand random(7);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::vector<double> x{0}, z{uniform(random)}, volume;
+  for (std::size_t i = 0; i < shape.columns; ++i) {
+    x.push_back(x.back() + 0.2 + 0.3 * uniform(random));
+    z.push_back(uniform(random));
+    volume.push_back((0.3 + uniform(random)) * (x[i + 1] - x[i]));
+  }
+  const std::vector<double> y{0, 0.3, 0.8, 1.0};
+  for (std::size_t j = 0; j <= shape.rows; ++j) {
+    for (std::size_t i = 0; i <= shape.columns; ++i) {
+      const std::size_t node = shape.node(i, j);
+      sheet.x(node) = x[i];
+      sheet.y(node) = y[j];
+      sheet.z(node) = z[i];
+      if (i < shape.columns && j < shape.rows) {
+        sheet.volumes[j * shape.columns + i] = volume[i] * (y[j + 1] - y[j]);
+      }
+    }
+  }
+  const auto channel = dispersive_shallow_water_1d::water_surface(x, z, volume, improved);
+  WaterSurface surface(shape, improved);
+  const auto found = surface.read(sheet.volumes, sheet.q);
+  Largest difference, moved;
+  for (std::size_t node = 0; node < shape.nodes(); ++node) {
+    difference.add(std::abs(found[node] - channel[node % (shape.columns + 1)]));
+    moved.add(std::abs(found[node] - sheet.z(node)));
+  }
+  check.that({.id = "same",
+              .text = "The surface is the channel's.",
+              .quantity = "largest difference over the largest elevation above the markers",
+              .source = derived},
+             {.value = difference.value() / moved.value(), .resolution = "20 x 3 cells"},
+             Bound{.limit = std::sqrt(84.0) * 3 * accuracy,
+                   .reason = "the solution's relative accuracy in the mean of 84 nodes whose areas differ 9 times"});
+}
+
+TEST_CASE("the surface holds the markers' water, whichever way the lattice lies", "[dispersion]") {
+  Check check("plan_water_surface_water", "The water's surface in plan: water and turns",
+              "Cells off a square at random with elevations and depths at random: the water between markers and "
+              "surface, and the surface of the same lattice turned by 40 degrees.");
+  Sheet sheet = turned({14, 11}, 1, 1, 0);
+  std::minstd_rand random(5);
+  std::uniform_real_distribution<double> uniform(-0.25, 0.25);
+  for (double& value : sheet.q) value += uniform(random);
+  for (std::size_t cell = 0; cell < sheet.shape.cells(); ++cell) {
+    sheet.volumes[cell] = (2 + 4 * uniform(random)) * sheet.area(cell);
+  }
+  WaterSurface surface(sheet.shape, improved);
+  const auto read = surface.read(sheet.volumes, sheet.q);
+  const std::vector<double> found(read.begin(), read.end());
+  double water = 0;
+  double moved = 0;
+  for (std::size_t cell = 0; cell < sheet.shape.cells(); ++cell) {
+    for (const std::size_t node : sheet.shape.corners(cell)) {
+      water += 0.25 * sheet.area(cell) * (found[node] - sheet.z(node));
+      moved += 0.25 * sheet.area(cell) * std::abs(found[node] - sheet.z(node));
+    }
+  }
+  check.that({.id = "water",
+              .text = "Markers and surface hold the same water.",
+              .quantity = "water between them over what was moved",
+              .source = derived},
+             {.value = water / moved, .resolution = "14 x 11 cells"},
+             Bound{.limit = 20 * accuracy,
+                   .reason = "the residual's sum: its accuracy times the root of 180 nodes, and the slope of the "
+                             "surface over what the solution moves"});
+  Sheet other = sheet;
+  for (std::size_t node = 0; node < sheet.shape.nodes(); ++node) {
+    const double angle = 40 * pi / 180;
+    other.x(node) = sheet.x(node) * std::cos(angle) - sheet.y(node) * std::sin(angle);
+    other.y(node) = sheet.x(node) * std::sin(angle) + sheet.y(node) * std::cos(angle);
+  }
+  WaterSurface again(other.shape, improved);
+  const auto same = again.read(other.volumes, other.q);
+  Largest difference;
+  for (std::size_t node = 0; node < sheet.shape.nodes(); ++node) difference.add(std::abs(same[node] - found[node]));
+  check.that({.id = "turned",
+              .text = "The surface of the turned lattice is the same.",
+              .quantity = "largest difference",
+              .source = "rotation"},
+             {.value = difference.value(), .resolution = "14 x 11 cells"},
+             Roundoff{.operations = 400, .scale = 1, .reason = "some twenty iterations of twenty operations"});
+}
