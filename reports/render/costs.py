@@ -4,7 +4,7 @@ import math
 
 from markupsafe import Markup, escape
 
-from render.looks import COLOURS
+from render.marks import mark
 
 TABLE = "ladder"                # of a record: a row per size, from coarse to fine; the errors, and the times if stated
 WIDTH, HEIGHT, LEFT, BOTTOM = 330.0, 210.0, 58.0, 40.0
@@ -106,15 +106,15 @@ def figure(costs):
                  f'<text x="12" y="{HEIGHT / 2}" text-anchor="middle" font-size="13" '
                  f'transform="rotate(-90 12 {HEIGHT / 2})">error of {escape(costs.quantity)}</text>')
     for number, curve in enumerate(costs.curves):
-        colour = COLOURS[number % len(COLOURS)]
-        places = [(f"{place(x, 0):.1f}", f"{place(y, 1):.1f}") for x, y in curve.points]
+        own = mark(number)
+        places = [(place(x, 0), place(y, 1)) for x, y in curve.points]
         if len(places) > 1:
-            path = "M" + "L".join(" ".join(point) for point in places)
-            parts.append(f'<path d="{path}" fill="none" stroke="{colour}" stroke-width="1.4"/>')
+            path = "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in places)
+            parts.append(f'<path d="{path}" fill="none" stroke="{own.colour}" stroke-width="1.4"/>')
         for (x, y), point in zip(places, curve.points):
             said = escape(f"{curve.solver}: {point[1]:.3g} for {point[0]:.3g}")
-            parts.append(f'<circle cx="{x}" cy="{y}" r="3.4" fill="{colour}"><title>{said}</title></circle>')
-    key = "".join(f'<span><b style="color: {COLOURS[number % len(COLOURS)]}">●</b> {escape(curve.solver)}</span> '
+            parts.append(own.svg(x, y, 3.4, inside=f"<title>{said}</title>"))
+    key = "".join(f'<span><b style="color: {mark(number).colour}">{mark(number).letter}</b> {escape(curve.solver)}</span> '
                   for number, curve in enumerate(costs.curves))
     box = f"0 -6 {LEFT + WIDTH + 8:g} {HEIGHT + BOTTOM + 6:g}"
     return Markup(f'<svg class="costs" viewBox="{box}" width="400" role="img" aria-label="error of '

@@ -14,7 +14,7 @@ import math
 
 from markupsafe import Markup
 
-from render.looks import COLOURS
+from render.marks import Mark, mark
 
 TABLE = "laboratory-readings"
 LEAST = 3       # pairs of which a bias and a scatter are given
@@ -35,7 +35,7 @@ class Pair:
 class Line:
     """One solver's pairs of one quantity, and what follows from them."""
     solver: str
-    colour: str
+    mark: Mark
     pairs: list
     left_out: int                   # of another sign, without a number, or too near zero to be a ratio
     bias: float | None = None
@@ -66,8 +66,7 @@ def survey(records):
     solvers = list(dict.fromkeys(solver for _, solver in list(pairs) + list(left_out)))
     lines = collections.defaultdict(list)
     for kind, solver in dict.fromkeys(list(pairs) + list(left_out)):
-        colour = COLOURS[solvers.index(solver) % len(COLOURS)]
-        lines[kind].append(line_of(solver, colour, pairs[kind, solver], left_out[kind, solver]))
+        lines[kind].append(line_of(solver, mark(solvers.index(solver)), pairs[kind, solver], left_out[kind, solver]))
     return sorted(lines.items())
 
 
@@ -81,9 +80,9 @@ def _pair(record, claim, measured, uncertainty, computed, origin):
     return Pair(record, claim, abs(measured), uncertainty, abs(computed)) if measured * computed > 0 else None
 
 
-def line_of(solver, colour, pairs, left_out):
+def line_of(solver, own_mark, pairs, left_out):
     """Bias and scatter; see above."""
-    line = Line(solver, colour, pairs, left_out)
+    line = Line(solver, own_mark, pairs, left_out)
     if len(pairs) < LEAST:
         return line
     logs = [math.log(pair.computed / pair.measured) for pair in pairs]
@@ -109,7 +108,7 @@ def scatter_figure(lines):
         return SIZE * (math.log10(value) - low) / (high - low)
 
     def point(pair):
-        return f"{LEFT + place(pair.measured):.1f}", f"{SIZE - place(pair.computed):.1f}"
+        return LEFT + place(pair.measured), SIZE - place(pair.computed)
 
     relative = math.sqrt(math.fsum((pair.uncertainty / pair.measured) ** 2 for pair in pairs) / len(pairs))
     offset = SIZE * math.log10(1 + 2 * relative) / (high - low)
@@ -128,8 +127,7 @@ def scatter_figure(lines):
                  f'transform="rotate(-90 12 {SIZE / 2})">computed</text>')
     for line in lines:
         for pair in line.pairs:
-            x, y = point(pair)
-            parts.append(f'<circle cx="{x}" cy="{y}" r="2.6" fill="{line.colour}" fill-opacity=".75"/>')
+            parts.append(line.mark.svg(*point(pair), 2.6, 'fill-opacity=".75"'))
     box = f"0 -6 {LEFT + SIZE + 8:g} {SIZE + BOTTOM + 6:g}"
     return Markup(f'<svg class="scatter" viewBox="{box}" width="340" role="img" aria-label="computed against measured" '
                   f'fill="currentColor">{"".join(parts)}</svg>')

@@ -16,6 +16,7 @@ import tempfile
 import tomllib
 import unittest
 import urllib.parse
+import xml.etree.ElementTree
 
 REPORTS = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REPORTS))
@@ -23,7 +24,7 @@ sys.path.insert(0, str(REPORTS))
 import h5py  # noqa: E402
 import numpy  # noqa: E402
 
-from render import atlas, defects, experiments, pages, quantities, records  # noqa: E402
+from render import atlas, defects, experiments, marks, pages, quantities, records  # noqa: E402
 from render.command import main  # noqa: E402
 from render.formulas import Formulas  # noqa: E402
 from render.store import Store  # noqa: E402
@@ -277,10 +278,17 @@ class Report(unittest.TestCase):
         for neither in ("exact", "middle", "fails", "seen"):
             self.assertNotIn(f"sharp-claim-{neither}", page)
 
+    def test_marks_of_many_solvers_differ(self):
+        self.assertEqual(len({(one.colour, one.letter) for one in map(marks.mark, range(24))}), 24)
+        drawn = {marks.mark(number).svg(10, 20, 3, "a='b'", "<title>t</title>") for number in range(24)}
+        self.assertEqual(len(drawn), 24)
+        for one in drawn:
+            self.assertEqual(xml.etree.ElementTree.fromstring(one).find("title").text, "t")
+
     def test_bias_and_scatter_of_models_over_experiments(self):
         pairs = [experiments.Pair(None, "c", measured, 0.1 * measured, ratio * measured)
                  for measured, ratio in ((1.0, 1.1), (2.0, 1.3), (3.0, 1.7))]
-        line = experiments.line_of("mine", "#000", pairs, 0)
+        line = experiments.line_of("mine", marks.mark(0), pairs, 0)
         logs = [math.log(ratio) for ratio in (1.1, 1.3, 1.7)]
         mean = sum(logs) / 3
         own = sum((one - mean) ** 2 for one in logs) / 2 - 0.01
@@ -288,7 +296,7 @@ class Report(unittest.TestCase):
         self.assertAlmostEqual(line.scatter, math.sqrt(own))
         self.assertAlmostEqual(line.bias, math.exp(mean + (own - 0.01) / 2))
         alike = [experiments.Pair(None, "c", 1.0, 0.1, 1.01) for _ in range(3)]
-        self.assertIsNone(experiments.line_of("mine", "#000", alike, 0).scatter)
+        self.assertIsNone(experiments.line_of("mine", marks.mark(0), alike, 0).scatter)
         rows = [["arrival", "a", 31.0, 0.1, 31.1, 0.0, 30.0], ["misfit", "m", 0.0, 1.0, 0.5, 0.0, 0.0],
                 ["arrival", "b", 29.0, 0.1, 31.1, 0.0, 30.0], ["arrival", "c", 32.0, 0.1, None, 0.0, 30.0],
                 ["arrival", "d", 30.1, 0.1, 30.2, 0.0, 30.0]]
