@@ -167,7 +167,7 @@ struct Version {
 /// Those that this machine can run.
 std::vector<Version> runnable() {
   std::vector<Version> found{{"baseline", &versions::baseline}};
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#if SEICHE_PAIR_LOOPS_X86
   if (__builtin_cpu_supports("x86-64-v3")) found.push_back({"avx2", &versions::avx2});
   if (__builtin_cpu_supports("x86-64-v4")) found.push_back({"avx512", &versions::avx512});
 #endif
