@@ -21,6 +21,7 @@ struct ListOptions {
   std::vector<std::string> settings;
   std::string ctest;
   std::string evidence;
+  long most_seconds = 0;  ///< of the tests written to ctest; 0: each case's own limit
 };
 int list(const ListOptions& options);
 

@@ -133,8 +133,11 @@ std::string record_tests(const std::string& program, const std::string& evidence
 
 /// CMake code with an add_test entry per case and run of a tier; `seiche_tiers` is set by the file that ctest reads
 /// before.
-void write_ctest(const std::string& file, const std::string& evidence) {
+void write_ctest(const ListOptions& options) {
+  const std::string& evidence = options.evidence;
   const std::string program = validation::running_program().string();
+  const std::string limit = options.most_seconds > 0 ? fmt::format(" --most-seconds {}", options.most_seconds) : "";
+  const std::string skipped = options.most_seconds > 0 ? "SKIP_REGULAR_EXPRESSION \"stopped at its time limit\"" : "";
   std::string text = "# Written by 'seiche list --ctest' after every build.\n";
   for (const Case& one : validation::all_cases()) {
     for (const Tier tier : {Tier::quick, Tier::full, Tier::paper}) {
@@ -142,17 +145,17 @@ void write_ctest(const std::string& file, const std::string& evidence) {
         const std::string set = values.set_name();
         text += fmt::format(
             "if(\";${{seiche_tiers}};\" MATCHES \";{0};\")\n"
-            "  add_test([=[{1}]=] [=[{2}]=] run {3} {7} --jobs 1 --threads 1 --out [=[{4}]=])\n"
+            "  add_test([=[{1}]=] [=[{2}]=] run {3} {7} --jobs 1 --threads 1{8} --out [=[{4}]=])\n"
             "  set_tests_properties([=[{1}]=] PROPERTIES LABELS \"{0};validation;{5}\" TIMEOUT {6}\n"
-            "    FIXTURES_SETUP evidence.{0})\n"
+            "    FIXTURES_SETUP evidence.{0} {9})\n"
             "endif()\n",
             name(tier), fmt::format("{}.{}.{}", one.phenomenon, one.name, set.empty() ? name(tier) : set), program,
             one.name, evidence, one.phenomenon, one.time_limit.at(tier).count() + 30,
-            set.empty() ? fmt::format("--tier {}", name(tier)) : fmt::format("--as {}", set));
+            set.empty() ? fmt::format("--tier {}", name(tier)) : fmt::format("--as {}", set), limit, skipped);
       }
     }
   }
-  io::write_file(file, text + record_tests(program, evidence));
+  io::write_file(options.ctest, text + record_tests(program, evidence));
 }
 
 /// Every case that scores others: its tables with their columns, and what to type.
@@ -231,7 +234,7 @@ int list(const ListOptions& options) {
     throw std::invalid_argument("list: --tier and --set belong to --claims CASE");
   }
   if (!options.ctest.empty()) {
-    write_ctest(options.ctest, options.evidence);
+    write_ctest(options);
   } else if (!options.claims.empty()) {
     print_claims(options);
   } else if (options.scores) {
