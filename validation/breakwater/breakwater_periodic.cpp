@@ -357,7 +357,7 @@ Case breakwater_periodic() {
       real("height", 1e-4, "depth", {1e-6, 1e-3}, "that the standing wave is to have at its antinodes"),
       real("columns_per_depth", 8.0, "1", {4, 32}, "columns of cells per depth"),
       integer("rows", 6, {2, 24}, "rows of cells"),
-      integer("steps", 60, {30, 1000}, "time steps in a period"),
+      integer("steps", 60, {60, 1000}, "time steps in a period"),
   };
   c.published = {{.tiles = {"frank-breakwater"}, .differs = "the thesis gives no geometry: this one is made up"}};
   c.study = Study(claims, compute, show);
