@@ -9,14 +9,14 @@ the paddle reflects again is back at the breakwater: little of it comes faster t
 wave's group velocity and that of the fastest of all, 1. The last whole periods of it, two or more, are analysed, with
 weights that rise and fall like $1 - \cos$.
 
-**What is compared.** Amplitude and phase of the forces on front and rear, over the elevation at an antinode, with
-those of small standing waves from the eigenvalues of the same mesh. Frequencies are those of a basin 14 depths long,
-whose far wall is an antinode, so a mirror, of the standing wave in the tank too; the piston has the frequency that the
+**What is compared.** Amplitude and phase of the forces on front and rear, over the elevation at an antinode, with those
+of small standing waves from the eigenvalues of the same mesh. Frequencies are those of a basin 14 depths long, whose
+far wall is an antinode, so a mirror, of the standing wave in the tank too; the piston has the frequency that the
 one-step scheme gives that wave. Then neither cells nor steps make a difference. What remains is the start that has not
-yet left: linear theory of the piston tells how much, for the way to the antinode, for the way back, and for what the
-paddle reflects again; and the drift of the mesh with the square of the height, which folds it at the edge of the berm
-when waves are high (`breakwater_high_wave`). So the waves are low. The height itself, two incident waves', is compared
-with the theory of the piston.
+yet left: linear theory of the piston, which knows no cells, tells how much, for the way to the antinode, for the way
+back, and for what the paddle reflects again; and the drift of the mesh with the square of the height, which folds it at
+the edge of the berm when waves are high (`breakwater_high_wave`). So the waves are low. The height itself, two incident
+waves', is compared with the theory of the piston.
 
 **What to look at.** The berm is half a wave wide for waves of about six depths. Front and rear are then pushed in
 antiphase, and the sum of both, for which the structure must be built, is less than a tenth of the force on a plain
@@ -355,8 +355,8 @@ Case breakwater_periodic() {
   c.parameters = {
       real("sea", 36.0, "depth", {20, 200}, "by which the tank is longer than the basin of 14 depths"),
       real("height", 1e-4, "depth", {1e-6, 1e-3}, "that the standing wave is to have at its antinodes"),
-      real("columns_per_depth", 8.0, "1", {4, 32}, "columns of cells per depth"),
-      integer("rows", 6, {2, 24}, "rows of cells"),
+      real("columns_per_depth", 8.0, "1", {8, 32}, "columns of cells per depth"),
+      integer("rows", 6, {6, 24}, "rows of cells"),
       integer("steps", 60, {60, 1000}, "time steps in a period"),
   };
   c.published = {{.tiles = {"frank-breakwater"}, .differs = "the thesis gives no geometry: this one is made up"}};
