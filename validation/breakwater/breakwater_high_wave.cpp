@@ -23,8 +23,9 @@ force and
 
 $$ \tfrac12 \eta_r^2 + \tfrac38 k B \eta_r^2/d . $$
 
-**What to look at.** The forces are no longer sinusoidal: the parts that alternate with the wave cancel, and the total
-has twice its frequency.
+**What to look at.** Front and rear are still pushed in antiphase, but no longer sinusoidally: crests push harder and
+shorter than troughs pull. What alternates with the wave nearly cancels in the total, and about as much of what is left
+has twice the frequency.
 */
 #include <algorithm>
 #include <cmath>
@@ -281,13 +282,14 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("plain_wall_peak", r.plain_peak());
   exhibit.measure("plain_wall_of_small_waves", r.plain_small.load.plain_wall);
   exhibit.measure("worst_corner", r.high.wave.flow.worst_corner().shape);
-  auto& panel = exhibit
-                    .figure("history", "Forces of the high wave",
-                            fmt::format("A standing wave of {:.3g} depths and of height {:g} at the far wall; below it "
-                                        "the same wave before a plain wall.",
-                                        r.high.small.load.wavelength, s.height),
-                            {"frank-breakwater"})
-                    .panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"});
+  auto& panel =
+      exhibit
+          .figure("history", "Forces of the high wave",
+                  fmt::format("A standing wave of {:.3g} depths and of height {:g} at the far wall; dashed: the "
+                              "same wave before a plain wall.",
+                              r.high.small.load.wavelength, s.height),
+                  {"frank-breakwater"})
+          .panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"});
   draw_forces(panel, history);
   panel.line("plain wall", r.plain.history.time, r.plain.history.rear, Role::guide);
   draw_momentum(r.high, exhibit);
