@@ -6,8 +6,31 @@ namespace seiche::validation {
 
 using lagrangian_mesh_2d::Flow;
 
+BermGauge::BermGauge(const Flow& flow, const Berm& berm)
+    : flow_(&flow),
+      still_(0.5 * (1 - berm.rise) * (1 - berm.rise)),
+      y_between_(flow.y().begin(), flow.y().end()),
+      time_between_(flow.time()) {}
+
+std::optional<BermGauge::Reading> BermGauge::after_step() {
+  std::optional<Reading> reading;
+  if (flow_->steps() > 1) {
+    reading = {.time = time_between_, .load = berm_load(flow_->model().mesh(), y_between_, flow_->dynamic_pressure())};
+    reading->load.rear = flow_->wall_load(Flow::WallSide::right).force - still_;
+  }
+  y_between_.assign(flow_->y().begin(), flow_->y().end());
+  time_between_ = flow_->time();
+  return reading;
+}
+
+void draw_forces(evidence::Panel& panel, const BermHistory& history) {
+  panel.line("front", history.time, history.front, evidence::Role::computed);
+  panel.line("rear", history.time, history.rear, evidence::Role::peer);
+  panel.line("total", history.time, history.total, evidence::Role::exact);
+}
+
 BermWave run_berm_wave(const Berm& berm, std::size_t columns, std::size_t rows, const SurfaceMode& mode,
-                       const BermRunSettings& settings) {
+                       const BermRunSettings& settings, const FlowWatcher& watch) {
   const double width = berm.length / static_cast<double>(columns);
   const auto elevation = [&](double x) {
     const auto i = static_cast<std::size_t>(std::lround((x + berm.length) / width));
@@ -17,21 +40,16 @@ BermWave run_berm_wave(const Berm& berm, std::size_t columns, std::size_t rows, 
                 .history = {}};
   Flow& flow = wave.flow;
   BermHistory& history = wave.history;
-  const double still = 0.5 * (1 - berm.rise) * (1 - berm.rise);
-  // The mean of two steps' multipliers belongs to the nodes' places between them.
-  std::vector<double> y_between(flow.y().begin(), flow.y().end());
-  double time_between = 0;
+  BermGauge gauge(flow, berm);
+  if (watch) watch(flow);
   flow.advance_to(settings.time, settings.tau, [&] {
-    if (flow.steps() > 1) {
-      BermLoad load = berm_load(flow.model().mesh(), y_between, flow.dynamic_pressure());
-      load.rear = flow.wall_load(Flow::WallSide::right).force - still;
-      history.time.push_back(time_between);
-      history.front.push_back(load.front / settings.height);
-      history.rear.push_back(load.rear / settings.height);
-      history.total.push_back(load.total() / settings.height);
+    if (const auto reading = gauge.after_step()) {
+      history.time.push_back(reading->time);
+      history.front.push_back(reading->load.front / settings.height);
+      history.rear.push_back(reading->load.rear / settings.height);
+      history.total.push_back(reading->load.total() / settings.height);
     }
-    y_between.assign(flow.y().begin(), flow.y().end());
-    time_between = flow.time();
+    if (watch) watch(flow);
   });
   return wave;
 }

@@ -11,14 +11,12 @@ face, the sum of $\lambda\,\Delta y$ over the edges of the bottom; on the rear w
 **What is compared.** The standing waves of the basin when they are small, from the eigenvalues of the linearised model.
 Their forces, over the height of the wave at the far wall, stand beside those of an earlier program, and beside the
 force $\tanh(kH)/k$ on a plain wall. Basins of other lengths fill in the wavelengths between. Then one of the waves runs
-in time, small and high. Multipliers of single steps alternate; forces are from means of two steps. The high wave needs
-the hourglass potential: without it the mesh folds at the edge of the berm, for $0.02$ at the far wall within two
-periods.
+in time, small. Multipliers of single steps alternate; forces are from means of two steps. The case
+`breakwater_high_wave` runs it high, `breakwater_periodic` lets waves come in from a paddle.
 
 **What to look at.** The berm is half a wave wide for waves of about six depths. There, and on both sides of that
 length, front and rear are pushed in opposite directions with nearly the same force: the structure bears less than a
-tenth of what a plain wall does. Waves much longer push on both together. In the high wave the forces are no longer
-sinusoidal, and the total, a small difference, has twice the frequency.
+tenth of what a plain wall does. Waves much longer push on both together.
 */
 #include <algorithm>
 #include <array>
@@ -29,11 +27,10 @@ sinusoidal, and the total, a small difference, has twice the frequency.
 #include <fmt/format.h>
 
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+#include "validation/breakwater/basin_wave.hpp"
 #include "validation/breakwater/berm_history.hpp"
 #include "validation/breakwater/berm_load.hpp"
-#include "validation/breakwater/surface_modes.hpp"
 #include "validation/case/case.hpp"
-#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases {
 namespace {
@@ -48,22 +45,10 @@ const std::string regression =
 constexpr double shortest = 3;
 constexpr double small_height = 1e-4;
 
-struct Resolution {
-  double columns_per_depth;
-  std::size_t rows;
-  [[nodiscard]] std::size_t columns(const Berm& berm) const {
-    return static_cast<std::size_t>(std::lround(columns_per_depth * berm.length));
-  }
-  [[nodiscard]] Resolution times(double factor) const {
-    return {columns_per_depth * factor, static_cast<std::size_t>(std::lround(factor * static_cast<double>(rows)))};
-  }
-  [[nodiscard]] std::string name(const Berm& berm) const { return fmt::format("{} x {} cells", columns(berm), rows); }
-};
-
 /// What the parameters decide.
 struct SetUp {
   Berm berm;
-  Resolution mesh;
+  BermResolution mesh;
   double tau;
   std::size_t meshes;  ///< of the refinement, from half the resolution on
 
@@ -74,12 +59,12 @@ struct SetUp {
         meshes(values.tier() == Tier::quick ? 3 : 4) {}
 
   [[nodiscard]] bool as_given() const { return berm.rise == Berm{}.rise && berm.width == Berm{}.width; }
-  [[nodiscard]] Resolution refined(std::size_t n) const {
+  [[nodiscard]] BermResolution refined(std::size_t n) const {
     return mesh.times(0.5 * std::pow(2, static_cast<double>(n)));
   }
 };
 
-std::vector<StandingLoad> loads_of(const Berm& berm, const Resolution& mesh) {
+std::vector<StandingLoad> loads_of(const Berm& berm, const BermResolution& mesh) {
   return standing_loads(berm, mesh.columns(berm), mesh.rows, shortest);
 }
 
@@ -87,12 +72,6 @@ std::vector<StandingLoad> loads_of(const Berm& berm, const Resolution& mesh) {
 void add_differences(Worst& worst, const StandingLoad& a, const StandingLoad& b) {
   worst.add(a.force.front - b.force.front, a.wavelength);
   worst.add(a.force.rear - b.force.rear, a.wavelength);
-}
-
-/// Of the same wave on another mesh: the one of nearly that length.
-const StandingLoad& nearest(const std::vector<StandingLoad>& loads, double wavelength) {
-  return *std::ranges::min_element(loads, {},
-                                   [&](const StandingLoad& one) { return std::abs(one.wavelength - wavelength); });
 }
 
 /// The waves of the table of an earlier program.
@@ -116,18 +95,14 @@ struct GivenLoads {
 };
 
 /// A wave that runs in time, small.
-struct SmallWave {
-  SurfaceMode mode;
-  StandingLoad load;
+struct SmallWave : BasinWave {
   BermHistory history;
 
-  [[nodiscard]] double period() const { return 2 * std::numbers::pi / mode.frequency; }
   /// Largest difference from the forces of the eigenvalues.
   [[nodiscard]] Worst difference() const {
-    const double sign = mode.multipliers.back() * mode.elevation.front() > 0 ? 1 : -1;
     Worst off;
     for (std::size_t k = 0; k < history.time.size(); ++k) {
-      const double phase = sign * std::cos(mode.frequency * history.time[k]);
+      const double phase = sense() * std::cos(mode.frequency * history.time[k]);
       off.add(history.front[k] - load.force.front * phase, history.time[k]);
       off.add(history.rear[k] - load.force.rear * phase, history.time[k]);
     }
@@ -146,7 +121,6 @@ struct Results {
   Worst rest;                   ///< accelerations of water without a wave
   std::vector<StandingLoad> loads;
   SmallWave gentle;
-  BermWave high;
 };
 
 std::vector<StandingLoad> band_of(const Results& r) {
@@ -301,10 +275,7 @@ Worst rest(const SetUp& s) {
 }
 
 SmallWave small_wave(const SetUp& s, double wavelength) {
-  lagrangian_mesh_2d::Model model(s.berm.mesh(s.mesh.columns(s.berm), s.mesh.rows));
-  const std::vector<StandingLoad> loads = loads_of(s.berm, s.mesh);
-  const StandingLoad& load = nearest(loads, wavelength);
-  SmallWave wave{surface_modes(model)[static_cast<std::size_t>(&load - loads.data())], load, {}};
+  SmallWave wave{basin_wave(s.berm, s.mesh, wavelength), {}};
   wave.history = run_berm_wave(s.berm, s.mesh.columns(s.berm), s.mesh.rows, wave.mode,
                                {.height = small_height, .time = wave.period(), .tau = s.tau})
                      .history;
@@ -321,14 +292,8 @@ Results compute(const Run& run) {
   const Worst accelerations = rest(s);
   run.progress(0.3);
   std::vector<StandingLoad> loads = loads_by_wavelength(s.berm, s.mesh.columns_per_depth, s.mesh.rows, shortest, 17);
-  run.progress(0.5);
-  SmallWave gentle = small_wave(s, run.real("wavelength"));
-  BermWave high = run_berm_wave(s.berm, s.mesh.columns(s.berm), s.mesh.rows, gentle.mode,
-                                {.height = run.real("amplitude"),
-                                 .time = run.real("periods") * gentle.period(),
-                                 .tau = s.tau,
-                                 .hourglass = run.real("hourglass")});
-  return {std::move(given), std::move(changes), accelerations, std::move(loads), std::move(gentle), std::move(high)};
+  run.progress(0.7);
+  return {std::move(given), std::move(changes), accelerations, std::move(loads), small_wave(s, run.real("wavelength"))};
 }
 
 void tabulate(const GivenLoads& loads, const std::vector<Tabled>& rows, evidence::Exhibit& exhibit) {
@@ -388,12 +353,6 @@ void draw_forces(const std::vector<StandingLoad>& all, const std::vector<Tabled>
   relation.points("earlier program", x, t, Role::data);
 }
 
-void draw_history(evidence::Panel& panel, const BermHistory& history) {
-  panel.line("front", history.time, history.front, Role::computed);
-  panel.line("rear", history.time, history.rear, Role::peer);
-  panel.line("total", history.time, history.total, Role::exact);
-}
-
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const SetUp s(values);
   for (std::size_t n = 1; n < s.meshes; ++n) {
@@ -413,23 +372,12 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const StandingLoad& load = r.gentle.load;
   exhibit.measure("wavelength", load.wavelength);
   exhibit.measure("period", r.gentle.period());
-  exhibit.measure("front_peak", worst(r.high.history.front));
-  exhibit.measure("rear_peak", worst(r.high.history.rear));
-  exhibit.measure("total_peak_over_plain_wall", worst(r.high.history.total) / load.plain_wall);
-  exhibit.measure("worst_corner", r.high.flow.worst_corner().shape);
-  auto& figure =
-      exhibit.figure("history", "Forces over time",
-                     fmt::format("A standing wave of {:.3g} depths, small and of height {:g} at the far wall.",
-                                 load.wavelength, values.real("amplitude")),
-                     {"frank-breakwater"});
-  draw_history(figure.panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]", .title = "small"}),
-               r.gentle.history);
-  draw_history(figure.panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]", .title = "high"}),
-               r.high.history);
-  const MeshWindow window{-s.berm.width - 2.5, 0.1};
-  draw_mesh(exhibit.figure("mesh", "The mesh over the berm", "At the end of the high wave's run.")
-                .panel(mesh_axes("", window)),
-            "mesh", r.high.flow, window);
+  auto& panel =
+      exhibit
+          .figure("history", "Forces over time",
+                  fmt::format("A small standing wave of {:.3g} depths.", load.wavelength), {"frank-breakwater"})
+          .panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"});
+  draw_forces(panel, r.gentle.history);
 }
 
 }  // namespace
@@ -445,10 +393,7 @@ Case breakwater() {
       real("columns_per_depth", 8.0, "1", {4, 32}, "columns of cells per depth"),
       integer("rows", 6, {2, 24}, "rows of cells"),
       real("wavelength", 6.0, "depth", {3.5, 30}, "of the wave that runs in time: the nearest in the basin"),
-      real("amplitude", 0.05, "depth", {1e-6, 0.2}, "height of the high wave at the far wall"),
-      real("periods", 3.0, "1", {1, 20}, "periods that the high wave runs"),
       real("tau", 0.02, "sqrt(depth/g)", {1e-3, 0.2}, "time step"),
-      real("hourglass", 0.1, "1", {0, 2}, "kappa_0 of the hourglass potential of the high wave"),
   };
   c.published = {{.tiles = {"frank-breakwater"}, .differs = "the thesis gives no geometry: this one is made up"}};
   c.study = Study(claims, compute, show);

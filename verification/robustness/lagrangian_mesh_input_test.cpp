@@ -66,6 +66,14 @@ TEST_CASE("bad meshes are refused with name, value and range", "[robustness]") {
   refused("no_curve", "A wall without a curve.", {"right wall", "no curve"}, [](Mesh& m) { m.sides.right = Wall{}; });
   refused("moving_wall", "A moving wall that does not say where it is.", {"left moving wall", "place and velocity"},
           [](Mesh& m) { m.sides.left = MovingWall{.place = {}, .velocity = constant(0)}; });
+  refused("moving_over_slope", "A moving wall that meets a bottom with a slope.", {"moving wall", "level bottom"},
+          [](Mesh& m) {
+            const double slope = 1e-3;
+            for (std::size_t i = 0; i <= m.columns; ++i) m.y[m.node(i, 0)] = -1 + slope * m.x[m.node(i, 0)];
+            m.sides.bottom = Wall{std::make_shared<GraphCurve>([=](double x) { return -1 + slope * x; },
+                                                               constant(slope), constant(0), 0.0, 4.0, 4)};
+            m.sides.left = MovingWall{.place = constant(0), .velocity = constant(0)};
+          });
   refused("moving_bottom", "A moving wall for a bottom.", {"moving wall at the bottom", "left or right"},
           [](Mesh& m) { m.sides.bottom = MovingWall{.place = constant(0), .velocity = constant(0)}; });
   refused("prescribed", "A prescribed side without velocities.", {"top prescribed side", "position and velocity"},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -18,6 +19,13 @@ bool vertical(const Wall& wall) {
 bool level(const Wall& wall) {
   const auto* line = dynamic_cast<const Line*>(wall.curve.get());
   return line != nullptr && line->tangent(0).y == 0;
+}
+
+/// Level and unbent to rounding: a node that is driven along x does not leave the curve then.
+bool level_at(const Wall& wall, Point place) {
+  const double s = wall.curve->arc_length_at(place);
+  constexpr double rounding = std::numeric_limits<double>::epsilon();
+  return std::abs(wall.curve->tangent(s).y) <= rounding && std::abs(wall.curve->curvature(s).y) <= rounding;
 }
 
 }  // namespace
@@ -85,9 +93,10 @@ void Nodes::hold(const Mesh& mesh, std::size_t node, const std::vector<const Sid
     wx_[node] = wy_[node] = 0;
     driven_.push_back({node, nullptr, path});
   } else if (moving != nullptr) {
-    if (!walls.empty() && !level(*walls.front())) {
+    if (!walls.empty() && !level_at(*walls.front(), label(node))) {
       throw std::invalid_argument(
-          fmt::format("a moving wall meets a wall that is not level at ({:g}, {:g})", mesh.x[node], mesh.y[node]));
+          fmt::format("a moving wall meets a wall that is not level at ({:g}, {:g}); allowed: a level bottom there",
+                      mesh.x[node], mesh.y[node]));
     }
     wx_[node] = 0;
     if (!walls.empty()) wy_[node] = 0;

@@ -1,0 +1,325 @@
+/*
+A breakwater whose front and rear walls are pushed at different times bears less than a plain wall (Frank 1994, section
+2.3). The case `breakwater` shows it for small waves; here the wave is high.
+
+**Set-up.** The basin of `breakwater`: depth 1, a berm in a depth of 0.4 before the rear wall, a wall 14 depths away. A
+standing wave of about six depths, for which the berm is half a wave wide, starts from rest with the height 0.05 at the
+far wall: an eighth of the depth over the berm. Gravity and density are 1. Without the hourglass potential the mesh
+folds at the edge of the berm within two periods, for heights of $0.02$ already.
+
+**What is compared.** First the water's horizontal momentum with the forces of the walls and of the bottom, in every
+step. They are found from the pressures in the cells, the hydrostatic part and the hourglass potential included, and
+from what turns the water's way along the bottom, not from what the water did; the scheme must balance them to rounding.
+Then these reactions with the forces that are read off the edges of front and rear, as for small waves: they differ by
+how well the cells resolve the front face. The energy must stay as the scheme promises. Last the statement itself: the
+largest total force of the wave over that of the same wave, as high and as long, before a plain wall.
+
+How much of the total is left? For small waves at most a tenth. A wave that crosses the berm gets steeper, and by Airy's
+theory of shallow water its second harmonic grows by $\tfrac34 k B \alpha^2/d$ on the way $B$ in the depth $d$, $\alpha$
+being the height of the wave that goes one way, half of the height $\eta_r$ at the rear wall. The wall doubles it. The
+berm is a whole wave wide for it: it pushes front and rear together, with $(1 - d)$ and $d$ of $\tfrac38 k B
+\eta_r^2/d$, and the contact point that moves adds $\tfrac12\eta_r^2$. So the total may reach a tenth of a plain wall's
+force and
+
+$$ \tfrac12 \eta_r^2 + \tfrac38 k B \eta_r^2/d . $$
+
+**What to look at.** Front and rear are still pushed in antiphase, but no longer sinusoidally: crests push harder and
+shorter than troughs pull. What alternates with the wave nearly cancels in the total, and about as much of what is left
+has twice the frequency.
+*/
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/dispersion.hpp"
+#include "validation/breakwater/basin_wave.hpp"
+#include "validation/breakwater/berm_history.hpp"
+#include "validation/breakwater/harmonic.hpp"
+#include "validation/breakwater/momentum_balance.hpp"
+#include "validation/case/case.hpp"
+#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Amount;
+using evidence::Bound;
+using evidence::Role;
+using lagrangian_mesh_2d::Flow;
+
+const std::string source = "Frank (1994), section 2.3";
+constexpr double shortest = 3;
+
+/// What the parameters decide.
+struct SetUp {
+  Berm berm;
+  BermResolution mesh;
+  double height, tau, wavelength;
+  long periods;
+
+  explicit SetUp(const Values& values)
+      : berm{.rise = 1 - values.real("berm_depth"), .width = values.real("berm_width")},
+        mesh{values.real("columns_per_depth"), static_cast<std::size_t>(values.integer("rows"))},
+        height(values.real("height")),
+        tau(values.real("tau")),
+        wavelength(values.real("wavelength")),
+        periods(values.integer("periods")) {}
+
+  /// The berm is half a wave wide.
+  [[nodiscard]] bool half_wave() const {
+    return berm.rise == Berm{}.rise && berm.width == Berm{}.width && wavelength >= 4.5 && wavelength <= 8;
+  }
+  /// Of the basin before a plain wall: an antinode at both ends.
+  [[nodiscard]] Berm plain(double length) const { return {.rise = 0, .width = berm.width, .length = length}; }
+  [[nodiscard]] std::string name() const { return fmt::format("{}, tau = {:g}", mesh.name(berm), tau); }
+};
+
+/// A wave and what is kept in it.
+struct WatchedWave {
+  BasinWave small;
+  BermWave wave;
+  std::vector<MomentumBalance::Step> steps;
+  double first_energy = 0;
+  Worst energy;   ///< change
+  Worst fastest;  ///< velocity
+};
+
+struct Results {
+  WatchedWave high;
+  BasinWave plain_small;
+  BermWave plain;
+
+  /// Largest force on the plain wall over the height.
+  [[nodiscard]] double plain_peak() const { return worst(plain.history.rear); }
+  /// Height of the wave at the rear wall over that at the far wall, if it is small.
+  [[nodiscard]] double rear_height() const {
+    const std::vector<double>& eta = high.small.mode.elevation;
+    return std::abs(eta.back() / eta.front());
+  }
+  /// The second harmonic at the rear wall by Airy's shallow water (the article).
+  [[nodiscard]] double second_harmonic(const SetUp& s) const {
+    const double depth = 1 - s.berm.rise;
+    const double k = exact::AiryDispersion(1, depth).wavenumber(high.small.mode.frequency);
+    return 0.375 * k * s.berm.width * std::pow(rear_height() * s.height, 2) / depth;
+  }
+};
+
+/// Rounding of the momentum's rate: every node's velocity is rounded once per operation.
+void claim_momentum(const Claims<Results>& claims, const SetUp& s) {
+  const double nodes = static_cast<double>((s.mesh.columns(s.berm) + 1) * (s.mesh.rows + 1));
+  claims.check(
+      {.id = "momentum",
+       .text = "The water's horizontal momentum changes by the forces of the walls and of the bottom.",
+       .quantity = "largest defect of a step's balance",
+       .unit = "rho g depth^2",
+       .source = "Frank (1994), formulas 4 to 7"},
+      [s, nodes](const Results& r) -> Measurement {
+        Worst defect;
+        for (const auto& step : r.high.steps) defect.add(step.defect(), step.time);
+        const double water = r.high.wave.flow.model().mass();
+        return {.value = defect.value(),
+                .where = fmt::format("t = {:.3g}", defect.where()),
+                .told = {.scale = r.high.fastest.value() * water / nodes / s.tau}};
+      },
+      evidence::Roundoff{.operations = 20 * nodes,
+                         .scale = Amount::told_by_run(10 * s.berm.length / nodes / s.tau),
+                         .reason = "some twenty rounded operations per node and step, of the momentum of a node that "
+                                   "moves as fast as the fastest, over the step"});
+  const double cell = std::max(1 / s.mesh.columns_per_depth, 1 / static_cast<double>(s.mesh.rows));
+  claims.check(
+      {.id = "pressures",
+       .text = "The pressures on front and rear give the forces that balance the momentum.",
+       .quantity = "largest difference over the largest force on the front",
+       .source = source},
+      [s](const Results& r) -> Measurement {
+        const BermHistory& history = r.high.wave.history;
+        const auto& steps = r.high.steps;
+        Worst off;
+        // Entry n of the history lies between steps n and n + 1.
+        for (std::size_t n = 0; n < history.time.size(); ++n) {
+          const double front = -0.5 * (steps[n].bottom + steps[n + 1].bottom) / s.height;
+          const double rear = -0.5 * (steps[n].right + steps[n + 1].right) / s.height;
+          off.add(history.front[n] - front, history.time[n]);
+          off.add(history.rear[n] - rear, history.time[n]);
+        }
+        return {.value = off.value() / worst(history.front), .where = fmt::format("t = {:.3g}", off.where())};
+      },
+      Bound{.limit = 0.5 * std::pow(0.5 * cell / s.berm.steepness, 2),
+            .reason =
+                "a cell's pressure stands for that on its edge, half a cell away: the second order of half a cell "
+                "over the length of the front face"});
+}
+
+void claim_energy(const Claims<Results>& claims, const SetUp& s) {
+  const double k = 2 * std::numbers::pi / shortest;
+  const double fastest = std::sqrt(k * std::tanh(k));
+  claims.check(
+      {.id = "energy",
+       .text = "The energy of the wave is kept.",
+       .quantity = "largest change over the energy at the beginning",
+       .source = "Frank (1994), chapter 1"},
+      [s](const Results& r) -> Measurement {
+        return {.value = r.high.energy.value() / r.high.first_energy,
+                .where = fmt::format("t = {:.3g}", r.high.energy.where()),
+                .told = {.limit = std::pow(r.high.small.mode.frequency * s.tau, 2)}};
+      },
+      Bound{.limit = Amount::told_by_run(std::pow(fastest * s.tau, 2)),
+            .reason = "the one-step scheme keeps T + Pi - (tau^2/8) u.Ku in linear waves, so that T + Pi sways by "
+                      "(omega tau)^2/4 of the energy; four times that as if all of it were in the second harmonic"});
+}
+
+void claim_statement(const Claims<Results>& claims, const SetUp& s) {
+  const auto half = claims.only_if(s.half_wave(), "for a berm half a wave wide, as it is by default");
+  half.check(
+      {.id = "antiphase",
+       .text = "Front and rear of the breakwater are pushed in antiphase by the high wave too.",
+       .quantity = "phase between front and rear",
+       .unit = "rad",
+       .source = source},
+      [s](const Results& r) -> Measurement {
+        const BermHistory& h = r.high.wave.history;
+        const double frequency = r.high.small.mode.frequency;
+        const auto front = harmonic(h.time, h.front, frequency, s.periods);
+        const auto rear = harmonic(h.time, h.rear, frequency, s.periods);
+        const double second = s.berm.rise * r.second_harmonic(s);
+        const double first = std::abs(r.high.small.load.force.front) * s.height;
+        return {.value = std::abs(std::arg(front / rear)), .told = {.limit = second / first}};
+      },
+      Bound{.limit = Amount::told_by_run(0.5),
+            .reason = "what is of second order on the front over what is of first, as if all of it had the wave's "
+                      "frequency: free waves are no harmonics",
+            .expected = std::numbers::pi});
+  half.check(
+      {.id = "less-than-plain-wall",
+       .text = "The breakwater bears less than a plain wall by a factor that the second order allows for.",
+       .quantity = "largest total force over that on a plain wall",
+       .source = source},
+      [s](const Results& r) -> Measurement {
+        const double contact = 0.5 * std::pow(r.rear_height() * s.height, 2);
+        const double second = (contact + r.second_harmonic(s)) / (r.plain_small.load.plain_wall * s.height);
+        return {.value = worst(r.high.wave.history.total) / r.plain_peak(), .told = {.limit = 0.1 + second}};
+      },
+      Bound{.limit = Amount::told_by_run(0.5),
+            .reason = "a tenth for small waves, and the second order: the contact point's part and a second harmonic, "
+                      "grown on the berm, that pushes front and rear together"});
+}
+
+void claims(const Values& values, const Claims<Results>& claims) {
+  const SetUp s(values);
+  const auto here = claims.at(s.name());
+  claim_momentum(here, s);
+  claim_energy(here, s);
+  claim_statement(here, s);
+}
+
+WatchedWave run_high(const SetUp& s, const Run& run) {
+  BasinWave small = basin_wave(s.berm, s.mesh, s.wavelength);
+  const double end = static_cast<double>(s.periods) * small.period();
+  std::optional<MomentumBalance> balance;
+  std::vector<MomentumBalance::Step> steps;
+  double first_energy = 0;
+  Worst energy;
+  Worst fastest;
+  BermWave wave = run_berm_wave(s.berm, s.mesh.columns(s.berm), s.mesh.rows, small.mode,
+                                {.height = s.height, .time = end, .tau = s.tau, .hourglass = run.real("hourglass")},
+                                [&](const Flow& flow) {
+                                  if (!balance) {
+                                    balance.emplace(flow);
+                                    first_energy = flow.energy();
+                                    return;
+                                  }
+                                  steps.push_back(balance->after_step());
+                                  energy.add(flow.energy() - first_energy, flow.time());
+                                  for (const double u : flow.state().u) fastest.add(u);
+                                  run.progress(0.9 * flow.time() / end);
+                                });
+  return {std::move(small), std::move(wave), std::move(steps), first_energy, energy, fastest};
+}
+
+Results compute(const Run& run) {
+  const SetUp s(run);
+  WatchedWave high = run_high(s, run);
+  // Two antinodes, a wave's length apart.
+  const Berm plain = s.plain(high.small.load.wavelength);
+  BasinWave plain_small = basin_wave(plain, s.mesh, plain.length);
+  BermWave plain_wave = run_berm_wave(plain, s.mesh.columns(plain), s.mesh.rows, plain_small.mode,
+                                      {.height = s.height,
+                                       .time = static_cast<double>(s.periods) * plain_small.period(),
+                                       .tau = s.tau,
+                                       .hourglass = run.real("hourglass")});
+  return {std::move(high), std::move(plain_small), std::move(plain_wave)};
+}
+
+void draw_momentum(const WatchedWave& high, evidence::Exhibit& exhibit) {
+  std::vector<double> time, rate, forces;
+  for (const auto& step : high.steps) {
+    time.push_back(step.time);
+    rate.push_back(step.rate);
+    forces.push_back(step.left + step.right + step.bottom);
+  }
+  auto& panel = exhibit
+                    .figure("momentum", "Balance of the horizontal momentum",
+                            "Rate of the water's momentum, and the sum of the forces of far wall, rear wall and bottom "
+                            "on the water, step by step.",
+                            {"frank-breakwater"})
+                    .panel({.x = "t [sqrt(depth/g)]", .y = "force [rho g depth^2]"});
+  panel.line("forces", time, forces, Role::exact);
+  panel.line("rate of momentum", time, rate, Role::computed);
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const SetUp s(values);
+  const BermHistory& history = r.high.wave.history;
+  exhibit.measure("wavelength", r.high.small.load.wavelength);
+  exhibit.measure("period", r.high.small.period());
+  exhibit.measure("rear_height_over_far_height", r.rear_height());
+  exhibit.measure("front_peak", worst(history.front));
+  exhibit.measure("rear_peak", worst(history.rear));
+  exhibit.measure("plain_wall_peak", r.plain_peak());
+  exhibit.measure("plain_wall_of_small_waves", r.plain_small.load.plain_wall);
+  exhibit.measure("worst_corner", r.high.wave.flow.worst_corner().shape);
+  auto& panel =
+      exhibit
+          .figure("history", "Forces of the high wave",
+                  fmt::format("A standing wave of {:.3g} depths and of height {:g} at the far wall; dashed: the "
+                              "same wave before a plain wall.",
+                              r.high.small.load.wavelength, s.height),
+                  {"frank-breakwater"})
+          .panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"});
+  draw_forces(panel, history);
+  panel.line("plain wall", r.plain.history.time, r.plain.history.rear, Role::guide);
+  draw_momentum(r.high, exhibit);
+  const MeshWindow window{-s.berm.width - 2.5, 0.1};
+  draw_mesh(exhibit.figure("mesh", "The mesh over the berm", "At the end of the high wave's run.")
+                .panel(mesh_axes("", window)),
+            "mesh", r.high.wave.flow, window);
+}
+
+}  // namespace
+
+Case breakwater_high_wave() {
+  Case c;
+  c.title = "A breakwater loaded in antiphase: a high wave";
+  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.3";
+  c.tiers = {Tier::quick};
+  c.parameters = {
+      real("berm_depth", 0.4, "depth", {0.2, 0.9}, "of still water over the berm"),
+      real("berm_width", 2.0, "depth", {0.5, 6}, "from the middle of the front face to the rear wall"),
+      real("columns_per_depth", 8.0, "1", {4, 32}, "columns of cells per depth"),
+      integer("rows", 6, {2, 24}, "rows of cells"),
+      real("wavelength", 6.0, "depth", {3.5, 30}, "of the wave: the nearest in the basin"),
+      real("height", 0.05, "depth", {1e-6, 0.2}, "of the wave at the far wall"),
+      integer("periods", 3, {2, 20}, "periods that the wave runs"),
+      real("tau", 0.02, "sqrt(depth/g)", {1e-3, 0.2}, "time step"),
+      real("hourglass", 0.1, "1", {0, 2}, "kappa_0 of the hourglass potential"),
+  };
+  c.published = {{.tiles = {"frank-breakwater"}, .differs = "the thesis gives no geometry: this one is made up"}};
+  c.study = Study(claims, compute, show);
+  return c;
+}
+
+}  // namespace seiche::validation::cases

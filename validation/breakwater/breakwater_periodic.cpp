@@ -1,0 +1,367 @@
+/*
+Periodic waves come in on a breakwater whose front and rear walls are pushed at different times (Frank 1994, section
+2.3). A piston far away makes them; they are reflected, and before the breakwater a standing wave is left.
+
+**Set-up.** Depth, gravity and density are 1. The breakwater is that of the case `breakwater`: a berm of width 2 in a
+depth of 0.4 before the rear wall. The piston is 50 depths from the wall. Its motion grows during 28 units of time, four
+periods of a wave of six depths, and sends waves half as high as the standing wave is to be. The run ends before what
+the paddle reflects again is back at the breakwater: little of it comes faster than at $0.6\,c_g + 0.4$, between the
+wave's group velocity and that of the fastest of all, 1. The last whole periods of it, two or more, are analysed, with
+weights that rise and fall like $1 - \cos$.
+
+**What is compared.** Amplitude and phase of the forces on front and rear, over the elevation at an antinode, with those
+of small standing waves from the eigenvalues of the same mesh. Frequencies are those of a basin 14 depths long, whose
+far wall is an antinode, so a mirror, of the standing wave in the tank too; the piston has the frequency that the
+one-step scheme gives that wave. Then neither cells nor steps make a difference. What remains is the start that has not
+yet left: linear theory of the piston, which knows no cells, tells how much, for the way to the antinode, for the way
+back, and for what the paddle reflects again; and the drift of the mesh with the square of the height, which folds it at
+the edge of the berm when waves are high (`breakwater_high_wave`). So the waves are low. The height itself, two incident
+waves', is compared with the theory of the piston.
+
+**What to look at.** The berm is half a wave wide for waves of about six depths. Front and rear are then pushed in
+antiphase, and the sum of both, for which the structure must be built, is less than a tenth of the force on a plain
+wall. Waves of fifteen depths push on both together.
+*/
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/dispersion.hpp"
+#include "seiche/exact/wavemaker.hpp"
+#include "validation/breakwater/basin_wave.hpp"
+#include "validation/breakwater/incident_waves.hpp"
+#include "validation/breakwater/tank_start.hpp"
+#include "validation/case/case.hpp"
+
+namespace seiche::validation::cases {
+namespace {
+
+using evidence::Amount;
+using evidence::Bound;
+using evidence::Role;
+
+const std::string source = "Frank (1994), section 2.3";
+constexpr double largest_limit = 0.02;
+// A wave of this height at an antinode folds the mesh at the edge of the berm within these periods.
+constexpr double folding_height = 0.02;
+constexpr double folding_periods = 2;
+
+/// What the parameters decide.
+struct SetUp {
+  Berm berm;
+  BermResolution mesh;
+  double sea, height;
+  long steps;
+  std::vector<double> wavelengths;  ///< the first: the berm is half a wave wide; the last: a long wave
+
+  explicit SetUp(const Values& values)
+      : mesh{values.real("columns_per_depth"), static_cast<std::size_t>(values.integer("rows"))},
+        sea(values.real("sea")),
+        height(values.real("height")),
+        steps(values.integer("steps")),
+        wavelengths(values.tier() == Tier::quick ? std::vector<double>{6, 5, 15}
+                                                 : std::vector<double>{6, 4.2, 5, 7.6, 10, 15}) {}
+
+  [[nodiscard]] std::string name() const {
+    Berm tank = berm;
+    tank.length += sea;
+    return fmt::format("{}, {} steps in a period", mesh.name(tank), steps);
+  }
+};
+
+/// One frequency.
+struct Periodic {
+  BasinWave small;
+  IncidentWaves waves;
+  TankHistory history;
+  TankHistory::Settled settled;
+  double unsettled = 0;  ///< by the linear theory of the start, relative to the settled wave
+
+  [[nodiscard]] double larger_force() const {
+    return std::max(std::abs(small.load.force.front), std::abs(small.load.force.rear));
+  }
+  /// Of a force over the larger one: the start in the force and in the elevation; the mesh that is carried away.
+  [[nodiscard]] double limit(const SetUp& s) const {
+    const double periods = waves.end * waves.omega / (2 * std::numbers::pi);
+    return 2 * unsettled + std::pow(s.height / folding_height, 2) * periods / folding_periods;
+  }
+  /// Of a phase, by which the smaller force is off more.
+  [[nodiscard]] double phase_limit(const SetUp& s) const {
+    return limit(s) * larger_force() / std::min(std::abs(small.load.force.front), std::abs(small.load.force.rear));
+  }
+  /// From the force of small waves, of either.
+  [[nodiscard]] std::array<std::complex<double>, 2> differences() const {
+    return {settled.front - small.sense() * small.load.force.front,
+            settled.rear - small.sense() * small.load.force.rear};
+  }
+  /// Phase from that of small waves, of either.
+  [[nodiscard]] std::array<double, 2> phases() const {
+    return {std::arg(settled.front * small.sense() * small.load.force.front),
+            std::arg(settled.rear * small.sense() * small.load.force.rear)};
+  }
+  /// |total| over the force on a plain wall.
+  [[nodiscard]] double relative() const { return std::abs(settled.total()) / small.load.plain_wall; }
+};
+
+struct Results {
+  std::vector<Periodic> all;
+};
+
+/// The wave that is farthest beyond, or least within, its own limit; judged by that limit.
+template <class Value, class Limit>
+Measurement farthest(const Results& r, Value value, Limit limit) {
+  Largest share;
+  for (std::size_t n = 0; n < r.all.size(); ++n) {
+    share.add(value(r.all[n]) / limit(r.all[n]), static_cast<double>(n));
+  }
+  const Periodic& one = r.all[static_cast<std::size_t>(share.where())];
+  return {.value = value(one),
+          .where = fmt::format("waves of {:.3g} depths", one.small.load.wavelength),
+          .told = {.limit = limit(one)}};
+}
+
+const std::string reason =
+    "twice what linear theory says has not settled, in force and elevation, on the way in, back, and once more around; "
+    "and the mesh: its nodes drift with the square of the height, and one of 0.02 folds it at the edge of the berm "
+    "within two periods, so that (height/0.02)^2 of such a fold is made in every two";
+
+void claim_loads(const Claims<Results>& claims, const SetUp& s) {
+  claims.check(
+      {.id = "forces",
+       .text = "Periodic waves push on front and rear as small standing waves of their frequency do.",
+       .quantity = "largest difference, amplitude and phase, over the larger force",
+       .source = source},
+      [s](const Results& r) {
+        return farthest(
+            r,
+            [](const Periodic& one) {
+              Worst off;
+              for (const auto& difference : one.differences()) off.add(std::abs(difference));
+              return off.value() / one.larger_force();
+            },
+            [&](const Periodic& one) { return one.limit(s); });
+      },
+      Bound{.limit = Amount::told_by_run(largest_limit), .reason = reason});
+  claims.check(
+      {.id = "phases",
+       .text = "Front and rear are pushed when the antinode is high, or low, as in standing waves.",
+       .quantity = "largest phase from that of small standing waves",
+       .unit = "rad",
+       .source = source},
+      [s](const Results& r) {
+        return farthest(
+            r, [](const Periodic& one) { return worst(one.phases()); },
+            [&](const Periodic& one) { return one.phase_limit(s); });
+      },
+      Bound{.limit = Amount::told_by_run(3 * largest_limit), .reason = reason + "; of the smaller force"});
+  claims.check(
+      {.id = "antinode",
+       .text = "The standing wave is two incident waves high.",
+       .quantity = "largest relative difference of the antinode from twice the theory of the piston",
+       .source = "Havelock (1929)"},
+      [s](const Results& r) {
+        const double cell = std::max(1 / s.mesh.columns_per_depth, 1 / static_cast<double>(s.mesh.rows));
+        return farthest(
+            r, [&](const Periodic& one) { return std::abs(std::abs(one.settled.antinode) / s.height - 1); },
+            [&](const Periodic& one) {
+              return std::pow(2 * std::numbers::pi / one.small.load.wavelength * cell, 2) + one.limit(s);
+            });
+      },
+      Bound{.limit = Amount::told_by_run(0.1),
+            .reason = "the paddle's cells are of second order, (k h)^2; and what has not settled"});
+}
+
+void claim_statement(const Claims<Results>& claims, const SetUp& s) {
+  claims.check(
+      {.id = "antiphase",
+       .text = "Where the berm is half a wave wide, front and rear are pushed in antiphase.",
+       .quantity = "phase between front and rear",
+       .unit = "rad",
+       .source = source},
+      [s](const Results& r) -> Measurement {
+        const Periodic& half = r.all.front();
+        return {.value = std::abs(std::arg(half.settled.front / half.settled.rear)),
+                .told = {.limit = 2 * half.phase_limit(s)}};
+      },
+      Bound{.limit = Amount::told_by_run(6 * largest_limit),
+            .reason = "the phases of both, " + reason,
+            .expected = std::numbers::pi});
+  claims.check(
+      {.id = "less-than-plain-wall",
+       .text = "The breakwater then bears less than a tenth of the force on a plain wall.",
+       .quantity = "|total|/plain wall",
+       .source = source},
+      [](const Results& r) { return r.all.front().relative(); }, Bound{.limit = 0.1, .reason = "a tenth"});
+  claims.check(
+      {.id = "together",
+       .text = "Waves much longer push on front and rear together.",
+       .quantity = "phase between front and rear",
+       .unit = "rad",
+       .source = source},
+      [s](const Results& r) -> Measurement {
+        const Periodic& longest = r.all.back();
+        return {.value = std::abs(std::arg(longest.settled.front / longest.settled.rear)),
+                .told = {.limit = 2 * longest.phase_limit(s)}};
+      },
+      Bound{.limit = Amount::told_by_run(6 * largest_limit), .reason = "the phases of both, " + reason});
+}
+
+void claims(const Values& values, const Claims<Results>& claims) {
+  const SetUp s(values);
+  const auto here = claims.at(s.name());
+  claim_loads(here, s);
+  claim_statement(here, s);
+}
+
+/// When the tank has settled before the breakwater and nothing has come around once more.
+IncidentWaves incident(const SetUp& s, const BasinWave& small) {
+  IncidentWaves waves{.sea = s.sea};
+  const auto steps = static_cast<double>(s.steps);
+  waves.tau = 2 / small.mode.frequency * std::sin(std::numbers::pi / steps);
+  const double period = steps * waves.tau;
+  waves.omega = 2 * std::numbers::pi / period;
+  const exact::Wavemaker paddle(exact::Paddle::piston, 1, 1, waves.omega);
+  waves.half_stroke = 0.5 * s.height / paddle.height_per_stroke();
+  const exact::AiryDispersion airy(1, 1);
+  const double group = airy.group_speed(airy.wavenumber(waves.omega));
+  const double around = 3 * (s.berm.length + s.sea - s.berm.width);
+  waves.end = period * std::floor(around / (0.4 + 0.6 * group) / period);
+  waves.settled_periods = std::max(2L, std::lround(std::floor(waves.rise / period)));
+  return waves;
+}
+
+/// Share of the wave that is missing, or too much, by the linear theory of the start: in what comes in, in what comes
+/// back, and in what has come around.
+double unsettled(const SetUp& s, const IncidentWaves& waves, const Antinode& antinode) {
+  const TankStart start(waves);
+  const exact::AiryDispersion deep(1, 1);
+  const exact::AiryDispersion shallow(1, 1 - s.berm.rise);
+  const double slower =
+      deep.group_speed(deep.wavenumber(waves.omega)) / shallow.group_speed(shallow.wavenumber(waves.omega));
+  const double length = s.berm.length + s.sea;
+  const double there = length + antinode.place;
+  // As far in deep water as the berm takes time.
+  const double back = length - s.berm.width + 2 * slower * s.berm.width + (-antinode.place - s.berm.width);
+  const double around = 2 * (length - s.berm.width) + there;
+  return std::abs(start.settled_share(there) - 1.0) + std::abs(start.settled_share(back) - 1.0) +
+         std::abs(start.settled_share(around));
+}
+
+Results compute(const Run& run) {
+  const SetUp s(run);
+  Results r;
+  for (const double wavelength : s.wavelengths) {
+    BasinWave small = basin_wave(s.berm, s.mesh, wavelength);
+    const IncidentWaves waves = incident(s, small);
+    const Antinode antinode = antinode_before(s.berm, small.mode);
+    TankHistory history = run_tank(s.berm, s.mesh, waves, antinode);
+    const TankHistory::Settled over = settled(history, waves, antinode);
+    r.all.push_back({std::move(small), waves, std::move(history), over, unsettled(s, waves, antinode)});
+    run.progress(static_cast<double>(r.all.size()) / static_cast<double>(s.wavelengths.size()));
+  }
+  return r;
+}
+
+void tabulate(const Results& r, const SetUp& s, evidence::Exhibit& exhibit) {
+  evidence::Table table{.id = "forces",
+                        .title = "Forces of periodic waves",
+                        .caption =
+                            "Amplitudes over the height of the antinode, and how far the phases of front and "
+                            "rear are apart. In brackets: small standing waves.",
+                        .columns = {{"wavelength", "depth"},
+                                    {"front", "rho g depth"},
+                                    {"(front)", "rho g depth"},
+                                    {"rear", "rho g depth"},
+                                    {"(rear)", "rho g depth"},
+                                    {"phase", "rad"},
+                                    {"total/plain wall", "1"},
+                                    {"(total/plain wall)", "1"},
+                                    {"antinode/2 incident", "1"},
+                                    {"not settled", "1"}},
+                        .rows = {},
+                        .atlas = {"frank-breakwater"}};
+  for (const Periodic& one : r.all) {
+    const TankHistory::Settled& f = one.settled;
+    const StandingLoad& load = one.small.load;
+    table.rows.push_back({load.wavelength, std::abs(f.front), std::abs(load.force.front), std::abs(f.rear),
+                          std::abs(load.force.rear), std::abs(std::arg(f.front / f.rear)), one.relative(),
+                          load.relative(), std::abs(f.antinode) / s.height, one.unsettled});
+  }
+  exhibit.table(std::move(table));
+}
+
+void draw_tank(const Periodic& one, const SetUp& s, evidence::Panel& panel) {
+  std::vector<double> front, rear, total;
+  for (std::size_t n = 0; n < one.history.time.size(); ++n) {
+    front.push_back(one.history.front[n] / s.height);
+    rear.push_back(one.history.rear[n] / s.height);
+    total.push_back(front.back() + rear.back());
+  }
+  panel.line("front", one.history.time, front, Role::computed);
+  panel.line("rear", one.history.time, rear, Role::peer);
+  panel.line("total", one.history.time, total, Role::exact);
+}
+
+void draw_loads(const Results& r, const SetUp& s, evidence::Exhibit& exhibit) {
+  constexpr double shortest = 4;
+  std::vector<double> length, relative, periodic_length, periodic;
+  for (const StandingLoad& one : standing_loads(s.berm, s.mesh.columns(s.berm), s.mesh.rows, shortest)) {
+    if (one.wavelength > 17) continue;
+    length.push_back(one.wavelength);
+    relative.push_back(one.relative());
+  }
+  for (const Periodic& one : r.all) {
+    periodic_length.push_back(one.small.load.wavelength);
+    periodic.push_back(one.relative());
+  }
+  auto& panel = exhibit
+                    .figure("loads", "Load of periodic waves",
+                            "Total force over that on a plain wall: periodic waves from the paddle, and small standing "
+                            "waves of a basin.",
+                            {"frank-breakwater"})
+                    .panel({.x = "wavelength [depth]", .y = "|total|/plain wall"});
+  panel.points("standing waves", length, relative, Role::exact);
+  panel.points("periodic waves", periodic_length, periodic, Role::computed);
+  panel.line("a tenth", std::vector{length.back(), length.front()}, std::vector{0.1, 0.1}, Role::guide);
+}
+
+void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
+  const SetUp s(values);
+  tabulate(r, s, exhibit);
+  draw_loads(r, s, exhibit);
+  auto& figure = exhibit.figure("tank", "Periodic waves arrive",
+                                "Forces on front, rear and both, over the height of the antinode that the standing "
+                                "wave is to have.",
+                                {"frank-breakwater"});
+  for (const Periodic* one : {&r.all.front(), &r.all.back()}) {
+    draw_tank(*one, s,
+              figure.panel({.x = "t [sqrt(depth/g)]",
+                            .y = "force/height [rho g depth]",
+                            .title = fmt::format("waves of {:.3g} depths", one->small.load.wavelength)}));
+  }
+}
+
+}  // namespace
+
+Case breakwater_periodic() {
+  Case c;
+  c.title = "Periodic waves on a breakwater whose front and rear are loaded in antiphase";
+  c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.3";
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {
+      real("sea", 36.0, "depth", {20, 200}, "by which the tank is longer than the basin of 14 depths"),
+      real("height", 1e-4, "depth", {1e-6, 1e-3}, "that the standing wave is to have at its antinodes"),
+      real("columns_per_depth", 8.0, "1", {8, 32}, "columns of cells per depth"),
+      integer("rows", 6, {6, 24}, "rows of cells"),
+      integer("steps", 60, {60, 1000}, "time steps in a period"),
+  };
+  c.published = {{.tiles = {"frank-breakwater"}, .differs = "the thesis gives no geometry: this one is made up"}};
+  c.study = Study(claims, compute, show);
+  return c;
+}
+
+}  // namespace seiche::validation::cases
