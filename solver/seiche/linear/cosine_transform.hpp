@@ -49,7 +49,7 @@ class CosineTransform {
     struct Free {
       void operator()(std::complex<float>* buffer) const;
     };
-    using Buffer = std::unique_ptr<std::complex<float>[], Free>;
+    using Buffer = std::unique_ptr<std::complex<float>, Free>;  // of many
     static Buffer allocate(std::size_t size);
 
     Buffer rows_;

@@ -82,7 +82,9 @@ class LatticeGradients {
   }
 
   void scale_by(const LatticeArray& diagonal) {
-    const auto [nx, nz, layers] = undeformed_.shape;
+    const std::size_t nx = undeformed_.shape.nx;
+    const std::size_t nz = undeformed_.shape.nz;
+    const std::size_t layers = undeformed_.shape.layers;
     scale_.resize(diagonal.size());
     const double* own = diagonal.data();
 #pragma omp parallel for schedule(static) if (scale_.size() > worth_threads)
