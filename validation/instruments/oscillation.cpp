@@ -19,8 +19,8 @@ double mean(std::span<const double> values) {
 
 }  // namespace
 
-std::vector<Crest> crests_above(double threshold, std::span<const double> x, std::span<const double> y) {
-  std::vector<Crest> crests;
+std::vector<CurveCrest> crests_above(double threshold, std::span<const double> x, std::span<const double> y) {
+  std::vector<CurveCrest> crests;
   for (std::size_t k = 1; k + 1 < x.size(); ++k) {
     if (!(y[k] > y[k - 1] && y[k] >= y[k + 1])) continue;
     Peak top;
@@ -57,16 +57,16 @@ Period period_of(std::span<const double> samples, double interval) {
     lag.push_back(static_cast<double>(k) * interval);
     likeness.push_back(c);
   }
-  const std::vector<Crest> peaks = crests_above(0, lag, likeness);
+  const std::vector<CurveCrest> peaks = crests_above(0, lag, likeness);
   Largest highest;
-  for (const Crest& peak : peaks) highest.add(peak.height);
-  const auto first =
-      std::find_if(peaks.begin(), peaks.end(), [&](const Crest& peak) { return peak.height >= 0.9 * highest.value(); });
+  for (const CurveCrest& peak : peaks) highest.add(peak.height);
+  const auto first = std::find_if(peaks.begin(), peaks.end(),
+                                  [&](const CurveCrest& peak) { return peak.height >= 0.9 * highest.value(); });
   if (first == peaks.end()) return {unknown, unknown};
   return {first->place, first->height};
 }
 
-std::vector<double> distances(std::span<const Crest> crests) {
+std::vector<double> distances(std::span<const CurveCrest> crests) {
   std::vector<double> result;
   for (std::size_t k = 1; k < crests.size(); ++k) result.push_back(crests[k].place - crests[k - 1].place);
   return result;

@@ -6,14 +6,14 @@
 
 namespace seiche::validation {
 
-struct Crest {
+struct CurveCrest {
   double place = 0;
   double height = 0;
 };
 
 /// Local maxima above `threshold`, each by the parabola through a sample and its neighbours; of equal neighbouring
 /// samples the first. x ascends, not necessarily in equal steps.
-std::vector<Crest> crests_above(double threshold, std::span<const double> x, std::span<const double> y);
+std::vector<CurveCrest> crests_above(double threshold, std::span<const double> x, std::span<const double> y);
 
 /// Pearson's correlation coefficient; NaN where either is constant.
 double correlation(std::span<const double> a, std::span<const double> b);
@@ -28,7 +28,7 @@ struct Period {
 Period period_of(std::span<const double> samples, double interval);
 
 /// Distances between neighbouring crests.
-std::vector<double> distances(std::span<const Crest> crests);
+std::vector<double> distances(std::span<const CurveCrest> crests);
 /// Largest deviation of values from their mean, relative to it; NaN for fewer than two.
 double relative_spread(std::span<const double> values);
 

@@ -162,7 +162,7 @@ evidence::Table peaks_table(const PressureWaves& waves, const std::vector<double
                         .title = "Wide suction: the surface at the source is highest",
                         .caption = "In brackets, by an earlier program for the same equations.",
                         .columns = {{"peak", ""}, {"t", "(H/g)^(1/2)"}, {"(t)", "(H/g)^(1/2)"}, {"elevation", "H"}}};
-  const std::vector<Crest> peaks = waves.source_peaks();
+  const std::vector<CurveCrest> peaks = waves.source_peaks();
   for (std::size_t k = 0; k < std::min(peaks.size(), expected.size()); ++k) {
     table.rows.push_back({static_cast<double>(k + 1), peaks[k].place, expected[k], peaks[k].height});
   }

@@ -111,25 +111,25 @@ PressureWaves::Extremes PressureWaves::range_at_source() const {
   return {smallest(half), largest(half)};
 }
 
-std::vector<Crest> PressureWaves::source_peaks() const {
+std::vector<CurveCrest> PressureWaves::source_peaks() const {
   const Extremes range = range_at_source();
   return crests_above(0.5 * (range.lowest + range.highest), time_, at_source_);
 }
 
 Period PressureWaves::period() const {
-  const std::vector<Crest> peaks = source_peaks();
+  const std::vector<CurveCrest> peaks = source_peaks();
   if (peaks.empty()) return {unknown, unknown};
   const auto first = std::lower_bound(time_.begin(), time_.end(), peaks.front().place) - time_.begin();
   return period_of(std::span(at_source_).subspan(static_cast<std::size_t>(first)), time_[1] - time_[0]);
 }
 
-std::vector<Crest> PressureWaves::solitons(const PressureSurface& surface, double threshold) const {
-  std::vector<Crest> peaks = crests_above(threshold, surface.place, surface.elevation);
-  std::erase_if(peaks, [&](const Crest& peak) { return peak.place <= source_.half_width; });
+std::vector<CurveCrest> PressureWaves::solitons(const PressureSurface& surface, double threshold) const {
+  std::vector<CurveCrest> peaks = crests_above(threshold, surface.place, surface.elevation);
+  std::erase_if(peaks, [&](const CurveCrest& peak) { return peak.place <= source_.half_width; });
   return peaks;
 }
 
-std::vector<Crest> PressureWaves::forward_solitons(double threshold) const {
+std::vector<CurveCrest> PressureWaves::forward_solitons(double threshold) const {
   return solitons(last_, threshold);
 }
 
@@ -142,10 +142,10 @@ double PressureWaves::maximum_ahead() const {
 }
 
 PressureWaves::Leader PressureWaves::leader(double threshold) const {
-  const std::vector<Crest> before = solitons(earlier_, threshold);
-  const std::vector<Crest> now = solitons(last_, threshold);
+  const std::vector<CurveCrest> before = solitons(earlier_, threshold);
+  const std::vector<CurveCrest> now = solitons(last_, threshold);
   if (before.empty() || now.empty()) return {unknown, unknown, unknown};
-  const Crest here = now.back();
+  const CurveCrest here = now.back();
   return {.speed = source_.speed + (here.place - before.back().place) / (last_.time - earlier_.time),
           .height = here.height,
           .place = here.place};

@@ -59,12 +59,12 @@ class PressureWaves {
   };
   [[nodiscard]] Extremes range_at_source() const;
   /// Peaks of the elevation at the source that reach the upper half of that range.
-  [[nodiscard]] std::vector<Crest> source_peaks() const;
+  [[nodiscard]] std::vector<CurveCrest> source_peaks() const;
   /// Of the elevation at the source, after its first peak; NaN without one.
   [[nodiscard]] Period period() const;
 
   /// Peaks of the last surface beyond the front of the source.
-  [[nodiscard]] std::vector<Crest> forward_solitons(double threshold) const;
+  [[nodiscard]] std::vector<CurveCrest> forward_solitons(double threshold) const;
   /// How many; NaN where the surface is not known.
   [[nodiscard]] double soliton_count(double threshold) const;
   /// Highest elevation beyond the front of the source, of the last surface and of all times.
@@ -87,7 +87,7 @@ class PressureWaves {
   static constexpr double leader_time = 10;
 
  private:
-  [[nodiscard]] std::vector<Crest> solitons(const PressureSurface& surface, double threshold) const;
+  [[nodiscard]] std::vector<CurveCrest> solitons(const PressureSurface& surface, double threshold) const;
 
   PressureSource source_;
   PressureRun run_;

@@ -71,7 +71,7 @@ std::string SolitaryClimb::resolution() const {
   return fmt::format("h = {:g}, tau = {:g} h", spacing, tau_over_spacing);
 }
 
-RunUp run_up(const SolitaryClimb& climb, const Watch& watch) {
+RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch) {
   Flow flow = climb.start();
   Peak edge;
   edge.add(flow.time(), flow.y().back());

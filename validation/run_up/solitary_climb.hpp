@@ -56,14 +56,14 @@ struct RunUp {
   mechanics::InvariantsLedger ledger;  ///< empty unless it was asked for
 };
 
-struct Watch {
+struct ClimbWatch {
   bool ledger = false;  ///< costs as much as the run itself
   std::function<void(const dispersive::Flow&)> after_step = {};
   double latest = 1e4;  ///< the run ends then at the latest
 };
 
 /// Runs until the water's edge has fallen to 0.9 of its highest. Throws Divergence.
-RunUp run_up(const SolitaryClimb& climb, const Watch& watch = {});
+RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch = {});
 
 /// Claim that energy is kept: to round-off by the conservative scheme, to O(tau^2) by the others. Needs the ledger.
 void claim_energy(const Claims<RunUp>& claims, const SolitaryClimb& climb);

@@ -85,7 +85,7 @@ Travel travel(const Run& run, const SolitaryWave& wave, long rows) {
   std::vector<double> late_place;
   Mean late_height;
   for (const SurfaceLine& line : t.run.surfaces) {
-    const Crest crest = line.highest(3, length - 3);
+    const CurveCrest crest = line.highest(3, length - 3);
     t.place.push_back(crest.place);
     t.height.push_back(crest.height);
     if (line.time < settled) continue;

@@ -56,7 +56,7 @@ std::vector<long> meshes(const Values& values) {
 /// What the waves of a run on one mesh are.
 struct Passage {
   SolitaryRun run;
-  std::vector<Crest> peaks;  ///< on the shelf, from the highest back
+  std::vector<CurveCrest> peaks;  ///< on the shelf, from the highest back
   double reflected = 0;      ///< highest crest before the step when it is half way to the left wall
 };
 
@@ -94,7 +94,7 @@ Passage pass(const Run& run, const SolitaryWave& wave, long rows, const std::fun
   Passage p{.run = follow_solitary(flow, rest, rows, run.real("time"), step_length(run, rows), interval, progress),
             .peaks = {}};
   const SurfaceLine& last = p.run.last();
-  const Crest first = last.highest(step, last.x.back());
+  const CurveCrest first = last.highest(step, last.x.back());
   // Behind the waves that parted comes what was reflected twice.
   p.peaks = last.waves(0.03 * wave.amplitude(), apart, step + 0.5 * (first.place - step), first.place);
   std::reverse(p.peaks.begin(), p.peaks.end());

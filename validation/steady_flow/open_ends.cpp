@@ -4,7 +4,7 @@
 
 namespace seiche::validation {
 
-evidence::Roundoff open_ends_roundoff(const Reach& reach, long particles, double time) {
+evidence::Roundoff open_ends_roundoff(const ChannelReach& reach, long particles, double time) {
   const double water = reach.length * reach.depth;
   const double particle = 2 * water / static_cast<double>(particles);
   const double fastest = reach.celerity + reach.discharge / reach.depth;

@@ -33,24 +33,24 @@ variable_mass::Start solitary_start(const exact::SolitaryWave& wave, double cres
           }};
 }
 
-Crest SurfaceLine::highest(double from, double to) const {
+CurveCrest SurfaceLine::highest(double from, double to) const {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  Crest top{nan, nan};
-  for (const Crest& one : crests(-std::numeric_limits<double>::infinity(), from, to)) {
+  CurveCrest top{nan, nan};
+  for (const CurveCrest& one : crests(-std::numeric_limits<double>::infinity(), from, to)) {
     if (!(one.height <= top.height)) top = one;
   }
   return top;
 }
 
-std::vector<Crest> SurfaceLine::crests(double threshold, double from, double to) const {
-  std::vector<Crest> found = crests_above(threshold, x, y);
-  std::erase_if(found, [&](const Crest& one) { return !(one.place >= from && one.place <= to); });
+std::vector<CurveCrest> SurfaceLine::crests(double threshold, double from, double to) const {
+  std::vector<CurveCrest> found = crests_above(threshold, x, y);
+  std::erase_if(found, [&](const CurveCrest& one) { return !(one.place >= from && one.place <= to); });
   return found;
 }
 
-std::vector<Crest> SurfaceLine::waves(double threshold, double apart, double from, double to) const {
-  std::vector<Crest> found = crests(threshold, from, to);
-  std::erase_if(found, [&](const Crest& one) {
+std::vector<CurveCrest> SurfaceLine::waves(double threshold, double apart, double from, double to) const {
+  std::vector<CurveCrest> found = crests(threshold, from, to);
+  std::erase_if(found, [&](const CurveCrest& one) {
     const auto begin = std::lower_bound(x.begin(), x.end(), one.place - apart) - x.begin();
     const auto end = std::upper_bound(x.begin(), x.end(), one.place + apart) - x.begin();
     return std::any_of(y.begin() + begin, y.begin() + end, [&](double height) { return height > one.height; });

@@ -24,10 +24,10 @@ struct SurfaceLine {
   std::vector<double> x, y;
 
   /// Highest crest of a part of it; a height of NaN where there is none.
-  [[nodiscard]] Crest highest(double from, double to) const;
+  [[nodiscard]] CurveCrest highest(double from, double to) const;
   /// Crests above a threshold of a part of it: all, and those that are the highest place within a distance.
-  [[nodiscard]] std::vector<Crest> crests(double threshold, double from, double to) const;
-  [[nodiscard]] std::vector<Crest> waves(double threshold, double apart, double from, double to) const;
+  [[nodiscard]] std::vector<CurveCrest> crests(double threshold, double from, double to) const;
+  [[nodiscard]] std::vector<CurveCrest> waves(double threshold, double apart, double from, double to) const;
   /// Top of the parabola, by least squares, through what is within a distance of a place: a crest with ripples on it.
   [[nodiscard]] double smoothed_height(double place, double within) const;
 };
