@@ -96,7 +96,7 @@ void compare_with_one(const std::string& id, const std::string& title, const std
                                     finest.condition)});
     if (problem.window.reach) {
       check.that({.id = "shifts-" + problem.id,
-                  .text = "The window moves as on one process, by more columns than a process holds on four.",
+                  .text = "The window moves as on one process.",
                   .quantity = "columns left behind, less those on one process",
                   .source = source},
                  {.value = static_cast<double>(finest.shifts - reference.shifts),
