@@ -207,20 +207,25 @@ void shift_blocks(Check& check, const std::string& id, const std::string& text, 
   }
   Worst state, first, volume, mass;
   for (std::size_t b = 0; b < parts.size(); ++b) {
+    const Block& block = blocks[b];
     const auto compare = [&](std::size_t more, std::span<const double> of_part, std::span<const double> of_all,
-                             bool owned_alone, Worst& worst) {
-      const Shape shape = blocks[b].shape();
+                             Worst& worst, const std::function<bool(std::size_t there)>& counts) {
+      const Shape shape = block.shape();
       const std::size_t levels = of_part.size() / ((shape.columns + more) * (shape.rows + more));
-      blocks[b].each(more, levels, [&](std::size_t here, std::size_t there, bool own) {
-        if (own || !owned_alone) worst.add(of_part[here] - of_all[there]);
+      block.each(more, levels, [&](std::size_t here, std::size_t there, bool) {
+        if (!counts || counts(there)) worst.add(of_part[here] - of_all[there]);
       });
     };
-    compare(1, parts[b].state.q, all.state.q, false, state);
-    compare(1, parts[b].state.u, all.state.u, false, state);
-    compare(0, parts[b].state.multipliers, all.state.multipliers, false, state);
-    compare(1, first_x(*parts[b].model), first_x(*all.model), false, first);
-    compare(0, parts[b].model->first_volumes(), all.model->first_volumes(), false, volume);
-    compare(1, masses(*parts[b].model), masses(*all.model), true, mass);
+    compare(1, parts[b].state.q, all.state.q, state, {});
+    compare(1, parts[b].state.u, all.state.u, state, {});
+    compare(0, parts[b].state.multipliers, all.state.multipliers, state, {});
+    compare(1, first_x(*parts[b].model), first_x(*all.model), first, {});
+    compare(0, parts[b].model->first_volumes(), all.model->first_volumes(), volume, {});
+    compare(1, masses(*parts[b].model), masses(*all.model), mass, [&](std::size_t node) {
+      const std::size_t i = node % (whole.columns + 1);
+      const std::size_t j = node / (whole.columns + 1) % (whole.rows + 1);
+      return i >= block.west && i <= block.east && j >= block.south && j <= block.north;
+    });
   }
   const Roundoff rounding{
       .operations = 60, .scale = 10, .reason = "places up to 12 and volumes of one, in some sixty operations"};
@@ -231,7 +236,7 @@ void shift_blocks(Check& check, const std::string& id, const std::string& text, 
   claim("state", "places, velocities and multipliers are those of the whole, copies too.", state);
   claim("first", "first places, which masses and new columns come from, likewise.", first);
   claim("volumes", "volumes of cells likewise.", volume);
-  claim("masses", "masses of a block's own nodes are those of the whole.", mass);
+  claim("masses", "masses of the nodes around a block's own cells, which their coefficients need, likewise.", mass);
 }
 
 }  // namespace
