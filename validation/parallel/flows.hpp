@@ -11,7 +11,7 @@
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "validation/instruments/island_flow.hpp"
-#include "validation/mach_reflection/oblique_wave.hpp"
+#include "validation/instruments/oblique_wave.hpp"
 
 namespace seiche::parallel {
 

@@ -187,7 +187,8 @@ int run_plan(Options options) {
     const dispersive_shallow_water_2d::Lattice lattice = basin.lattice();
     options.columns = lattice.shape.columns;
     options.rows = lattice.shape.rows;
-    options.step = std::min(options.step, basin.step() / units(options).time);
+    const double longest = basin.step() / units(options).time;
+    if (options.step > longest) options.step = longest;
     dispersive_shallow_water_2d::Settings settings = basin.model_settings();
     settings.tolerance = options.tolerance;
     distributed::PlanFlow flow(

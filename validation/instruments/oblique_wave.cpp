@@ -1,4 +1,4 @@
-#include "validation/mach_reflection/oblique_wave.hpp"
+#include "validation/instruments/oblique_wave.hpp"
 
 #include <algorithm>
 #include <cmath>
