@@ -82,6 +82,9 @@ NOT_RUN = {
         "ci/petsc": PETSC,
         "cmake --preset petsc && cmake --build --preset petsc --target seiche_parallel": PETSC,
         "mpirun -n 4 build/petsc/seiche-parallel hump --columns 800 --rows 400 --time 20 --every 5 --out run": PETSC,
+        "mpirun -n 4 build/petsc/seiche-parallel reflection --amplitude 0.3 --angle 30 --time 600 --step 0.25 --out run":
+            PETSC,
+        "mpirun -n 4 build/petsc/seiche-parallel island --amplitude 0.096 --spacing 0.5 --time 40 --out run": PETSC,
         "seiche run mach_reflection --set angle=... --set amplitude=...": PATTERN,
         "import h5py": "reads the fields of a run that needs PETSc",
         "#!/bin/bash": "a job of a cluster; its syntax is checked",

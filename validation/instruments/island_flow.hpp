@@ -48,6 +48,10 @@ class ConicalIsland {
   [[nodiscard]] double crest() const { return -base_radius - reach_; }
   [[nodiscard]] const exact::SerreSolitary& wave() const { return wave_; }
   [[nodiscard]] dispersive_shallow_water_2d::Flow flow() const;
+  /// What the flow is made of.
+  [[nodiscard]] dispersive_shallow_water_2d::Lattice lattice() const;
+  [[nodiscard]] dispersive_shallow_water_2d::Velocity velocity(double x, double y) const;
+  [[nodiscard]] dispersive_shallow_water_2d::Settings model_settings() const;
   /// The crest passes the middle of the island where it is not held up.
   [[nodiscard]] double passage() const { return -crest() / wave_.speed(); }
   /// About half of what a long wave in the deep water needs for the rows near the shore.

@@ -31,8 +31,8 @@ is a hundredth lower.
 #include "validation/case/case.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/instruments/fine_limit.hpp"
+#include "validation/instruments/oblique_wave.hpp"
 #include "validation/instruments/row_crests.hpp"
-#include "validation/mach_reflection/oblique_wave.hpp"
 #include "validation/mach_reflection/reflection_reference.hpp"
 #include "validation/mach_reflection/surface_part.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -17,16 +19,26 @@ constexpr double crest = 15;  // of the solitary wave at the beginning, in depth
 }  // namespace
 
 void add_options(CLI::App& app, Options& options) {
-  app.add_option("flow", options.flow,
-                 "hump: of water at rest in the middle of a box; soliton: a solitary wave that runs along x")
-      ->check(CLI::IsMember({"hump", "soliton"}))
+  app.add_option(
+         "flow", options.flow,
+         "hump: of water at rest in the middle of a box; soliton: a solitary wave that runs along x; reflection: "
+         "one that meets a wall at an angle, in a window that follows it; island: one around a conical island, "
+         "with its shoreline")
+      ->check(CLI::IsMember({"hump", "soliton", "reflection", "island"}))
       ->capture_default_str();
-  app.add_option("--columns", options.columns, "of cells")->check(CLI::Range(2, 1000000))->capture_default_str();
-  app.add_option("--rows", options.rows, "of cells")->check(CLI::Range(1, 1000000))->capture_default_str();
+  app.add_option("--columns", options.columns, "of cells, of hump and soliton")
+      ->check(CLI::Range(2, 1000000))
+      ->capture_default_str();
+  app.add_option("--rows", options.rows, "of cells, of hump and soliton")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
   app.add_option("--layers", options.layers, "of hexahedra; 0: the plan model")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
   app.add_option("--spacing", options.spacing, "of the lattice [depths]")->capture_default_str();
+  app.add_option("--angle", options.angle, "of a reflected wave [degrees]")
+      ->check(CLI::Range(0.0, 75.0))
+      ->capture_default_str();
   app.add_option("--amplitude", options.amplitude, "[depths]")->capture_default_str();
   app.add_option("--time", options.time, "[sqrt(depth/g)]")->capture_default_str();
   app.add_option("--step", options.step, "[sqrt(depth/g)]")->capture_default_str();
@@ -38,12 +50,20 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--out", options.out, "folder for fields_*.h5 and the record")->capture_default_str();
 }
 
-dispersive_shallow_water_2d::Rectangle water(const Options& options) {
+namespace {
+
+void require_sensible(const Options& options) {
   require_positive("spacing", options.spacing);
   require_within("amplitude", options.amplitude, 1e-6, 0.6);
   require_positive("time", options.time);
   require_positive("step", options.step);
   require_not_negative("every", options.every);
+}
+
+}  // namespace
+
+dispersive_shallow_water_2d::Rectangle water(const Options& options) {
+  require_sensible(options);
   const double length = options.spacing * static_cast<double>(options.columns);
   const double width = options.spacing * static_cast<double>(options.rows);
   dispersive_shallow_water_2d::Rectangle rectangle{
@@ -93,12 +113,37 @@ lagrangian_mesh_3d::VelocityAt layered_velocity(const Options& options) {
   };
 }
 
+validation::ObliqueWave oblique_wave(const Options& options) {
+  require_sensible(options);
+  return {options.amplitude, options.angle * std::numbers::pi / 180};
+}
+
+validation::ReflectionWindow reflection_window(const Options& options) {
+  return window_until(options.time, oblique_wave(options), options.spacing);
+}
+
+validation::ConicalIsland::Settings island(const Options& options) {
+  require_sensible(options);
+  if (options.layers > 0) throw std::invalid_argument("an island in layers of hexahedra; allowed: the plan model");
+  const double depth = validation::ConicalIsland::Settings{}.depth;
+  return {.height = options.amplitude, .spacing = options.spacing * depth};
+}
+
+Units units(const Options& options) {
+  if (options.flow != "island") return {};
+  const double depth = validation::ConicalIsland::Settings{}.depth;
+  return {.length = depth, .time = std::sqrt(depth / validation::ConicalIsland::gravity)};
+}
+
 evidence::Record begun(const Options& options) {
   evidence::Record record;
   record.name = "parallel_" + options.flow + (options.layers > 0 ? "_hexahedra" : "");
   record.group = "parallel";
-  record.title =
-      options.flow == "hump" ? "A hump of water in a box, on many processes" : "A solitary wave, on many processes";
+  const std::string what = options.flow == "hump"         ? "A hump of water in a box"
+                           : options.flow == "soliton"    ? "A solitary wave"
+                           : options.flow == "reflection" ? "A solitary wave that meets a wall at an angle"
+                                                          : "A solitary wave around a conical island";
+  record.title = what + ", on many processes";
   record.source = "validation/parallel/flows.cpp";
   record.article = std::string(options.layers > 0 ? "Layers of Lagrangian hexahedra"
                                                   : "The plan model of dispersive shallow water") +
@@ -113,6 +158,8 @@ evidence::Record begun(const Options& options) {
   keep("rows", static_cast<long>(options.rows), static_cast<long>(standard.rows), "1", "cells along y");
   keep("layers", static_cast<long>(options.layers), static_cast<long>(standard.layers), "1",
        "of hexahedra; 0: the plan model");
+  if (options.flow == "reflection")
+    keep("angle", options.angle, standard.angle, "deg", "between crest and wall's normal");
   keep("spacing", options.spacing, standard.spacing, "depth", "of the lattice");
   keep("amplitude", options.amplitude, standard.amplitude, "depth", "of the first surface");
   keep("time", options.time, standard.time, "sqrt(depth/g)", "at the end");
@@ -121,6 +168,73 @@ evidence::Record begun(const Options& options) {
   keep("tolerance", options.tolerance, standard.tolerance, "1", "relative residual of the solver");
   return record;
 }
+
+namespace {
+
+/// k of the solitary wave a sech^2(k s), times the depth.
+double wave_number(const Options& options) {
+  return std::sqrt(3 * options.amplitude / (4 * (1 + options.amplitude)));
+}
+
+void judge_reflection(evidence::Record& record, const Options& options, const Findings& findings,
+                      const std::string& resolution) {
+  const validation::ObliqueWave wave = oblique_wave(options);
+  const double decay = wave_number(options);
+  const double coarse = decay * decay * options.spacing * options.spacing;
+  record.check({.id = "ahead",
+                .text = "The window keeps ahead of the wave: at its front water is at rest.",
+                .quantity = "height of the surface at the east side",
+                .unit = "depth",
+                .source = "validation/instruments/oblique_wave.hpp"},
+               {.value = findings.ahead, .resolution = resolution},
+               evidence::Bound{.limit = 1e-5 * std::exp(4 * decay * std::cos(wave.angle()) * options.spacing),
+                               .reason = "the incident wave two columns behind the place where it is 1e-5 high: the "
+                                         "east side may lag by one"});
+  record.check({.id = "incident",
+                .text = "Far from the wall the incident wave is undisturbed.",
+                .quantity = "median of its height near the upper end of the window",
+                .unit = "depth",
+                .source = "Serre's solitary wave, which the model carries in the limit of fine cells"},
+               {.value = findings.incident, .resolution = resolution},
+               evidence::Bound{.limit = coarse,
+                               .reason = "(k h)^2 for a wave a sech^2(k s) on a lattice of spacing h",
+                               .expected = options.amplitude,
+                               .relative = true});
+  record.check({.id = "wall",
+                .text = "At the wall the wave is higher than the incident one, by at most four times.",
+                .quantity = "height at the wall over that of the incident wave",
+                .source = "J. W. Miles, Resonantly interacting solitary waves, J. Fluid Mech. 79 (1977) 171"},
+               {.value = findings.wall / findings.incident, .resolution = resolution},
+               evidence::Bound{.limit = 1.5 + coarse,
+                               .reason = "from 1 without a reflection to 4, Miles's largest, and (k h)^2 as before",
+                               .expected = 2.5});
+}
+
+void judge_island(evidence::Record& record, const Options& options, const Findings& findings,
+                  const std::string& resolution) {
+  const double coarse = std::pow(wave_number(options) * options.spacing, 2);
+  constexpr double cotangent = 1 / validation::ConicalIsland::slope;
+  record.check(
+      {.id = "energy",
+       .text = "Friction takes energy; it rises by no more than the one-step scheme lets it oscillate.",
+       .quantity = "largest rise of energy over its first value",
+       .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
+      {.value = findings.energy_rise / findings.energy, .resolution = resolution},
+      evidence::Bound{.limit = 3 * options.step * options.step / 4,
+                      .reason = "(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, kick, drift, "
+                                "at the highest frequency sqrt(3 g/depth)"});
+  record.check({.id = "run-up",
+                .text = "The island, which lets water pass, is climbed no higher than a plane beach of its slope.",
+                .quantity = "highest place of the shoreline",
+                .unit = "depth",
+                .source = "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523"},
+               {.value = findings.run_up, .resolution = resolution},
+               evidence::Bound{.limit = 2.831 * std::sqrt(cotangent) * std::pow(options.amplitude, 1.25) * (1 + coarse),
+                               .reason = "2.831 sqrt(cot beta) (H/d)^(5/4), and (k h)^2 of it for a wave a sech^2(k s) "
+                                         "on a lattice of spacing h"});
+}
+
+}  // namespace
 
 void judge(evidence::Record& record, const Options& options, const Findings& findings) {
   const std::string resolution =
@@ -132,6 +246,14 @@ void judge(evidence::Record& record, const Options& options, const Findings& fin
                 .source = "decomposition of the lattice"},
                {.value = findings.rim_difference, .resolution = resolution},
                evidence::Bound{.limit = 0, .reason = "copies are copied"});
+  if (options.flow == "reflection") {
+    judge_reflection(record, options, findings, resolution);
+    return;
+  }
+  if (options.flow == "island") {
+    judge_island(record, options, findings, resolution);
+    return;
+  }
   if (options.scheme == "conservative") {
     record.check({.id = "energy",
                   .text = "The conservative scheme keeps the energy.",

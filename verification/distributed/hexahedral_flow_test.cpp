@@ -21,29 +21,34 @@ using distributed::ranks;
 using evidence::Bound;
 
 /// @param bottom  null for a level one
-void compare_with_one(const std::string& id, const std::string& where, std::shared_ptr<const PlanBottom> bottom) {
+lagrangian_mesh_3d::Mesh box_of_hexahedra(std::shared_ptr<const PlanBottom> bottom) {
+  return lagrangian_mesh_3d::layer_mesh({.begin = 0,
+                                         .end = 12,
+                                         .south = 0,
+                                         .north = 8,
+                                         .columns = 24,
+                                         .rows = 16,
+                                         .layers = 2,
+                                         .elevation = [](double x, double y) { return 0.2 * hump(x + 3, y) / 0.3; },
+                                         .bottom = std::move(bottom)});
+}
+
+/// @param where  and what, in words
+void compare_with_one(const std::string& id, const std::string& where, const std::string& what,
+                      const lagrangian_mesh_3d::Mesh& mesh, const lagrangian_mesh_3d::VelocityAt& velocity = {},
+                      const plan_lattice::Window& window = {}) {
   constexpr double tolerance = 1e-11;
   constexpr double step = 0.2;
   constexpr long steps = 30;
-  const lagrangian_mesh_3d::Mesh mesh =
-      lagrangian_mesh_3d::layer_mesh({.begin = 0,
-                                      .end = 12,
-                                      .south = 0,
-                                      .north = 8,
-                                      .columns = 24,
-                                      .rows = 16,
-                                      .layers = 2,
-                                      .elevation = [](double x, double y) { return 0.2 * hump(x + 3, y) / 0.3; },
-                                      .bottom = std::move(bottom)});
-  distributed::HexahedralFlow flow(mesh.plan, mesh.layers,
-                                   [&](const distributed::Patch& patch) { return distributed::part_of(mesh, patch); },
-                                   mesh.sides, {}, {.tolerance = tolerance});
+  distributed::HexahedralFlow flow(
+      mesh.plan, mesh.layers, [&](const distributed::Patch& patch) { return distributed::part_of(mesh, patch); },
+      mesh.sides, velocity, {.tolerance = tolerance}, true, mechanics::Stepping::one_step, window);
   const Outcome shared = outcome(flow, step, steps);
   if (rank() > 0) return;
 
-  lagrangian_mesh_3d::Flow one(mesh, {}, {}, {.tolerance = 1e-13});
+  lagrangian_mesh_3d::Flow one(mesh, velocity, {}, {.tolerance = 1e-13}, window);
   for (long n = 0; n < steps; ++n) one.advance(step);
-  Outcome reference{.energy = one.energy()};
+  Outcome reference{.shifts = one.shifts(), .energy = one.energy()};
   const std::size_t below = mesh.plan.nodes() * mesh.layers;
   for (const auto& values : {one.x(), one.y(), one.z(), one.u(), one.v(), one.w()}) {
     reference.numbers.insert(reference.numbers.end(), values.begin() + static_cast<std::ptrdiff_t>(below),
@@ -55,10 +60,10 @@ void compare_with_one(const std::string& id, const std::string& where, std::shar
       "As the plan model: blocks of columns of cells, of all layers each, and a ring of neighbours' columns. A "
       "relative residual $\\varepsilon$ leaves at most the part $\\kappa\\varepsilon$ of the multipliers, which "
       "change velocities by less than the largest velocity $U$ in a step.");
-  const std::string resolution =
-      fmt::format("24 x 16 x 2 cells, {} steps of {}, relative residual {:.0e}", steps, step, tolerance);
+  const std::string resolution = fmt::format("{} x {} x {} cells, {} steps of {}, relative residual {:.0e}",
+                                             mesh.plan.columns, mesh.plan.rows, mesh.layers, steps, step, tolerance);
   check.that({.id = "same",
-              .text = "Shared out, the flow is that of one process: a hump of water off the middle of a box.",
+              .text = fmt::format("Shared out, the flow is that of one process: {}.", what),
               .quantity = "largest difference of a coordinate over the depth or a velocity over sqrt(g depth), at the "
                           "surface",
               .source = "Frank, Discrete models of incompressible fluid (1994), chapter 4"},
@@ -72,18 +77,52 @@ void compare_with_one(const std::string& id, const std::string& where, std::shar
               .source = "decomposition of the lattice"},
              {.value = shared.rim_difference, .resolution = resolution},
              Bound{.limit = 0, .reason = "copies are copied"});
+  if (window.reach) {
+    check.that({.id = "shifts",
+                .text = "The window moves as on one process.",
+                .quantity = "columns left behind, less those on one process",
+                .source = "decomposition of the lattice"},
+               {.value = static_cast<double>(shared.shifts - reference.shifts),
+                .resolution = fmt::format("{} columns left behind", shared.shifts)},
+               Bound{.limit = 0, .reason = "the water at the window's front is at rest"});
+  }
   check.measure("difference of energies", shared.energy - reference.energy);
   check.measure("iterations per solution", shared.iterations);
 }
 
+const std::string hump_in_box = "a hump of water off the middle of a box";
+
 TEST_CASE("a flow of hexahedra shared out among processes is that of one process") {
-  compare_with_one("flow", "", nullptr);
+  compare_with_one("flow", "", hump_in_box, box_of_hexahedra(nullptr));
 }
 
 TEST_CASE("a flow of hexahedra over an uneven bottom shared out among processes is that of one process") {
-  compare_with_one("slope", " over an uneven bottom",
-                   std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{
-                       {.coefficient = -1}, {.coefficient = 0.02, .x_power = 1}, {.coefficient = 1e-3, .y_power = 2}}));
+  compare_with_one(
+      "slope", " over an uneven bottom", hump_in_box,
+      box_of_hexahedra(std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{
+          {.coefficient = -1}, {.coefficient = 0.02, .x_power = 1}, {.coefficient = 1e-3, .y_power = 2}})));
+}
+
+TEST_CASE("a flow of hexahedra in a moving window shared out among processes is that of one process") {
+  const Problem in_plan = window();
+  const plan::Lattice& lattice = in_plan.lattice;
+  const auto surface = [&lattice](std::size_t i, std::size_t j) { return lattice.z[lattice.shape.node(i, j)]; };
+  lagrangian_mesh_3d::Mesh mesh = lagrangian_mesh_3d::layer_mesh({.begin = -12,
+                                                                  .end = 21,
+                                                                  .south = 0,
+                                                                  .north = 12,
+                                                                  .columns = 44,
+                                                                  .rows = 16,
+                                                                  .layers = 1,
+                                                                  .sides = lattice.sides});
+  for (std::size_t j = 0; j <= 16; ++j) {
+    for (std::size_t i = 0; i <= 44; ++i) mesh.z[mesh.node(i, j, 1)] = surface(i, j);
+  }
+  const auto velocity = [&in_plan](plan_lattice::Place at) {
+    const plan::Velocity top = in_plan.velocity(at.x, at.y);
+    return lagrangian_mesh_3d::Vector{top.u, top.v, at.z > -0.5 ? top.w : 0};
+  };
+  compare_with_one("window", " in a moving window", in_plan.what, mesh, velocity, in_plan.window);
 }
 
 }  // namespace

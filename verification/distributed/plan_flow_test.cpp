@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
+#include "seiche/geometry/spline_bottom.hpp"
 #include "seiche/io/hdf5_table.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
@@ -31,12 +32,8 @@ const std::string article =
     "in a step: after $N$ steps the difference is below $N\\kappa\\varepsilon U$. It must vanish with $\\varepsilon$, "
     "in proportion.";
 
-TEST_CASE("a plan flow shared out among processes is that of one process, to the tolerance of its solver") {
+void compare_with_one(const std::string& id, const std::string& title, const std::vector<Problem>& problems) {
   const std::vector<double> tolerances{1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
-  std::vector<Problem> problems;
-  problems.push_back(box());
-  problems.push_back(shoal());
-  problems.push_back(wedge());
   std::vector<std::vector<Outcome>> outcomes;
   for (const Problem& problem : problems) {
     auto& of_problem = outcomes.emplace_back();
@@ -44,8 +41,8 @@ TEST_CASE("a plan flow shared out among processes is that of one process, to the
   }
   if (rank() > 0) return;
 
-  Check check(fmt::format("distributed_plan_flow_{}", ranks()),
-              fmt::format("Plan model shared out among {} process(es)", ranks()), article);
+  Check check(fmt::format("distributed_{}_{}", id, ranks()),
+              fmt::format("{} shared out among {} process(es)", title, ranks()), article);
   auto& panel = check.figure("tolerance", "Difference from the flow on one process", "Against the solver's tolerance.")
                     .panel({.x = "tolerance (relative residual)",
                             .y = "largest difference, depths or sqrt(g depth)",
@@ -86,10 +83,38 @@ TEST_CASE("a plan flow shared out among processes is that of one process, to the
                 .quantity = "largest difference between copies",
                 .source = source},
                {.value = rim.value(), .resolution = resolution}, Bound{.limit = 0, .reason = "copies are copied"});
+    const double part = static_cast<double>(problem.steps) * finest.condition * tolerances.back();
+    check.that(
+        {.id = "energy-" + problem.id,
+         .text = "The energy of the water that the processes hold together is that of one process.",
+         .quantity = "difference over the energy",
+         .source = source},
+        {.value = finest.energy / reference.energy - 1, .resolution = resolution},
+        Bound{.limit = 2 * part,
+              .reason = fmt::format("2 N kappa eps with kappa = {:.3g}: an energy has the square of what differs "
+                                    "by N kappa eps",
+                                    finest.condition)});
+    if (problem.window.reach) {
+      check.that({.id = "shifts-" + problem.id,
+                  .text = "The window moves as on one process.",
+                  .quantity = "columns left behind, less those on one process",
+                  .source = source},
+                 {.value = static_cast<double>(finest.shifts - reference.shifts),
+                  .resolution = fmt::format("{} columns left behind", finest.shifts)},
+                 Bound{.limit = 0, .reason = "the water at the window's front is at rest"});
+    }
     panel.line(problem.id, tolerances, differences);
     check.measure("iterations per solution at the finest tolerance, " + problem.id, finest.iterations);
-    check.measure("difference of energies, " + problem.id, finest.energy - reference.energy);
   }
+}
+
+TEST_CASE("a plan flow shared out among processes is that of one process, to the tolerance of its solver") {
+  compare_with_one("plan_flow", "Plan model", {box(), shoal(), wedge()});
+}
+
+TEST_CASE("a plan flow whose borders move is that of one process when it is shared out") {
+  compare_with_one("moving_borders", "Plan model with a moving window, and with shorelines,",
+                   {window(), canal(), island()});
 }
 
 TEST_CASE("the conservative scheme shared out among processes keeps the energy and ends its sweeps together") {
@@ -165,16 +190,60 @@ TEST_CASE("a lattice that folds at one process stops all of them") {
                                    .reason = "a process that goes on alone waits for ever"});
 }
 
-TEST_CASE("a shoreline is refused") {
-  Problem problem = shoal();
-  problem.lattice.sides.west = plan_lattice::ShoreSide{};
-  std::string message;
+TEST_CASE("a shoreline that leaves the bottom at one process stops all of them") {
+  Problem problem = canal();
+  // Known between x = -11 and 11; the western shore, at x = -9.2 or west of it, moves 0.4 in a step.
+  problem.lattice.bottom = std::make_shared<SplineBottom>(
+      SplineBottom::sampled({.begin = -11, .end = 11, .south = -1, .north = 9, .spacing = 0.5},
+                            [](double x, double) { return -1 + 0.01 * x * x; }));
+  for (std::size_t k = 0; k < problem.lattice.shape.nodes(); ++k) {
+    const std::size_t column = k % 33;
+    if (column % 32 == 0)
+      problem.lattice.z[k] = problem.lattice.bottom->slope(problem.lattice.x[k], problem.lattice.y[k]).elevation;
+  }
+  problem.velocity = [](double, double) { return plan::Velocity{.u = -2}; };
+  problem.step = 0.2;
+  double stopped = 0;
+  std::string why;
   try {
     shared_out(problem, 1e-9);
-  } catch (const std::invalid_argument& refusal) {
-    message = refusal.what();
+  } catch (const Divergence& divergence) {
+    stopped = 1;
+    why = divergence.what();
   }
-  CHECK(message.find("on many processes") != std::string::npos);
+  const double all_stopped = distributed::Decomposition::least(stopped);
+  if (rank() > 0) return;
+  Check check(fmt::format("distributed_shore_breakdown_{}", ranks()),
+              fmt::format("A shoreline that leaves the bottom, on {} process(es)", ranks()),
+              "Water runs up the western shore of a canal, beyond the place up to which the bottom is known.");
+  check.that({.id = "all-stop",
+              .text = "What one process finds infeasible at the end of a step is a Divergence on all.",
+              .quantity = "1 if all processes stopped",
+              .source = source},
+             {.value = all_stopped, .resolution = why},
+             evidence::Qualitative{.detector = "every process caught Divergence",
+                                   .reason = "a process that goes on alone waits for ever"});
+}
+
+TEST_CASE("what a moving window cannot have is refused on many processes too") {
+  const auto refusal = [](const Problem& problem) -> std::string {
+    try {
+      shared_out(problem, 1e-9);
+    } catch (const std::invalid_argument& refused) {
+      return refused.what();
+    }
+    return "";
+  };
+  Problem free = window();
+  free.lattice.sides.west = plan_lattice::FreeSide{};
+  CHECK(refusal(free).find("a moving window over a west side that is free") != std::string::npos);
+  Problem shore = canal();
+  shore.lattice.sides.west = plan_lattice::HeldSide{};
+  for (std::size_t k = 0; k < shore.lattice.shape.nodes(); k += shore.lattice.shape.columns + 1) {
+    shore.lattice.z[k] += 0.1;
+  }
+  shore.window = window().window;
+  CHECK(refusal(shore).find("a moving window with a shoreline") != std::string::npos);
 }
 
 TEST_CASE("the decay of the lattice's pattern is refused") {

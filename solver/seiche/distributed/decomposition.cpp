@@ -141,6 +141,7 @@ Decomposition::Decomposition(plan_lattice::Shape lattice, std::size_t node_numbe
   check(DMSetUp(nodes_));
   check(DMDACreateCompatibleDMDA(nodes_, 1, single_.place()));
 
+  check(DMCreateGlobalVector(cells_, cells_own_.place()));
   check(DMCreateLocalVector(cells_, cells_ring_.place()));
   check(DMCreateGlobalVector(nodes_, nodes_own_.place()));
   check(DMCreateLocalVector(nodes_, nodes_ring_.place()));
@@ -243,6 +244,12 @@ void Decomposition::get_cells(Vec distributed, std::span<double> values) {
       values[c * stride + place.patch] = ring[place.petsc * cell_numbers_ + c];
     }
   }
+}
+
+void Decomposition::exchange_cells(std::span<double> values) {
+  if (ranks() == 1) return;
+  put_cells(values, cells_own_);
+  get_cells(cells_own_, values);
 }
 
 DistributedVector Decomposition::in_order(std::span<const double> number) {

@@ -60,6 +60,8 @@ class Decomposition {
 
   /// Nodes that others own get their owners' numbers.
   void exchange_nodes(std::span<double> values);
+  /// The same for cells of the ring.
+  void exchange_cells(std::span<double> values);
   /// Largest difference between this process's numbers at nodes that others own and theirs: 0 after an exchange.
   double largest_rim_difference(std::span<const double> values);
 
@@ -89,7 +91,7 @@ class Decomposition {
   std::size_t cell_numbers_;
   Patch patch_;
   Grid cells_, nodes_, single_;  // single_: nodes with one number each
-  DistributedVector cells_ring_, nodes_own_, nodes_ring_, single_own_;
+  DistributedVector cells_own_, cells_ring_, nodes_own_, nodes_ring_, single_own_;
   std::vector<Place> owned_cells_, all_cells_, owned_nodes_, rim_nodes_;
 };
 

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <variant>
 
 #include "seiche/compensated_sum.hpp"
+#include "seiche/divergence.hpp"
 #include "seiche/geometry/bilinear_patch.hpp"
 #include "seiche/mechanics/equal_steps.hpp"
 
@@ -20,8 +23,14 @@ namespace {
 
 // PETSc solves; the patch's own solver is the one that costs nothing until it is asked.
 std::unique_ptr<dispersive_shallow_water_2d::Model> local_model(dispersive_shallow_water_2d::Lattice part,
-                                                                dispersive_shallow_water_2d::Settings settings) {
+                                                                dispersive_shallow_water_2d::Settings settings,
+                                                                const plan_lattice::Sides& sides) {
   settings.solver = linear::NinePointMethod::iterative;
+  // The drag along the shore belongs to the patches that reach it.
+  if (std::holds_alternative<plan_lattice::ShoreSide>(sides.south) &&
+      !std::holds_alternative<plan_lattice::ShoreSide>(part.sides.south)) {
+    settings.drag.shore_rate = 0;
+  }
   if (settings.drag.lattice_rate > 0) {
     throw std::invalid_argument("lattice_rate on many processes; allowed: on one, with the model's own flow");
   }
@@ -29,17 +38,17 @@ std::unique_ptr<dispersive_shallow_water_2d::Model> local_model(dispersive_shall
 }
 
 std::unique_ptr<lagrangian_mesh_3d::Model> local_model(lagrangian_mesh_3d::Mesh part,
-                                                       lagrangian_mesh_3d::Settings settings) {
+                                                       lagrangian_mesh_3d::Settings settings,
+                                                       const plan_lattice::Sides&) {
   settings.solver = linear::TwentySevenPointMethod::iterative;
   return std::make_unique<lagrangian_mesh_3d::Model>(std::move(part), settings);
 }
 
-void require_no_shoreline(const plan_lattice::Sides& sides) {
-  for (const auto* side : {&sides.west, &sides.east, &sides.south, &sides.north}) {
-    if (std::holds_alternative<plan_lattice::ShoreSide>(*side)) {
-      throw std::invalid_argument("a shoreline on many processes; allowed: on one, with the model's own flow");
-    }
-  }
+bool has_shoreline(const plan_lattice::Sides& sides) {
+  const auto shore = [](const plan_lattice::Side& side) {
+    return std::holds_alternative<plan_lattice::ShoreSide>(side);
+  };
+  return shore(sides.west) || shore(sides.east) || shore(sides.south) || shore(sides.north);
 }
 
 template <class Model>
@@ -67,12 +76,57 @@ bool is_uneven(const lagrangian_mesh_3d::Model& model) {
   return model.mesh().bottom != nullptr;
 }
 
-double weight_of_water(const dispersive_shallow_water_2d::Settings& settings) {
-  return settings.gravity;
+bool absorbs(const dispersive_shallow_water_2d::Model& model) {
+  return model.absorbs();
 }
 
-double weight_of_water(const lagrangian_mesh_3d::Settings& settings) {
-  return settings.gravity * settings.density;
+bool absorbs(const lagrangian_mesh_3d::Model&) {
+  return false;
+}
+
+template <class Model>
+void require_movable(const plan_lattice::Window& window, const DistributedModel<Model>& model, const Patch& patch,
+                     const plan_lattice::Sides& sides) {
+  plan_lattice::require_movable(window, sides);
+  if (!window.reach) return;
+  if (has_shoreline(sides) || absorbs(model.local())) {
+    throw std::invalid_argument("a moving window with a shoreline or absorption; allowed: one of them");
+  }
+  if (std::is_same_v<Model, lagrangian_mesh_3d::Model> && is_uneven(model.local())) {
+    throw std::invalid_argument("a moving window of hexahedra over an uneven bottom; allowed: a level one");
+  }
+  // Every patch in the east appends columns of its own width.
+  const bool in_east = patch.columns.end == patch.lattice.columns;
+  const double width = model.local().east_width();
+  const double narrowest = Decomposition::least(in_east ? width : std::numeric_limits<double>::max());
+  const double widest = Decomposition::largest(in_east ? width : 0);
+  if (widest - narrowest > 1e-12 * widest) {
+    throw std::invalid_argument(
+        fmt::format("a moving window over an east column {:g} to {:g} wide; allowed: one width", narrowest, widest));
+  }
+}
+
+/// Of the water in the cells that this process owns.
+double own_potential_energy(const dispersive_shallow_water_2d::Model& model, std::span<const double> q,
+                            std::span<const char> own) {
+  return model.potential_energy(q, own);
+}
+
+double own_potential_energy(const lagrangian_mesh_3d::Model& model, std::span<const double> q,
+                            std::span<const char> own) {
+  const plan_lattice::Shape plan = model.mesh().plan;
+  const std::size_t levels = model.mesh().layers + 1;
+  CompensatedSum moment;
+  for (std::size_t cell = 0; cell < own.size(); ++cell) {
+    if (own[cell] == 0) continue;
+    const auto corners = plan.corners(cell);
+    const auto at = [&](std::size_t axis) {
+      const double* const values = q.data() + ((axis + 1) * levels - 1) * plan.nodes();
+      return bilinear_patch::Corners{values[corners[0]], values[corners[1]], values[corners[2]], values[corners[3]]};
+    };
+    moment.add(bilinear_patch::moment(at(0), at(1), at(2)));
+  }
+  return model.settings().gravity * model.settings().density * moment.value();
 }
 
 }  // namespace
@@ -80,16 +134,18 @@ double weight_of_water(const lagrangian_mesh_3d::Settings& settings) {
 template <class Kind>
 Flow<Kind>::Flow(plan_lattice::Shape lattice, std::size_t layers, const MakePart& part,
                  const plan_lattice::Sides& sides, const typename Kind::Velocity& velocity,
-                 const typename Kind::Settings& settings, bool smooth_start, mechanics::Stepping stepping)
-    : decomposition_((require_no_shoreline(sides), lattice), std::is_same_v<Kind, PlanModel> ? 3 : 3 * (layers + 1),
-                     layers),
-      model_(decomposition_, local_model(part(decomposition_.patch()), settings), sides, settings.tolerance,
+                 const typename Kind::Settings& settings, bool smooth_start, mechanics::Stepping stepping,
+                 plan_lattice::Window window)
+    : decomposition_(lattice, std::is_same_v<Kind, PlanModel> ? 3 : 3 * (layers + 1), layers),
+      model_(decomposition_, local_model(part(decomposition_.patch()), settings, sides), sides, settings.tolerance,
              is_conservative(stepping)),
       state_(model_.local().state(velocity)),
       stepper_(model_),
       sweeper_(model_),
       conservative_(is_conservative(stepping)),
-      smooth_start_(smooth_start && !model_.has_driven_sides() && !conservative_) {
+      smooth_start_(smooth_start && !model_.has_driven_sides() && !conservative_),
+      window_(std::move(window)) {
+  require_movable(window_, model_, decomposition_.patch(), sides);
   require_sweepable(model_, is_uneven(model_.local()));
   decomposition_.exchange_nodes(state_.u);
   mechanics::Start(model_).project(state_);
@@ -99,6 +155,7 @@ template <class Kind>
 void Flow<Kind>::advance(double tau) {
   mechanics::require_step(tau);
   if (state_.steps == 0 && smooth_start_) mechanics::Start(model_).project_to_smooth(state_, tau);
+  follow();
   if (conservative_) {
     sweeper_.step(state_, tau);
   } else {
@@ -110,6 +167,29 @@ template <class Kind>
 void Flow<Kind>::advance_to(double time, double tau, const std::function<void()>& after_step) {
   mechanics::equal_steps_to(
       state_, time, tau, [this](double length) { advance(length); }, after_step);
+}
+
+/// As plan_lattice::follow, which looks at the last two nodes of the lattice's first row.
+template <class Kind>
+void Flow<Kind>::follow() {
+  if (!window_.reach) return;
+  const double reach = window_.reach(state_.time);
+  const Patch& patch = decomposition_.patch();
+  const std::size_t columns = patch.shape().columns;
+  const bool in_corner = patch.rows.begin == 0 && patch.columns.end == patch.lattice.columns;
+  const auto next = [&] {
+    const std::vector<double>& q = state_.q;
+    return Decomposition::largest(in_corner ? q[columns] + (q[columns] - q[columns - 1])
+                                            : std::numeric_limits<double>::lowest());
+  };
+  while (reach > next()) {
+    try {
+      model_.shift_east(state_);
+    } catch (const mechanics::Infeasible& failure) {
+      throw Divergence(failure.what(), state_.time, state_.steps, failure.place());
+    }
+    ++shifts_;
+  }
 }
 
 template <class Kind>
@@ -125,18 +205,12 @@ double Flow<Kind>::energy() const {
       for (std::size_t k = shape.node(i, j); k < own.size(); k += plan) own[k] = 0;
     }
   }
-  CompensatedSum potential;
+  std::vector<char> own_cells(shape.cells());
   for (std::size_t cell = 0; cell < shape.cells(); ++cell) {
-    if (!patch.owns_cell(cell % shape.columns, cell / shape.columns)) continue;
-    const auto corners = shape.corners(cell);
-    const auto at = [&](std::size_t axis) {
-      const std::span<const double> values = place(axis);
-      return bilinear_patch::Corners{values[corners[0]], values[corners[1]], values[corners[2]], values[corners[3]]};
-    };
-    potential.add(bilinear_patch::moment(at(0), at(1), at(2)));
+    own_cells[cell] = patch.owns_cell(cell % shape.columns, cell / shape.columns) ? 1 : 0;
   }
   return Decomposition::sum(model_.local().kinetic_energy(state_.q, own) +
-                            weight_of_water(model_.local().settings()) * potential.value());
+                            own_potential_energy(model_.local(), state_.q, own_cells));
 }
 
 template <class Kind>

@@ -24,6 +24,7 @@
 #include "seiche/mechanics/start.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
+#include "seiche/plan_lattice/window.hpp"
 
 namespace seiche::distributed {
 
@@ -53,10 +54,13 @@ class Flow {
   /// @param sides    of the whole lattice
   /// @param smooth_start  as in the models' own flows
   /// @param stepping      one_step or conservative
+  /// @param window        that moves; over a level bottom where the model is of hexahedra, and not with a shoreline or
+  ///                      absorption
   /// Throws std::invalid_argument.
   Flow(plan_lattice::Shape lattice, std::size_t layers, const MakePart& part, const plan_lattice::Sides& sides,
        const typename Kind::Velocity& velocity = {}, const typename Kind::Settings& settings = {},
-       bool smooth_start = true, mechanics::Stepping stepping = mechanics::Stepping::one_step);
+       bool smooth_start = true, mechanics::Stepping stepping = mechanics::Stepping::one_step,
+       plan_lattice::Window window = {});
 
   /// One step of length tau > 0.
   void advance(double tau);
@@ -65,6 +69,8 @@ class Flow {
 
   [[nodiscard]] double time() const { return state_.time; }
   [[nodiscard]] long steps() const { return state_.steps; }
+  /// Columns that a moving window has left behind.
+  [[nodiscard]] long shifts() const { return shifts_; }
   [[nodiscard]] const Patch& patch() const { return decomposition_.patch(); }
   [[nodiscard]] const mechanics::State& state() const { return state_; }
   [[nodiscard]] Decomposition& decomposition() { return decomposition_; }
@@ -83,6 +89,7 @@ class Flow {
   void write(const std::filesystem::path& target);
 
  private:
+  void follow();
   [[nodiscard]] std::span<const double> surface(const std::vector<double>& values, std::size_t axis) const {
     const std::size_t plan = decomposition_.patch().shape().nodes();
     const std::size_t levels = values.size() / (3 * plan);
@@ -96,6 +103,8 @@ class Flow {
   mechanics::ConservativeStep<DistributedModel<Local>> sweeper_;
   bool conservative_;
   bool smooth_start_;
+  plan_lattice::Window window_;
+  long shifts_ = 0;
 };
 
 using PlanFlow = Flow<PlanModel>;

@@ -9,7 +9,14 @@
 /// so that positions, velocities and multipliers stay the same at all processes that hold them, bit by bit. In between,
 /// after kick, velocities of the rim are wrong; constraint rates of owned cells do not need them.
 ///
-/// What one process finds infeasible stops all: linearise throws on each of them. The sweeps of ConservativeStep are
+/// A moving window shifts the columns of every patch by one, so that a process keeps its block of the lattice and the
+/// water moves through the blocks: what a patch needs from the east is in its ring already, and the new column is the
+/// easternmost patches' own affair. Then the owners' numbers go to those who hold copies.
+///
+/// A shoreline is the patches' own that reach it: nodes on the bottom have it below them wherever they are.
+///
+/// What one process finds infeasible stops all: linearise, enter, settle and shift_east throw on each of them. The
+/// sweeps of ConservativeStep are
 /// the model's own (fused_sweep): the change that ends them is the largest of all processes, so that all end together.
 ///
 /// When not to use it: on one machine, where the model alone with its own solvers is faster; with ConservativeStep over
@@ -30,9 +37,11 @@
 
 #include "seiche/distributed/cell_system.hpp"
 #include "seiche/distributed/decomposition.hpp"
+#include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/mechanics/conservative_step.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/projection.hpp"
+#include "seiche/mechanics/state.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::distributed {
@@ -78,9 +87,11 @@ class DistributedModel {
   }
   void advance(Input from, Input u, double h, Output to) const { local_->advance(from, u, h, to); }
   void kick(double h, Output u) const { local_->kick(h, u); }
-  void enter(Input q, Output u) const { local_->enter(q, u); }
+  void enter(Input q, Output u) const {
+    together([&] { local_->enter(q, u); });
+  }
   void settle(Interval when, Output q, Output u) const {
-    local_->settle(when, q, u);
+    together([&] { local_->settle(when, q, u); });
     decomposition_.exchange_nodes(u);
   }
   void constraint_rates(Input u, Output w) const { local_->constraint_rates(u, w); }
@@ -89,6 +100,19 @@ class DistributedModel {
     decomposition_.exchange_nodes(u);
   }
   void solve(Input right_hand_side, Output mu) { system_.solve(right_hand_side, mu); }
+
+  /// As the model's own, of the whole lattice.
+  void shift_east(mechanics::State& state) {
+    together([&] { local_->shift_east(state); });
+    const auto nodes = [this](Output values) { decomposition_.exchange_nodes(values); };
+    const auto cells = [this](Output values) { decomposition_.exchange_cells(values); };
+    nodes(state.q);
+    nodes(state.u);
+    for (std::vector<double>* multipliers : state.all_multipliers()) {
+      if (!multipliers->empty()) cells(*multipliers);
+    }
+    local_->join_shift(nodes, cells);
+  }
 
   // What mechanics::FusesSweep asks for.
   [[nodiscard]] bool fuses_step() const { return sweeps_; }
@@ -124,11 +148,16 @@ class DistributedModel {
     std::exception_ptr own;
     constexpr double feasible = std::numeric_limits<double>::infinity();
     double place = feasible;
+    const auto keep = [&](double where) {
+      own = std::current_exception();
+      place = std::isfinite(where) ? where : std::numeric_limits<double>::lowest();
+    };
     try {
       action();
     } catch (const mechanics::Infeasible& failure) {
-      own = std::current_exception();
-      place = std::isfinite(failure.place()) ? failure.place() : std::numeric_limits<double>::lowest();
+      keep(failure.place());
+    } catch (const OutsidePlanBottom& failure) {
+      keep(failure.place());
     }
     const double first = Decomposition::least(place);
     if (own) std::rethrow_exception(own);

@@ -129,7 +129,8 @@ class Model {
   [[nodiscard]] std::array<double, 2> momentum(Input q, Input u) const;          ///< horizontal
   [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const;  ///< about the vertical
   [[nodiscard]] double kinetic_energy(Input q, Input u) const;
-  [[nodiscard]] double potential_energy(Input q) const;  ///< zero for still water
+  /// Zero for still water. @param counted  marks the cells whose water counts; empty: all
+  [[nodiscard]] double potential_energy(Input q, std::span<const char> counted = {}) const;
 
   [[nodiscard]] Shape shape() const { return lattice_.shape; }
   [[nodiscard]] std::size_t nodes() const { return lattice_.shape.nodes(); }
@@ -150,6 +151,14 @@ class Model {
   /// side. The nodes that become the west side keep their velocities, so that nothing jolts; no force changes those
   /// that the side forbids. State and model change together.
   void shift_east(mechanics::State& state);
+  /// Of a model of a part of a lattice, after shift_east of the models of all parts and with the places that their
+  /// owners have: brings what the shift changed beside the state, first places, volumes and masses, to that of the
+  /// whole.
+  /// @param nodes  gives numbers of nodes that other parts own (x, y, z one after the other) their owners' values
+  /// @param cells  likewise, one number per cell
+  void join_shift(const std::function<void(Output)>& nodes, const std::function<void(Output)>& cells);
+  /// Of the columns that shift_east appends.
+  [[nodiscard]] double east_width() const { return east_width_; }
 
  private:
   static constexpr std::size_t parallel_cells = 131072;  // below, threads cost more than they give

@@ -85,15 +85,22 @@ double Model::kinetic_energy(Input q, Input u) const {
   return sum.value();
 }
 
-double Model::potential_energy(Input q) const {
+double Model::potential_energy(Input q, std::span<const char> counted) const {
   const std::size_t n = nodes();
   CompensatedSum sum;
   for (std::size_t cell = 0; cell < shape().cells(); ++cell) {
+    if (!counted.empty() && counted[cell] == 0) continue;
     const auto corners = shape().corners(cell);
     sum.add(bilinear_patch::moment(at(q.data(), corners), at(q.data() + n, corners), at(q.data() + 2 * n, corners)));
   }
-  if (shoreline_) sum.add(-shoreline_->bottom_moment(q));
-  if (dispersion_.active()) sum.add(dispersion_.value(volume_, q));
+  if (shoreline_) sum.add(-shoreline_->bottom_moment(q, counted));
+  if (dispersion_.active() && counted.empty()) sum.add(dispersion_.value(volume_, q));
+  if (dispersion_.active() && !counted.empty()) {
+    // It has the square of a cell's volume as a factor.
+    std::vector<double> volumes = volume_;
+    for (std::size_t cell = 0; cell < volumes.size(); ++cell) volumes[cell] *= counted[cell] != 0 ? 1 : 0;
+    sum.add(dispersion_.value(volumes, q));
+  }
   return settings_.gravity * sum.value();
 }
 
@@ -124,6 +131,18 @@ void Model::shift_east(mechanics::State& state) {
     const std::size_t cell = j * columns + columns - 1;
     volume_[cell] = cell_volume(state.q, cell);
   }
+  sum_masses();
+}
+
+void Model::join_shift(const std::function<void(Output)>& nodes, const std::function<void(Output)>& cells) {
+  const auto n = static_cast<std::ptrdiff_t>(this->nodes());
+  std::vector<double> first(lattice_.x);
+  first.insert(first.end(), lattice_.y.begin(), lattice_.y.end());
+  first.insert(first.end(), lattice_.z.begin(), lattice_.z.end());
+  nodes(first);
+  lattice_.x.assign(first.begin(), first.begin() + n);
+  lattice_.y.assign(first.begin() + n, first.begin() + 2 * n);
+  cells(volume_);
   sum_masses();
 }
 

@@ -1,5 +1,6 @@
 #include "seiche/models/dispersive_shallow_water_2d/shoreline.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -45,7 +46,10 @@ Shoreline::Shoreline(plan_lattice::Shape shape, const plan_lattice::Sides& sides
                      std::shared_ptr<const PlanBottom> bottom, Input q)
     : nodes_(shape.nodes()), bottom_(std::move(bottom)), marks_(shape.nodes(), 0) {
   for (const auto& nodes : plan_lattice::shore_edges(shape, sides)) {
-    Edge edge{.nodes = nodes, .first = {}};
+    const std::size_t column =
+        std::min({nodes[0] % (shape.columns + 1), nodes[1] % (shape.columns + 1), shape.columns - 1});
+    const std::size_t row = std::min({nodes[0] / (shape.columns + 1), nodes[1] / (shape.columns + 1), shape.rows - 1});
+    Edge edge{.nodes = nodes, .cell = row * shape.columns + column, .first = {}};
     edge.first = ends(edge, q);
     edges_.push_back(edge);
     for (const std::size_t k : nodes) marks_[k] = 1;
@@ -141,9 +145,11 @@ Shoreline::Moment Shoreline::moment_between(const Edge& edge, const Ends& from, 
   return result;
 }
 
-double Shoreline::bottom_moment(Input q) const {
+double Shoreline::bottom_moment(Input q, std::span<const char> counted) const {
   double sum = 0;
-  for (const Edge& edge : edges_) sum += moment(edge, ends(edge, q)).value;
+  for (const Edge& edge : edges_) {
+    if (counted.empty() || counted[edge.cell] != 0) sum += moment(edge, ends(edge, q)).value;
+  }
   return sum;
 }
 

@@ -49,7 +49,8 @@ class Shoreline {
   void tilt_between(Input q0, Input q1, Normals& normals) const;
 
   /// int b^2/2 dA over what has been flooded since the beginning, less what has fallen dry.
-  [[nodiscard]] double bottom_moment(Input q) const;
+  /// @param counted  marks the cells whose edges count; empty: all
+  [[nodiscard]] double bottom_moment(Input q, std::span<const char> counted = {}) const;
   /// Adds the forces of the bottom's part of the energy to those on the nodes along x, y, z.
   void push(Input q, double gravity, Output forces) const;
   /// The same with the discrete gradient over the segment: Simpson's mean, corrected along the segment.
@@ -58,6 +59,7 @@ class Shoreline {
  private:
   struct Edge {
     std::array<std::size_t, 2> nodes{};
+    std::size_t cell = 0;          ///< beside it
     std::array<Point, 2> first{};  ///< p0, q0
   };
   using Ends = std::array<Point, 2>;

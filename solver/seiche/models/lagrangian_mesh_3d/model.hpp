@@ -116,6 +116,13 @@ class Model {
   /// beginning, before the east side. The nodes that become the west side, which must be a wall or held, are put
   /// straight above each other. State and model change together.
   void shift_east(mechanics::State& state);
+  /// Of a model of a part of a mesh, after shift_east of the models of all parts and with the places that their owners
+  /// have: brings what the shift changed beside the state, first places, volumes and masses, to that of the whole.
+  /// @param nodes  gives numbers of nodes that other parts own (x, y, z one after the other) their owners' values
+  /// @param cells  likewise, one number per cell
+  void join_shift(const std::function<void(Output)>& nodes, const std::function<void(Output)>& cells);
+  /// Of the columns that shift_east appends.
+  [[nodiscard]] double east_width() const { return east_width_; }
 
   /// As given at the beginning, or at the last shift of a moving window.
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }

@@ -145,6 +145,18 @@ void Model::shift_east(mechanics::State& state) {
   nodes_.weigh(mesh_, volume_, settings_.density);
 }
 
+void Model::join_shift(const std::function<void(Output)>& nodes, const std::function<void(Output)>& cells) {
+  const auto n = static_cast<std::ptrdiff_t>(nodes_.size());
+  std::vector<double> first(mesh_.x);
+  first.insert(first.end(), mesh_.y.begin(), mesh_.y.end());
+  first.insert(first.end(), mesh_.z.begin(), mesh_.z.end());
+  nodes(first);
+  mesh_.x.assign(first.begin(), first.begin() + n);
+  mesh_.y.assign(first.begin() + n, first.begin() + 2 * n);
+  cells(volume_);
+  nodes_.weigh(mesh_, volume_, settings_.density);
+}
+
 Corner Model::worst_corner(Input q) const {
   const std::size_t n = nodes_.size();
   return seiche::lagrangian_mesh_3d::worst_corner(mesh_, q.first(n), q.subspan(n, n), q.subspan(2 * n, n), volume_);

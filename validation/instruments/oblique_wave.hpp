@@ -10,6 +10,7 @@
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "validation/instruments/surface_lattice.hpp"
 
 namespace seiche::validation {
@@ -65,11 +66,26 @@ struct ReflectionWindow {
 /// and the window ends before the wave that returns from there meets the wall.
 ReflectionWindow window_until(double time, const ObliqueWave& wave, double spacing);
 
+/// What a flow of the plan model in that window is made of.
+struct PlanReflection {
+  dispersive_shallow_water_2d::Rectangle water;
+  dispersive_shallow_water_2d::VelocityAt velocity;
+  plan_lattice::Window window;
+};
+PlanReflection plan_reflection(const ObliqueWave& wave, const ReflectionWindow& window);
+
 dispersive_shallow_water_2d::Flow reflection_flow(const ObliqueWave& wave, const ReflectionWindow& window,
                                                   dispersive_shallow_water_2d::Settings settings,
                                                   dispersive_shallow_water_2d::Scheme scheme = {});
 
 /// The same water in layers of hexahedra: horizontal velocities of the column, vertical ones linear in the height.
+struct LayeredReflection {
+  lagrangian_mesh_3d::Layer water;
+  lagrangian_mesh_3d::VelocityAt velocity;
+  plan_lattice::Window window;
+};
+LayeredReflection layered_reflection(const ObliqueWave& wave, const ReflectionWindow& window, std::size_t layers);
+
 lagrangian_mesh_3d::Flow layered_reflection_flow(const ObliqueWave& wave, const ReflectionWindow& window,
                                                  std::size_t layers, lagrangian_mesh_3d::Settings settings,
                                                  lagrangian_mesh_3d::Scheme scheme = {});

@@ -1,4 +1,4 @@
-#include "validation/mach_reflection/oblique_wave.hpp"
+#include "validation/instruments/oblique_wave.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "seiche/linear/cosine_transform.hpp"
-#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::validation {
@@ -140,43 +139,52 @@ Frame frame_of(const ObliqueWave& wave, const ReflectionWindow& window) {
 
 }  // namespace
 
+PlanReflection plan_reflection(const ObliqueWave& wave, const ReflectionWindow& window) {
+  const Frame frame = frame_of(wave, window);
+  return {.water = {.begin = frame.begin,
+                    .end = frame.end,
+                    .south = 0,
+                    .north = frame.north,
+                    .columns = frame.columns,
+                    .rows = frame.rows,
+                    .elevation = [=](double x, double y) { return first_elevation(wave, window, x, y); },
+                    .sides = frame.sides},
+          .velocity = [=](double x, double y) { return first_velocity(wave, window, x, y); },
+          .window = {.reach = frame.reach}};
+}
+
 Flow reflection_flow(const ObliqueWave& wave, const ReflectionWindow& window,
                      dispersive_shallow_water_2d::Settings settings, dispersive_shallow_water_2d::Scheme scheme) {
+  const PlanReflection made_of = plan_reflection(wave, window);
+  return Flow(rectangular_lattice(made_of.water), made_of.velocity, scheme, settings, {}, made_of.window);
+}
+
+LayeredReflection layered_reflection(const ObliqueWave& wave, const ReflectionWindow& window, std::size_t layers) {
   const Frame frame = frame_of(wave, window);
-  const dispersive_shallow_water_2d::Rectangle rectangle{
-      .begin = frame.begin,
-      .end = frame.end,
-      .south = 0,
-      .north = frame.north,
-      .columns = frame.columns,
-      .rows = frame.rows,
-      .elevation = [&](double x, double y) { return first_elevation(wave, window, x, y); },
-      .sides = frame.sides};
-  return Flow(rectangular_lattice(rectangle), [&](double x, double y) { return first_velocity(wave, window, x, y); },
-              scheme, settings, {}, {.reach = frame.reach});
+  return {.water = {.begin = frame.begin,
+                    .end = frame.end,
+                    .south = 0,
+                    .north = frame.north,
+                    .depth = 1,
+                    .columns = frame.columns,
+                    .rows = frame.rows,
+                    .layers = layers,
+                    .elevation = [=](double x, double y) { return first_elevation(wave, window, x, y); },
+                    .sides = frame.sides},
+          .velocity =
+              [=](plan_lattice::Place at) {
+                const Velocity top = first_velocity(wave, window, at.x, at.y);
+                const double share = (1 + at.z) / (1 + first_elevation(wave, window, at.x, at.y));
+                return lagrangian_mesh_3d::Vector{top.u, top.v, share * top.w};
+              },
+          .window = {.reach = frame.reach}};
 }
 
 lagrangian_mesh_3d::Flow layered_reflection_flow(const ObliqueWave& wave, const ReflectionWindow& window,
                                                  std::size_t layers, lagrangian_mesh_3d::Settings settings,
                                                  lagrangian_mesh_3d::Scheme scheme) {
-  const Frame frame = frame_of(wave, window);
-  const lagrangian_mesh_3d::Layer layer{
-      .begin = frame.begin,
-      .end = frame.end,
-      .south = 0,
-      .north = frame.north,
-      .depth = 1,
-      .columns = frame.columns,
-      .rows = frame.rows,
-      .layers = layers,
-      .elevation = [&](double x, double y) { return first_elevation(wave, window, x, y); },
-      .sides = frame.sides};
-  const auto velocity = [&](plan_lattice::Place at) {
-    const Velocity top = first_velocity(wave, window, at.x, at.y);
-    const double share = (1 + at.z) / (1 + first_elevation(wave, window, at.x, at.y));
-    return lagrangian_mesh_3d::Vector{top.u, top.v, share * top.w};
-  };
-  return lagrangian_mesh_3d::Flow(layer_mesh(layer), velocity, scheme, settings, {.reach = frame.reach});
+  const LayeredReflection made_of = layered_reflection(wave, window, layers);
+  return lagrangian_mesh_3d::Flow(layer_mesh(made_of.water), made_of.velocity, scheme, settings, made_of.window);
 }
 
 SurfaceLattice surface_of(const Flow& flow) {
