@@ -57,7 +57,7 @@ std::vector<long> meshes(const Values& values) {
 struct Passage {
   SolitaryRun run;
   std::vector<CurveCrest> peaks;  ///< on the shelf, from the highest back
-  double reflected = 0;      ///< highest crest before the step when it is half way to the left wall
+  double reflected = 0;           ///< highest crest before the step when it is half way to the left wall
 };
 
 struct Results {
