@@ -77,7 +77,7 @@ std::vector<Point> ConicalIsland::outer_places() const {
   return places;
 }
 
-Flow ConicalIsland::flow() const {
+Lattice ConicalIsland::lattice() const {
   const std::vector<Point> outer = outer_places();
   const double shore = base_radius - settings_.depth / slope;
   const double rows = std::ceil((side_wall - shore) / settings_.spacing * 1.4);
@@ -101,14 +101,28 @@ Flow ConicalIsland::flow() const {
   }
   lattice.sides.south = plan_lattice::ShoreSide{};
   lattice.bottom = bottom_;
-  const auto velocity = [this](double x, double) {
+  return lattice;
+}
+
+dispersive_shallow_water_2d::VelocityAt ConicalIsland::velocity() const {
+  return [this](double x, double) {
     const double eta = wave_.elevation(x - crest());
     const double along = wave_.depth_averaged_velocity(x - crest());
     return Velocity{
         .u = along, .v = 0, .w = eta > 0 ? (along - wave_.speed()) * wave_.elevation_slope(x - crest()) : 0.0};
   };
-  return Flow(std::move(lattice), velocity, settings_.scheme,
-              {.gravity = gravity, .solver = linear::NinePointMethod::banded, .drag = settings_.drag}, {}, {}, false);
+}
+
+dispersive_shallow_water_2d::Settings ConicalIsland::model_settings() const {
+  return {.gravity = gravity, .solver = linear::NinePointMethod::banded, .drag = settings_.drag};
+}
+
+Flow ConicalIsland::flow() const {
+  return Flow(lattice(), velocity(), settings_.scheme, model_settings(), {}, {}, false);
+}
+
+dispersive_shallow_water_2d::RezonedFlow ConicalIsland::rezoned_flow() const {
+  return {lattice(), velocity(), settings_.scheme, model_settings(), {}};
 }
 
 RunupEnvelope::RunupEnvelope(const Flow& flow) {

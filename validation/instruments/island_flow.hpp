@@ -16,6 +16,7 @@
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/geometry/spline_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::validation {
@@ -48,6 +49,8 @@ class ConicalIsland {
   [[nodiscard]] double crest() const { return -base_radius - reach_; }
   [[nodiscard]] const exact::SerreSolitary& wave() const { return wave_; }
   [[nodiscard]] dispersive_shallow_water_2d::Flow flow() const;
+  /// The same on a lattice that is rezoned.
+  [[nodiscard]] dispersive_shallow_water_2d::RezonedFlow rezoned_flow() const;
   /// The crest passes the middle of the island where it is not held up.
   [[nodiscard]] double passage() const { return -crest() / wave_.speed(); }
   /// About half of what a long wave in the deep water needs for the rows near the shore.
@@ -55,6 +58,9 @@ class ConicalIsland {
 
  private:
   [[nodiscard]] std::vector<Point> outer_places() const;
+  [[nodiscard]] dispersive_shallow_water_2d::Lattice lattice() const;
+  [[nodiscard]] dispersive_shallow_water_2d::VelocityAt velocity() const;
+  [[nodiscard]] dispersive_shallow_water_2d::Settings model_settings() const;
 
   Settings settings_;
   exact::SerreSolitary wave_;
