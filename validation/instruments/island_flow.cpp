@@ -120,19 +120,29 @@ Flow ConicalIsland::flow() const {
       false);
 }
 
-RunupEnvelope::RunupEnvelope(const Flow& flow) {
-  const std::size_t markers = flow.shape().columns + 1;
-  angle_.resize(markers);
-  highest_.resize(markers);
+dispersive_shallow_water_2d::RezonedFlow ConicalIsland::rezoned_flow() const {
+  return {lattice(), [this](double x, double y) { return velocity(x, y); }, settings_.scheme, model_settings(), {}};
+}
+
+RunupEnvelope::RunupEnvelope(const Flow& flow) : angle_(angles(flow)), highest_(angle_.size()) {
   observe(flow);
 }
 
-void RunupEnvelope::observe(const Flow& flow) {
-  for (std::size_t i = 0; i < highest_.size(); ++i) {
-    const double before = highest_[i].value();
-    highest_[i].add(flow.z()[i], flow.time());
-    if (highest_[i].value() == before) continue;
-    angle_[i] = 180 - std::atan2(flow.y()[i], flow.x()[i]) * 180 / std::numbers::pi;
+std::vector<double> RunupEnvelope::angles(const Flow& flow) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i <= flow.shape().columns; ++i) {
+    all.push_back(180 - std::atan2(flow.y()[i], flow.x()[i]) * 180 / std::numbers::pi);
+  }
+  return all;
+}
+
+void RunupEnvelope::observe(const Flow& flow, double time) {
+  const std::vector<double> now = angles(flow);
+  std::size_t i = 1;
+  for (std::size_t k = 0; k < angle_.size(); ++k) {
+    while (i + 1 < now.size() && now[i] < angle_[k]) ++i;
+    const double share = std::clamp((angle_[k] - now[i - 1]) / (now[i] - now[i - 1]), 0.0, 1.0);
+    highest_[k].add(std::lerp(flow.z()[i - 1], flow.z()[i], share), time);
   }
 }
 

@@ -16,6 +16,7 @@
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/geometry/spline_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::validation {
@@ -48,7 +49,9 @@ class ConicalIsland {
   [[nodiscard]] double crest() const { return -base_radius - reach_; }
   [[nodiscard]] const exact::SerreSolitary& wave() const { return wave_; }
   [[nodiscard]] dispersive_shallow_water_2d::Flow flow() const;
-  /// What the flow is made of.
+  /// The same on a lattice that is rezoned: the wave passes the island where the other folds.
+  [[nodiscard]] dispersive_shallow_water_2d::RezonedFlow rezoned_flow() const;
+  /// What the flows are made of.
   [[nodiscard]] dispersive_shallow_water_2d::Lattice lattice() const;
   [[nodiscard]] dispersive_shallow_water_2d::Velocity velocity(double x, double y) const;
   [[nodiscard]] dispersive_shallow_water_2d::Settings model_settings() const;
@@ -66,20 +69,24 @@ class ConicalIsland {
   std::shared_ptr<const SplineBottom> bottom_;
 };
 
-/// Highest place of the shoreline by the angle from the front of the island, 0 to 180 degrees.
+/// Highest elevation of the shoreline by the angle from the front of the island, 0 to 180 degrees: of the lines between
+/// its markers, at the angles that these have at the beginning.
 class RunupEnvelope {
  public:
   explicit RunupEnvelope(const dispersive_shallow_water_2d::Flow& flow);
-  void observe(const dispersive_shallow_water_2d::Flow& flow);
-  /// Of the markers, from the front to the back.
+  /// @param time  since the beginning [s]
+  void observe(const dispersive_shallow_water_2d::Flow& flow, double time);
+  void observe(const dispersive_shallow_water_2d::Flow& flow) { observe(flow, flow.time()); }
   [[nodiscard]] const std::vector<double>& angle() const { return angle_; }
   [[nodiscard]] std::vector<double> runup() const;
-  /// When a marker was highest.
-  [[nodiscard]] double time(std::size_t marker) const { return highest_.at(marker).where(); }
-  /// Between markers.
+  /// When the water was highest at one of the angles.
+  [[nodiscard]] double time(std::size_t number) const { return highest_.at(number).where(); }
+  /// Between them.
   [[nodiscard]] double at(double angle) const;
 
  private:
+  [[nodiscard]] static std::vector<double> angles(const dispersive_shallow_water_2d::Flow& flow);
+
   std::vector<double> angle_;
   std::vector<Largest> highest_;
 };

@@ -7,19 +7,20 @@ an island is Babi, where the tsunami of Flores (1992) destroyed the villages in 
 lattice goes around the island; its first row of markers is the shoreline, which slides on the bottom. The bottom is a
 bicubic spline through elevations on a raster of 0.1 m, as for a surveyed coast, and as rough as smooth concrete,
 Manning's $n$ = 0.012 s/m$^{1/3}$, a handbook's value and not fitted. A force between the shoreline and the next row,
-which keeps momentum, takes differences of their speeds along the shore away within a tenth of a second. There is no
-model of breaking. Walls are reflecting; they stand where their echo comes too late to matter.
+which keeps momentum, takes differences of their speeds along the shore away within a tenth of a second. The lattice is
+rezoned: its nodes slide back along their rows to the lines of their columns. There is no model of breaking. Walls are
+reflecting; they stand where their echo comes too late to matter.
 
 **What is compared.** The largest run-up $R/A$ by the angle from the front of the island with the measurements, and with
 the shallow-water model of Liu et al. (1995). All measured angles count; where the lattice folds before the water has
 been highest, what it has reached by then.
 
 **What to look at.** The crest bends around the island, and its two ends meet behind it: there the water climbs nearly
-as high as in front, though the sides saw much less. Cases A and B are computed until the run-up is over all around; in
-B the lattice folds in the backwash behind the island, where the model has climbed a fifth to a third above the
-measurement. In case C the wave breaks at the sides: the edge of the water piles up there, the lattice folds, and what
-is behind the island is not reached. With columns 0.5 m apart and without friction the run-up in front of cases B and C
-is 6 and 30 % higher, and without the force along the shore B folds before its ends meet.
+as high as in front, though the sides saw much less. Waves A and B pass the island; behind it the model of B climbs a
+fifth to a third above the measurement. In case C the wave breaks at the sides and as it runs down: thin sheets of water
+there fold the lattice, with columns 0.5 m apart when the ends have met behind the island, with narrower ones before.
+With columns 0.5 m apart and without friction the run-up in front of cases B and C is 6 and 30 % higher, and without
+rezoning B folds behind the island.
 */
 #include <algorithm>
 #include <array>
@@ -38,6 +39,7 @@ namespace seiche::validation::cases {
 namespace {
 
 using dispersive_shallow_water_2d::Flow;
+using dispersive_shallow_water_2d::RezonedFlow;
 using evidence::Role;
 using evidence::Uncertainty;
 
@@ -72,7 +74,9 @@ struct Passed {
   double height = 0;  // [m]
   double spacing = 0;
   std::vector<double> time, front, back;  // elevation of the shoreline over the height
-  Worst energy_defect;                    // what friction takes
+  Worst energy_defect;                    // what friction and rezoning take
+  double energy_of_rezoning = 0;          // relative to the first
+  long rezoned = 0;                       // times
   Worst volume_defect;                    // relative, of the worst cell
   std::optional<double> folded;           // when [s]
   RunupEnvelope envelope;                 // run-up of the markers
@@ -93,27 +97,33 @@ std::string resolution(double spacing, double step) {
   return fmt::format("columns {:g} m apart, tau = {:.3g} s", spacing, step);
 }
 
-Passed pass(const ConicalIsland& island, double spacing, const std::function<void(const Flow&)>& observe = {}) {
-  Flow flow = island.flow();
-  Passed passed{.height = island.wave().amplitude(), .spacing = spacing, .envelope = RunupEnvelope(flow)};
+using Observe = std::function<void(const Flow& flow, double time)>;
+
+Passed pass(const ConicalIsland& island, double spacing, const Observe& observe = {}) {
+  RezonedFlow flow = island.rezoned_flow();
+  Passed passed{.height = island.wave().amplitude(), .spacing = spacing, .envelope = RunupEnvelope(flow.flow())};
   const double energy = flow.energy();
   const double end = island.passage() + after_passage;
   try {
     flow.advance_to(end, island.step(), [&] {
-      passed.envelope.observe(flow);
+      const Flow& now = flow.flow();
+      passed.envelope.observe(now, flow.time());
       passed.time.push_back(flow.time());
-      passed.front.push_back(flow.z()[0] / passed.height);
-      passed.back.push_back(flow.z()[flow.shape().columns] / passed.height);
+      passed.front.push_back(now.z()[0] / passed.height);
+      passed.back.push_back(now.z()[now.shape().columns] / passed.height);
       passed.energy_defect.add(flow.energy() / energy - 1, flow.time());
-      if (observe) observe(flow);
+      if (observe) observe(now, flow.time());
     });
   } catch (const Divergence&) {
     passed.folded = flow.time();
   }
-  std::vector<double> defects(flow.shape().cells());
-  flow.model().constraint_values(flow.state().q, defects);
+  passed.rezoned = flow.rezoned();
+  passed.energy_of_rezoning = flow.lost() / energy;
+  const auto& model = flow.flow().model();
+  std::vector<double> defects(model.shape().cells());
+  model.constraint_values(flow.flow().state().q, defects);
   for (std::size_t cell = 0; cell < defects.size(); ++cell) {
-    passed.volume_defect.add(defects[cell] / flow.model().first_volumes()[cell]);
+    passed.volume_defect.add(defects[cell] / model.first_volumes()[cell]);
   }
   return passed;
 }
@@ -154,7 +164,7 @@ Measurement deviation_of(const std::vector<Passed>& spacings, const Measured& da
   return {.value = rms.front(), .uncertainty = fine_limit(size, rms, 1).uncertainty};
 }
 
-/// Of the highest wave the lattice folds at the sides, and of the middle one in the backwash.
+/// Of the highest wave the lattice folds.
 void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, const Measured& data, double spacing) {
   const bool breaks = wave.name == "C";
   const evidence::Claim runup{
@@ -199,7 +209,7 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, co
   }
 }
 
-void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave) {
+void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing) {
   const evidence::Claim whole{.id = "whole-" + wave.name,
                               .text = fmt::format("Case {}: the wave passes the island entirely.", wave.name),
                               .quantity = "wave fronts met behind the island, lattice sound",
@@ -207,7 +217,7 @@ void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave) {
   const evidence::Qualitative sound{.detector = "no cell folds until 6 s after the crest would pass the middle",
                                     .reason = "the water behind the island has run up and down by then"};
   const auto reached = [](const std::vector<Passed>& spacings) { return spacings.front().folded ? 0.0 : 1.0; };
-  if (wave.name == "A") {
+  if (wave.name == "A" || (wave.name == "B" && spacing > 0.3)) {
     claims.check(whole, reached, sound);
   } else {
     claims.known_failure(
@@ -239,7 +249,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const auto wave = claims.at(resolution(spacing, step));
     const auto spacings = wave.of([k](const Results& r) -> const std::vector<Passed>& { return r.passed.at(k); });
     claim_runup(spacings, waves[k], measured(table, waves[k].height), spacing);
-    claim_whole(spacings, waves[k]);
+    claim_whole(spacings, waves[k], spacing);
     if (waves[k].name == "A") {
       claim_lee(wave.of([k](const Results& r) -> const Passed& { return r.passed.at(k).front(); }));
     }
@@ -251,9 +261,9 @@ Results compute(const Run& run) {
   const ConicalIsland island({.height = run.real("height"), .depth = run.real("depth"), .spacing = spacing});
   const std::array moments{island.passage() - 1, island.passage() + 1, island.passage() + 3.5};
   std::vector<Plan> plans;
-  Passed shown = pass(island, spacing, [&](const Flow& flow) {
-    if (plans.size() == moments.size() || flow.time() < moments[plans.size()]) return;
-    plans.push_back({.time = flow.time(),
+  Passed shown = pass(island, spacing, [&](const Flow& flow, double time) {
+    if (plans.size() == moments.size() || time < moments[plans.size()]) return;
+    plans.push_back({.time = time,
                      .columns = flow.shape().columns,
                      .rows = flow.shape().rows,
                      .x = {flow.x().begin(), flow.x().end()},
@@ -333,6 +343,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   for (std::size_t k = 0; k < waves.size(); ++k) {
     const Passed& passed = r.passed[k].front();
     exhibit.measure("energy_defect_" + waves[k].name, passed.energy_defect.value());
+    exhibit.measure("energy_of_rezoning_" + waves[k].name, passed.energy_of_rezoning);
+    exhibit.measure("rezoned_" + waves[k].name, static_cast<double>(passed.rezoned));
     exhibit.measure("volume_defect_" + waves[k].name, passed.volume_defect.value());
     if (passed.folded) exhibit.measure("fold_time_" + waves[k].name, *passed.folded);
   }

@@ -1,0 +1,196 @@
+#include "seiche/models/dispersive_shallow_water_2d/lattice_interpolant.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/require.hpp"
+
+namespace seiche::dispersive_shallow_water_2d {
+
+namespace {
+
+constexpr double beyond = 0.5;     // of a cell
+constexpr double lost = 1;         // of a cell: a place as far as that from all of them
+constexpr double settled = 1e-12;  // of a cell: Newton's last step
+
+/// Weights of four (or two) neighbours and their derivatives.
+struct Weights {
+  std::size_t first = 0;
+  std::size_t count = 0;
+  std::array<double, 4> weight{}, slope{};
+};
+
+Weights cubic(double at, std::size_t cells) {
+  const double cell = std::clamp(std::floor(at), 0.0, static_cast<double>(cells) - 1);
+  const double first = std::clamp(cell - 1, 0.0, static_cast<double>(cells) - 3);
+  Weights w{.first = static_cast<std::size_t>(first), .count = 4};
+  const double s = at - first;
+  const double a = s;
+  const double b = s - 1;
+  const double c = s - 2;
+  const double d = s - 3;
+  w.weight = {-b * c * d / 6, a * c * d / 2, -a * b * d / 2, a * b * c / 6};
+  w.slope = {-(c * d + b * d + b * c) / 6, (c * d + a * d + a * c) / 2, -(b * d + a * d + a * b) / 2,
+             (b * c + a * c + a * b) / 6};
+  return w;
+}
+
+Weights linear(double at, std::size_t cells) {
+  const double first = std::clamp(std::floor(at), 0.0, static_cast<double>(cells) - 1);
+  Weights w{.first = static_cast<std::size_t>(first), .count = 2};
+  w.weight = {1 - (at - first), at - first};
+  w.slope = {-1, 1};
+  return w;
+}
+
+struct Distance {
+  double i, j;
+};
+
+/// Newton's step from a place with these derivatives.
+Distance newton(Point lacking, Point along_i, Point along_j) {
+  const double determinant = along_i.x * along_j.y - along_i.y * along_j.x;
+  return {(lacking.x * along_j.y - lacking.y * along_j.x) / determinant,
+          (along_i.x * lacking.y - along_i.y * lacking.x) / determinant};
+}
+
+}  // namespace
+
+struct LatticeInterpolant::Stencil {
+  Weights along_i, along_j;
+
+  template <class Take>
+  void each(std::size_t row, const Take& take) const {
+    for (std::size_t b = 0; b < along_j.count; ++b) {
+      for (std::size_t a = 0; a < along_i.count; ++a) take((along_j.first + b) * row + along_i.first + a, a, b);
+    }
+  }
+};
+
+LatticeInterpolant::LatticeInterpolant(plan_lattice::Shape shape, std::span<const double> x, std::span<const double> y)
+    : shape_(shape), x_(x), y_(y) {
+  require_at_least("columns", static_cast<long>(shape.columns), 3);
+  require_at_least("rows", static_cast<long>(shape.rows), 3);
+}
+
+LatticeInterpolant::Stencil LatticeInterpolant::stencil(const LatticePlace& at) const {
+  if (at.cubic) return {cubic(at.i, shape_.columns), cubic(at.j, shape_.rows)};
+  return {linear(at.i, shape_.columns), linear(at.j, shape_.rows)};
+}
+
+double LatticeInterpolant::value(std::span<const double> values, const LatticePlace& at) const {
+  const Stencil nodes = stencil(at);
+  double sum = 0;
+  double least = values[nodes.along_j.first * (shape_.columns + 1) + nodes.along_i.first];
+  double most = least;
+  nodes.each(shape_.columns + 1, [&](std::size_t k, std::size_t a, std::size_t b) {
+    sum += nodes.along_i.weight[a] * nodes.along_j.weight[b] * values[k];
+    least = std::min(least, values[k]);
+    most = std::max(most, values[k]);
+  });
+  return std::clamp(sum, least, most);
+}
+
+Point LatticeInterpolant::point(const LatticePlace& at) const {
+  const Stencil nodes = stencil(at);
+  Point place;
+  nodes.each(shape_.columns + 1, [&](std::size_t k, std::size_t a, std::size_t b) {
+    const double weight = nodes.along_i.weight[a] * nodes.along_j.weight[b];
+    place.x += weight * x_[k];
+    place.y += weight * y_[k];
+  });
+  return place;
+}
+
+/// Newton's steps on one stencil's polynomials at a time. False where they lead away.
+bool LatticeInterpolant::refine(Point place, LatticePlace& at) const {
+  const auto columns = static_cast<double>(shape_.columns);
+  const auto rows = static_cast<double>(shape_.rows);
+  for (int iteration = 0; iteration < 12; ++iteration) {
+    const Stencil nodes = stencil(at);
+    Point lacking = place;
+    Point along_i;
+    Point along_j;
+    nodes.each(shape_.columns + 1, [&](std::size_t k, std::size_t a, std::size_t b) {
+      const double weight = nodes.along_i.weight[a] * nodes.along_j.weight[b];
+      const double by_i = nodes.along_i.slope[a] * nodes.along_j.weight[b];
+      const double by_j = nodes.along_i.weight[a] * nodes.along_j.slope[b];
+      lacking.x -= weight * x_[k];
+      lacking.y -= weight * y_[k];
+      along_i.x += by_i * x_[k];
+      along_i.y += by_i * y_[k];
+      along_j.x += by_j * x_[k];
+      along_j.y += by_j * y_[k];
+    });
+    if (!(along_i.x * along_j.y - along_i.y * along_j.x > 0)) return false;
+    const Distance step = newton(lacking, along_i, along_j);
+    if (!(std::abs(step.i) + std::abs(step.j) < 3)) return false;
+    at.i += std::clamp(step.i, -0.5, 0.5);
+    at.j += std::clamp(step.j, -0.5, 0.5);
+    if (!(at.i > -beyond && at.i < columns + beyond && at.j > -beyond && at.j < rows + beyond)) return false;
+    if (std::abs(step.i) + std::abs(step.j) < settled) return true;
+  }
+  return false;
+}
+
+/// From cell to cell towards the place, each bilinear.
+LatticePlace LatticeInterpolant::find_cell(Point place, LatticePlace guess) const {
+  const auto columns = static_cast<double>(shape_.columns);
+  const auto rows = static_cast<double>(shape_.rows);
+  double cell_i = std::clamp(std::floor(guess.i), 0.0, columns - 1);
+  double cell_j = std::clamp(std::floor(guess.j), 0.0, rows - 1);
+  double least = std::numeric_limits<double>::infinity();
+  LatticePlace best{.i = guess.i, .j = guess.j, .cubic = false};
+  for (int walked = 0; walked < 40; ++walked) {
+    const auto corners =
+        shape_.corners(static_cast<std::size_t>(cell_j) * shape_.columns + static_cast<std::size_t>(cell_i));
+    const auto corner = [&](std::size_t a) { return Point{x_[corners[a]], y_[corners[a]]}; };
+    const Point c0 = corner(0), c1 = corner(1), c2 = corner(2), c3 = corner(3);
+    double s = 0.5;
+    double t = 0.5;
+    for (int iteration = 0; iteration < 20; ++iteration) {
+      const auto mix = [&](double a0, double a1, double a2, double a3) {
+        return (1 - t) * ((1 - s) * a0 + s * a1) + t * ((1 - s) * a3 + s * a2);
+      };
+      const Point along_i{(1 - t) * (c1.x - c0.x) + t * (c2.x - c3.x), (1 - t) * (c1.y - c0.y) + t * (c2.y - c3.y)};
+      const Point along_j{(1 - s) * (c3.x - c0.x) + s * (c2.x - c1.x), (1 - s) * (c3.y - c0.y) + s * (c2.y - c1.y)};
+      const Distance step =
+          newton({place.x - mix(c0.x, c1.x, c2.x, c3.x), place.y - mix(c0.y, c1.y, c2.y, c3.y)}, along_i, along_j);
+      s = std::clamp(s + std::clamp(step.i, -0.7, 0.7), -1.0, 2.0);
+      t = std::clamp(t + std::clamp(step.j, -0.7, 0.7), -1.0, 2.0);
+      if (std::abs(step.i) + std::abs(step.j) < settled) break;
+    }
+    const double outside = std::max({-s, s - 1, -t, t - 1, 0.0});
+    if (outside < least) {
+      least = outside;
+      best = {.i = cell_i + s, .j = cell_j + t, .cubic = false};
+    }
+    if (outside <= 1e-9) break;
+    const double next_i = std::clamp(cell_i + (s < 0 ? -1 : s > 1 ? 1 : 0), 0.0, columns - 1);
+    const double next_j = std::clamp(cell_j + (t < 0 ? -1 : t > 1 ? 1 : 0), 0.0, rows - 1);
+    if (next_i == cell_i && next_j == cell_j) break;
+    cell_i = next_i;
+    cell_j = next_j;
+  }
+  if (!(least < lost)) {
+    throw mechanics::Infeasible(fmt::format("({:g}, {:g}) is on none of the lattice's cells", place.x, place.y),
+                                place.x);
+  }
+  return best;
+}
+
+LatticePlace LatticeInterpolant::find(Point place, LatticePlace guess) const {
+  LatticePlace at{.i = guess.i, .j = guess.j, .cubic = true};
+  if (refine(place, at)) return at;
+  const LatticePlace cell = find_cell(place, guess);
+  at = {.i = cell.i, .j = cell.j, .cubic = true};
+  if (refine(place, at) && std::abs(at.i - cell.i) + std::abs(at.j - cell.j) < 0.5) return at;
+  return cell;
+}
+
+}  // namespace seiche::dispersive_shallow_water_2d

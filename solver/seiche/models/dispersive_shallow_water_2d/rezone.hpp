@@ -1,0 +1,91 @@
+/// A flow of the plan model whose lattice is rezoned: put back, now and then, to where its columns do not crumple.
+///
+/// Lagrangian columns go with the water. The thin edge of the water slides along a shore, piles up where it meets and
+/// crumples where it runs down, until the lattice folds, though the water does nothing of the kind.
+///
+/// In a rezoned lattice the nodes slide along their rows, back to the lines that the columns were at the beginning.
+/// Rows stay lines of the same water, so that thin sheets thin out no more than they do of themselves, and the columns
+/// do not shear. What a row has of the pattern + - + - across it, by its fourth difference along it,
+///
+/// @f[ \frac{r_{i-2} - 4 r_{i-1} + 6 r_i - 4 r_{i+1} + r_{i+2}}{16}, @f]
+///
+/// is taken away: by it the edge of the water crumples where it piles up. As soon as a node is farther from its place
+/// than `drift` of its cells, all are put there (remap.hpp). Where that is not possible the lattice goes on as it is. A
+/// lake at rest is left alone.
+///
+/// Reference: C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+
+namespace seiche::dispersive_shallow_water_2d {
+
+/// Places of the nodes of a lattice that follows the shoreline on its south side.
+class ShoreFollowing {
+ public:
+  struct Places {
+    std::vector<double> x, y;
+  };
+
+  /// Throws std::invalid_argument for a lattice without a shoreline on its south side.
+  explicit ShoreFollowing(const Lattice& first);
+  /// For a flow whose nodes are at q.
+  [[nodiscard]] Places places(Input q) const;
+  /// Farthest of a node from its place, over the shortest edge at the node's place.
+  [[nodiscard]] double drift(Input q, const Places& places) const;
+
+ private:
+  [[nodiscard]] double along_row(Input x, Input y, std::size_t column) const;
+
+  [[nodiscard]] Point outer(std::size_t column) const { return first_[shape_.node(column, shape_.rows)]; }
+
+  Shape shape_;
+  std::vector<Point> first_;  ///< places of all nodes
+  std::vector<Point> line_;   ///< directions of the columns
+};
+
+struct RezoneSettings {
+  double drift = 0.2;  ///< of a cell
+};
+
+class RezonedFlow {
+ public:
+  /// As Flow, without what moves or drives sides. Throws std::invalid_argument too for a drift outside (0, 2].
+  RezonedFlow(Lattice lattice, const VelocityAt& velocity, Scheme scheme, Settings settings, RezoneSettings rezone);
+
+  /// As Flow. Throws Divergence with the time since the beginning.
+  void advance_to(double time, double tau, const std::function<void()>& after_step = {});
+
+  /// As it is now; its time counts from the last rezoning.
+  [[nodiscard]] const Flow& flow() const { return *flow_; }
+  [[nodiscard]] double time() const { return begin_ + flow_->time(); }
+  [[nodiscard]] long steps() const { return steps_ + flow_->steps(); }
+  /// Times the lattice was rezoned.
+  [[nodiscard]] long rezoned() const { return rezoned_; }
+  /// Kinetic and potential, zero for still water.
+  [[nodiscard]] double energy() const { return base_ + flow_->energy(); }
+  /// Times it could not be.
+  [[nodiscard]] long refused() const { return refused_; }
+  /// Energy that rezoning took in all.
+  [[nodiscard]] double lost() const { return lost_; }
+
+ private:
+  void rezone(const ShoreFollowing::Places& places);
+
+  ShoreFollowing following_;
+  Scheme scheme_;
+  RezoneSettings settings_;
+  std::unique_ptr<Flow> flow_;
+  double begin_ = 0;
+  double base_ = 0;
+  double lost_ = 0;
+  long steps_ = 0;
+  long rezoned_ = 0;
+  long refused_ = 0;
+};
+
+}  // namespace seiche::dispersive_shallow_water_2d

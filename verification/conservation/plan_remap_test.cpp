@@ -1,0 +1,196 @@
+// What a remap of the plan model keeps, and a flow around an island whose lattice is rezoned.
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/compensated_sum.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
+#include "seiche/samples.hpp"
+#include "validation/instruments/island_flow.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::dispersive_shallow_water_2d;
+using evidence::Bound;
+using evidence::Roundoff;
+
+const std::string source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266";
+constexpr double size = 4;  // [m], of the box
+constexpr std::size_t cells = 16;
+
+/// Nodes of a lattice of a box moved by up to a third of a cell, those of its sides along them.
+std::pair<std::vector<double>, std::vector<double>> moved(const Lattice& lattice) {
+  std::pair<std::vector<double>, std::vector<double>> places{lattice.x, lattice.y};
+  const double k = 2 * std::numbers::pi / size;
+  const double way = size / cells / 3;
+  for (std::size_t i = 0; i < lattice.shape.nodes(); ++i) {
+    const double x = lattice.x[i];
+    const double y = lattice.y[i];
+    places.first[i] += way * std::sin(k * x) * std::cos(k * y);
+    places.second[i] += way * std::cos(k * x) * std::sin(1.5 * k * y);
+  }
+  for (std::size_t i = 0; i <= lattice.shape.columns; ++i) {
+    places.second[i] = 0;
+    places.second[lattice.shape.node(i, lattice.shape.rows)] = size;
+  }
+  return places;
+}
+
+Lattice box(double height) {
+  return rectangular_lattice(
+      {.begin = 0,
+       .end = size,
+       .south = 0,
+       .north = size,
+       .columns = cells,
+       .rows = cells,
+       .elevation = [height](double x, double y) { return height * std::sin(x) * std::cos(2 * y); }});
+}
+
+double sum(std::span<const double> values) {
+  CompensatedSum all;
+  for (const double value : values) all.add(value);
+  return all.value();
+}
+
+Point momentum(std::span<const double> masses, std::span<const double> u, std::span<const double> v) {
+  CompensatedSum x;
+  CompensatedSum y;
+  for (std::size_t k = 0; k < masses.size(); ++k) {
+    x.add(masses[k] * u[k]);
+    y.add(masses[k] * v[k]);
+  }
+  return {x.value(), y.value()};
+}
+
+const Roundoff rounded{.operations = 100 * cells * cells,
+                       .scale = size,
+                       .reason = "about a hundred operations a cell on places of the box's size"};
+
+}  // namespace
+
+TEST_CASE("a remap of the plan model keeps water and momentum", "[conservation]") {
+  verification::Check check("plan_remap", "Remap of the plan model: what it keeps",
+                            "16 x 16 cells over a level bottom 1 m deep, waves of 0.2 m and velocities of 1 m/s; "
+                            "nodes move by up to a third of a cell, those of the sides along them.");
+  const std::string resolution = "16 x 16 cells";
+  {
+    const Model model(box(0.2));
+    const mechanics::State state = model.state([](double x, double y) {
+      return Velocity{.u = std::sin(2 * x + y), .v = std::cos(x - 3 * y), .w = 0.3 * std::sin(x * y)};
+    });
+    const auto [x, y] = moved(model.lattice());
+    // Without walls that take momentum away.
+    const std::size_t n = model.nodes();
+    std::vector<double> u = state.u;
+    const Remapped now = remap(model, state.q, u, x, y);
+    const Model next(now.lattice);
+    check.that({.id = "water",
+                .text = "No water is lost.",
+                .quantity = "change of the volume",
+                .unit = "m^3",
+                .source = source},
+               {.value = sum(next.first_volumes()) - sum(model.first_volumes()), .resolution = resolution}, rounded);
+    const Point before = momentum(model.node_masses(), std::span(u).first(n), std::span(u).subspan(n, n));
+    const Point after = momentum(next.node_masses(), now.u, now.v);
+    check.that({.id = "momentum",
+                .text = "Nor is momentum.",
+                .quantity = "change of the momentum",
+                .unit = "m^4/s",
+                .source = source},
+               {.value = std::hypot(after.x - before.x, after.y - before.y), .resolution = resolution}, rounded);
+  }
+  {
+    const Model model(box(0));
+    std::vector<double> u(3 * model.nodes(), 0.0);
+    for (std::size_t k = 0; k < model.nodes(); ++k) {
+      u[k] = 1;
+      u[model.nodes() + k] = -0.5;
+    }
+    const mechanics::State state = model.state();
+    const auto [x, y] = moved(model.lattice());
+    const Remapped now = remap(model, state.q, u, x, y);
+    Worst off;
+    for (std::size_t k = 0; k < model.nodes(); ++k) {
+      off.add(now.u[k] - 1);
+      off.add(now.v[k] + 0.5);
+      off.add(now.w[k]);
+      off.add(now.lattice.z[k]);
+    }
+    check.that({.id = "stream",
+                .text = "A stream of one velocity under a level surface stays one.",
+                .quantity = "largest difference",
+                .source = source},
+               {.value = off.value(), .resolution = resolution}, rounded);
+  }
+}
+
+TEST_CASE("a rezoned flow around an island keeps its water", "[conservation]") {
+  verification::Check check("plan_rezone", "A flow around an island on a rezoned lattice: what it keeps",
+                            "Case A of the conical island, columns 1 m apart, until the crest would be at the middle "
+                            "of the island; and still water.");
+  const validation::ConicalIsland island({.height = 0.045, .spacing = 1});
+  RezonedFlow flow = island.rezoned_flow();
+  const double water = sum(flow.flow().model().first_volumes());
+  Worst spilt;
+  flow.advance_to(island.passage(), island.step(),
+                  [&] { spilt.add(sum(flow.flow().model().first_volumes()) / water - 1, flow.time()); });
+  const std::string resolution =
+      fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned());
+  const auto cells_of_all = static_cast<double>(flow.flow().shape().cells());
+  const auto steps = static_cast<double>(flow.steps());
+  check.that({.id = "rezoned", .text = "The lattice is rezoned on the way.", .quantity = "times", .source = source},
+             {.value = static_cast<double>(flow.rezoned()), .resolution = resolution},
+             Bound{.limit = steps / 2 - 0.5, .reason = "once or more, not in every step", .expected = steps / 2});
+  check.that({.id = "water",
+              .text = "No water is lost.",
+              .quantity = "largest change over the first volume",
+              .source = source},
+             {.value = spilt.value(), .resolution = resolution},
+             Roundoff{.operations = cells_of_all,
+                      .scale = 1,
+                      .reason = "every cell's volume rounds its own differences of places of the basin's size"});
+  check.measure("energy that rezoning took, over that of the flow", flow.lost() / flow.energy());
+
+  Lattice lake = island.flow().model().lattice();
+  for (std::size_t k = lake.shape.columns + 1; k < lake.shape.nodes(); ++k) lake.z[k] = 0;
+  const Model still(lake, {.gravity = 9.81});
+  const ShoreFollowing following(lake);
+  const mechanics::State rest = still.state();
+  const auto places = following.places(rest.q);
+  Worst apart;
+  for (std::size_t k = 0; k < lake.shape.nodes(); ++k) {
+    apart.add(places.x[k] - lake.x[k]);
+    apart.add(places.y[k] - lake.y[k]);
+  }
+  check.that({.id = "lake",
+              .text = "The lattice of a lake at rest is where it belongs.",
+              .quantity = "largest way of a node",
+              .unit = "m",
+              .source = source},
+             {.value = apart.value(), .resolution = resolution},
+             Roundoff{.operations = 10, .scale = 20, .reason = "a cubic at its own node, places of 20 m"});
+  const Remapped same = remap(still, rest.q, rest.u, lake.x, lake.y);
+  Worst risen;
+  for (std::size_t k = 0; k < lake.shape.nodes(); ++k) {
+    risen.add(same.lattice.z[k] - lake.z[k]);
+    risen.add(same.u[k]);
+    risen.add(same.v[k]);
+    risen.add(same.w[k]);
+  }
+  check.that({.id = "rest",
+              .text = "A remap to where it is leaves it at rest.",
+              .quantity = "largest elevation or velocity",
+              .source = source},
+             {.value = risen.value(), .resolution = resolution},
+             Roundoff{.operations = 100, .scale = 20, .reason = "volumes of cells from places of 20 m"});
+}

@@ -1,0 +1,93 @@
+// The remap of the plan model on smooth fields: its order.
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "reports/evidence/slope_guide.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::dispersive_shallow_water_2d;
+
+constexpr double size = std::numbers::pi;
+
+double elevation(double x, double y) {
+  return 0.2 * std::cos(x) * std::cos(2 * y);
+}
+Velocity velocity(double x, double y) {
+  return {.u = std::sin(x) * std::cos(y), .v = -std::cos(x) * std::sin(y), .w = std::cos(2 * x) * std::cos(y)};
+}
+
+struct Errors {
+  double elevation, velocity;
+};
+
+/// Root mean squares over the nodes after a remap by up to 0.3 of a cell along both directions.
+Errors errors(std::size_t n) {
+  const Model model(rectangular_lattice(
+      {.begin = 0, .end = size, .south = 0, .north = size, .columns = n, .rows = n, .elevation = elevation}));
+  const mechanics::State state = model.state(velocity);
+  const double way = 0.3 * size / static_cast<double>(n);
+  std::vector<double> x = model.lattice().x;
+  std::vector<double> y = model.lattice().y;
+  for (std::size_t k = 0; k < model.nodes(); ++k) {
+    const double from_x = x[k];
+    const double from_y = y[k];
+    x[k] += way * std::sin(from_x) * std::cos(from_y);
+    y[k] += way * std::cos(from_x) * std::sin(from_y);
+  }
+  // The sides to round-off.
+  for (std::size_t k = 0; k <= n; ++k) {
+    const Shape shape = model.shape();
+    y[shape.node(k, 0)] = x[shape.node(0, k)] = 0;
+    y[shape.node(k, n)] = x[shape.node(n, k)] = size;
+  }
+  const Remapped now = remap(model, state.q, state.u, x, y);
+  Errors sums{0, 0};
+  for (std::size_t k = 0; k < model.nodes(); ++k) {
+    const Velocity exact = velocity(x[k], y[k]);
+    sums.elevation += std::pow(now.lattice.z[k] - elevation(x[k], y[k]), 2);
+    sums.velocity +=
+        std::pow(now.u[k] - exact.u, 2) + std::pow(now.v[k] - exact.v, 2) + std::pow(now.w[k] - exact.w, 2);
+  }
+  const auto nodes = static_cast<double>(model.nodes());
+  return {std::sqrt(sums.elevation / nodes), std::sqrt(sums.velocity / nodes)};
+}
+
+}  // namespace
+
+TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
+  verification::Check check("plan_remap_order", "Remap of the plan model: order",
+                            "A basin of sides $\\pi$ with smooth waves and velocities, whose n x n equal cells are "
+                            "exchanged for others: nodes move by up to 0.3 of a cell. Root mean squares of the errors "
+                            "at the new nodes.");
+  std::vector<double> sizes, of_elevation, of_velocity;
+  for (const std::size_t n : {12, 16, 24, 32, 48, 64}) {
+    const Errors found = errors(n);
+    sizes.push_back(size / static_cast<double>(n));
+    of_elevation.push_back(found.elevation);
+    of_velocity.push_back(found.velocity);
+  }
+  auto& panel = check.figure("convergence", "Errors under refinement", "The grey line has slope 3.")
+                    .panel({.x = "width of a cell", .y = "error", .log_x = true, .log_y = true});
+  panel.line("elevation", sizes, of_elevation);
+  panel.line("velocity", sizes, of_velocity, evidence::Role::peer);
+  validation::slope_guide(panel, 3, sizes, of_velocity.back() * 1.5);
+  const evidence::Order third{3, 0.3,
+                              "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation "
+                              "carries along, by h^2 times the change of the cell's size, h"};
+  check.that({.id = "elevation",
+              .text = "Elevations are carried to third order.",
+              .quantity = "observed order",
+              .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
+             evidence::observed_order(sizes, of_elevation), third);
+  check.that({.id = "velocity",
+              .text = "So are velocities.",
+              .quantity = "observed order",
+              .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
+             evidence::observed_order(sizes, of_velocity), third);
+}
