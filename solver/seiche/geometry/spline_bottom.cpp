@@ -154,8 +154,14 @@ SplineBottom SplineBottom::sampled(const Sampling& sampling,
 }
 
 SplineBottom::Local SplineBottom::find(std::span<const double> lines, double place) {
-  const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, place);
-  const auto line = static_cast<std::size_t>(above - lines.begin()) - 1;
+  const std::size_t last = lines.size() - 2;
+  // Lines mostly lie at equal distances: the guess is right but for rounding.
+  const double guess = static_cast<double>(last + 1) * (place - lines.front()) / (lines.back() - lines.front());
+  auto line = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(last)));
+  if ((line > 0 && place < lines[line]) || (line < last && place >= lines[line + 1])) {
+    const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, place);
+    line = static_cast<std::size_t>(above - lines.begin()) - 1;
+  }
   const double width = lines[line + 1] - lines[line];
   return {.line = line, .width = width, .t = (place - lines[line]) / width};
 }

@@ -203,8 +203,9 @@ class Remap {
   void level_water() {
     volume_.resize(shape_.cells());
     for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-      volume_[cell] = model_.first_volumes()[cell] + gained_[cell].level - bottom_under(corners_of(cell, true)) +
-                      bottom_under(corners_of(cell, false));
+      under_.push_back(bottom_under(corners_of(cell, true)));
+      volume_[cell] =
+          model_.first_volumes()[cell] + gained_[cell].level - under_[cell] + bottom_under(corners_of(cell, false));
       if (!(volume_[cell] > 0)) {
         throw mechanics::Infeasible(fmt::format("cell {} would hold {:g} of water", cell, volume_[cell]),
                                     corners_of(cell, true)[0].x);
@@ -224,7 +225,7 @@ class Remap {
       std::vector<double> rise(n_, 0.0);
       for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
         const auto corners = shape_.corners(cell);
-        const double lacking = volume_[cell] - (new_level(cell) - bottom_under(corners_of(cell, true)));
+        const double lacking = volume_[cell] - (new_level(cell) - under_[cell]);
         double wet = 0;
         for (const std::size_t k : corners) wet += on_shore_[k] != 0 ? 0.0 : 1.0;
         for (const std::size_t k : corners) {
@@ -247,7 +248,7 @@ class Remap {
     std::vector<double> mass(n_, 0.0);
     std::vector<double> after(shape_.cells());
     for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-      after[cell] = new_level(cell) - bottom_under(corners_of(cell, true));
+      after[cell] = new_level(cell) - under_[cell];
       for (const std::size_t k : shape_.corners(cell)) mass[k] += share(k) * after[cell];
     }
     std::vector<Point> change(n_);
@@ -291,6 +292,7 @@ class Remap {
   Remapped now_;
   std::vector<LatticePlace> places_;
   std::vector<Content> gained_;
+  std::vector<double> under_;  // bottom_under of the new cells
   std::vector<double> volume_;
 };
 

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <stdexcept>
 #include <utility>
 #include <variant>
+
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include "seiche/mechanics/equal_steps.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
@@ -41,15 +44,10 @@ class RowCurve {
  private:
   [[nodiscard]] static double cubic(Input values, double number) {
     const double first = std::clamp(std::floor(number) - 1, 0.0, static_cast<double>(values.size()) - 4);
-    double sum = 0;
-    for (int a = 0; a < 4; ++a) {
-      double weight = 1;
-      for (int b = 0; b < 4; ++b) {
-        if (b != a) weight *= (number - first - b) / (a - b);
-      }
-      sum += weight * values[static_cast<std::size_t>(first) + static_cast<std::size_t>(a)];
-    }
-    return sum;
+    const double* const v = values.data() + static_cast<std::size_t>(first);
+    const double t = number - first;
+    return (t * (t - 1) * ((t - 2) * v[3] - 3 * (t - 3) * v[2]) + (t - 2) * (t - 3) * (3 * t * v[1] - (t - 1) * v[0])) /
+           6;
   }
 
   Input x_, y_;
@@ -67,14 +65,12 @@ Point meet(const RowCurve& row, std::size_t columns, std::size_t column, Point f
   if (first == 0) return row.at(here);
   for (const double reach : {0.5, 1.0, 1.5, 2.0}) {
     for (const double way : {-reach, reach}) {
-      double far = std::clamp(here + way, 0.0, static_cast<double>(columns));
+      const double far = std::clamp(here + way, 0.0, static_cast<double>(columns));
       if (!(off(far) * first < 0)) continue;
-      double near = here;
-      for (int halving = 0; halving < 52; ++halving) {
-        const double middle = 0.5 * (near + far);
-        (off(middle) * first > 0 ? near : far) = middle;
-      }
-      return row.at(0.5 * (near + far));
+      std::uintmax_t evaluations = 100;
+      const auto [left, right] = boost::math::tools::toms748_solve(
+          off, std::min(here, far), std::max(here, far), boost::math::tools::eps_tolerance<double>(50), evaluations);
+      return row.at(0.5 * (left + right));
     }
   }
   return row.at(here);
