@@ -53,8 +53,10 @@ NOT_RUN = {
         "apt install ./build/packages/*.deb": INSTALLS,
         "ci/petsc": PETSC,
         "ci/solvers": SOLVERS,
+        "ci/sanitize thread": LONG,
     },
     "CONTRIBUTING.md": {
+        "ci/sanitize thread": LONG,
         "ci/build release seiche_command": WHOLE_BUILD,
         "ci/verify evidence": WHOLE_BUILD,
         "ci/time-build": WHOLE_BUILD,
