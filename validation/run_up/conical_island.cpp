@@ -279,7 +279,7 @@ void draw_runup(evidence::Exhibit& exhibit, const Results& r, const io::Table& t
   auto& figure =
       exhibit.figure("runup", "Run-up around a conical island",
                      "Against the angle from the front. Measurements with their uncertainty; the model as far "
-                     "as the wave has passed when the lattice folds (B, C); the shallow-water model of Liu et "
+                     "as the wave has passed when the lattice folds (C); the shallow-water model of Liu et "
                      "al. (1995).");
   for (std::size_t k = 0; k < waves.size(); ++k) {
     const Passed& passed = r.passed[k].front();

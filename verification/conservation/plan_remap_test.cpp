@@ -194,3 +194,36 @@ TEST_CASE("a rezoned flow around an island keeps its water", "[conservation]") {
              {.value = risen.value(), .resolution = resolution},
              Roundoff{.operations = 100, .scale = 20, .reason = "volumes of cells from places of 20 m"});
 }
+
+TEST_CASE("a rezoned flow books the energy that rezoning takes", "[conservation]") {
+  verification::Check check("plan_rezone_energy", "A flow around an island on a rezoned lattice: its energy",
+                            "Case A of the conical island without friction, columns 1 m apart, conservative steps, "
+                            "until the crest would be at the middle of the island.");
+  const validation::ConicalIsland island(
+      {.height = 0.045, .spacing = 1, .scheme = {.stepping = mechanics::Stepping::conservative}, .drag = {}});
+  RezonedFlow flow = island.rezoned_flow();
+  const double begin = flow.energy();
+  Worst drift;
+  flow.advance_to(island.passage(), island.step(),
+                  [&] { drift.add((flow.energy() + flow.lost()) / begin - 1, flow.time()); });
+  const std::string resolution =
+      fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned());
+  check.that({.id = "booked",
+              .text = "With what rezoning took, energy is kept to round-off.",
+              .quantity = "largest change over the first value",
+              .source = "Frank (1994), chapter 1"},
+             {.value = drift.value(), .resolution = resolution},
+             Roundoff{.operations = static_cast<double>(flow.steps() + flow.rezoned()),
+                      .scale = 100,
+                      .reason = "places of 20 m and sides of 0.2 m next to the shore: each step and each rezoning "
+                                "rounds their differences anew"});
+  check.that({.id = "taken",
+              .text = "Rezoning takes energy, and little.",
+              .quantity = "what it took over the first value",
+              .source = "Frank (1994), chapter 1"},
+             {.value = flow.lost() / begin, .resolution = resolution},
+             Bound{.limit = 0.005,
+                   .reason = "0 to 1 %: what it takes is of the square of the differences between neighbouring "
+                             "nodes, next to the shore alone",
+                   .expected = 0.005});
+}

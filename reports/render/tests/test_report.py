@@ -16,7 +16,6 @@ import tempfile
 import tomllib
 import unittest
 import urllib.parse
-import xml.etree.ElementTree
 
 REPORTS = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REPORTS))
@@ -277,13 +276,6 @@ class Report(unittest.TestCase):
         self.assertIn("sharp-claim-wide", marginal)     # its uncertainty uses up the limit
         for neither in ("exact", "middle", "fails", "seen"):
             self.assertNotIn(f"sharp-claim-{neither}", page)
-
-    def test_marks_of_many_solvers_differ(self):
-        self.assertEqual(len({(one.colour, one.letter) for one in map(marks.mark, range(24))}), 24)
-        drawn = {marks.mark(number).svg(10, 20, 3, "a='b'", "<title>t</title>") for number in range(24)}
-        self.assertEqual(len(drawn), 24)
-        for one in drawn:
-            self.assertEqual(xml.etree.ElementTree.fromstring(one).find("title").text, "t")
 
     def test_bias_and_scatter_of_models_over_experiments(self):
         pairs = [experiments.Pair(None, "c", measured, 0.1 * measured, ratio * measured)

@@ -13,6 +13,7 @@
 #include "seiche/mechanics/equal_steps.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
 #include "seiche/require.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -137,7 +138,7 @@ double ShoreFollowing::drift(Input q, const Places& places) const {
     const std::size_t k = shape_.node(i, j);
     return Point{places.x[k], places.y[k]};
   };
-  double worst = 0;
+  Largest worst;
   for (std::size_t j = 0; j <= shape_.rows; ++j) {
     for (std::size_t i = 0; i <= shape_.columns; ++i) {
       const std::size_t k = shape_.node(i, j);
@@ -145,11 +146,10 @@ double ShoreFollowing::drift(Input q, const Places& places) const {
       double edge = distance(there, i > 0 ? wanted(i - 1, j) : wanted(i + 1, j));
       if (i > 0 && i < shape_.columns) edge = std::min(edge, distance(there, wanted(i + 1, j)));
       edge = std::min(edge, distance(there, j > 0 ? wanted(i, j - 1) : wanted(i, j + 1)));
-      const double off = distance({q[k], q[n + k]}, there) / edge;
-      if (!(off <= worst)) worst = off;
+      worst.add(distance({q[k], q[n + k]}, there) / edge);
     }
   }
-  return worst;
+  return worst.value();
 }
 
 RezonedFlow::RezonedFlow(Lattice lattice, const VelocityAt& velocity, Scheme scheme, Settings settings,

@@ -39,8 +39,6 @@ class ShoreFollowing {
   [[nodiscard]] double drift(Input q, const Places& places) const;
 
  private:
-  [[nodiscard]] double along_row(Input x, Input y, std::size_t column) const;
-
   [[nodiscard]] Point outer(std::size_t column) const { return first_[shape_.node(column, shape_.rows)]; }
 
   Shape shape_;
