@@ -67,6 +67,7 @@ NOT_RUN = {
         "ci/defects linear/periodic_schur_one_neighbour": DEFECTS,
         "ci/defects --random 6 --seed 1": DEFECTS,
         "ci/sanitize": WHOLE_BUILD,
+        "ci/coverage": WHOLE_BUILD,
         "ci/setup": INSTALLS,
         "ci/setup clang-format": INSTALLS,
         "seiche compare EVIDENCE --record": PATTERN,

@@ -3,8 +3,8 @@ import importlib.util
 import pathlib
 import shutil
 
-from render import (atlas, badge, defects, experiments, files, gallery, league, pages, records, seal, sharpness,
-                    side_by_side, speed, trust)
+from render import (atlas, badge, coverage, defects, experiments, files, gallery, league, pages, records, seal,
+                    sharpness, side_by_side, speed, trust)
 from render.formulas import Formulas
 from render.records import Broken
 from render.store import MARKER, Store, user_cache
@@ -53,6 +53,7 @@ def build(evidence, stage, out, options):
              "sharpness": sharpness.survey([record for case in cases for record in case.records if record.own]),
              "defects": defects.survey(defects.read(), loaded), "experiments": experiments.survey(loaded),
              "models": side_by_side.survey(cases, drawn), "speed": speed.survey(speed.read()),
+             "rooms": coverage.survey(coverage.read()), "wanted_lines": coverage.WANTED,
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
     whole["trust"] = trust.survey(cases, whole["models"]["problems"], others)
     whole["scorable"] = trust.scorable(options.scorable, cases)
@@ -65,6 +66,7 @@ def build(evidence, stage, out, options):
     write("sharpness.html.j2", "sharpness.html", "", **whole)
     write("defects.html.j2", "defects.html", "", **whole)
     write("speed.html.j2", "speed.html", "", **whole)
+    write("coverage.html.j2", "coverage.html", "", **whole)
     write("experiments.html.j2", "experiments.html", "", **whole)
     write("reading.html.j2", "reading.html", "", **whole)
     if options.pdf:

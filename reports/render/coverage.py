@@ -1,0 +1,57 @@
+"""Which lines the quick tier runs, as the last run of ci/coverage left it: by room, and the files behind the others."""
+import csv
+import dataclasses
+import pathlib
+
+RECORD = pathlib.Path(__file__).resolve().parent.parent / "record" / "coverage.csv"
+WANTED = 0.9        # of a room's lines
+
+
+@dataclasses.dataclass
+class Room:
+    name: str
+    files: list = dataclasses.field(default_factory=list)       # [(file, lines, ran)]
+
+    @property
+    def lines(self):
+        return sum(lines for _, lines, _ in self.files)
+
+    @property
+    def ran(self):
+        return sum(ran for _, _, ran in self.files)
+
+    @property
+    def share(self):
+        return self.ran / self.lines
+
+    @property
+    def wanting(self):
+        return self.share < WANTED
+
+    @property
+    def behind(self):
+        """Files whose share is below what is wanted, the most lines that never ran first."""
+        return sorted((one for one in self.files if one[2] < WANTED * one[1]), key=lambda one: one[2] - one[1])
+
+
+def room_of(file):
+    """solver/seiche/exact of solver/seiche/exact/entries/bore.cpp: models have a room each, others none inside rooms."""
+    parts = pathlib.PurePosixPath(file).parent.parts
+    depth = 4 if parts[:3] == ("solver", "seiche", "models") else 3 if parts[0] == "solver" else 2
+    return "/".join(parts[:depth])
+
+
+def read(path=RECORD):
+    """[(file, lines, ran)] of the record; none where there is no such file."""
+    if not path.is_file():
+        return []
+    with path.open(encoding="utf-8", newline="") as file:
+        return [(row["file"], int(row["lines"]), int(row["ran"])) for row in csv.DictReader(file)]
+
+
+def survey(rows):
+    """The rooms by name. @param rows  [(file, lines, ran)], no file without lines"""
+    rooms = {}
+    for row in sorted(rows):
+        rooms.setdefault(room_of(row[0]), Room(room_of(row[0]))).files.append(row)
+    return [rooms[name] for name in sorted(rooms)]
