@@ -26,17 +26,15 @@ eighth wide, a few tenths of a per cent of most.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <optional>
 
 #include <fmt/format.h>
 
-#include "reports/evidence/grid_convergence.hpp"
 #include "seiche/exact/hall_watts.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/run_up/mesh_slope_climb.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
+#include "validation/run_up/slope_run_ups.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
@@ -45,99 +43,18 @@ namespace {
 
 using evidence::Bound;
 using evidence::Role;
+using slope_run_ups::Climbed;
+using slope_run_ups::compared;
+using slope_run_ups::meshes;
+using slope_run_ups::OnMeshes;
+using slope_run_ups::Row;
 
 const std::string source = "Frank (1994), section 2.2 and table of chapter 3";
 
-struct MeshSize {
-  double spacing;
-  long rows;
-  double tau;
-};
-constexpr std::array<MeshSize, 4> meshes{{{1, 2, 0.05}, {0.5, 4, 0.05}, {0.25, 8, 0.025}, {0.125, 16, 0.0125}}};
-constexpr std::size_t compared = 3;  // meshes of the earlier program
 constexpr double latest_runup = 17;  // [sqrt(depth/g)], 12 depths to the toe at least as fast as a long wave, then up
 constexpr double sweeps = 6;         // of a conservative step
 constexpr double useful = 0.15;      // uncertainty over the run-up that still says something
 constexpr double farthest = 27;      // place of a node [depth]
-
-using OnMeshes = std::array<double, compared>;
-
-/// A row of the comparison, with what is known of it.
-struct Row {
-  double cot_slope = 0;
-  double amplitude = 0;
-  OnMeshes earlier = {};  ///< run-up by an earlier program
-  double thesis = std::numeric_limits<double>::quiet_NaN();
-  double exact = std::numeric_limits<double>::quiet_NaN();
-
-  [[nodiscard]] double formula() const { return exact::HallWatts(1, 1 / cot_slope).runup(amplitude); }
-};
-
-/// The number of a table at a slope and an amplitude; NaN where there is none.
-double entry(const io::Table& table, const std::string& column, const Row& row) {
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    if (table.column("cot_slope")[k] == row.cot_slope && table.column("A")[k] == row.amplitude) {
-      return table.column(column)[k];
-    }
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
-std::vector<Row> rows_of(const Values& values) {
-  const io::Table earlier = values.table("regression_slope_run_up");
-  const io::Table thesis = values.table("frank_1994_runup");
-  const io::Table exact = values.table("slope_runup_exact");
-  std::vector<Row> rows;
-  for (std::size_t k = 0; k < earlier.rows(); ++k) {
-    const double cot_slope = earlier.column("cot_slope")[k];
-    const double amplitude = earlier.column("A")[k];
-    const auto same = [&](const Row& row) { return row.cot_slope == cot_slope && row.amplitude == amplitude; };
-    auto row = std::ranges::find_if(rows, same);
-    if (row == rows.end()) row = rows.insert(row, {.cot_slope = cot_slope, .amplitude = amplitude});
-    for (std::size_t m = 0; m < compared; ++m) {
-      if (earlier.column("h1")[k] == meshes[m].spacing) row->earlier[m] = earlier.column("R")[k];
-    }
-    row->thesis = entry(thesis, "R_calc", *row);
-    row->exact = entry(exact, "R", *row);
-  }
-  return rows;
-}
-
-struct Climbed : Row {
-  std::vector<double> runup;        ///< on the meshes
-  OnMeshes wider = {};              ///< with the columns sheared over one depth more
-  std::optional<double> fold_time;  ///< first fold on the finest mesh with one before the largest run-up
-  std::vector<double> sliding;      ///< run-up with a toe that slides, on the meshes
-  Count sliding_folds;              ///< of them those with a fold before it
-  Worst sliding_energy;             ///< largest change over the wave's energy
-
-  /// To zero spacing, first order; from the two finest meshes but `coarser`.
-  [[nodiscard]] double extrapolated(std::size_t coarser = 0) const {
-    const std::size_t n = runup.size() - coarser;
-    return 2 * runup[n - 1] - runup[n - 2];
-  }
-  /// What the sliding toe changes on the finest mesh, over what the last halving of the cells changes with either toe.
-  [[nodiscard]] double toe_matters() const {
-    const std::size_t n = runup.size();
-    const double left = std::abs(runup[n - 1] - runup[n - 2]) + std::abs(sliding[n - 1] - sliding[n - 2]);
-    return (sliding[n - 1] - runup[n - 1]) / left;
-  }
-  /// Of the finest mesh's run-up; infinite where the meshes do not tell.
-  [[nodiscard]] double mesh_uncertainty() const {
-    std::vector<double> spacings;
-    for (std::size_t m = 0; m < runup.size(); ++m) spacings.push_back(meshes[m].spacing);
-    return evidence::grid_convergence(spacings, runup, 1).uncertainty;
-  }
-  /// Of the difference from the exact run-up, from the last halving.
-  [[nodiscard]] double order_of_error() const {
-    return std::log2(std::abs(runup[runup.size() - 2] - exact) / std::abs(runup.back() - exact));
-  }
-  /// From the last two halvings.
-  [[nodiscard]] double order() const {
-    const std::size_t n = runup.size();
-    return std::log2((runup[n - 2] - runup[n - 3]) / (runup[n - 1] - runup[n - 2]));
-  }
-};
 
 /// The wave of the parameters.
 struct Climb {
@@ -338,44 +255,11 @@ void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t l
 void claims(const Values& values, const Claims<Results>& claims) {
   const auto all = claims.of(&Results::all);
   claim_regression(all);
-  claim_thesis(all, rows_of(values));
+  claim_thesis(all, slope_run_ups::rows_of(values));
   claim_convergence(all);
   claim_exact(all, levels(values));
   claim_measurements(all, levels(values));
   claim_sliding_toe(all, levels(values));
-}
-
-/// Before the largest run-up.
-bool folds(const MeshSlopeRun& run) {
-  return run.fold && run.fold->time < run.time;
-}
-
-MeshSlopeClimb with_sliding_toe(MeshSlopeClimb climb) {
-  climb.rounding = 1;
-  climb.hourglass = 0.1;
-  climb.scheme.stepping = mechanics::Stepping::conservative;
-  return climb;
-}
-
-Climbed climb_row(const Row& row, std::size_t levels) {
-  const exact::SolitaryWave wave(row.amplitude);
-  Climbed climbed{row, {}, {}, {}, {}, {}, {}};
-  for (std::size_t level = 0; level < levels; ++level) {
-    const MeshSize& mesh = meshes[level];
-    MeshSlopeClimb climb{
-        .wave = wave, .tan_slope = 1 / row.cot_slope, .spacing = mesh.spacing, .rows = mesh.rows, .tau = mesh.tau};
-    const MeshSlopeRun result = climb_slope(climb);
-    climbed.runup.push_back(result.runup);
-    if (folds(result)) climbed.fold_time = result.fold->time;
-    const MeshSlopeRun sliding = climb_slope(with_sliding_toe(climb));
-    climbed.sliding.push_back(sliding.runup);
-    climbed.sliding_folds.add(sliding.runup, [&](double) { return folds(sliding); });
-    climbed.sliding_energy.add(sliding.energy_defect.value());
-    if (level >= compared || row.cot_slope == 1) continue;
-    climb.blend = 4 * row.cot_slope + 1;
-    climbed.wider[level] = climb_slope(climb).runup;
-  }
-  return climbed;
 }
 
 Climb climb_one(const Values& values) {
@@ -404,7 +288,7 @@ Climb climb_one(const Values& values) {
 Results compute(const Run& run) {
   Results r{.one = climb_one(run), .all = {}};
   run.progress(0.1);
-  const std::vector<Row> rows = rows_of(run);
+  const std::vector<Row> rows = slope_run_ups::rows_of(run);
   for (const Row& row : rows) {
     r.all.push_back(climb_row(row, levels(run)));
     run.progress(0.1 + 0.9 * static_cast<double>(r.all.size()) / static_cast<double>(rows.size()));
