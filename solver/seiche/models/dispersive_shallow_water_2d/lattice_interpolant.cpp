@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/plan_lattice/bilinear_cell.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
@@ -46,17 +47,6 @@ Weights linear(double at, std::size_t cells) {
   w.weight = {1 - (at - first), at - first};
   w.slope = {-1, 1};
   return w;
-}
-
-struct Distance {
-  double i, j;
-};
-
-/// Newton's step from a place with these derivatives.
-Distance newton(Point lacking, Point along_i, Point along_j) {
-  const double determinant = along_i.x * along_j.y - along_i.y * along_j.x;
-  return {(lacking.x * along_j.y - lacking.y * along_j.x) / determinant,
-          (along_i.x * lacking.y - along_i.y * lacking.x) / determinant};
 }
 
 }  // namespace
@@ -127,13 +117,15 @@ bool LatticeInterpolant::refine(Point place, LatticePlace& at) const {
       along_j.x += by_j * x_[k];
       along_j.y += by_j * y_[k];
     });
-    if (!(along_i.x * along_j.y - along_i.y * along_j.x > 0)) return false;
-    const Distance step = newton(lacking, along_i, along_j);
-    if (!(std::abs(step.i) + std::abs(step.j) < 3)) return false;
-    at.i += std::clamp(step.i, -0.5, 0.5);
-    at.j += std::clamp(step.j, -0.5, 0.5);
+    const double determinant = along_i.x * along_j.y - along_i.y * along_j.x;
+    if (!(determinant > 0)) return false;
+    const double step_i = (lacking.x * along_j.y - lacking.y * along_j.x) / determinant;
+    const double step_j = (along_i.x * lacking.y - along_i.y * lacking.x) / determinant;
+    if (!(std::abs(step_i) + std::abs(step_j) < 3)) return false;
+    at.i += std::clamp(step_i, -0.5, 0.5);
+    at.j += std::clamp(step_j, -0.5, 0.5);
     if (!(at.i > -beyond && at.i < columns + beyond && at.j > -beyond && at.j < rows + beyond)) return false;
-    if (std::abs(step.i) + std::abs(step.j) < settled) return true;
+    if (std::abs(step_i) + std::abs(step_j) < settled) return true;
   }
   return false;
 }
@@ -147,24 +139,9 @@ LatticePlace LatticeInterpolant::find_cell(Point place, LatticePlace guess) cons
   double least = std::numeric_limits<double>::infinity();
   LatticePlace best{.i = guess.i, .j = guess.j, .cubic = false};
   for (int walked = 0; walked < 40; ++walked) {
-    const auto corners =
-        shape_.corners(static_cast<std::size_t>(cell_j) * shape_.columns + static_cast<std::size_t>(cell_i));
-    const auto corner = [&](std::size_t a) { return Point{x_[corners[a]], y_[corners[a]]}; };
-    const Point c0 = corner(0), c1 = corner(1), c2 = corner(2), c3 = corner(3);
-    double s = 0.5;
-    double t = 0.5;
-    for (int iteration = 0; iteration < 20; ++iteration) {
-      const auto mix = [&](double a0, double a1, double a2, double a3) {
-        return (1 - t) * ((1 - s) * a0 + s * a1) + t * ((1 - s) * a3 + s * a2);
-      };
-      const Point along_i{(1 - t) * (c1.x - c0.x) + t * (c2.x - c3.x), (1 - t) * (c1.y - c0.y) + t * (c2.y - c3.y)};
-      const Point along_j{(1 - s) * (c3.x - c0.x) + s * (c2.x - c1.x), (1 - s) * (c3.y - c0.y) + s * (c2.y - c1.y)};
-      const Distance step =
-          newton({place.x - mix(c0.x, c1.x, c2.x, c3.x), place.y - mix(c0.y, c1.y, c2.y, c3.y)}, along_i, along_j);
-      s = std::clamp(s + std::clamp(step.i, -0.7, 0.7), -1.0, 2.0);
-      t = std::clamp(t + std::clamp(step.j, -0.7, 0.7), -1.0, 2.0);
-      if (std::abs(step.i) + std::abs(step.j) < settled) break;
-    }
+    const std::size_t cell = static_cast<std::size_t>(cell_j) * shape_.columns + static_cast<std::size_t>(cell_i);
+    const auto [s, t] = plan_lattice::find_in_cell(place, plan_lattice::corner_values(x_, shape_, cell),
+                                                   plan_lattice::corner_values(y_, shape_, cell));
     const double outside = std::max({-s, s - 1, -t, t - 1, 0.0});
     if (outside < least) {
       least = outside;
