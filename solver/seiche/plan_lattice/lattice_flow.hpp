@@ -107,6 +107,7 @@ class LatticeFlow {
         keeps_before_(begin.keeps_before),
         stable_step_(begin.stable_step) {
     require_movable(window_, sides);
+    require_straight_walls(window_, sides, shape_, x(), y());
     try {
       mechanics::Start(*model_).project(state_);
     } catch (const mechanics::Infeasible& failure) {

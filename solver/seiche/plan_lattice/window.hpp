@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 
 #include "seiche/mechanics/state.hpp"
 #include "seiche/plan_lattice/sides.hpp"
@@ -18,6 +19,11 @@ struct Window {
 
 /// Throws std::invalid_argument for a window over a west side that is neither a wall nor held.
 void require_movable(const Window& window, const Sides& sides);
+
+/// Nodes keep the normals of the first lattice's walls. Throws std::invalid_argument, with the place, for a window
+/// between walls of which one bends. @param x, y  of that lattice
+void require_straight_walls(const Window& window, const Sides& sides, Shape shape, std::span<const double> x,
+                            std::span<const double> y);
 
 /// Moves the window to where it must be at the state's time, by model.shift_east(state); returns by how many columns.
 template <class Model>
