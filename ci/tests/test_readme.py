@@ -54,6 +54,7 @@ NOT_RUN = {
         "ci/petsc": PETSC,
         "ci/solvers": SOLVERS,
         "ci/sanitize thread": WHOLE_BUILD,
+        "ci/coverage": WHOLE_BUILD,
     },
     "CONTRIBUTING.md": {
         "ci/sanitize thread": WHOLE_BUILD,
