@@ -125,10 +125,10 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
   });
   refusals.refused("window_bend", "A moving window beside a wall that bends.",
                    {"moving window", "north wall", "(2, 3)"}, [] {
-                     auto lattice = rectangular_lattice(still_water());
-                     lattice.y[lattice.shape.node(3, lattice.shape.rows)] -= 0.1;
-                     lattice.y[lattice.shape.node(4, lattice.shape.rows)] -= 0.2;
-                     Flow flow(std::move(lattice), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
+                     Lattice bent = rectangular_lattice(still_water());
+                     bent.y[bent.shape.node(3, bent.shape.rows)] -= 0.1;
+                     bent.y[bent.shape.node(4, bent.shape.rows)] -= 0.2;
+                     Flow flow(std::move(bent), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
                    });
   refusals.refused("absorbing_window", "A moving window with a layer that stays.", {"moving window", "absorption"}, [] {
     Flow flow(rectangular_lattice(still_water()), {}, {}, {.drag = {.absorption = [](Point) { return 1.0; }}}, {},
