@@ -25,6 +25,7 @@ struct CornerValues {
   [[nodiscard]] double along_t(double s) const { return (1 - s) * (c3 - c0) + s * (c2 - c1); }
 };
 
+/// Of what all nodes carry.
 CornerValues corner_values(std::span<const double> values, const Shape& shape, std::size_t cell);
 
 /// Where a place is in a cell with corners (x, y), by Newton's method. Outside the map may fold: there the coordinates
