@@ -77,6 +77,7 @@ struct Passed {
   Worst energy_defect;                    // what friction and rezoning take
   double energy_of_rezoning = 0;          // relative to the first
   long rezoned = 0;                       // times
+  long refused = 0;                       // times it could not be
   Worst volume_defect;                    // relative, of the worst cell
   std::optional<double> folded;           // when [s]
   RunupEnvelope envelope;                 // run-up of the markers
@@ -118,6 +119,7 @@ Passed pass(const ConicalIsland& island, double spacing, const Observe& observe 
     passed.folded = flow.time();
   }
   passed.rezoned = flow.rezoned();
+  passed.refused = flow.refused();
   passed.energy_of_rezoning = flow.lost() / energy;
   const auto& model = flow.flow().model();
   std::vector<double> defects(model.shape().cells());
@@ -337,6 +339,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     exhibit.measure("energy_defect_" + waves[k].name, passed.energy_defect.value());
     exhibit.measure("energy_of_rezoning_" + waves[k].name, passed.energy_of_rezoning);
     exhibit.measure("rezoned_" + waves[k].name, static_cast<double>(passed.rezoned));
+    exhibit.measure("refused_" + waves[k].name, static_cast<double>(passed.refused));
     exhibit.measure("volume_defect_" + waves[k].name, passed.volume_defect.value());
     if (passed.folded) exhibit.measure("fold_time_" + waves[k].name, *passed.folded);
   }

@@ -97,6 +97,12 @@ void small_meshes(benchmark::internal::Benchmark* benchmark) {
   benchmark->Args({240, 8})->Args({480, 16})->Args({960, 32})->Unit(benchmark::kMillisecond);
 }
 
+/// Where solvers change places.
+void crossover(benchmark::internal::Benchmark* benchmark) {
+  for (const int rows : {12, 16, 24, 32}) benchmark->Args({30 * rows, rows});
+  benchmark->Unit(benchmark::kMillisecond);
+}
+
 void large_meshes(benchmark::internal::Benchmark* benchmark) {
   benchmark->Args({1024, 64})->Args({512, 512})->Args({4096, 256})->Unit(benchmark::kMillisecond);
 }
@@ -104,6 +110,10 @@ void large_meshes(benchmark::internal::Benchmark* benchmark) {
 BENCHMARK_CAPTURE(step, one_step, Stepping::one_step, NinePointMethod::automatic, 1e-10)->Apply(small_meshes);
 BENCHMARK_CAPTURE(step, conservative, Stepping::conservative, NinePointMethod::automatic, 1e-10)->Apply(small_meshes);
 BENCHMARK_CAPTURE(step, one_step_sparse, Stepping::one_step, NinePointMethod::sparse, 1e-10)->Apply(small_meshes);
+BENCHMARK_CAPTURE(step, one_step_banded, Stepping::one_step, NinePointMethod::banded, 1e-10)->Apply(crossover);
+BENCHMARK_CAPTURE(step, one_step_iterative, Stepping::one_step, NinePointMethod::iterative, 1e-10)->Apply(crossover);
+BENCHMARK_CAPTURE(step, one_step_iterative_1e_13, Stepping::one_step, NinePointMethod::iterative, 1e-13)
+    ->Apply(crossover);
 BENCHMARK_CAPTURE(step, one_step, Stepping::one_step, NinePointMethod::automatic, 1e-10)->Apply(large_meshes);
 BENCHMARK_CAPTURE(step, one_step_1e_13, Stepping::one_step, NinePointMethod::automatic, 1e-13)->Apply(large_meshes);
 BENCHMARK_CAPTURE(step, conservative, Stepping::conservative, NinePointMethod::automatic, 1e-10)->Apply(large_meshes);

@@ -118,6 +118,8 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
   refusals.refused("velocity", "Velocities that are not numbers.", {"u[0]", "nan", "finite"}, [] {
     Flow flow(rectangular_lattice(still_water()), [](double, double) { return Velocity{not_a_number, 0, 0}; });
   });
+  refusals.refused("velocities", "Velocities that are not as many as the nodes.", {"19 velocities", "20"},
+                   [] { Flow flow(rectangular_lattice(still_water()), std::vector<Velocity>(19)); });
   refusals.refused("window", "A moving window with a free rear.", {"moving window", "WallSide, HeldSide"}, [] {
     Rectangle free_rear = still_water();
     free_rear.sides.west = plan_lattice::FreeSide{};

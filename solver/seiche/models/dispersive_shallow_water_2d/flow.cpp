@@ -43,12 +43,13 @@ Window movable(Window window, const Model& model) {
 
 }  // namespace
 
-Flow::Flow(Lattice lattice, const VelocityAt& velocity, Scheme scheme, Settings settings, Forcing forcing,
+Flow::Flow(Lattice lattice, const InitialVelocity& velocity, Scheme scheme, Settings settings, Forcing forcing,
            Window window, bool smooth_start)
     : Flow(std::make_unique<Model>(std::move(lattice), settings, std::move(forcing)), velocity, scheme,
            std::move(window), smooth_start) {}
 
-Flow::Flow(std::unique_ptr<Model>&& model, const VelocityAt& velocity, Scheme scheme, Window window, bool smooth_start)
+Flow::Flow(std::unique_ptr<Model>&& model, const InitialVelocity& velocity, Scheme scheme, Window window,
+           bool smooth_start)
     : LatticeFlow(std::move(model), model->state(velocity), model->shape(), model->lattice().sides,
                   {.scheme = scheme,
                    .window = movable(std::move(window), *model),

@@ -29,11 +29,12 @@ class Flow : public plan_lattice::LatticeFlow<Model> {
   /// @param velocity  at the beginning
   /// @param smooth_start  the first velocities of the one-step scheme get the part outside the constraints that keeps
   ///                      its multipliers from alternating (mechanics/start.hpp); not with driven sides or compositions
-  explicit Flow(Lattice lattice, const VelocityAt& velocity = {}, Scheme scheme = {}, Settings settings = {},
+  explicit Flow(Lattice lattice, const InitialVelocity& velocity = {}, Scheme scheme = {}, Settings settings = {},
                 Forcing forcing = {}, Window window = {}, bool smooth_start = true);
 
  private:
-  Flow(std::unique_ptr<Model>&& model, const VelocityAt& velocity, Scheme scheme, Window window, bool smooth_start);
+  Flow(std::unique_ptr<Model>&& model, const InitialVelocity& velocity, Scheme scheme, Window window,
+       bool smooth_start);
 };
 
 }  // namespace seiche::dispersive_shallow_water_2d

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/lattice_weights.hpp"
 #include "seiche/plan_lattice/bilinear_cell.hpp"
 #include "seiche/require.hpp"
 
@@ -19,40 +20,10 @@ constexpr double beyond = 0.5;     // of a cell
 constexpr double lost = 1;         // of a cell: a place as far as that from all of them
 constexpr double settled = 1e-12;  // of a cell: Newton's last step
 
-/// Weights of four (or two) neighbours and their derivatives.
-struct Weights {
-  std::size_t first = 0;
-  std::size_t count = 0;
-  std::array<double, 4> weight{}, slope{};
-};
-
-Weights cubic(double at, std::size_t cells) {
-  const double cell = std::clamp(std::floor(at), 0.0, static_cast<double>(cells) - 1);
-  const double first = std::clamp(cell - 1, 0.0, static_cast<double>(cells) - 3);
-  Weights w{.first = static_cast<std::size_t>(first), .count = 4};
-  const double s = at - first;
-  const double a = s;
-  const double b = s - 1;
-  const double c = s - 2;
-  const double d = s - 3;
-  w.weight = {-b * c * d / 6, a * c * d / 2, -a * b * d / 2, a * b * c / 6};
-  w.slope = {-(c * d + b * d + b * c) / 6, (c * d + a * d + a * c) / 2, -(b * d + a * d + a * b) / 2,
-             (b * c + a * c + a * b) / 6};
-  return w;
-}
-
-Weights linear(double at, std::size_t cells) {
-  const double first = std::clamp(std::floor(at), 0.0, static_cast<double>(cells) - 1);
-  Weights w{.first = static_cast<std::size_t>(first), .count = 2};
-  w.weight = {1 - (at - first), at - first};
-  w.slope = {-1, 1};
-  return w;
-}
-
 }  // namespace
 
 struct LatticeInterpolant::Stencil {
-  Weights along_i, along_j;
+  LatticeWeights along_i, along_j;
 
   template <class Take>
   void each(std::size_t row, const Take& take) const {
@@ -69,8 +40,8 @@ LatticeInterpolant::LatticeInterpolant(plan_lattice::Shape shape, std::span<cons
 }
 
 LatticeInterpolant::Stencil LatticeInterpolant::stencil(const LatticePlace& at) const {
-  if (at.cubic) return {cubic(at.i, shape_.columns), cubic(at.j, shape_.rows)};
-  return {linear(at.i, shape_.columns), linear(at.j, shape_.rows)};
+  if (at.cubic) return {cubic_weights(at.i, shape_.columns), cubic_weights(at.j, shape_.rows)};
+  return {linear_weights(at.i, shape_.columns), linear_weights(at.j, shape_.rows)};
 }
 
 double LatticeInterpolant::value(std::span<const double> values, const LatticePlace& at) const {

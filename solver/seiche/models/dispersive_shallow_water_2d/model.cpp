@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -76,18 +77,23 @@ void Model::sum_masses() {
   if (!bottom_) masses_.stand_on_level_bottom();
 }
 
-mechanics::State Model::state(const VelocityAt& velocity) const {
+mechanics::State Model::state(const InitialVelocity& velocity) const {
   mechanics::State state{.q = lattice_.x, .u = std::vector<double>(rates(), 0.0)};
   state.q.insert(state.q.end(), lattice_.y.begin(), lattice_.y.end());
   state.q.insert(state.q.end(), lattice_.z.begin(), lattice_.z.end());
   const std::size_t n = nodes();
-  if (velocity) {
-    for (std::size_t k = 0; k < n; ++k) {
-      const Velocity given = velocity(lattice_.x[k], lattice_.y[k]);
-      state.u[k] = given.u;
-      state.u[n + k] = given.v;
-      state.u[2 * n + k] = given.w;
+  const auto set = [&](std::size_t k, const Velocity& given) {
+    state.u[k] = given.u;
+    state.u[n + k] = given.v;
+    state.u[2 * n + k] = given.w;
+  };
+  if (const auto* nodal = std::get_if<std::vector<Velocity>>(&velocity)) {
+    if (nodal->size() != n) {
+      throw std::invalid_argument(fmt::format("{} velocities of nodes; allowed: {}", nodal->size(), n));
     }
+    for (std::size_t k = 0; k < n; ++k) set(k, (*nodal)[k]);
+  } else if (const auto& at = std::get<VelocityAt>(velocity)) {
+    for (std::size_t k = 0; k < n; ++k) set(k, at(lattice_.x[k], lattice_.y[k]));
   }
   if (bottom_) find_normals(state.q, other_normals_);
   masses_.constrain(state.q, 0, bottom_ ? &other_normals_ : nullptr, true, state.u);

@@ -41,6 +41,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "seiche/linear/nine_point_matrix.hpp"
@@ -81,8 +82,9 @@ struct Velocity {
   double v = 0;
   double w = 0;  ///< of the surface
 };
-/// Velocities at the beginning; empty: water at rest.
 using VelocityAt = std::function<Velocity(double x, double y)>;
+/// Velocities at the beginning: of places, empty for water at rest; or of each node in turn.
+using InitialVelocity = std::variant<VelocityAt, std::vector<Velocity>>;
 
 /// The worst corner of a lattice: its Jacobian over the first one's mean. 1 for equal rectangles; 0 where a cell folds.
 struct Corner {
@@ -100,8 +102,8 @@ class Model {
   static constexpr bool warm_start = true;
 
   /// The lattice as it was given with these velocities; what sides forbid is taken out, the projection on constant
-  /// volumes is mechanics/start.hpp's.
-  [[nodiscard]] mechanics::State state(const VelocityAt& velocity = {}) const;
+  /// volumes is mechanics/start.hpp's. Throws std::invalid_argument for velocities that are not as many as the nodes.
+  [[nodiscard]] mechanics::State state(const InitialVelocity& velocity = {}) const;
 
   // What mechanics/constrained_model.hpp asks for.
   [[nodiscard]] std::size_t coordinates() const { return 3 * nodes(); }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -11,6 +10,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "seiche/mechanics/equal_steps.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/lattice_weights.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
@@ -35,7 +35,12 @@ class RowCurve {
     const auto k = static_cast<std::size_t>(before);
     const double share = number - before;
     const Point straight{std::lerp(x_[k], x_[k + 1], share), std::lerp(y_[k], y_[k + 1], share)};
-    const Point off{cubic(x_, number) - straight.x, cubic(y_, number) - straight.y};
+    const LatticeWeights cubic = cubic_weights(number, x_.size() - 1);
+    Point off{-straight.x, -straight.y};
+    for (std::size_t node = 0; node < cubic.count; ++node) {
+      off.x += cubic.weight[node] * x_[cubic.first + node];
+      off.y += cubic.weight[node] * y_[cubic.first + node];
+    }
     const double most = 0.05 * std::hypot(x_[k + 1] - x_[k], y_[k + 1] - y_[k]);
     const double length = std::hypot(off.x, off.y);
     const double part = length > most ? most / length : 1.0;
@@ -43,14 +48,6 @@ class RowCurve {
   }
 
  private:
-  [[nodiscard]] static double cubic(Input values, double number) {
-    const double first = std::clamp(std::floor(number) - 1, 0.0, static_cast<double>(values.size()) - 4);
-    const double* const v = values.data() + static_cast<std::size_t>(first);
-    const double t = number - first;
-    return (t * (t - 1) * ((t - 2) * v[3] - 3 * (t - 3) * v[2]) + (t - 2) * (t - 3) * (3 * t * v[1] - (t - 1) * v[0])) /
-           6;
-  }
-
   Input x_, y_;
 };
 
@@ -152,7 +149,7 @@ double ShoreFollowing::drift(Input q, const Places& places) const {
   return worst.value();
 }
 
-RezonedFlow::RezonedFlow(Lattice lattice, const VelocityAt& velocity, Scheme scheme, Settings settings,
+RezonedFlow::RezonedFlow(Lattice lattice, const InitialVelocity& velocity, Scheme scheme, Settings settings,
                          RezoneSettings rezone)
     : following_(lattice),
       scheme_(scheme),
@@ -193,13 +190,10 @@ void RezonedFlow::rezone(const ShoreFollowing::Places& places) {
   const Model& model = flow_->model();
   const mechanics::State& state = flow_->state();
   Remapped now = remap(model, state.q, state.u, places.x, places.y);
-  std::map<std::pair<double, double>, Velocity> velocities;
-  for (std::size_t k = 0; k < model.nodes(); ++k) {
-    velocities[{now.lattice.x[k], now.lattice.y[k]}] = {now.u[k], now.v[k], now.w[k]};
-  }
-  const auto velocity = [&](double x, double y) { return velocities.at({x, y}); };
-  auto flow =
-      std::make_unique<Flow>(std::move(now.lattice), velocity, scheme_, model.settings(), Forcing{}, Window{}, false);
+  std::vector<Velocity> velocity;
+  for (std::size_t k = 0; k < model.nodes(); ++k) velocity.push_back({now.u[k], now.v[k], now.w[k]});
+  auto flow = std::make_unique<Flow>(std::move(now.lattice), std::move(velocity), scheme_, model.settings(), Forcing{},
+                                     Window{}, false);
   // Of both lattices the potential counts from the first one's shoreline: its ways do not meet the bottom's moment.
   const mechanics::State& next = flow->state();
   const double before = flow_->energy();

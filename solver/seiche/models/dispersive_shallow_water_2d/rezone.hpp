@@ -53,7 +53,8 @@ struct RezoneSettings {
 class RezonedFlow {
  public:
   /// As Flow, without what moves or drives sides. Throws std::invalid_argument too for a drift outside (0, 2].
-  RezonedFlow(Lattice lattice, const VelocityAt& velocity, Scheme scheme, Settings settings, RezoneSettings rezone);
+  RezonedFlow(Lattice lattice, const InitialVelocity& velocity, Scheme scheme, Settings settings,
+              RezoneSettings rezone);
 
   /// As Flow. Throws Divergence with the time since the beginning.
   void advance_to(double time, double tau, const std::function<void()>& after_step = {});

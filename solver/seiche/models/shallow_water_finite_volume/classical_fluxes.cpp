@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "seiche/models/shallow_water_finite_volume/fluxes.hpp"
 #include "seiche/models/shallow_water_finite_volume/roe_average.hpp"
@@ -8,28 +7,15 @@
 namespace seiche::shallow_water_finite_volume {
 
 SEICHE_SIMD_CLONES
-void update_primitives(double gravity, double dry_depth, std::size_t first, std::size_t last, Cells& cells) {
-  const double* h = cells.depth.data();
-  const double* q = cells.discharge.data();
-  double* __restrict u = cells.velocity.data();
-  double* __restrict c = cells.celerity.data();
-#pragma GCC ivdep
-  for (std::size_t i = first; i < last; ++i) {
-    // q/infinity = 0 in a dry cell: a select that vectorises, unlike a division under a condition.
-    u[i] = q[i] / (h[i] > dry_depth ? h[i] : std::numeric_limits<double>::infinity());
-    c[i] = std::sqrt(gravity * h[i]);
-  }
-}
-
-SEICHE_SIMD_CLONES
-void lax_friedrichs_fluxes(double gravity, double viscosity, double ratio, const Cells& cells, Fluxes& fluxes) {
-  const double* h = cells.depth.data() + ghosts;
-  const double* q = cells.discharge.data() + ghosts;
-  const double* u = cells.velocity.data() + ghosts;
+void lax_friedrichs_fluxes(double gravity, double viscosity, double ratio, const CellsView& cells, std::size_t n,
+                           Fluxes& fluxes) {
+  const double* h = cells.depth;
+  const double* q = cells.discharge;
+  const double* u = cells.velocity;
   double* __restrict mass = fluxes.mass.data();
   double* __restrict momentum = fluxes.momentum.data();
   const double diffusion = 0.5 * viscosity / ratio;
-  const auto faces = static_cast<std::ptrdiff_t>(fluxes.mass.size());
+  const auto faces = static_cast<std::ptrdiff_t>(n + 1);
 #pragma GCC ivdep
   for (std::ptrdiff_t k = 0; k < faces; ++k) {
     const std::ptrdiff_t l = k - 1;
@@ -40,16 +26,16 @@ void lax_friedrichs_fluxes(double gravity, double viscosity, double ratio, const
 }
 
 SEICHE_SIMD_CLONES
-void MacCormackFluxes::operator()(double gravity, double ratio, const Cells& cells, Fluxes& fluxes) {
-  const double* h = cells.depth.data() + ghosts;
-  const double* q = cells.discharge.data() + ghosts;
-  const double* u = cells.velocity.data() + ghosts;
-  const double* c = cells.celerity.data() + ghosts;
+void MacCormackFluxes::operator()(double gravity, double ratio, const CellsView& cells, std::size_t n, Fluxes& fluxes) {
+  const double* h = cells.depth;
+  const double* q = cells.discharge;
+  const double* u = cells.velocity;
+  const double* c = cells.celerity;
   double* __restrict mass = fluxes.mass.data();
   double* __restrict momentum = fluxes.momentum.data();
   double* __restrict predicted_mass = predicted_mass_.data();
   double* __restrict predicted_momentum = predicted_momentum_.data();
-  const auto faces = static_cast<std::ptrdiff_t>(fluxes.mass.size());
+  const auto faces = static_cast<std::ptrdiff_t>(n + 1);
 
   // Step 1: forward predictor of the cell left of each face, and its flux. Division without a guard, as the scheme is
   // written: on a dry bed it breaks down, and that is its property.
@@ -74,14 +60,14 @@ void MacCormackFluxes::operator()(double gravity, double ratio, const Cells& cel
 }
 
 SEICHE_SIMD_CLONES
-void roe_fluxes(double gravity, const Cells& cells, Fluxes& fluxes) {
-  const double* h = cells.depth.data() + ghosts;
-  const double* q = cells.discharge.data() + ghosts;
-  const double* u = cells.velocity.data() + ghosts;
-  const double* c = cells.celerity.data() + ghosts;
+void roe_fluxes(double gravity, const CellsView& cells, std::size_t n, Fluxes& fluxes) {
+  const double* h = cells.depth;
+  const double* q = cells.discharge;
+  const double* u = cells.velocity;
+  const double* c = cells.celerity;
   double* __restrict mass = fluxes.mass.data();
   double* __restrict momentum = fluxes.momentum.data();
-  const auto faces = static_cast<std::ptrdiff_t>(fluxes.mass.size());
+  const auto faces = static_cast<std::ptrdiff_t>(n + 1);
 #pragma GCC ivdep
   for (std::ptrdiff_t k = 0; k < faces; ++k) {
     const std::ptrdiff_t l = k - 1;

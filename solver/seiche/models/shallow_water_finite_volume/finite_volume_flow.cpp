@@ -1,18 +1,36 @@
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
+#include "seiche/linear/worth_threads.hpp"
+#include "seiche/models/shallow_water_finite_volume/cell_passes.hpp"
 #include "seiche/require.hpp"
-#include "seiche/simd_clones.hpp"
 
 namespace seiche::shallow_water_finite_volume {
 namespace {
+
+constexpr std::size_t least_of_a_block = 512;  // cells
+constexpr std::ptrdiff_t reach = 2 * ghosts;   // of a step of two stages, in cells to either side
+constexpr auto seam_cells = static_cast<std::size_t>(2 * reach);
+
+std::size_t blocks_for(std::size_t n) {
+  return std::max<std::size_t>(1, n / least_of_a_block);
+}
+
+void copy(const CellsView& from, std::ptrdiff_t n, const CellsView& to) {
+  std::copy_n(from.depth, n, to.depth);
+  std::copy_n(from.discharge, n, to.discharge);
+  std::copy_n(from.velocity, n, to.velocity);
+  std::copy_n(from.celerity, n, to.celerity);
+}
 
 template <class Term>
 double sum(std::size_t n, Term term) {
@@ -73,11 +91,8 @@ FiniteVolumeFlow::FiniteVolumeFlow(const Settings& settings, double start, doubl
       n_(depth.size()),
       bed_(bed_means(bed, start, dx_, n_, settings.left, settings.right)),
       now_(n_),
-      old_depth_(n_),
-      old_discharge_(n_),
-      fluxes_(n_, bed.has_value()),
-      mac_cormack_(settings.scheme == Scheme::mac_cormack ? n_ : 0),
-      muscl_hll_(settings.scheme == Scheme::muscl_hll ? n_ : 0, bed_) {
+      blocks_(blocks_for(n_)),
+      seams_(seam_cells * blocks_.size()) {
   require_positive("gravity", settings.gravity);
   require_within("viscosity", settings.viscosity, 1e-3, 1);
   require_within("theta", settings.theta, 1, 2);
@@ -100,7 +115,16 @@ FiniteVolumeFlow::FiniteVolumeFlow(const Settings& settings, double start, doubl
     now_.discharge[i + ghosts] = discharge[i];
     depth_scale_ = std::max(depth_scale_, depth[i]);
   }
-  update_primitives(settings_.gravity, settings_.dry_depth, ghosts, n_ + ghosts, now_);
+  update_primitives(settings_.gravity, settings_.dry_depth, n_, now_.view());
+  fastest_ = fastest(n_, now_.view());
+  std::size_t most = 0;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    blocks_[b].begin = n_ * b / blocks_.size();
+    blocks_[b].end = n_ * (b + 1) / blocks_.size();
+    most = std::max(most, blocks_[b].end - blocks_[b].begin);
+  }
+  const int threads = n_ > linear::worth_threads ? omp_get_max_threads() : 1;
+  for (int k = 0; k < threads; ++k) workspaces_.emplace_back(most + 2 * ghosts, settings.scheme, bed.has_value());
   initial_mass_ = mass();
   initial_momentum_ = momentum();
 }
@@ -109,22 +133,8 @@ double FiniteVolumeFlow::courant_limit() const {
   return settings_.scheme == Scheme::lax_friedrichs ? std::sqrt(settings_.viscosity) : 1.0;
 }
 
-SEICHE_SIMD_CLONES
 double FiniteVolumeFlow::courant_number(double tau) const {
-  const double* u = now_.velocity.data() + ghosts;
-  const double* c = now_.celerity.data() + ghosts;
-  // Independent maxima, one per lane: a single one would have to be found one cell after the other.
-  constexpr std::size_t lanes = 8;
-  std::array<double, lanes> fastest{};
-  std::size_t i = 0;
-  for (; i + lanes <= n_; i += lanes) {
-    for (std::size_t k = 0; k < lanes; ++k) {
-      const double speed = std::abs(u[i + k]) + c[i + k];
-      fastest[k] = speed > fastest[k] ? speed : fastest[k];
-    }
-  }
-  for (; i < n_; ++i) fastest[0] = std::max(fastest[0], std::abs(u[i]) + c[i]);
-  return *std::max_element(fastest.begin(), fastest.end()) * tau / dx_;
+  return fastest_ * tau / dx_;
 }
 
 void FiniteVolumeFlow::step(double tau) {
@@ -139,28 +149,19 @@ void FiniteVolumeFlow::step(double tau) {
   }
   largest_courant_ = std::max(largest_courant_, courant);
 
-  const double ratio = tau / dx_;
-  if (settings_.scheme == Scheme::muscl_hll) {
-    // Heun: the mean of the old state and of two Euler steps.
-    std::copy_n(now_.depth.data() + ghosts, n_, old_depth_.data());
-    std::copy_n(now_.discharge.data() + ghosts, n_, old_discharge_.data());
-    compute_fluxes(ratio);
-    apply_fluxes(ratio, 0.5);
-    settle(tau);
-    compute_fluxes(ratio);
-    apply_fluxes(ratio, 0.5);
-    double* __restrict h = now_.depth.data() + ghosts;
-    double* __restrict q = now_.discharge.data() + ghosts;
-    for (std::size_t i = 0; i < n_; ++i) {
-      h[i] = 0.5 * (old_depth_[i] + h[i]);
-      q[i] = 0.5 * (old_discharge_[i] + q[i]);
+  fill_ghosts(now_.view(), n_, true, true);
+  save_seams();
+  if (workspaces_.size() > 1) {
+    const auto threads = static_cast<int>(workspaces_.size());
+#pragma omp parallel for schedule(static) num_threads(threads)
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      advance(b, tau, workspaces_[static_cast<std::size_t>(omp_get_thread_num())]);
     }
   } else {
-    compute_fluxes(ratio);
-    apply_fluxes(ratio, 1);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) advance(b, tau, workspaces_.front());
   }
-  settle(tau);
-  if (settings_.manning > 0) apply_friction(tau);
+  refuse_breakdown(tau);
+  book(tau);
   time_ += tau;
   ++steps_;
 }
@@ -189,123 +190,189 @@ long FiniteVolumeFlow::advance_to(double time, double courant) {
   return steps_ - before;
 }
 
-void FiniteVolumeFlow::fill_ghosts() {
-  const auto fill = [&](const End& end, std::size_t ghost, std::size_t mirror, std::size_t last) {
-    const std::size_t from = end.kind == End::Kind::wall ? mirror : last;
+/// Beyond an end of the channel.
+void FiniteVolumeFlow::fill_ghosts(const CellsView& cells, std::size_t n, bool left, bool right) const {
+  const auto fill = [&](const End& end, std::ptrdiff_t ghost, std::ptrdiff_t mirror, std::ptrdiff_t last) {
+    const std::ptrdiff_t from = end.kind == End::Kind::wall ? mirror : last;
     const double sign = end.kind == End::Kind::wall ? -1 : 1;
     if (end.kind == End::Kind::inflow) {
-      now_.depth[ghost] = end.state.depth;
-      now_.discharge[ghost] = end.state.depth * end.state.velocity;
-      now_.velocity[ghost] = end.state.velocity;
-      now_.celerity[ghost] = shallow_water::celerity(settings_.gravity, end.state.depth);
+      cells.depth[ghost] = end.state.depth;
+      cells.discharge[ghost] = end.state.depth * end.state.velocity;
+      cells.velocity[ghost] = end.state.velocity;
+      cells.celerity[ghost] = shallow_water::celerity(settings_.gravity, end.state.depth);
       return;
     }
-    now_.depth[ghost] = now_.depth[from];
-    now_.discharge[ghost] = sign * now_.discharge[from];
-    now_.velocity[ghost] = sign * now_.velocity[from];
-    now_.celerity[ghost] = now_.celerity[from];
+    cells.depth[ghost] = cells.depth[from];
+    cells.discharge[ghost] = sign * cells.discharge[from];
+    cells.velocity[ghost] = sign * cells.velocity[from];
+    cells.celerity[ghost] = cells.celerity[from];
   };
-  for (std::size_t k = 0; k < ghosts; ++k) {
-    fill(settings_.left, ghosts - 1 - k, ghosts + k, ghosts);
-    fill(settings_.right, n_ + ghosts + k, n_ + ghosts - 1 - k, n_ + ghosts - 1);
+  const auto count = static_cast<std::ptrdiff_t>(n);
+  for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(ghosts); ++k) {
+    if (left) fill(settings_.left, -1 - k, k, 0);
+    if (right) fill(settings_.right, count + k, count - 1 - k, count - 1);
   }
 }
 
-void FiniteVolumeFlow::compute_fluxes(double ratio) {
-  fill_ghosts();
+/// Counted from the first cell of a block, from -reach to reach - 1.
+CellsView FiniteVolumeFlow::seam(std::size_t block) {
+  return seams_.view().from(static_cast<std::ptrdiff_t>(seam_cells * block) + reach);
+}
+
+void FiniteVolumeFlow::save_seams() {
+  for (std::size_t b = 1; b < blocks_.size(); ++b) {
+    copy(now_.view().from(static_cast<std::ptrdiff_t>(blocks_[b].begin) - reach), 2 * reach, seam(b).from(-reach));
+  }
+}
+
+/// The cells [from, to) and two more at either side, as they were at the step's start. Counted from cell `from`.
+CellsView FiniteVolumeFlow::load(std::size_t block, std::size_t from, std::size_t to, Cells& into) {
+  const auto [begin, end] = std::pair(blocks_[block].begin, blocks_[block].end);
+  const auto n = static_cast<std::ptrdiff_t>(end - begin);
+  const auto before = static_cast<std::ptrdiff_t>(begin - from + ghosts);
+  const auto after = static_cast<std::ptrdiff_t>(to - end + ghosts);
+  const CellsView whole = now_.view();
+  const CellsView cells = into.view();
+  const CellsView own = cells.from(static_cast<std::ptrdiff_t>(begin - from));
+  copy(whole.from(static_cast<std::ptrdiff_t>(begin)), n, own);
+  copy((block > 0 ? seam(block) : whole).from(-before), before, own.from(-before));
+  copy(block + 1 < blocks_.size() ? seam(block + 1) : whole.from(static_cast<std::ptrdiff_t>(n_)), after, own.from(n));
+  return cells;
+}
+
+/// One step of a block. The first of two stages goes through the cells as well that the second one reaches.
+void FiniteVolumeFlow::advance(std::size_t number, double tau, Workspace& work) {
+  Block& block = blocks_[number];
+  const std::size_t n = block.end - block.begin;
+  const bool at_left = block.begin == 0;
+  const bool at_right = block.end == n_;
+  const std::size_t margin = (stages() - 1) * ghosts;
+  const std::size_t from = at_left ? 0 : block.begin - margin;
+  const std::size_t to = at_right ? n_ : block.end + margin;
+  const CellsView all = blocks_.size() > 1 ? load(number, from, to, work.cells) : now_.view();
+  const CellsView own = all.from(static_cast<std::ptrdiff_t>(block.begin - from));
+  const double ratio = tau / dx_;
+  if (stages() > 1) {
+    std::copy_n(own.depth, n, work.old_depth.data());
+    std::copy_n(own.discharge, n, work.old_discharge.data());
+  }
+  for (std::size_t stage = 0; stage < stages(); ++stage) {
+    const bool last = stage + 1 == stages();
+    const CellsView cells = last ? own : all;
+    const std::size_t first = last ? block.begin : from;
+    const std::size_t count = last ? n : to - from;
+    if (stage > 0) fill_ghosts(cells, count, at_left, at_right);
+    compute_fluxes(ratio, cells, first, count, work);
+    apply_fluxes(ratio, count, work.fluxes, cells);
+    // Heun: the mean of the old state and of two Euler steps.
+    if (stage > 0) average(work.old_depth.data(), work.old_discharge.data(), n, cells);
+    block.stages[stage] = booked(block, first, work.fluxes);
+    // A cell that empties is the difference of numbers of the size of the largest depth.
+    if (cut_negative(1e-13 * depth_scale_, count, cells) > 0) {
+      find_breakdown(block, first, cells, work.fluxes, block.stages[stage]);
+    }
+    update_primitives(settings_.gravity, settings_.dry_depth, count, cells);
+  }
+  if (settings_.manning > 0) {
+    const double factor = tau * settings_.gravity * settings_.manning * settings_.manning;
+    block.friction = apply_friction(factor, settings_.dry_depth, n, own);
+  }
+  block.fastest = fastest(n, own);
+  if (blocks_.size() > 1) {
+    copy(own, static_cast<std::ptrdiff_t>(n), now_.view().from(static_cast<std::ptrdiff_t>(block.begin)));
+  }
+}
+
+/// Of n cells, the channel's from `first` on.
+void FiniteVolumeFlow::compute_fluxes(double ratio, const CellsView& cells, std::size_t first, std::size_t n,
+                                      Workspace& work) const {
   switch (settings_.scheme) {
     case Scheme::lax_friedrichs:
-      lax_friedrichs_fluxes(settings_.gravity, settings_.viscosity, ratio, now_, fluxes_);
+      lax_friedrichs_fluxes(settings_.gravity, settings_.viscosity, ratio, cells, n, work.fluxes);
       break;
     case Scheme::mac_cormack:
-      mac_cormack_(settings_.gravity, ratio, now_, fluxes_);
+      work.mac_cormack(settings_.gravity, ratio, cells, n, work.fluxes);
       break;
     case Scheme::roe:
-      roe_fluxes(settings_.gravity, now_, fluxes_);
+      roe_fluxes(settings_.gravity, cells, n, work.fluxes);
       break;
     case Scheme::muscl_hll:
-      muscl_hll_(settings_.gravity, settings_.theta, now_, fluxes_);
+      work.muscl_hll(settings_.gravity, settings_.theta, cells, bed_.empty() ? nullptr : bed_.data() + ghosts + first,
+                     n, work.fluxes);
       break;
   }
   // A wall passes no mass: zero by symmetry in every scheme, and here to the last bit.
-  if (settings_.left.kind == End::Kind::wall) fluxes_.mass.front() = 0;
-  if (settings_.right.kind == End::Kind::wall) fluxes_.mass.back() = 0;
+  if (first == 0 && settings_.left.kind == End::Kind::wall) work.fluxes.mass[0] = 0;
+  if (first + n == n_ && settings_.right.kind == End::Kind::wall) work.fluxes.mass[n] = 0;
 }
 
-SEICHE_SIMD_CLONES
-void FiniteVolumeFlow::apply_fluxes(double ratio, double weight) {
-  double* __restrict h = now_.depth.data() + ghosts;
-  double* __restrict q = now_.discharge.data() + ghosts;
-  const double* mass = fluxes_.mass.data();
-  const double* on_left = fluxes_.momentum.data();
-  const double tau = weight * ratio * dx_;
-  if (bed_.empty()) {
-    for (std::size_t i = 0; i < n_; ++i) {
-      h[i] -= ratio * (mass[i + 1] - mass[i]);
-      q[i] -= ratio * (on_left[i + 1] - on_left[i]);
-    }
-    impulse_left_.add(tau * on_left[0]);
-  } else {
-    const double* on_right = fluxes_.momentum_right.data();
-    const double* source = fluxes_.source.data();
-    for (std::size_t i = 0; i < n_; ++i) {
-      h[i] -= ratio * (mass[i + 1] - mass[i]);
-      q[i] -= ratio * (on_left[i + 1] - on_right[i] - source[i]);
-    }
-    impulse_left_.add(tau * on_right[0]);
+/// What a stage books of fluxes that count from cell `first` on.
+FiniteVolumeFlow::Stage FiniteVolumeFlow::booked(const Block& block, std::size_t first, const Fluxes& fluxes) const {
+  const std::size_t begin = block.begin - first;
+  const std::size_t end = block.end - first;
+  const std::vector<double>& on_left = fluxes.momentum;
+  const std::vector<double>& on_right = bed_.empty() ? on_left : fluxes.momentum_right;
+  Stage stage{.mass_first = fluxes.mass[begin],
+              .mass_last = fluxes.mass[end],
+              .thrust_first = on_right[begin],
+              .thrust_last = on_left[end]};
+  if (!bed_.empty()) {
     // The bed acts through the sources and through the steps of the hydrostatic reconstruction at inner faces.
-    double reaction = 0;
-    for (std::size_t i = 0; i < n_; ++i) reaction += source[i];
-    for (std::size_t k = 1; k < n_; ++k) reaction += on_right[k] - on_left[k];
-    impulse_bed_.add(tau * reaction);
+    for (std::size_t i = begin; i < end; ++i) stage.reaction += fluxes.source[i];
+    for (std::size_t k = block.begin == 0 ? 1 : begin; k < end; ++k) stage.reaction += on_right[k] - on_left[k];
   }
-  impulse_right_.add(-tau * on_left[n_]);
-  mass_left_.add(tau * mass[0]);
-  mass_right_.add(-tau * mass[n_]);
+  return stage;
 }
 
-/// Removes negative depths of round-off size, refuses others, and refreshes velocity and celerity.
-void FiniteVolumeFlow::settle(double tau) {
-  double* __restrict h = now_.depth.data() + ghosts;
-  const double* q = now_.discharge.data() + ghosts;
-  // A cell that empties is the difference of numbers of the size of the largest depth.
-  const double roundoff = -1e-13 * depth_scale_;
-  long bad = 0;
-  for (std::size_t i = 0; i < n_; ++i) {
-    // x - x is 0 for finite numbers only; comparisons with NaN are false.
-    const double probe = (h[i] - h[i]) + (q[i] - q[i]);
-    bad += static_cast<long>(h[i] < roundoff) + static_cast<long>(!(probe == 0));
-    h[i] = h[i] < 0 ? 0.0 : h[i];
+void FiniteVolumeFlow::find_breakdown(const Block& block, std::size_t first, const CellsView& cells,
+                                      const Fluxes& fluxes, Stage& stage) const {
+  stage.broken = true;
+  for (std::size_t i = block.begin - first; i < block.end - first; ++i) {
+    // Negative depths were cut before: what is found is the first cell whose update explains one.
+    const bool finite = std::isfinite(cells.depth[i]) && std::isfinite(cells.discharge[i]);
+    if (finite && !(cells.depth[i] == 0 && fluxes.mass[i + 1] - fluxes.mass[i] > 0)) continue;
+    stage.where = first + i;
+    stage.finite = finite;
+    return;
   }
-  if (bad > 0) {
-    for (std::size_t i = 0; i < n_; ++i) {
-      // Negative depths were cut above: what is reported is the first cell whose update explains one.
-      const double updated = fluxes_.mass[i + 1] - fluxes_.mass[i];
-      if (std::isfinite(h[i]) && std::isfinite(q[i]) && !(h[i] == 0 && updated > 0)) continue;
-      throw Divergence(
-          fmt::format("cell {} of scheme {}: depth {} (tau = {:g})", i, name(settings_.scheme),
-                      std::isfinite(h[i]) && std::isfinite(q[i]) ? "became negative" : "or discharge is not finite",
-                      tau),
-          time_, steps_, centre(i));
+}
+
+void FiniteVolumeFlow::refuse_breakdown(double tau) const {
+  for (std::size_t k = 0; k < stages(); ++k) {
+    bool broken = false;
+    for (const Block& block : blocks_) {
+      const Stage& stage = block.stages[k];
+      broken = broken || stage.broken;
+      if (!stage.where) continue;
+      throw Divergence(fmt::format("cell {} of scheme {}: depth {} (tau = {:g})", *stage.where, name(settings_.scheme),
+                                   stage.finite ? "became negative" : "or discharge is not finite", tau),
+                       time_, steps_, centre(*stage.where));
     }
-    throw Divergence(fmt::format("depth of scheme {} became negative", name(settings_.scheme)), time_, steps_, start_);
+    if (broken) {
+      throw Divergence(fmt::format("depth of scheme {} became negative", name(settings_.scheme)), time_, steps_,
+                       start_);
+    }
   }
-  update_primitives(settings_.gravity, settings_.dry_depth, ghosts, n_ + ghosts, now_);
 }
 
-/// q' = q/(1 + tau g n^2 |u|/h^(4/3)): implicit in the discharge, so that shallow water comes to rest and not back.
-void FiniteVolumeFlow::apply_friction(double tau) {
-  const double factor = tau * settings_.gravity * settings_.manning * settings_.manning;
-  double lost = 0;
-  for (std::size_t i = ghosts; i < n_ + ghosts; ++i) {
-    const double h = now_.depth[i];
-    if (h <= settings_.dry_depth) continue;
-    const double before = now_.discharge[i];
-    now_.discharge[i] = before / (1 + factor * std::abs(now_.velocity[i]) / (h * std::cbrt(h)));
-    now_.velocity[i] = now_.discharge[i] / h;
-    lost += now_.discharge[i] - before;
+void FiniteVolumeFlow::book(double tau) {
+  const double part = tau / static_cast<double>(stages());
+  for (std::size_t k = 0; k < stages(); ++k) {
+    const Stage& left = blocks_.front().stages[k];
+    const Stage& right = blocks_.back().stages[k];
+    mass_left_.add(part * left.mass_first);
+    mass_right_.add(-part * right.mass_last);
+    impulse_left_.add(part * left.thrust_first);
+    impulse_right_.add(-part * right.thrust_last);
+    if (!bed_.empty()) {
+      for (const Block& block : blocks_) impulse_bed_.add(part * block.stages[k].reaction);
+    }
   }
-  impulse_friction_.add(lost * dx_);
+  fastest_ = 0;
+  for (const Block& block : blocks_) {
+    if (settings_.manning > 0) impulse_friction_.add(block.friction * dx_);
+    fastest_ = std::max(fastest_, block.fastest);
+  }
 }
 
 std::vector<double> FiniteVolumeFlow::edges() const {

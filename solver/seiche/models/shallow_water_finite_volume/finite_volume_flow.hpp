@@ -6,6 +6,9 @@
 /// Mass and momentum that pass the ends, and the impulses of bed and friction, are booked: what is left over is
 /// round-off.
 ///
+/// A step goes through the channel block by block, each small enough to stay near the core for all of the step. A block
+/// takes its neighbours as they were before: every number is the same as in one piece, with any number of threads.
+///
 /// When not to use it: dispersive waves; MacCormack on a dry bed (it breaks down with seiche::Divergence); any scheme
 /// but muscl_hll on an uneven bed (refused). Lax-Friedrichs at a small Courant number: its viscosity is of the size
 /// dx^2/tau.
@@ -13,6 +16,7 @@
 /// References: fluxes.hpp.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -107,11 +111,52 @@ class FiniteVolumeFlow {
   [[nodiscard]] double momentum_defect() const;
 
  private:
-  void fill_ghosts();
-  void compute_fluxes(double ratio);
-  void apply_fluxes(double ratio, double weight);
-  void apply_friction(double tau);
-  void settle(double tau);
+  /// What a block needs for a step, one for each thread.
+  struct Workspace {
+    Workspace(std::size_t most, Scheme scheme, bool uneven)
+        : cells(most),
+          old_depth(most),
+          old_discharge(most),
+          fluxes(most, uneven),
+          mac_cormack(scheme == Scheme::mac_cormack ? most : 0),
+          muscl_hll(scheme == Scheme::muscl_hll ? most : 0, uneven) {}
+
+    Cells cells;
+    std::vector<double> old_depth, old_discharge;  // of the step's start, for Heun's mean
+    Fluxes fluxes;
+    MacCormackFluxes mac_cormack;
+    MusclHllFluxes muscl_hll;
+  };
+
+  /// What passed a block's first and last face in a stage of a step, the reaction of its bed, and what broke down.
+  struct Stage {
+    double mass_first = 0, mass_last = 0, thrust_first = 0, thrust_last = 0;
+    double reaction = 0;
+    bool broken = false;
+    std::optional<std::size_t> where = {};
+    bool finite = true;  ///< there
+  };
+
+  struct Block {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::array<Stage, 2> stages;
+    double friction = 0;  ///< change of the discharges' sum
+    double fastest = 0;
+  };
+
+  [[nodiscard]] std::size_t stages() const { return settings_.scheme == Scheme::muscl_hll ? 2 : 1; }
+  void fill_ghosts(const CellsView& cells, std::size_t n, bool left, bool right) const;
+  void save_seams();
+  [[nodiscard]] CellsView seam(std::size_t block);
+  [[nodiscard]] CellsView load(std::size_t block, std::size_t from, std::size_t to, Cells& into);
+  void advance(std::size_t block, double tau, Workspace& work);
+  void compute_fluxes(double ratio, const CellsView& cells, std::size_t first, std::size_t n, Workspace& work) const;
+  [[nodiscard]] Stage booked(const Block& block, std::size_t first, const Fluxes& fluxes) const;
+  void find_breakdown(const Block& block, std::size_t first, const CellsView& cells, const Fluxes& fluxes,
+                      Stage& stage) const;
+  void refuse_breakdown(double tau) const;
+  void book(double tau);
 
   Settings settings_;
   double start_;
@@ -119,12 +164,12 @@ class FiniteVolumeFlow {
   std::size_t n_;
   std::vector<double> bed_;  // with ghosts; empty if flat
   Cells now_;
-  std::vector<double> old_depth_, old_discharge_;  // of the step's start, for Heun's mean
-  Fluxes fluxes_;
-  MacCormackFluxes mac_cormack_;
-  MusclHllFluxes muscl_hll_;
+  std::vector<Block> blocks_;
+  Cells seams_;  // what lies before and behind each block but the first, as it was at the step's start
+  std::vector<Workspace> workspaces_;
   CompensatedSum mass_left_, mass_right_, impulse_left_, impulse_right_, impulse_bed_, impulse_friction_;
   double depth_scale_ = 0;
+  double fastest_ = 0;  // |u| + c
   double initial_mass_ = 0;
   double initial_momentum_ = 0;
   double time_ = 0;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "seiche/models/shallow_water_finite_volume/fluxes.hpp"
 #include "seiche/simd_clones.hpp"
@@ -47,25 +46,25 @@ SEICHE_INLINE Flux hll(double gravity, double hl, double ul, double hr, double u
 
 }  // namespace
 
-MusclHllFluxes::MusclHllFluxes(std::size_t n, std::vector<double> bed)
-    : bed_(std::move(bed)),
-      depth_left_(n + 2),
-      depth_right_(n + 2),
-      velocity_left_(n + 2),
-      velocity_right_(n + 2),
-      bed_left_(bed_.empty() ? 0 : n + 2),
-      bed_right_(bed_.empty() ? 0 : n + 2) {}
+MusclHllFluxes::MusclHllFluxes(std::size_t most, bool uneven)
+    : depth_left_(most + 2),
+      depth_right_(most + 2),
+      velocity_left_(most + 2),
+      velocity_right_(most + 2),
+      bed_left_(uneven ? most + 2 : 0),
+      bed_right_(uneven ? most + 2 : 0) {}
 
 SEICHE_SIMD_CLONES
-void MusclHllFluxes::operator()(double gravity, double theta, const Cells& cells, Fluxes& fluxes) {
-  // Step 1: values at the edges of each cell. Entry j of the edge arrays is entry j + 1 of the cells.
-  const double* h = cells.depth.data() + 1;
-  const double* u = cells.velocity.data() + 1;
+void MusclHllFluxes::operator()(double gravity, double theta, const CellsView& cells, const double* bed, std::size_t n,
+                                Fluxes& fluxes) {
+  // Step 1: values at the edges of each cell. Entry j of the edge arrays is cell j - 1.
+  const double* h = cells.depth - 1;
+  const double* u = cells.velocity - 1;
   double* __restrict hl = depth_left_.data();
   double* __restrict hr = depth_right_.data();
   double* __restrict ul = velocity_left_.data();
   double* __restrict ur = velocity_right_.data();
-  const auto entries = static_cast<std::ptrdiff_t>(depth_left_.size());
+  const auto entries = static_cast<std::ptrdiff_t>(n + 2);
 #pragma GCC ivdep
   for (std::ptrdiff_t j = 0; j < entries; ++j) {
     const double dh = half_slope(h[j - 1], h[j], h[j + 1], theta);
@@ -79,11 +78,11 @@ void MusclHllFluxes::operator()(double gravity, double theta, const Cells& cells
     ul[j] = u[j] - du * hr[j] * inverse;
     ur[j] = u[j] + du * hl[j] * inverse;
   }
-  if (bed_.empty()) {
-    flat(gravity, fluxes);
+  if (bed == nullptr) {
+    flat(gravity, n, fluxes);
     return;
   }
-  const double* z = bed_.data() + 1;
+  const double* z = bed - 1;
   double* __restrict zl = bed_left_.data();
   double* __restrict zr = bed_right_.data();
 #pragma GCC ivdep
@@ -93,19 +92,19 @@ void MusclHllFluxes::operator()(double gravity, double theta, const Cells& cells
     zl[j] = (surface - de) - hl[j];
     zr[j] = (surface + de) - hr[j];
   }
-  uneven(gravity, fluxes);
+  uneven(gravity, n, fluxes);
 }
 
 // Step 2 on a flat bed: one flux per face.
 SEICHE_SIMD_CLONES
-void MusclHllFluxes::flat(double gravity, Fluxes& fluxes) const {
+void MusclHllFluxes::flat(double gravity, std::size_t n, Fluxes& fluxes) const {
   const double* hl = depth_left_.data();
   const double* hr = depth_right_.data();
   const double* ul = velocity_left_.data();
   const double* ur = velocity_right_.data();
   double* __restrict mass = fluxes.mass.data();
   double* __restrict momentum = fluxes.momentum.data();
-  const std::size_t faces = fluxes.mass.size();
+  const std::size_t faces = n + 1;
 #pragma GCC ivdep
   for (std::size_t k = 0; k < faces; ++k) {
     const Flux flux = hll(gravity, hr[k], ur[k], hl[k + 1], ul[k + 1]);
@@ -117,7 +116,7 @@ void MusclHllFluxes::flat(double gravity, Fluxes& fluxes) const {
 // Step 2 on an uneven bed: depths above the higher of the two beds, thrust of the step added to either side
 // (Audusse et al. 2004, formulas 2.9-2.14), and the centred source of the second-order scheme (formula 4.6).
 SEICHE_SIMD_CLONES
-void MusclHllFluxes::uneven(double gravity, Fluxes& fluxes) const {
+void MusclHllFluxes::uneven(double gravity, std::size_t n, Fluxes& fluxes) const {
   const double* hl = depth_left_.data();
   const double* hr = depth_right_.data();
   const double* ul = velocity_left_.data();
@@ -128,7 +127,7 @@ void MusclHllFluxes::uneven(double gravity, Fluxes& fluxes) const {
   double* __restrict on_left = fluxes.momentum.data();
   double* __restrict on_right = fluxes.momentum_right.data();
   double* __restrict source = fluxes.source.data();
-  const std::size_t faces = fluxes.mass.size();
+  const std::size_t faces = n + 1;
 #pragma GCC ivdep
   for (std::size_t k = 0; k < faces; ++k) {
     const double step = std::max(zr[k], zl[k + 1]);
