@@ -53,6 +53,11 @@ SEICHE_SIMD_CLONES void solve_block(const float* inverse_pivot, const float* mul
   }
 }
 
+SEICHE_SIMD_CLONES void multiply(const double* scale, const double* from, double* to, std::size_t n) {
+#pragma omp simd
+  for (std::size_t i = 0; i < n; ++i) to[i] = scale[i] * from[i];
+}
+
 const CosineLattice::Shape& validated(const CosineLattice::Shape& shape) {
   require_at_least("nx", static_cast<long>(shape.nx), 1);
   require_at_least("nz", static_cast<long>(shape.nz), 1);
@@ -64,20 +69,15 @@ const CosineLattice::Shape& validated(const CosineLattice::Shape& shape) {
 
 CosineLattice::CosineLattice(Shape shape, const LayerMatrix& matrix)
     : shape_(validated(shape)), along_x_(shape.nx), along_z_(shape.nz), row_stride_(stride(shape.nx)) {
-  if (shape.nz == 1) {
-    layer_stride_ = row_stride_;
-  } else {
-    mode_stride_ = stride(shape.nz);
-    layer_stride_ = stride(shape.nx * mode_stride_);
-    rows_.resize(shape.layers * shape.nz * row_stride_);
-  }
-  modes_.resize(shape.layers * layer_stride_);
+  if (shape.nz > 1) mode_stride_ = stride(shape.nz);
+  rows_.resize(shape.layers * shape.nz * row_stride_);
   factor(matrix);
 }
 
 void CosineLattice::factor(const LayerMatrix& matrix) {
   const std::size_t layers = shape_.layers;
-  const std::size_t blocks = (layer_stride_ + block - 1) / block;
+  const std::size_t modes = shape_.nz > 1 ? shape_.nx * mode_stride_ : row_stride_;
+  const std::size_t blocks = (modes + block - 1) / block;
   inverse_pivot_.resize(blocks * layers * block);
   multiplier_.resize(blocks * layers * block);
   std::vector<double> diagonal(layers);
@@ -102,72 +102,84 @@ void CosineLattice::factor(const LayerMatrix& matrix) {
   }
 }
 
-void CosineLattice::solve(std::span<const double> right_hand_side, std::span<double> x, double magnitude) {
+void CosineLattice::solve(std::span<const double> right_hand_side, std::span<double> x, double magnitude,
+                          std::span<const double> scale) {
   grow_workspaces();
-  transform_rows(right_hand_side.data(), 1 / magnitude);
-  if (shape_.nz > 1) transform_along_z();
-  solve_layers();
-  if (shape_.nz > 1) transform_along_z_back();
-  transform_rows_back(magnitude / static_cast<double>(shape_.nx * shape_.nz), x.data());
+  const double* const s = scale.empty() ? nullptr : scale.data();
+  transform_rows(right_hand_side.data(), 1 / magnitude, s);
+  if (shape_.nz > 1) {
+    solve_tiles();
+  } else {
+    solve_layers();
+  }
+  transform_rows_back(magnitude / static_cast<double>(shape_.nx * shape_.nz), x.data(), s);
 }
 
 void CosineLattice::grow_workspaces() {
   const auto threads = static_cast<std::size_t>(omp_get_max_threads());
+  const std::size_t nx = shape_.nx;
   while (workspaces_.size() < threads) {
     workspaces_.push_back({CosineTransform::Workspace(along_x_), CosineTransform::Workspace(along_z_),
-                           std::vector<double>(shape_.nx), std::vector<float>(std::max(shape_.nx, shape_.nz))});
+                           std::vector<double>(nx), std::vector<double>(nx), std::vector<double>(nx),
+                           std::vector<float>(std::max(nx, shape_.nz)),
+                           std::vector<float>(shape_.layers * tile * mode_stride_)});
   }
 }
 
-void CosineLattice::transform_rows(const double* right_hand_side, double factor) {
+void CosineLattice::transform_rows(const double* right_hand_side, double factor, const double* scale) {
   const std::size_t count = shape_.nz * shape_.layers;
-  float* const out = shape_.nz == 1 ? modes_.data() : rows_.data();
+  const std::size_t nx = shape_.nx;
 #pragma omp parallel for schedule(static) if (count * shape_.nx >= worth_threads)
   for (std::size_t pair = 0; pair < pairs(count); ++pair) {
     Workspace& work = workspaces_[static_cast<std::size_t>(omp_get_thread_num())];
     const std::size_t row = 2 * pair;
-    const double* const first = right_hand_side + row * shape_.nx;
-    float* const result = out + row * row_stride_;
-    if (row + 1 < count) {
-      along_x_.forward<double>({first, first + shape_.nx}, factor, {result, result + row_stride_}, work.along_x);
-    } else {
-      along_x_.forward<double>({first, first}, factor, {result, work.mode_copy.data()}, work.along_x);
+    const bool alone = row + 1 == count;
+    const double* first = right_hand_side + row * nx;
+    const double* second = alone ? first : first + nx;
+    if (scale != nullptr) {
+      multiply(scale + row * nx, first, work.scaled.data(), nx);
+      if (!alone) multiply(scale + (row + 1) * nx, second, work.scaled_next.data(), nx);
+      first = work.scaled.data();
+      second = alone ? first : work.scaled_next.data();
     }
+    float* const result = rows_.data() + row * row_stride_;
+    along_x_.forward<double>({first, second}, factor, {result, alone ? work.mode_copy.data() : result + row_stride_},
+                             work.along_x);
   }
 }
 
-void CosineLattice::transform_rows_back(double factor, double* x) {
+void CosineLattice::transform_rows_back(double factor, double* x, const double* scale) {
   const std::size_t count = shape_.nz * shape_.layers;
-  const float* const in = shape_.nz == 1 ? modes_.data() : rows_.data();
+  const std::size_t nx = shape_.nx;
 #pragma omp parallel for schedule(static) if (count * shape_.nx >= worth_threads)
   for (std::size_t pair = 0; pair < pairs(count); ++pair) {
     Workspace& work = workspaces_[static_cast<std::size_t>(omp_get_thread_num())];
     const std::size_t row = 2 * pair;
-    const float* const first = in + row * row_stride_;
-    double* const result = x + row * shape_.nx;
-    if (row + 1 < count) {
-      along_x_.backward<double>({first, first + row_stride_}, factor, {result, result + shape_.nx}, work.along_x);
-    } else {
-      along_x_.backward<double>({first, first}, factor, {result, work.row_copy.data()}, work.along_x);
+    const bool alone = row + 1 == count;
+    const float* const first = rows_.data() + row * row_stride_;
+    double* const result = x + row * nx;
+    along_x_.backward<double>({first, alone ? first : first + row_stride_}, factor,
+                              {result, alone ? work.row_copy.data() : result + nx}, work.along_x);
+    if (scale != nullptr) {
+      multiply(scale + row * nx, result, result, nx);
+      if (!alone) multiply(scale + (row + 1) * nx, result + nx, result + nx, nx);
     }
   }
 }
 
-void CosineLattice::transform_along_z() {
-  const std::size_t tiles = (shape_.nx + tile - 1) / tile;
-#pragma omp parallel for schedule(static) if (shape_.layers * shape_.nx * shape_.nz >= worth_threads)
-  for (std::size_t task = 0; task < tiles * shape_.layers; ++task) {
-    Workspace& work = workspaces_[static_cast<std::size_t>(omp_get_thread_num())];
-    const std::size_t layer = task / tiles;
-    const std::size_t first = task % tiles * tile;
-    const std::size_t last = std::min(first + tile, shape_.nx);
-    const float* const in = rows_.data() + layer * shape_.nz * row_stride_;
-    float* const out = modes_.data() + layer * layer_stride_;
+/// Along z, over the layers and back, for the positions [first, last) along x.
+void CosineLattice::solve_tile(std::size_t first, std::size_t last, Workspace& work) {
+  const std::size_t layers = shape_.layers;
+  const std::size_t layer_stride = tile * mode_stride_;
+  const auto rows_of = [&](std::size_t layer) { return rows_.data() + layer * shape_.nz * row_stride_; };
+  for (std::size_t layer = 0; layer < layers; ++layer) {
+    const float* const in = rows_of(layer);
+    float* const out = work.modes.data() + layer * layer_stride;
     for (std::size_t iz = 0; iz < shape_.nz; ++iz) {
-      for (std::size_t ix = first; ix < last; ++ix) out[ix * mode_stride_ + iz] = in[iz * row_stride_ + ix];
+      for (std::size_t ix = first; ix < last; ++ix) out[(ix - first) * mode_stride_ + iz] = in[iz * row_stride_ + ix];
     }
     for (std::size_t ix = first; ix < last; ix += 2) {
-      float* const row = out + ix * mode_stride_;
+      float* const row = out + (ix - first) * mode_stride_;
       if (ix + 1 < last) {
         along_z_.forward<float>({row, row + mode_stride_}, 1.0f, {row, row + mode_stride_}, work.along_z);
       } else {
@@ -175,20 +187,18 @@ void CosineLattice::transform_along_z() {
       }
     }
   }
-}
-
-void CosineLattice::transform_along_z_back() {
-  const std::size_t tiles = (shape_.nx + tile - 1) / tile;
-#pragma omp parallel for schedule(static) if (shape_.layers * shape_.nx * shape_.nz >= worth_threads)
-  for (std::size_t task = 0; task < tiles * shape_.layers; ++task) {
-    Workspace& work = workspaces_[static_cast<std::size_t>(omp_get_thread_num())];
-    const std::size_t layer = task / tiles;
-    const std::size_t first = task % tiles * tile;
-    const std::size_t last = std::min(first + tile, shape_.nx);
-    float* const in = modes_.data() + layer * layer_stride_;
-    float* const out = rows_.data() + layer * shape_.nz * row_stride_;
+  // A tile begins with a block of factors: it has a multiple of 256 modes.
+  const std::size_t modes = (last - first) * mode_stride_;
+  for (std::size_t mode = 0; mode < modes; mode += block) {
+    const std::size_t factors = (first * mode_stride_ + mode) * layers;
+    solve_block(inverse_pivot_.data() + factors, multiplier_.data() + factors, work.modes.data() + mode,
+                std::min(block, modes - mode), layers, layer_stride);
+  }
+  for (std::size_t layer = 0; layer < layers; ++layer) {
+    float* const in = work.modes.data() + layer * layer_stride;
+    float* const out = rows_of(layer);
     for (std::size_t ix = first; ix < last; ix += 2) {
-      float* const row = in + ix * mode_stride_;
+      float* const row = in + (ix - first) * mode_stride_;
       if (ix + 1 < last) {
         along_z_.backward<float>({row, row + mode_stride_}, 1.0f, {row, row + mode_stride_}, work.along_z);
       } else {
@@ -196,20 +206,27 @@ void CosineLattice::transform_along_z_back() {
       }
     }
     for (std::size_t iz = 0; iz < shape_.nz; ++iz) {
-      for (std::size_t ix = first; ix < last; ++ix) out[iz * row_stride_ + ix] = in[ix * mode_stride_ + iz];
+      for (std::size_t ix = first; ix < last; ++ix) out[iz * row_stride_ + ix] = in[(ix - first) * mode_stride_ + iz];
     }
+  }
+}
+
+void CosineLattice::solve_tiles() {
+#pragma omp parallel for schedule(static) if (shape_.layers * shape_.nx * shape_.nz >= worth_threads)
+  for (std::size_t first = 0; first < shape_.nx; first += tile) {
+    solve_tile(first, std::min(first + tile, shape_.nx), workspaces_[static_cast<std::size_t>(omp_get_thread_num())]);
   }
 }
 
 void CosineLattice::solve_layers() {
   const std::size_t layers = shape_.layers;
-  const std::size_t blocks = (layer_stride_ + block - 1) / block;
-#pragma omp parallel for schedule(static) if (layers * layer_stride_ >= worth_threads)
+  const std::size_t blocks = (row_stride_ + block - 1) / block;
+#pragma omp parallel for schedule(static) if (layers * row_stride_ >= worth_threads)
   for (std::size_t b = 0; b < blocks; ++b) {
     const std::size_t first = b * block;
     const std::size_t factors = first * layers;
-    solve_block(inverse_pivot_.data() + factors, multiplier_.data() + factors, modes_.data() + first,
-                std::min(block, layer_stride_ - first), layers, layer_stride_);
+    solve_block(inverse_pivot_.data() + factors, multiplier_.data() + factors, rows_.data() + first,
+                std::min(block, row_stride_ - first), layers, row_stride_);
   }
 }
 

@@ -7,10 +7,11 @@
 ///     theta = pi m/nx, m = 0..nx-1,      psi = pi l/nz, l = 0..nz-1      (phase per column)
 ///
 /// leaves a symmetric positive definite tridiagonal system over the layers. A vertical plane has nz = 1, a plan view
-/// one layer. Costs O(log nx + log nz) operations per unknown and three single-precision numbers of memory.
+/// one layer. Costs O(log nx + log nz) operations per unknown and two single-precision numbers of memory.
 ///
 /// Everything inside is single precision, which a preconditioner does not feel and which halves the memory traffic.
-/// Threads share rows and modes; results do not depend on their number.
+/// What is transformed along both never leaves the cache: it is solved for and transformed back in tiles. Threads share
+/// rows and modes; results do not depend on their number.
 ///
 /// When not to use it: as a solver; the error is 1e-7 times the condition number of the tridiagonal systems.
 ///
@@ -43,25 +44,28 @@ class CosineLattice {
 
   [[nodiscard]] const Shape& shape() const { return shape_; }
 
-  /// x = A^-1 right_hand_side; the two may be the same memory.
+  /// x = S A^-1 S right_hand_side; the two may be the same memory.
   ///
   /// @param magnitude  typical size of the right-hand side, which is divided by it: single precision ends at 1e-38
-  void solve(std::span<const double> right_hand_side, std::span<double> x, double magnitude = 1);
+  /// @param scale      the diagonal of S; empty for 1
+  void solve(std::span<const double> right_hand_side, std::span<double> x, double magnitude = 1,
+             std::span<const double> scale = {});
 
  private:
   /// What one thread works with. A row without a partner is transformed together with a copy of itself.
   struct Workspace {
     CosineTransform::Workspace along_x, along_z;
-    std::vector<double> row_copy;
+    std::vector<double> row_copy, scaled, scaled_next;
     std::vector<float> mode_copy;
+    std::vector<float> modes;  // of a tile: [layer][position along x][position along z]
   };
 
   void factor(const LayerMatrix& matrix);
   void grow_workspaces();
-  void transform_rows(const double* right_hand_side, double factor);
-  void transform_rows_back(double factor, double* x);
-  void transform_along_z();
-  void transform_along_z_back();
+  void transform_rows(const double* right_hand_side, double factor, const double* scale);
+  void transform_rows_back(double factor, double* x, const double* scale);
+  void solve_tile(std::size_t first, std::size_t last, Workspace& work);
+  void solve_tiles();
   void solve_layers();
 
   Shape shape_;
@@ -69,9 +73,7 @@ class CosineLattice {
   std::vector<Workspace> workspaces_;  // one per thread
   std::size_t row_stride_;             // from row to row along x
   std::size_t mode_stride_ = 0;        // from row to row along z
-  std::size_t layer_stride_;           // from layer to layer of modes_
-  std::vector<float> rows_;            // transformed along x: [layer][iz][position]; unused if nz = 1
-  std::vector<float> modes_;           // transformed along both: [layer][position along x][position along z]
+  std::vector<float> rows_;            // transformed along x: [layer][iz][position]
   // L D L^T of the systems, in blocks of modes: [block][layer][mode of the block].
   std::vector<float> inverse_pivot_, multiplier_;
 };

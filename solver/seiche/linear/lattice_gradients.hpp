@@ -52,13 +52,7 @@ class LatticeGradients {
     std::copy(x.begin(), x.end(), x_.data());
     const auto multiply = [this](const LatticeArray& p, LatticeArray& q) { return matrix_->multiply_and_dot(p, q); };
     const auto precondition = [this](std::span<const double> r, std::span<double> z, double magnitude) {
-      if (!undeformed_.scaled) {
-        lattice_.solve(r, z, magnitude);
-        return;
-      }
-      multiply_by_scale(r, z);
-      lattice_.solve(z, z, magnitude);
-      multiply_by_scale(z, z);
+      lattice_.solve(r, z, magnitude, scale_);
     };
     const auto result = gradients_.solve(multiply, precondition, right_hand_side_, x_, {.tolerance = tolerance});
     std::copy(x_.values().begin(), x_.values().end(), x.begin());
@@ -107,19 +101,13 @@ class LatticeGradients {
     }
   }
 
-  void multiply_by_scale(std::span<const double> from, std::span<double> to) const {
-    const double* const scale = scale_.data();
-#pragma omp parallel for simd schedule(static) if (parallel : from.size() > worth_threads)
-    for (std::size_t k = 0; k < from.size(); ++k) to[k] = scale[k] * from[k];
-  }
-
   UndeformedLattice undeformed_;
   CosineLattice lattice_;
   ConjugateGradients<LatticeArray> gradients_;
   LatticeArray right_hand_side_, x_;
   const Matrix* matrix_ = nullptr;
   std::vector<double> inner_diagonal_;  // by layer
-  std::vector<double> scale_;
+  std::vector<double> scale_;           // empty for 1
 };
 
 }  // namespace seiche::linear

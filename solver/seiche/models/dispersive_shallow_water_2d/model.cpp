@@ -132,7 +132,6 @@ void Model::stand(Input q) {
 
 void Model::linearise(Interval when, Input q) {
   when_ = when;
-  std::fill(push_.begin(), push_.end(), 0.0);
   try {
     measure(q, 1, false);
     if (bottom_) bottom_->subtract_gradients(plan(q), gradients_);
@@ -152,7 +151,6 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
   when_ = when;
   middle_.resize(q0.size());
   for (std::size_t i = 0; i < q0.size(); ++i) middle_[i] = 0.5 * (q0[i] + q1[i]);
-  std::fill(push_.begin(), push_.end(), 0.0);
   try {
     // Simpson's mean: exact for gradients of polynomials of degree up to four.
     measure(q0, 1.0 / 6, false);
@@ -181,10 +179,18 @@ void Model::measure(Input q, double weight, bool add) {
   const double bottom = bottom_ ? 0.0 : -lattice_.depth;
   double jacobian = std::numeric_limits<double>::infinity();
   double depth = std::numeric_limits<double>::infinity();
+  const auto clear = [&](std::size_t row, std::size_t count) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::fill_n(push_.data() + axis * n + row * (columns + 1), count * (columns + 1), 0.0);
+    }
+  };
+  // Even rows of cells have all rows of nodes but, where the rows are even in number, the last one.
+  if (!add && shape().rows % 2 == 0) clear(shape().rows, 1);
   // Rows of one parity share no nodes; each row of nodes is added to from above and from below, in this order.
   for (std::size_t parity = 0; parity < 2; ++parity) {
 #pragma omp parallel for schedule(static) reduction(min : jacobian, depth) if (shape().cells() > parallel_cells)
     for (std::size_t j = parity; j < shape().rows; j += 2) {
+      if (!add && parity == 0) clear(j, 2);
       const std::size_t k = j * (columns + 1);
       const auto rows = [&](std::size_t axis) {
         const double* lower = q.data() + axis * n + k;
