@@ -29,7 +29,9 @@ endif()
 if(SEICHE_NATIVE)
   target_compile_options(seiche_options INTERFACE -march=native)
 endif()
+set(outsiders "")  # what a program outside this build needs beside an instrumented library
 if(SEICHE_SANITIZE)
+  string(APPEND outsiders "-fsanitize=${SEICHE_SANITIZE} ")
   target_compile_options(seiche_options INTERFACE
     -fsanitize=${SEICHE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(seiche_options INTERFACE -fsanitize=${SEICHE_SANITIZE})
@@ -38,10 +40,12 @@ if(SEICHE_SANITIZE)
   endif()
 endif()
 if(SEICHE_COVERAGE)
+  string(APPEND outsiders "--coverage")
   # Atomic counters, GCC's choice beside threads, cost five times the time of the loops that they count.
   target_compile_options(seiche_options INTERFACE --coverage -fprofile-update=single)
   target_link_options(seiche_options INTERFACE --coverage)
 endif()
+set(SEICHE_OUTSIDERS_FLAGS "${outsiders}" CACHE INTERNAL "Flags of programs that link to the installed library")
 
 # seiche_precompiled(target header...): precompiled headers, the standard ones and more, for every target that says
 # REUSE_FROM target. That target has no macros but the common ones: the compiler refuses a precompiled header where one

@@ -135,9 +135,8 @@ class FindPackage(InstalledTest):
     """Projects of users, with the checkout out of sight. More of them: ci.find_package.*"""
 
     def build(self, source, *options):
-        flags = f"-fsanitize={cache('SEICHE_SANITIZE')}" if cache("SEICHE_SANITIZE") else ""
         configured = self.somebody.run("cmake", "-S", source, "-B", "build", f"-DCMAKE_PREFIX_PATH={PREFIX}", *options,
-                                       CXXFLAGS=flags)
+                                       CXXFLAGS=cache("SEICHE_OUTSIDERS_FLAGS"))
         if configured.returncode != 0:
             return configured
         return self.somebody.run("cmake", "--build", "build")

@@ -14,6 +14,11 @@
 #include <unistd.h>
 
 #include "seiche/io/atomic_file.hpp"
+#include "seiche/io/leave.hpp"
+
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
 
 namespace seiche::validation {
 namespace {
@@ -36,7 +41,10 @@ void say(int pipe, char kind, const std::string& text) {
   };
   const Ending ending = run_job(job, directory, keeping, progress);
   say(pipe, 'm', ending.message);
-  _exit(exit_status(ending.outcome));
+#ifdef __SANITIZE_ADDRESS__
+  __lsan_do_leak_check();  // a process looks for its leaks at its exit, which leave() is not
+#endif
+  io::leave(exit_status(ending.outcome));
 }
 
 }  // namespace

@@ -13,6 +13,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "seiche/io/leave.hpp"
+
 namespace seiche::io {
 namespace {
 
@@ -27,7 +29,7 @@ void limit(__rlimit_resource resource, rlim_t value) {
 void send(int pipe, const std::string& text) {
   for (std::size_t sent = 0; sent < text.size();) {
     const ssize_t count = write(pipe, text.data() + sent, text.size() - sent);
-    if (count < 0 && errno != EINTR) _exit(1);
+    if (count < 0 && errno != EINTR) leave(1);
     if (count > 0) sent += static_cast<std::size_t>(count);
   }
 }
@@ -59,7 +61,7 @@ std::string receive(int pipe) {
     answer = threw + std::string(failure.what());
   }
   send(pipe, answer);
-  _exit(0);
+  leave(0);
 }
 
 }  // namespace
