@@ -8,6 +8,7 @@
 // Channels: level between walls, level and periodic, and a plane beach with a shoreline at its end. Schemes: A
 // one-step, B one-step with feedback, C conservative with three sweeps.
 #include <benchmark/benchmark.h>
+#include <omp.h>
 
 #include <memory>
 #include <vector>
@@ -73,6 +74,8 @@ Work work_of(Stepping stepping, double sloping) {
 
 void marker_steps(benchmark::State& state, Site site, Stepping stepping) {
   const Scheme scheme{.stepping = stepping, .fixed_sweeps = stepping == Stepping::conservative ? sweeps : 0};
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(static_cast<int>(state.range(1)));
   Flow flow = start(site, static_cast<std::size_t>(state.range(0)), scheme);
   const auto markers = static_cast<double>(flow.x().size());
   // A wave that reached the shore would change the work: begin again in time.
@@ -90,22 +93,29 @@ void marker_steps(benchmark::State& state, Site site, Stepping stepping) {
   state.counters["bytes_per_step"] = 8 * work.arrays * markers;
   state.counters["operations_per_step"] = work.operations * markers;
   benchmark::DoNotOptimize(flow.x().data());
+  omp_set_num_threads(threads);
 }
 
-#define SEICHE_MARKER_STEPS(site, stepping)                                          \
-  BENCHMARK_CAPTURE(marker_steps, site##_##stepping, Site::site, Stepping::stepping) \
-      ->Arg(1000)                                                                    \
-      ->Arg(10000)                                                                   \
-      ->Arg(1000000)
+/// Markers and threads.
+void channels(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Args({1000, 1})->Args({10000, 1})->Args({1000000, 1});
+}
+void threaded_channels(benchmark::internal::Benchmark* benchmark) {
+  channels(benchmark);
+  benchmark->Args({1000000, 2})->UseRealTime();
+}
 
-SEICHE_MARKER_STEPS(walls, one_step);
-SEICHE_MARKER_STEPS(walls, one_step_feedback);
-SEICHE_MARKER_STEPS(walls, conservative);
-SEICHE_MARKER_STEPS(periodic, one_step);
-SEICHE_MARKER_STEPS(periodic, one_step_feedback);
-SEICHE_MARKER_STEPS(periodic, conservative);
-SEICHE_MARKER_STEPS(beach, one_step);
-SEICHE_MARKER_STEPS(beach, one_step_feedback);
-SEICHE_MARKER_STEPS(beach, conservative);
+#define SEICHE_MARKER_STEPS(site, stepping, sizes) \
+  BENCHMARK_CAPTURE(marker_steps, site##_##stepping, Site::site, Stepping::stepping)->Apply(sizes)
+
+SEICHE_MARKER_STEPS(walls, one_step, threaded_channels);
+SEICHE_MARKER_STEPS(walls, one_step_feedback, threaded_channels);
+SEICHE_MARKER_STEPS(walls, conservative, threaded_channels);
+SEICHE_MARKER_STEPS(periodic, one_step, channels);
+SEICHE_MARKER_STEPS(periodic, one_step_feedback, channels);
+SEICHE_MARKER_STEPS(periodic, conservative, channels);
+SEICHE_MARKER_STEPS(beach, one_step, threaded_channels);
+SEICHE_MARKER_STEPS(beach, one_step_feedback, threaded_channels);
+SEICHE_MARKER_STEPS(beach, conservative, threaded_channels);
 
 }  // namespace

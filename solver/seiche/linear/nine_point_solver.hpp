@@ -4,7 +4,7 @@
 ///     sparse      SparseCholesky (CHOLMOD): any shape, memory grows like cells log cells
 ///     iterative   conjugate gradients, preconditioned by the undeformed lattice: work cells x iterations
 ///
-/// Automatic takes `banded` up to 40 cells across, or 100 where the undeformed lattice is not known; beyond,
+/// Automatic takes `banded` up to 20 cells across, or 100 where the undeformed lattice is not known; beyond,
 /// `iterative` if it is known, else `sparse`. The numbers are from verification/performance. The direct solvers keep
 /// their factors, so that further solutions are cheap.
 #pragma once

@@ -8,75 +8,60 @@
 namespace seiche::linear {
 
 void TwoEndedSweep::begin(Rows rows, std::ptrdiff_t n) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   rows_ = rows;
   n_ = n;
   middle_ = n / 2;
-  front_ = 0;
-  back_ = n;
-  front_inverse_ = front_value_ = back_inverse_ = back_value_ = 0;
-  smallest_inverse_ = std::numeric_limits<double>::infinity();
+  front_ = {.row = 0, .smallest = infinity};
+  back_ = {.row = n - 1, .smallest = infinity};
+}
+
+template <bool from_front>
+[[gnu::always_inline]] inline void TwoEndedSweep::eliminate_row(Side& side) const {
+  const std::ptrdiff_t i = side.row;
+  const std::ptrdiff_t pair = from_front ? i - 1 : i;  // of the row and its neighbour outside
+  double* const b = rows_.right_hand_side;
+  if (i == (from_front ? 0 : n_ - 1)) {
+    side.value = b[i];
+    side.inverse = 1 / rows_.diagonal[i];
+  } else {
+    const double coupling = rows_.off_diagonal[pair];
+    const double m = coupling * side.inverse;
+    rows_.multiplier[pair] = m;
+    side.value = b[i] - m * side.value;
+    side.inverse = 1 / (rows_.diagonal[i] - (coupling * coupling) * side.inverse);
+  }
+  b[i] = side.value * side.inverse;
+  side.smallest = side.inverse < side.smallest ? side.inverse : side.smallest;
+  side.row += from_front ? 1 : -1;
 }
 
 void TwoEndedSweep::eliminate(std::ptrdiff_t front, std::ptrdiff_t back) {
-  front = std::min(front, middle_);
-  back = std::max(back, middle_ + 1);
-  const double* const d = rows_.diagonal;
-  const double* const e = rows_.off_diagonal;
-  double* const b = rows_.right_hand_side;
-  double* const multiplier = rows_.multiplier;
-  double top = front_inverse_;
-  double top_value = front_value_;
-  double bottom = back_inverse_;
-  double bottom_value = back_value_;
-  double smallest = smallest_inverse_;
-  std::ptrdiff_t i = front_;
-  std::ptrdiff_t j = back_ - 1;
-  // The first row on either side has no neighbour outside.
-  const auto row_from_front = [&] {
-    if (i > 0) {
-      const double coupling = e[i - 1];
-      const double m = coupling * top;
-      multiplier[i - 1] = m;
-      top_value = b[i] - m * top_value;
-      top = 1 / (d[i] - (coupling * coupling) * top);
-    } else {
-      top_value = b[0];
-      top = 1 / d[0];
-    }
-    b[i] = top_value * top;
-    smallest = top < smallest ? top : smallest;
-    ++i;
-  };
-  const auto row_from_back = [&] {
-    if (j < n_ - 1) {
-      const double coupling = e[j];
-      const double m = coupling * bottom;
-      multiplier[j] = m;
-      bottom_value = b[j] - m * bottom_value;
-      bottom = 1 / (d[j] - (coupling * coupling) * bottom);
-    } else {
-      bottom_value = b[j];
-      bottom = 1 / d[j];
-    }
-    b[j] = bottom_value * bottom;
-    smallest = bottom < smallest ? bottom : smallest;
-    --j;
-  };
-  if (i == 0 && i < front) row_from_front();
-  if (j == n_ - 1 && j >= back) row_from_back();
-  while (i < front && j >= back) {
-    row_from_front();
-    row_from_back();
+  const std::ptrdiff_t front_end = std::min(front, middle_);
+  const std::ptrdiff_t back_end = std::max(back, middle_ + 1);
+  // Two independent chains of divisions: the processor overlaps them.
+  Side from_front = front_;
+  Side from_back = back_;
+  while (from_front.row < front_end && from_back.row >= back_end) {
+    eliminate_row<true>(from_front);
+    eliminate_row<false>(from_back);
   }
-  while (i < front) row_from_front();
-  while (j >= back) row_from_back();
-  front_ = i;
-  back_ = j + 1;
-  front_inverse_ = top;
-  front_value_ = top_value;
-  back_inverse_ = bottom;
-  back_value_ = bottom_value;
-  smallest_inverse_ = smallest;
+  front_ = from_front;
+  back_ = from_back;
+  eliminate_front(front);
+  eliminate_back(back);
+}
+
+void TwoEndedSweep::eliminate_front(std::ptrdiff_t front) {
+  Side side = front_;
+  while (side.row < std::min(front, middle_)) eliminate_row<true>(side);
+  front_ = side;
+}
+
+void TwoEndedSweep::eliminate_back(std::ptrdiff_t back) {
+  Side side = back_;
+  while (side.row >= std::max(back, middle_ + 1)) eliminate_row<false>(side);
+  back_ = side;
 }
 
 void TwoEndedSweep::join() {
@@ -84,42 +69,61 @@ void TwoEndedSweep::join() {
   double pivot = rows_.diagonal[middle_];
   double value = rows_.right_hand_side[middle_];
   if (middle_ > 0) {
-    const double m = e[middle_ - 1] * front_inverse_;
+    const double m = e[middle_ - 1] * front_.inverse;
     rows_.multiplier[middle_ - 1] = m;
     pivot -= e[middle_ - 1] * m;
-    value -= m * front_value_;
+    value -= m * front_.value;
   }
   if (middle_ < n_ - 1) {
-    const double m = e[middle_] * back_inverse_;
+    const double m = e[middle_] * back_.inverse;
     rows_.multiplier[middle_] = m;
     pivot -= e[middle_] * m;
-    value -= m * back_value_;
+    value -= m * back_.value;
   }
   // A pivot that is zero or not a number passes no comparison on its way here.
-  if (!(smallest_inverse_ > 0) || !(pivot > 0)) throw NotPositiveDefinite(static_cast<std::size_t>(middle_), pivot);
+  if (!(std::min(front_.smallest, back_.smallest) > 0) || !(pivot > 0)) {
+    throw NotPositiveDefinite(static_cast<std::size_t>(middle_), pivot);
+  }
   rows_.x[middle_] = value / pivot;
-  front_ = middle_;
-  back_ = middle_ + 1;
+  first_ = middle_;
+  last_ = middle_ + 1;
+}
+
+/// From the value of the row before, nearer to the middle.
+template <bool to_front>
+[[gnu::always_inline]] inline void TwoEndedSweep::substitute_row(std::ptrdiff_t& row, double& value) const {
+  value = rows_.right_hand_side[row] - rows_.multiplier[to_front ? row : row - 1] * value;
+  rows_.x[row] = value;
+  row += to_front ? -1 : 1;
 }
 
 void TwoEndedSweep::substitute(std::ptrdiff_t first, std::ptrdiff_t last) {
-  const double* const z = rows_.right_hand_side;
-  const double* const multiplier = rows_.multiplier;
-  double* const x = rows_.x;
-  std::ptrdiff_t i = front_ - 1;
-  std::ptrdiff_t j = back_;
-  double top = x[front_];
-  double bottom = x[back_ - 1];
+  std::ptrdiff_t i = first_ - 1;
+  std::ptrdiff_t j = last_;
+  double left = rows_.x[first_];
+  double right = rows_.x[last_ - 1];
   while (i >= first && j < last) {
-    x[i] = top = z[i] - multiplier[i] * top;
-    x[j] = bottom = z[j] - multiplier[j - 1] * bottom;
-    --i;
-    ++j;
+    substitute_row<true>(i, left);
+    substitute_row<false>(j, right);
   }
-  for (; i >= first; --i) x[i] = top = z[i] - multiplier[i] * top;
-  for (; j < last; ++j) x[j] = bottom = z[j] - multiplier[j - 1] * bottom;
-  front_ = i + 1;
-  back_ = j;
+  first_ = i + 1;
+  last_ = j;
+  substitute_front(first);
+  substitute_back(last);
+}
+
+void TwoEndedSweep::substitute_front(std::ptrdiff_t first) {
+  double value = rows_.x[first_];
+  std::ptrdiff_t i = first_ - 1;
+  while (i >= first) substitute_row<true>(i, value);
+  first_ = i + 1;
+}
+
+void TwoEndedSweep::substitute_back(std::ptrdiff_t last) {
+  double value = rows_.x[last_ - 1];
+  std::ptrdiff_t j = last_;
+  while (j < last) substitute_row<false>(j, value);
+  last_ = j;
 }
 
 }  // namespace seiche::linear

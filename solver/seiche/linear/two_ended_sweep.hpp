@@ -7,7 +7,8 @@
 ///     while (...) { sweep.substitute(first, last); use x }       // x of [first, last) is wanted
 ///
 /// The same elimination as TwoEndedTridiagonal, for matrices that are used once: nothing is swept over twice. A pivot
-/// that is not positive throws NotPositiveDefinite from join.
+/// that is not positive throws NotPositiveDefinite from join. What is done from the front and from the back may be done
+/// by two threads; together, in one, it costs less than one after the other.
 #pragma once
 
 #include <cstddef>
@@ -26,18 +27,31 @@ class TwoEndedSweep {
   };
   void begin(Rows rows, std::ptrdiff_t n);
   void eliminate(std::ptrdiff_t front, std::ptrdiff_t back);
+  void eliminate_front(std::ptrdiff_t front);
+  void eliminate_back(std::ptrdiff_t back);
   void join();
   void substitute(std::ptrdiff_t first, std::ptrdiff_t last);
+  void substitute_front(std::ptrdiff_t first);
+  void substitute_back(std::ptrdiff_t last);
 
  private:
+  /// What the last row eliminated from one side leaves to the next one.
+  struct Side {
+    std::ptrdiff_t row;  ///< that comes next
+    double inverse = 0, value = 0;
+    double smallest;  ///< inverse of a pivot
+  };
+  template <bool from_front>
+  void eliminate_row(Side& side) const;
+  template <bool from_front>
+  void substitute_row(std::ptrdiff_t& row, double& value) const;
+
   Rows rows_{};
   std::ptrdiff_t n_ = 0;
   std::ptrdiff_t middle_ = 0;
-  std::ptrdiff_t front_ = 0;  // rows eliminated from the front: [0, front_)
-  std::ptrdiff_t back_ = 0;   // and from the back: [back_, n)
-  double front_inverse_ = 0, front_value_ = 0;
-  double back_inverse_ = 0, back_value_ = 0;
-  double smallest_inverse_ = 0;
+  Side front_{}, back_{};
+  // Solved so far: [first_, last_).
+  std::ptrdiff_t first_ = 0, last_ = 0;
 };
 
 }  // namespace seiche::linear

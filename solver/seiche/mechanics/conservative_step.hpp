@@ -82,10 +82,13 @@ class ConservativeStep {
 
   /// u at the middle of the step from the last two; from u alone when this step does not continue the last one.
   void extrapolate(const State& state, double tau) {
-    mean_ = state.u;
-    if (state.time != reached_ || previous_.size() != state.u.size()) return;
+    if (state.time != reached_ || previous_.size() != state.u.size()) {
+      mean_ = state.u;
+      return;
+    }
+    mean_.resize(state.u.size());
     const double weight = tau / (2 * previous_tau_);
-    for (std::size_t i = 0; i < mean_.size(); ++i) mean_[i] += weight * (state.u[i] - previous_[i]);
+    for (std::size_t i = 0; i < mean_.size(); ++i) mean_[i] = state.u[i] + weight * (state.u[i] - previous_[i]);
   }
 
   void iterate(const State& state, Interval when) {

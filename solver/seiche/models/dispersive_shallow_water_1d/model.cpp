@@ -18,7 +18,10 @@ Model::Model(Channel channel, const Markers& initial, Forcing forcing)
   rows_.resize(n_);
   for (GhostedArray* array : {&push_x_, &push_y_, &p_, &r_, &impulse_}) array->resize(n_);
   level_.assign(static_cast<std::size_t>(blocks()), 0);
-  slope_.resize(static_cast<std::size_t>(block_size));
+  for (Desk& desk : desks_) {
+    desk.bed.resize(static_cast<std::size_t>(block_size));
+    desk.slope.resize(static_cast<std::size_t>(block_size));
+  }
   shore_left_ = initial.x.front();
   shore_right_ = initial.x.back();
   const double weight = channel_.density * channel_.gravity;
@@ -99,11 +102,12 @@ mechanics::State Model::state_of(const Markers& markers) const {
   state.q.insert(state.q.end(), markers.y.begin(), markers.y.end());
   state.u.resize(2 * n_);
   for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
-    const bool level = sample(block, state.q.data(), bed_elsewhere());
+    Desk& desk = desks_.front();
+    const bool level = sample(block, state.q.data(), desk.bed, 0, desk.slope);
     const Range range = markers_of(block);
     for (std::ptrdiff_t i = range.first; i < range.last; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      const Frame f = level ? Frame{} : other_bed_.frame(i);
+      const Frame f = level ? Frame{} : desk.bed.frame(i - range.first);
       // Walls and tips have one rate; the other column of their frame is empty or unused.
       const double determinant = f.xp * f.yr - f.xr * f.yp;
       if (inertia_p_[k] > 0 && inertia_r_[k] > 0) {
@@ -120,11 +124,14 @@ mechanics::State Model::state_of(const Markers& markers) const {
 }
 
 void Model::velocities(Input q, Input rates, Output u, Output v) const {
-  const std::vector<double> origin(n_, 0.0);
+  Desk& desk = desks_.front();
+  const std::vector<double> origin(static_cast<std::size_t>(block_size), 0.0);
   for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
-    const bool level = sample(block, q.data(), bed_elsewhere());
-    advance_rows(other_bed_, level, markers_of(block), origin.data(), origin.data(), rates.data(), rates.data() + n_, 1,
-                 u.data(), v.data());
+    const bool level = sample(block, q.data(), desk.bed, 0, desk.slope);
+    const auto [first, last] = markers_of(block);
+    const double* const p = rates.data() + first;
+    advance_rows(desk.bed, level, {0, last - first}, origin.data(), origin.data(), p, p + n_, 1, u.data() + first,
+                 v.data() + first);
   }
 }
 

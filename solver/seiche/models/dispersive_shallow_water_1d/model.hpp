@@ -160,13 +160,23 @@ class Model {
   [[nodiscard]] double cell_width(Input q, std::size_t j) const;
   [[nodiscard]] double dispersion_energy_factor(std::size_t cell) const;
 
-  /// Elevation and frames of a block at places x; returns whether it is level. Throws mechanics::Infeasible.
-  bool sample(std::ptrdiff_t block, const double* x, Bed& bed) const;
+  /// What a thread needs for itself, of one block.
+  struct Desk {
+    Bed bed;  // of configurations that are not linearised; begins with the block
+    std::vector<double> slope;
+    Smallest found{};
+    mechanics::SweepChange change{};
+  };
+
+  /// Elevation and frames of a block at places x, from place `begin` of the bed on; returns whether it is level. Throws
+  /// mechanics::Infeasible.
+  bool sample(std::ptrdiff_t block, const double* x, Bed& bed, std::ptrdiff_t begin, std::vector<double>& slope) const;
+  /// to = from + h S u for the markers of a block, with the frames at `from`.
+  void move_block(std::ptrdiff_t block, Input from, Input u, double h, double* to_x, double* to_y, Desk& desk) const;
   void place_between(std::ptrdiff_t block, Input q0, Input q1);
   void release_end(std::ptrdiff_t marker, double sign);
-  void mean_bed(std::ptrdiff_t block, Input q0, Input q1, bool new_frames);
+  void mean_bed(std::ptrdiff_t block, Input q0, Input q1, bool new_frames, Desk& desk);
   [[nodiscard]] Frame end_frame(End end, Frame frame, double slope) const;
-  Bed& bed_elsewhere() const;
 
   void prepare_losses();
   void place_at(Input q);
@@ -184,11 +194,13 @@ class Model {
   void require_sound();
   void assemble_and_factor();
 
+  [[nodiscard]] bool two_threads() const;
   template <class Prepare>
   void assemble_from_both_ends(double h, Input rates, Input target, const Segment* segment, const Prepare& prepare);
   template <class Use>
   void substitute_from_the_middle(const Use& use);
-  void assemble_block(std::ptrdiff_t block, double h, Input rates, const double* target, const Segment* segment);
+  void assemble_block(std::ptrdiff_t block, double h, Input rates, const double* target, const Segment* segment,
+                      Desk& desk);
   void bound_block(std::ptrdiff_t block, const Segment* segment);
 
   void gather_forces(Interval when);
@@ -210,10 +222,9 @@ class Model {
   std::vector<double> dispersion_weight_;  // of cells, with density and gravity
   std::vector<double> along_, across_;     // body forces per unit mass
   GhostedArray push_x_,
-      push_y_;             // of a cell on its right marker, and reversed on its left one
-  mutable Bed other_bed_;  // of configurations that are not linearised
+      push_y_;  // of a cell on its right marker, and reversed on its left one
   mutable GhostedArray p_, r_, impulse_;
-  mutable std::vector<double> slope_;
+  mutable std::array<Desk, 2> desks_;  // of the two ends
   linear::TwoEndedTridiagonal open_matrix_;
   linear::PeriodicTridiagonal periodic_matrix_;
   linear::TwoEndedSweep sweep_;
@@ -228,7 +239,6 @@ class Model {
                            // of their bottom is counted from
   double shore_right_ = 0;
   double smallest_depth_ = 0;
-  Smallest found_{};  // so far in a fused step
   long solves_ = 0;
 };
 

@@ -24,39 +24,44 @@ Frame Model::end_frame(End end, Frame frame, double slope) const {
   return frame;
 }
 
-bool Model::sample(std::ptrdiff_t block, const double* x, Bed& bed) const {
+bool Model::sample(std::ptrdiff_t block, const double* x, Bed& bed, std::ptrdiff_t begin,
+                   std::vector<double>& slope) const {
   const Range range = markers_of(block);
-  const auto first = static_cast<std::size_t>(range.first);
   const auto count = static_cast<std::size_t>(range.last - range.first);
-  const std::span places(x + first, count);
-  double* const elevation = bed.elevation.row();
+  const std::span places(x + range.first, count);
+  const std::span elevation(bed.elevation.row() + begin, count);
+  const std::ptrdiff_t end = begin + range.last - range.first;
   const BottomProfile& bottom = *channel_.bottom;
   try {
     if (bottom.uniform_slope(places.front(), places.back()) == 0.0) {
-      std::fill(elevation + range.first, elevation + range.last, bottom.elevation(places.front()));
-      bed.set_frame(range.first, {});  // read by the cells that this block shares with tilted ones
-      bed.set_frame(range.last - 1, {});
+      std::fill(elevation.begin(), elevation.end(), bottom.elevation(places.front()));
+      bed.set_frame(begin, {});  // read by the cells that this block shares with tilted ones
+      bed.set_frame(end - 1, {});
       return true;
     }
-    bottom.sample(places, {elevation + first, count}, slope_);
+    bottom.sample(places, elevation, slope);
   } catch (const OutsideBottom& outside) {
     throw mechanics::Infeasible(outside.what(), outside.place());
   }
   for (std::size_t i = 0; i < count; ++i) {
-    bed.set_frame(range.first + static_cast<std::ptrdiff_t>(i), frame_on(channel_.kinetics, channel_.alpha, slope_[i]));
+    bed.set_frame(begin + static_cast<std::ptrdiff_t>(i), frame_on(channel_.kinetics, channel_.alpha, slope[i]));
   }
   if (!channel_.periodic()) {
-    if (range.first == 0) bed.set_frame(0, end_frame(channel_.left, bed.frame(0), slope_[0]));
+    if (range.first == 0) bed.set_frame(begin, end_frame(channel_.left, bed.frame(begin), slope[0]));
     if (range.last == size_) {
-      bed.set_frame(size_ - 1, end_frame(channel_.right, bed.frame(size_ - 1), slope_[count - 1]));
+      bed.set_frame(end - 1, end_frame(channel_.right, bed.frame(end - 1), slope[count - 1]));
     }
   }
   return false;
 }
 
-Bed& Model::bed_elsewhere() const {
-  if (other_bed_.size() != n_) other_bed_.resize(n_);
-  return other_bed_;
+void Model::move_block(std::ptrdiff_t block, Input from, Input u, double h, double* to_x, double* to_y,
+                       Desk& desk) const {
+  const bool level = sample(block, from.data(), desk.bed, 0, desk.slope);
+  const auto [first, last] = markers_of(block);
+  const double* const x = from.data() + first;
+  const double* const p = u.data() + first;
+  advance_rows(desk.bed, level, {0, last - first}, x, x + n_, p, p + n_, h, to_x + first, to_y + first);
 }
 
 /// Ghosts: images in a periodic channel; empty cells at ends, whose mean depth is that of what lies beyond the end.
@@ -149,7 +154,8 @@ void Model::place_at(Input q) {
   std::copy_n(q.data(), n_, rows_.x.row());
   std::copy_n(q.data() + n_, n_, rows_.y.row());
   for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
-    level_[static_cast<std::size_t>(block)] = sample(block, rows_.x.row(), rows_.bed);
+    level_[static_cast<std::size_t>(block)] =
+        sample(block, rows_.x.row(), rows_.bed, markers_of(block).first, desks_.front().slope);
   }
   measure();
 }
@@ -177,7 +183,7 @@ void Model::release_end(std::ptrdiff_t marker, double sign) {
 void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
   for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
     place_between(block, q0, q1);
-    mean_bed(block, q0, q1, sweep < sweeps_with_new_frames);
+    mean_bed(block, q0, q1, sweep < sweeps_with_new_frames, desks_.front());
   }
   const bool periodic = channel_.periodic();
   for (double* const row : {rows_.step_x.row(), rows_.step_y.row()}) {
@@ -200,13 +206,13 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
 }
 
 /// Frames at the middle of the step, but of the elevation its mean over the step, which makes volumes exact.
-void Model::mean_bed(std::ptrdiff_t block, Input q0, Input q1, bool new_frames) {
+void Model::mean_bed(std::ptrdiff_t block, Input q0, Input q1, bool new_frames, Desk& desk) {
   const Range range = markers_of(block);
   const auto first = static_cast<std::size_t>(range.first);
   const auto last = static_cast<std::size_t>(range.last);
   const BottomProfile& bottom = *channel_.bottom;
   char& level = level_[static_cast<std::size_t>(block)];
-  if (new_frames) level = sample(block, rows_.x.row(), rows_.bed);
+  if (new_frames) level = sample(block, rows_.x.row(), rows_.bed, range.first, desk.slope);
   double* const bed = rows_.bed.elevation.row();
   try {
     const auto [left, right] = std::minmax({q0[first], q1[first], q0[last - 1], q1[last - 1]});
@@ -219,9 +225,7 @@ void Model::mean_bed(std::ptrdiff_t block, Input q0, Input q1, bool new_frames) 
 
 void Model::predict(Input from, Input u, double h, Output to) const {
   for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
-    const bool level = sample(block, from.data(), bed_elsewhere());
-    advance_rows(other_bed_, level, markers_of(block), from.data(), from.data() + n_, u.data(), u.data() + n_, h,
-                 to.data(), to.data() + n_);
+    move_block(block, from, u, h, to.data(), to.data() + n_, desks_.front());
   }
 }
 

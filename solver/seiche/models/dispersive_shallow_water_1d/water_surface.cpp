@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 
 #include "seiche/linear/tridiagonal.hpp"
+#include "seiche/shallow_water/dispersive_surface.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
 namespace {
 
-// sqrt(1 + s) = (1 + above s)/(1 + below s) + O(s^3)
-constexpr double above = 0.75;
-constexpr double below = 0.25;
+constexpr double above = DispersiveSurface::above;
+constexpr double below = DispersiveSurface::below;
 
 /// With gamma H^2/dx of every cell.
 std::vector<double> surface_of(std::span<const double> x, std::span<const double> y, std::span<const double> stiffness,

@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "seiche/require.hpp"
+#include "seiche/shallow_water/dispersive_surface.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 namespace {
 
-// sqrt(1 + s) = (1 + above s)/(1 + below s) + O(s^3)
-constexpr double above = 0.75;
-constexpr double below = 0.25;
+constexpr double above = DispersiveSurface::above;
+constexpr double below = DispersiveSurface::below;
 
 constexpr double accuracy = 1e-8;  // of zeta - z, relative
 
