@@ -13,7 +13,8 @@ int main() {
               wave.speed());
   std::printf("x [m],y [m],u [m/s],v [m/s]\n");
   const double spacing = depth / 8;
-  for (double x = -5 * depth; x <= 5 * depth; x += spacing) {
+  for (int column = -40; column <= 40; ++column) {
+    const double x = column * spacing;
     // As many rows as fit, stretched to reach from the bottom to the surface.
     const double surface = wave.elevation(x);
     const int rows = static_cast<int>(std::lround((depth + surface) / spacing));
