@@ -81,7 +81,7 @@ TEST_CASE("water in plan that no side holds keeps its horizontal momenta to roun
                       ledger.entry(name).largest_defect / ledger.entry(name).initial);
       }
     }
-    PlanProblem problem = free_blob(stands, {.tolerance = 1e-13});
+    PlanProblem problem = free_blob(stands, {.solver = NinePointMethod::banded});
     const InvariantsLedger ledger = run(problem, {.stepping = Stepping::conservative});
     const auto keeps = [&](const std::string& what, double value, const Roundoff& criterion) {
       check.that({.id = where + "-conservative-" + what,
