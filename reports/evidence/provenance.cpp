@@ -1,5 +1,6 @@
 #include "reports/evidence/provenance.hpp"
 
+#include <array>
 #include <ctime>
 #include <fstream>
 #include <iterator>
@@ -66,11 +67,11 @@ Provenance provenance() {
 
 std::string sha256(std::string_view bytes) {
   const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);
-  unsigned char digest[EVP_MAX_MD_SIZE];
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int length = 0;
   if (EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) != 1 ||
       EVP_DigestUpdate(context.get(), bytes.data(), bytes.size()) != 1 ||
-      EVP_DigestFinal_ex(context.get(), digest, &length) != 1) {
+      EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1) {
     throw std::runtime_error("SHA-256 is not available in this OpenSSL");
   }
   std::string text;

@@ -20,10 +20,11 @@ template <class... Types>
 Json any(const std::variant<Types...>& value) {
   return std::visit(
       [](const auto& v) -> Json {
-        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>)
+        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>) {
           return number(v);
-        else
+        } else {
           return Json(v);
+        }
       },
       value);
 }

@@ -8,7 +8,7 @@ namespace seiche::evidence {
 namespace {
 
 constexpr std::string_view end_of_object = "\n}\n";
-constexpr std::string_view before = "\"digest\": \"";
+constexpr std::string_view before = R"("digest": ")";
 constexpr std::string_view after = "\"\n}\n";
 constexpr std::size_t digits = 64;
 

@@ -4,7 +4,9 @@
 
 #include <immintrin.h>
 
+#ifndef __AVX2__  // flags that have the instructions may have more, and their intrinsics are not inlined into less
 #pragma GCC target("arch=x86-64-v3")
+#endif
 
 #include "seiche/models/wcsph/candidate_packs.hpp"
 #include "seiche/models/wcsph/pair_sums.hpp"
