@@ -26,7 +26,7 @@ using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// A solution with its parameters fixed.
 class Solution {
  public:
-  Solution(const exact::ExactSolution& description, std::map<std::string, double> parameters)
+  Solution(const exact::ExactSolution& description, const std::map<std::string, double>& parameters)
       : description_(&description), evaluator_(description.evaluator(parameters)) {
     for (const auto& p : description.parameters) parameters_[p.name] = p.default_value;
     for (const auto& [name, value] : parameters) parameters_[name] = value;

@@ -54,7 +54,7 @@ void put(const Matrix2d& m, Phase& phase, std::size_t first) {
 Vector2d DropInstant::label(double x, double y) const {
   require_finite("x", x);
   require_finite("y", y);
-  const Vector2d particle = deformation.inverse() * Vector2d(x, y);
+  Vector2d particle = deformation.inverse() * Vector2d(x, y);
   if (!(particle.squaredNorm() <= outermost)) {
     // The range of y inside the drop at this x, from the quadratic |A^-1 (x, y)|^2 = 1.
     const Matrix2d form = (deformation * deformation.transpose()).inverse();

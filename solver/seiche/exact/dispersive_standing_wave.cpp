@@ -63,7 +63,8 @@ std::optional<double> DispersiveStandingWave::critical_depth(const Parameters& p
   const auto correction = [&](double kh) { return frequency_correction(kh, parameters); };
   constexpr double step = 0.05;
   constexpr double deepest = 6;
-  for (double kh = step; kh < deepest; kh += step) {
+  for (int k = 1; k * step < deepest; ++k) {
+    const double kh = k * step;
     if (!(correction(kh) * correction(kh + step) <= 0)) continue;
     std::uintmax_t iterations = 60;
     const auto [low, high] = boost::math::tools::toms748_solve(correction, kh, kh + step,

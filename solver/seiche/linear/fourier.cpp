@@ -46,7 +46,7 @@ void Fourier::run(const Plan& plan, std::span<const std::complex<double>> in, st
                   double factor) {
   std::ranges::copy(in, buffer_.get());
   fftw_execute(plan.get());
-  for (std::size_t i = 0; i < size_; ++i) out[i] = factor * buffer_[i];
+  for (std::size_t i = 0; i < size_; ++i) out[i] = factor * buffer_.get()[i];
 }
 
 void Fourier::coefficients(std::span<const std::complex<double>> samples, std::span<std::complex<double>> result) {

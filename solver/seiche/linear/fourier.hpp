@@ -45,7 +45,7 @@ class Fourier {
            double factor);
 
   std::size_t size_;
-  std::unique_ptr<std::complex<double>[], FreeBuffer> buffer_;
+  std::unique_ptr<std::complex<double>, FreeBuffer> buffer_;  // of size_ numbers
   Plan forward_;
   Plan backward_;
 };

@@ -45,15 +45,15 @@ class LawInTime {
 
 /// An entry for a law; `own` are the parameters after wavelength, depth and gravity.
 template <ReferenceSolution Law>
-ExactSolution law_in_time_entry(std::string name, std::string title, std::vector<Parameter> own,
+ExactSolution law_in_time_entry(const std::string& name, const std::string& title, const std::vector<Parameter>& own,
                                 std::function<Law(const Values&)> make) {
   std::vector<Parameter> parameters{wavelength_parameter(), depth_parameter(1, 1e6), gravity_parameter(1)};
   parameters.insert(parameters.end(), own.begin(), own.end());
   parameters.push_back({"time_step", "s", 0, 0, 1e6, "time step of the scheme; 0: continuous in time"});
   parameters.push_back({"scheme", "1", 0, 0, 1, "scheme in time", {"one_step", "conservative"}});
   return {
-      .name = std::move(name),
-      .title = std::move(title),
+      .name = name,
+      .title = title,
       .citation = Law::provenance().citation,
       .formula = Law::provenance().formula,
       .parameters = std::move(parameters),

@@ -30,7 +30,8 @@ inline std::size_t marker_count(const State& state) {
 }
 
 inline State still_water(std::size_t markers) {
-  return State(3 * markers + pressure_sums, 0.0);
+  State still(3 * markers + pressure_sums);
+  return still;
 }
 
 template <class Number>
