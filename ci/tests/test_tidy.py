@@ -44,5 +44,18 @@ class Stamps(unittest.TestCase):
         self.assertEqual(self.stamp(), before)
 
 
+class Files(unittest.TestCase):
+    built = {"solver/wave.cpp"}
+
+    def test_examples_are_looked_at_and_what_needs_petsc_is_counted(self):
+        named = ["solver/wave.cpp", "examples/waves/main.cpp", "solver/seiche/distributed/petsc.cpp"]
+        self.assertEqual(tidy.to_look_at(named, self.built), (named[:2], 1))
+
+    def test_a_file_that_nothing_builds_is_refused_by_name(self):
+        for file in ("solver/wvae.cpp", "solver/seiche/new_room/wave.cpp"):
+            with self.assertRaisesRegex(ValueError, file):
+                tidy.to_look_at(["solver/wave.cpp", file], self.built)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -2,14 +2,19 @@
 import collections
 import csv
 import pathlib
+import re
 
 RECORD = pathlib.Path(__file__).resolve().parent.parent / "record" / "speed.csv"
 MACHINE = "machine"     # the program that measures the limits
 
 
+HOW_IT_RAN = re.compile(r"/iterations:\d+|/real_time")     # at the end of a benchmark's name
+
+
 def _numbers(row):
-    return {key: (float(value) if value else None) if key not in ("program", "benchmark", "processor", "date") else value
-            for key, value in row.items()}
+    numbers = {key: (float(value) if value else None) if key not in ("program", "benchmark", "processor", "date") else value
+               for key, value in row.items()}
+    return numbers | {"benchmark": HOW_IT_RAN.sub("", row["benchmark"])}
 
 
 def read(path=RECORD):

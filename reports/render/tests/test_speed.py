@@ -14,7 +14,7 @@ from render.text import Typesetter  # noqa: E402
 
 RECORD = """program,benchmark,nanoseconds_per_item,bytes_per_second,of_bandwidth,operations_per_second,of_peak,processor,date
 machine,triad/1000,0.1,2e11,,,,A processor,2026-01-02
-particles,G1/1000,36,8.5e9,0.43,4e9,,A processor,2026-01-02
+particles,G1/1000/1/iterations:4/real_time,36,8.5e9,0.43,4e9,,A processor,2026-01-02
 """
 
 
@@ -36,6 +36,7 @@ class Speed(unittest.TestCase):
         page = page_of(speed.read(record), self.folder)
         self.assertIn(">200</span> GB/s", page)
         self.assertIn(">43</span> %</td><td class=\"r\"></td>", page)
+        self.assertIn("<code>G1/1000/1</code>", page)
         self.assertIn("A processor, 2026-01-02", page)
         self.assertNotIn("triad", page[page.index('id="particles"'):])
 

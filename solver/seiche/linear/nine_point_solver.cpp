@@ -22,7 +22,7 @@ constexpr std::array methods{std::pair{NinePointMethod::automatic, std::string_v
                              std::pair{NinePointMethod::iterative, std::string_view("iterative")}};
 
 NinePointMethod fitting(std::size_t columns, std::size_t rows, bool has_lattice) {
-  if (std::min(columns, rows) <= (has_lattice ? 20U : 100U)) return NinePointMethod::banded;
+  if (std::min(columns, rows) <= (has_lattice ? 20U : widest_banded)) return NinePointMethod::banded;
   return has_lattice ? NinePointMethod::iterative : NinePointMethod::sparse;
 }
 

@@ -25,6 +25,9 @@ std::string_view name(NinePointMethod method);
 /// Throws std::invalid_argument listing the names there are.
 NinePointMethod nine_point_method_named(std::string_view name);
 
+/// Cells across up to which `banded` beats `sparse` once.
+inline constexpr std::size_t widest_banded = 100;
+
 class NinePointSolver {
  public:
   /// @param undeformed  `iterative` needs it; either all cells in one layer, or each row a layer

@@ -10,8 +10,8 @@ namespace seiche::lagrangian_mesh_2d {
 std::vector<Point> impulsive_start(const Mesh& mesh, const std::function<double(double x)>& potential) {
   // Without gravity the surface pressure is the only force, and a kick of length one its impulse.
   // Once, so directly where a direct solver fits: what it leaves of the rates of areas is round-off.
-  const auto solver =
-      std::min(mesh.columns, mesh.rows) <= 100 ? linear::NinePointMethod::banded : linear::NinePointMethod::automatic;
+  const auto solver = std::min(mesh.columns, mesh.rows) <= linear::widest_banded ? linear::NinePointMethod::banded
+                                                                                 : linear::NinePointMethod::automatic;
   Model model(mesh, {.gravity = 0, .solver = solver, .tolerance = 1e-13},
               {.surface_pressure = [&](double x, double) { return -potential(x); }});
   mechanics::State state = model.state();
