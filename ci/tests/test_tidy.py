@@ -32,7 +32,8 @@ class Stamps(unittest.TestCase):
         return tidy.stamp(tidy.Sources(self.root), "solver/wave.cpp")
 
     def test_what_a_file_includes_counts(self):
-        for path, text in ((".clang-tidy", "Checks: misc-*\n"), ("solver/under.hpp", "// NOLINT\nint depth();\n"),
+        for path, text in ((".clang-tidy", "Checks: misc-*\n"), ("solver/.clang-tidy", "InheritParentConfig: true\n"),
+                           ("solver/under.hpp", "// NOLINT\nint depth();\n"),
                            ("solver/wave.hpp", '#include "under.hpp"\nint wave();\n'), ("solver/wave.cpp", "\n")):
             before = self.stamp()
             self.write(path, text)

@@ -110,7 +110,7 @@ struct Results {
 
 /// Rounding of the momentum's rate: every node's velocity is rounded once per operation.
 void claim_momentum(const Claims<Results>& claims, const SetUp& s) {
-  const double nodes = static_cast<double>((s.mesh.columns(s.berm) + 1) * (s.mesh.rows + 1));
+  const auto nodes = static_cast<double>((s.mesh.columns(s.berm) + 1) * (s.mesh.rows + 1));
   claims.check(
       {.id = "momentum",
        .text = "The water's horizontal momentum changes by the forces of the walls and of the bottom.",

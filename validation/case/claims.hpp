@@ -104,7 +104,7 @@ class Claims {
   void add(evidence::Claim claim, Measure measure, evidence::Criterion criterion,
            std::optional<evidence::KnownFailure> failure) const {
     list_->push_back({std::move(claim), std::move(criterion), std::move(failure), left_out_,
-                      [find = find_, measure, resolution = resolution_](const void* results) {
+                      [find = find_, measure = std::move(measure), resolution = resolution_](const void* results) {
                         return detail::as_measured(std::invoke(measure, find(results)), resolution);
                       }});
   }

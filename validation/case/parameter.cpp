@@ -16,10 +16,11 @@ namespace {
 std::string to_text(const Value& value) {
   return std::visit(
       [](const auto& v) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>)
+        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, double>) {
           return fmt::format("{:.17g}", v);
-        else
+        } else {
           return fmt::format("{}", v);
+        }
       },
       value);
 }

@@ -22,7 +22,8 @@ struct ByTier {
   T full;
   T paper;
 
-  ByTier(T all) : quick(all), full(all), paper(all) {}  // NOLINT(google-explicit-constructor): reads as the value
+  ByTier(T all)
+      : quick(all), full(all), paper(std::move(all)) {}  // NOLINT(google-explicit-constructor): reads as the value
   ByTier(T for_quick, T for_full, T for_paper)
       : quick(std::move(for_quick)), full(std::move(for_full)), paper(std::move(for_paper)) {}
 

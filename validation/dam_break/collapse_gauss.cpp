@@ -21,6 +21,7 @@ on them, on every lattice: it is thin sooner, and there is no friction on bed an
 */
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -246,7 +247,7 @@ void claim_front(const Claims<Results>& claims, const ColumnFront& data) {
                             .text = "With this one shift the front goes through the measured points.",
                             .quantity = "rms difference of X/a",
                             .source = experiment};
-  const Bound points{.limit = 2 * data.uncertainty * std::sqrt(2.0),
+  const Bound points{.limit = 2 * data.uncertainty * std::numbers::sqrt2,
                      .reason = "two standard uncertainties of a point, in X and in T, along which X runs as fast"};
   const auto found = [](const Results& r) { return r.fit.rms; };
   if (data.tall) {

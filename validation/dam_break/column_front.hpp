@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/evidence/record.hpp"
 #include "validation/case/parameter.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/instruments/shifted_front.hpp"

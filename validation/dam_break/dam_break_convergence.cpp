@@ -174,7 +174,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     auto& by_time = figure.panel({.x = "processor time [s]", .y = "cell L1(h) [m]", .log_x = true, .log_y = true});
     evidence::Table table{
         .id = id, .title = name_of(ratio), .caption = "Cell L1(h) at t = 6 s.", .columns = {{"scheme", ""}}};
-    for (const long count : counts) table.columns.push_back({fmt::format("N = {}", count), "m"});
+    for (const long count : counts) table.columns.emplace_back(fmt::format("N = {}", count), "m");
     table.columns.emplace_back("order", "");
     for (const Refined& one : r.all) {
       if (one.ratio != ratio) continue;

@@ -24,6 +24,7 @@ every place, and refuse a column. They give out the sooner the finer they are.
 water has no vertical front.
 */
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -43,7 +44,7 @@ ColumnFront data_of(const Values& values) {
 
 Trial trial_of(const Values& values) {
   const ColumnFront data = data_of(values);
-  const double unit = std::sqrt(column_aspect);
+  const double unit = std::sqrt(column_aspect);  // NOLINT(modernize-use-std-numbers): it happens to be 2
   double points = 0;
   for (const double T : data.T) points += T < values.real("time") - 0.2 ? 1 : 0;
   return {.end = values.real("time") / unit,
@@ -69,7 +70,7 @@ void claims(const Values& values, const Claims<Results>& all) {
                 .quantity = "rms difference of X/a",
                 .source = data.citation},
                error_of_finest,
-               evidence::Bound{.limit = 2 * data.uncertainty * std::sqrt(2.0),
+               evidence::Bound{.limit = 2 * data.uncertainty * std::numbers::sqrt2,
                                .reason = "two standard uncertainties of a point, in X and in T, along which X runs as "
                                          "fast"});
     claim_dissipates(claims_of(claims, model.id), model,

@@ -22,6 +22,7 @@ $a/71$, where the points say 1.28.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -196,7 +197,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                     .resolution = runs.back().run.resolution()};
           },
           evidence::Uncertainty{.expected = speed_of(data.curve()),
-                                .data = std::sqrt(2.0) * data.uncertainty / (data.T[3] - data.T[2]),
+                                .data = std::numbers::sqrt2 * data.uncertainty / (data.T[3] - data.T[2]),
                                 .useful = 0.4 * speed_of(data.curve()),
                                 .reason = "two points, known to 0.05 each, 0.55 apart in T; beyond 40 % nothing is "
                                           "said"});

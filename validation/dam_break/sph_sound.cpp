@@ -1,13 +1,14 @@
 #include "validation/dam_break/sph_sound.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "validation/studies/wcsph/sound_rule.hpp"
 
 namespace seiche::validation {
 
 std::vector<Parameter> sph_dam_parameters(SphDefaults defaults) {
-  defaults.sound = 10 * std::sqrt(2.0);
+  defaults.sound = 10 * std::numbers::sqrt2;
   return with({sound_rule("height")}, sph_parameters(defaults, "sqrt(g times the height of the column)"));
 }
 

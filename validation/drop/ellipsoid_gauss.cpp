@@ -197,7 +197,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const AffineEllipsoid drop = drop_of(values);
   const AffineEllipsoid::Instant first = drop.at(0);
   const AffineEllipsoid::Instant last = drop.at(values.real("time"));
-  const double steps = static_cast<double>(longest_steps(values) << halvings);
+  const auto steps = static_cast<double>(longest_steps(values) << halvings);
   const double tau = values.real("time") / steps;
   const Claims<Results> claims = all.at(fmt::format("{} shells, tau = {:g}", values.integer("shells"), tau));
   const double rate = first.rate.norm() / std::numbers::sqrt2;

@@ -127,7 +127,7 @@ using Results = std::vector<Stretched>;  ///< by falling spacing
 
 Results compute(const Run& run) {
   const double finest = run.real("dx");
-  const std::vector<double> ladder{2 * finest, std::sqrt(2.0) * finest, finest};
+  const std::vector<double> ladder{2 * finest, std::numbers::sqrt2 * finest, finest};
   Results runs(ladder.size());
   climb(run, ladder.size(), [&](std::size_t size) { runs[size] = stretch(settings_of(run), ladder[size]); });
   return runs;

@@ -104,7 +104,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   report_contest(exhibit, s.problem, s.time, r.contestants);
   show_conservation(r.flow, exhibit);
   show_errors(r.flow.errors, exhibit);
-  exhibit.measure("front_width", static_cast<double>(front_width(r.flow.profile(), s.front)));
+  exhibit.measure("front_width", front_width(r.flow.profile(), s.front));
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ double blunt(const Measured& measured, Window window) {
     if (std::isnan(from)) from = x;
     to = x;
   }
-  return std::hypot(measured.u_x, 0.5 * (to - from) / std::sqrt(3.0));
+  return std::hypot(measured.u_x, 0.5 * (to - from) / std::numbers::sqrt3);
 }
 
 /// Amplitude of one harmonic by least squares: normal equations of the mean and four harmonics.
@@ -172,7 +172,7 @@ Reading height(double group, Window window) {
           .group = group,
           .window = window,
           .read = [](Curve curve) { return largest_of(curve) - smallest_of(curve); },
-          .spread = [top](const Measured& measured) { return std::sqrt(2.0) * top.uncertainty(measured); }};
+          .spread = [top](const Measured& measured) { return std::numbers::sqrt2 * top.uncertainty(measured); }};
 }
 
 Reading when_highest(double group, Window window, Kind kind) {

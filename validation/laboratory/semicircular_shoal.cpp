@@ -93,7 +93,7 @@ std::map<std::string, evidence::KnownFailure> misses(long period) {
 }
 
 Experiment experiment(const Values& values) {
-  const double period = static_cast<double>(values.integer("period"));
+  const auto period = static_cast<double>(values.integer("period"));
   Series part{.name = "harmonics",
               .table = "whalin_1971_semicircular_shoal",
               .kind = WantedTable::Kind::profile,

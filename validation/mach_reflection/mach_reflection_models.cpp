@@ -26,7 +26,6 @@ namespace seiche::validation::cases {
 namespace {
 
 using evidence::Measurement;
-using evidence::Role;
 
 const std::string source = "Frank (1994), section 4.3";
 

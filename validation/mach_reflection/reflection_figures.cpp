@@ -12,7 +12,6 @@
 namespace seiche::validation {
 namespace {
 
-using evidence::Measurement;
 using evidence::Panel;
 using evidence::Role;
 using exact::MachReflection;

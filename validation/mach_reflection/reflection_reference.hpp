@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/evidence/criterion.hpp"
 #include "validation/case/parameter.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -188,7 +189,7 @@ class QuantityScore {
                  {Measure::relative_l1, {a.relative_l1, over(l1 / n)}},
                  {Measure::relative_l2, {a.relative_l2, over(std::sqrt(l2 / n))}},
                  {Measure::relative_linf, {a.relative_linf, over(linf)}},
-                 {Measure::amplitude_ratio, {a.amplitude_ratio, times(std::sqrt(2.0), over(*highest - *lowest))}},
+                 {Measure::amplitude_ratio, {a.amplitude_ratio, times(std::numbers::sqrt2, over(*highest - *lowest))}},
                  {Measure::shift, {a.shift, u_x}},
                  {Measure::peak_error, {a.peak - a.reference_peak, u}},
                  {Measure::peak_shift, {a.peak_at - a.reference_peak_at, u_x}},

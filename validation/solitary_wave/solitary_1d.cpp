@@ -25,6 +25,7 @@ and steps. What the latter buys is in the histories: energy and every cell's vol
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -140,7 +141,7 @@ const std::string spacing_reason =
 std::vector<double> with_tail(std::vector<double> errors, const SerreWave& wave) {
   const double decay = std::sqrt(wave.amplitude / (4 * wave.alpha * (1 + wave.amplitude)));
   const double rest = wave.end - wave.crest - wave.exact().speed() * wave.time;
-  for (double& error : errors) error = std::hypot(error, std::sqrt(3.0) * std::exp(-2 * decay * rest));
+  for (double& error : errors) error = std::hypot(error, std::numbers::sqrt3 * std::exp(-2 * decay * rest));
   return errors;
 }
 

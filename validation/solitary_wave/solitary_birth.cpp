@@ -130,7 +130,7 @@ Results compute(const Run& run) {
   };
   keep();
   r.own = follow(r.flow, run.real("tau"), keep);
-  if (r.own.track.folded) throw *r.own.track.folded;
+  if (r.own.track.folded) throw Divergence(*r.own.track.folded);
   for (Family& family : r.families) {
     for (const Hump& hump : starts) {
       Flow flow = raised(hump, family.mesh, 0);

@@ -104,7 +104,7 @@ Outcome travel(Flow& flow, const SolitaryWave& wave, double tau) {
   result.energy = flow.ledger().entry("energy").largest_defect / flow.ledger().entry("energy").initial;
   const auto areas = flow.model().first_areas();
   result.area = flow.ledger().entry("volume_worst").largest_defect / smallest(areas);
-  result.solves = static_cast<long>(flow.model().solver().solutions());
+  result.solves = flow.model().solver().solutions();
   return result;
 }
 
@@ -352,7 +352,7 @@ Results compute(const Run& run) {
   Results r{.wave = wave,
             .flow = flow_of(wave, own, {.stepping = mechanics::stepping_named(run.text("scheme"))}, hourglass, first)};
   r.own = travel(r.flow, wave, own.tau);
-  if (r.own.track.folded) throw *r.own.track.folded;
+  if (r.own.track.folded) throw Divergence(*r.own.track.folded);
   run.progress(0.05);
   for (int k = 0; k < 4; ++k) {
     r.steps.push_back(on({coarse.column_width, coarse.rows, coarse.tau / static_cast<double>(1L << k)}));

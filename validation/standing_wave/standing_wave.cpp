@@ -105,7 +105,7 @@ std::vector<WantedTable> wanted(const Values& values) {
       "{:.2g}. Beyond {:.2g} it says nothing",
       sharpness.linear, sharpness.neglected, useful);
   // Of a phase that drifts evenly the mean square is a third of the last.
-  const double drift = std::sqrt(3.0) / (2 * std::numbers::pi * periods);
+  const double drift = std::numbers::sqrt3 / (2 * std::numbers::pi * periods);
   const std::string command =
       fmt::format("seiche exact standing --set amplitude={:.17g},wavelength={:.17g},depth={:.17g},gravity={:.17g}",
                   values.real("amplitude"), values.real("wavelength"), values.real("depth"), values.real("gravity"));

@@ -353,7 +353,7 @@ void show_regime(const Settling& r, const Regime& regime, evidence::Exhibit& exh
   const bool jumps = regime.name == "jump";
   if (jumps) {
     for (const char* name : {"particles, at the jump: L1(h)", "L1(q)/q", "below it: L1(q)/q"}) {
-      table.columns.push_back({name, ""});
+      table.columns.emplace_back(name, "");
     }
   }
   for (const Errors& e : r.errors) {
@@ -361,7 +361,7 @@ void show_regime(const Settling& r, const Regime& regime, evidence::Exhibit& exh
         {static_cast<double>(e.particles), e.depth.value(), e.discharge.value(), e.peer.depth, e.peer.discharge});
     if (!jumps) continue;
     for (const Mean* mean : {&e.jump_depth, &e.jump_discharge, &e.below_jump_discharge}) {
-      table.rows.back().push_back(mean->value());
+      table.rows.back().emplace_back(mean->value());
     }
   }
   exhibit.table(std::move(table));

@@ -352,21 +352,21 @@ void tabulate_loss(const Results& r, evidence::Exhibit& exhibit) {
                             "transient, at distances from the flap in those of the gauge; the part that is lost "
                             "on the way; particles that got out.",
                         .columns = {{"", ""}, {"layers", ""}, {"neighbours", ""}}};
-  for (const double place : places) table.columns.push_back({fmt::format("{:g}", place), ""});
-  table.columns.push_back({"lost", ""});
-  table.columns.push_back({"out", ""});
+  for (const double place : places) table.columns.emplace_back(fmt::format("{:g}", place), "");
+  table.columns.emplace_back("lost", "");
+  table.columns.emplace_back("out", "");
   for (const std::vector<FlapWaves>* runs : {&r.runs, &r.suspects, &r.wide}) {
     for (const FlapWaves& one : *runs) {
       table.rows.push_back({one.scheme, static_cast<double>(one.layers), one.neighbours});
       auto& row = table.rows.back();
       if (std::isfinite(one.breaks_down)) {
         row.resize(row.size() + places.size() + 1, "");
-        row.push_back(fmt::format("breaks down at t = {:.3g} s", one.breaks_down));
+        row.emplace_back(fmt::format("breaks down at t = {:.3g} s", one.breaks_down));
         continue;
       }
-      for (std::size_t k = 0; k < places.size(); ++k) row.push_back(r.share(one, k));
-      row.push_back(r.loss(one));
-      row.push_back(static_cast<double>(one.behind));
+      for (std::size_t k = 0; k < places.size(); ++k) row.emplace_back(r.share(one, k));
+      row.emplace_back(r.loss(one));
+      row.emplace_back(static_cast<double>(one.behind));
     }
   }
   exhibit.table(std::move(table));

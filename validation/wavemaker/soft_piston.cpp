@@ -56,7 +56,7 @@ std::vector<double> SoftPiston::elevation(double x, double interval, long sample
     push.push_back(acceleration(static_cast<double>(n) * dt));
   }
   // Trapezoidal rule: both factors vanish at one of the ends.
-  for (std::size_t n = static_cast<std::size_t>(parts); n <= count; n += static_cast<std::size_t>(parts)) {
+  for (auto n = static_cast<std::size_t>(parts); n <= count; n += static_cast<std::size_t>(parts)) {
     double sum = 0;
     for (std::size_t m = 1; m < n; ++m) sum += push[m] * response[n - m];
     all.push_back(sum * dt);

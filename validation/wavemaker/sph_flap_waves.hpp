@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "seiche/models/wcsph/flow.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/tape.hpp"

@@ -14,7 +14,6 @@ namespace {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_1d;
-using seiche::evidence::Role;
 using seiche::evidence::Roundoff;
 using seiche::verification::Check;
 

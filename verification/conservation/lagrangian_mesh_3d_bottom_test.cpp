@@ -14,7 +14,6 @@ using namespace seiche::lagrangian_mesh_3d;
 using namespace seiche::mechanics;
 using namespace seiche::verification;
 using seiche::Worst;
-using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 using seiche::linear::TwentySevenPointMethod;
 

@@ -14,7 +14,6 @@ using namespace seiche::mechanics;
 using namespace seiche::verification;
 using seiche::Point;
 using seiche::Worst;
-using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 1";

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -34,8 +35,8 @@ class DirectSums {
   using Vector = Eigen::Vector2d;
   using Matrix = Eigen::Matrix2d;
 
-  DirectSums(const wcsph::Particles& particles, double spacing, const wcsph::Settings& settings)
-      : p_(particles), spacing_(spacing), settings_(settings) {
+  DirectSums(wcsph::Particles particles, double spacing, const wcsph::Settings& settings)
+      : p_(std::move(particles)), spacing_(spacing), settings_(settings) {
     derive();
     if (settings_.walls != wcsph::WallPressure::extrapolated) return;
     for (std::size_t a = 0; a < p_.size(); ++a) {

@@ -14,7 +14,6 @@ namespace {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
-using seiche::evidence::Bound;
 using seiche::evidence::observed_order;
 using seiche::evidence::Order;
 using seiche::evidence::Roundoff;

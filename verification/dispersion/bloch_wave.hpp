@@ -59,7 +59,8 @@ inline Eigen::VectorXd at_rest(const CellColumn& column) {
     const Eigen::Index corner = node % 4;
     q[3 * node] = (corner == 1 || corner == 2 ? 0.5 : -0.5) * column.hx;
     q[3 * node + 1] = (corner >= 2 ? 0.5 : -0.5) * column.hy;
-    q[3 * node + 2] = column.layers == 0 ? column.depth : cell_height(column) * static_cast<double>(node / 4);
+    const std::size_t level = node / 4;
+    q[3 * node + 2] = column.layers == 0 ? column.depth : cell_height(column) * static_cast<double>(level);
   }
   return q;
 }

@@ -15,7 +15,6 @@ namespace {
 using namespace seiche;
 using namespace seiche::validation;
 using evidence::Bound;
-using verification::Role;
 
 const std::string frank = "Frank, Discrete models of incompressible fluid (1994), section 4.3";
 const std::string digits = "regression: computed once by an earlier program for the same equations";

@@ -38,8 +38,8 @@ class Wave {
   Wave(bool exact_energy, double inner_fraction)
       : flow_(layer({.begin = 0,
                      .end = length,
-                     .columns = cells * per_side,
-                     .rows = cells / 2 * per_side,
+                     .columns = std::size_t{cells} * per_side,
+                     .rows = std::size_t{cells} / 2 * per_side,
                      .surface = [this](double x) { return surface(x); },
                      .bottom = [](double) { return -depth; },
                      .markers = 400}),

@@ -91,8 +91,9 @@ struct Sheet {
     std::minstd_rand random(4);
     std::uniform_real_distribution<double> uniform(-0.3, 0.3);
     for (std::size_t k = 0; k < shape.nodes(); ++k) {
+      const std::size_t row = k / 13;
       x.push_back(static_cast<double>(k % 13) + uniform(random) + drift);
-      y.push_back(static_cast<double>(k / 13) + uniform(random) - 0.5 * drift);
+      y.push_back(static_cast<double>(row) + uniform(random) - 0.5 * drift);
       z.push_back(height({x.back(), y.back()}));
     }
   }

@@ -1,6 +1,5 @@
 // What a submitted curve may have been misread as: every change that is planted is found, and nothing where none is.
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +17,6 @@ using seiche::evidence::Qualitative;
 using seiche::verification::Check;
 using Kind = Misreading::Kind;
 
-constexpr double pi = std::numbers::pi;
 constexpr double spacing = 0.05;
 
 /// A gauge that no change but the planted one maps onto itself: two waves of different period above a level.

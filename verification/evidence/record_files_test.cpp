@@ -73,7 +73,7 @@ TEST_CASE("numbers that are not finite become null, not invalid JSON", "[record]
 
 TEST_CASE("a damaged record is an error that names the file", "[record]") {
   const seiche::verification::ScratchFolder scratch("seiche_record_files_test");
-  io::write_file(scratch.path() / "broken.json", "{\"case\": \"brok");
+  io::write_file(scratch.path() / "broken.json", R"({"case": "brok)");
   try {
     read_summaries(scratch.path());
     FAIL("accepted");

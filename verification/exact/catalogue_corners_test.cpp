@@ -144,8 +144,8 @@ TEST_CASE("exact solutions keep their identities all over their ranges, or say w
       nameless.add(became.nameless.empty() ? 0 : 1, is);
       broken.add(became.broken.empty() ? 0 : 1, is);
       INFO(command(solution, values));
-      CHECK(became.nameless == "");
-      CHECK(became.broken == "");
+      CHECK(became.nameless.empty());
+      CHECK(became.broken.empty());
     }
     INFO(solution.name);
     CHECK((accepted.value() > 0 || members_of(solution) < 10));

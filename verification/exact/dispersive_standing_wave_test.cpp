@@ -49,7 +49,7 @@ class HarmonicBalance {
 
  private:
   static constexpr int highest = 6;
-  static constexpr int points = 24;
+  static constexpr Eigen::Index points = 24;
 
   /// Values of a harmonic, and of its derivatives by theta and a, over half a wave and half a period.
   void add(int m, int n) {
@@ -57,9 +57,10 @@ class HarmonicBalance {
     for (auto* field : {&rate_, &strain_, &strain_rate_, &strain_slope_}) {
       field->conservativeResize(points * points, column + 1);
     }
-    for (int i = 0; i < points * points; ++i) {
-      const double ka = m * pi * (i / points + 0.5) / points;
-      const double theta = n * pi * (i % points + 0.5) / points;
+    for (Eigen::Index i = 0; i < points * points; ++i) {
+      const Eigen::Index row = i / points;
+      const double ka = m * pi * (static_cast<double>(row) + 0.5) / points;
+      const double theta = n * pi * (static_cast<double>(i % points) + 0.5) / points;
       rate_(i, column) = -n * std::sin(ka) * std::sin(theta);
       strain_(i, column) = m * k_ * std::cos(ka) * std::cos(theta);
       strain_rate_(i, column) = -m * k_ * n * std::cos(ka) * std::sin(theta);

@@ -15,7 +15,6 @@
 using namespace seiche;
 using exact::KadomtsevPetviashvili;
 using exact::MachReflection;
-using verification::Role;
 
 namespace {
 

@@ -19,7 +19,6 @@ using namespace seiche::lagrangian_mesh_3d;
 using namespace seiche::verification;
 using seiche::Largest;
 using seiche::Worst;
-using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 4.1";

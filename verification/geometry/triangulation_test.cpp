@@ -102,7 +102,7 @@ TEST_CASE("flips give the triangles of a full rebuild over random motions", "[ge
     WanderingBox box(columns, rows, 7);
     MovingTriangulation moving(triangulate_polygon(box.nodes(), box.mesh().outline), box.nodes());
     long different = difference(triangles_of(moving.mesh()), triangles_of_sweep(box.nodes()));
-    const double first = static_cast<double>(different);
+    const auto first = static_cast<double>(different);
     long doubtful = 0;
     for (int k = 0; k < motions; ++k) {
       box.move(part);

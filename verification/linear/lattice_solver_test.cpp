@@ -297,7 +297,7 @@ TEST_CASE("the pressure solver gives the same bytes with any number of threads",
                             std::ranges::fill(diagonal, 3 + theta + psi);
                             std::ranges::fill(off, -1.0);
                           });
-    const auto b = random_array(131 * 205, 5);
+    const auto b = random_array(std::size_t{131} * 205, 5);
     std::vector<double> x(b.size());
     lattice.solve(b.values(), x);
     return x;

@@ -12,14 +12,12 @@
 namespace {
 
 using namespace seiche::verification;
-using seiche::evidence::Bound;
 using seiche::evidence::observed_order;
 using seiche::evidence::Order;
 using seiche::mechanics::Stepping;
 using seiche::validation::plan_manufactured_errors;
 using seiche::validation::plan_manufactured_flow;
 using seiche::validation::PlanManufacturedErrors;
-using seiche::validation::PlanManufacturedRun;
 
 const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";
 

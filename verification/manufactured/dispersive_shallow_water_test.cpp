@@ -135,8 +135,8 @@ void check_table(Check& check, const std::string& id, const Frames& frame, const
       .caption = "Root-mean-square errors at t = 5, each with the number of the earlier program after it.",
       .columns = {{"n", "1"}}};
   for (const std::string& name : names) {
-    table.columns.push_back({name, ""});
-    table.columns.push_back({name + ", earlier program", ""});
+    table.columns.emplace_back(name, "");
+    table.columns.emplace_back(name + ", earlier program", "");
   }
   std::array<Largest, unknowns> farthest;
   for (const auto& [n, expected] : printed) {

@@ -16,7 +16,6 @@ namespace {
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_3d;
 using evidence::Order;
-using evidence::Roundoff;
 
 const std::string source = "Lamb, Hydrodynamics (1932), art. 11; Frank (1994), chapter 4.1";
 

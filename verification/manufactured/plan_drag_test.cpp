@@ -203,7 +203,8 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
                    .expected = 1});
   const auto [waves, damped] = slowed(
       [](std::size_t k) {
-        const double wave = std::cos(0.9 * static_cast<double>(k % 13) + 0.6 * static_cast<double>(k / 13));
+        const std::size_t row = k / 13;
+        const double wave = std::cos(0.9 * static_cast<double>(k % 13) + 0.6 * static_cast<double>(row));
         return seiche::Point{wave, wave};
       },
       h, equal, ones);

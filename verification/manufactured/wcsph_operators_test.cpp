@@ -113,7 +113,7 @@ struct Printed {
 void check_printed(Check& check, const std::vector<Errors>& table, const std::vector<Printed>& rows, bool disordered) {
   for (const Printed& row : rows) {
     for (std::size_t k = 0; k < row.values.size(); ++k) {
-      const double n = static_cast<double>(sizes[2 * k]);
+      const auto n = static_cast<double>(sizes[2 * k]);
       const double scatter = disordered ? 3 * std::sqrt(20.0) / n * row.values[k] : 0;
       check.that(
           {.id = fmt::format("{}-{}", row.id, n),

@@ -16,7 +16,6 @@ namespace {
 using namespace seiche::wcsph;
 using namespace seiche::verification;
 using seiche::evidence::Bound;
-using seiche::evidence::Roundoff;
 
 constexpr double gravity = 9.81;
 constexpr double depth = 0.5;

@@ -36,7 +36,7 @@ void steps(benchmark::State& state, Stepping stepping) {
   const long solutions = solver.solutions();
   const long iterations = solver.iterations();
   for (auto _ : state) flow.advance(0.4 * h);
-  const double solves = static_cast<double>(solver.solutions() - solutions);
+  const auto solves = static_cast<double>(solver.solutions() - solutions);
   state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.model().constraints()));
   state.counters["iterations"] = static_cast<double>(solver.iterations() - iterations) / solves;
   state.counters["solves"] = solves / static_cast<double>(state.iterations());

@@ -99,7 +99,7 @@ void small_meshes(benchmark::internal::Benchmark* benchmark) {
 
 /// Where solvers change places.
 void crossover(benchmark::internal::Benchmark* benchmark) {
-  for (const int rows : {12, 16, 24, 32}) benchmark->Args({30 * rows, rows});
+  for (const long rows : {12, 16, 24, 32}) benchmark->Args({30 * rows, rows});
   benchmark->Unit(benchmark::kMillisecond);
 }
 

@@ -211,7 +211,7 @@ TEST_CASE("what crashes or spins in a child process is a refusal in the parent",
     const std::string got = outcome(action);
     INFO(id << ": " << got.substr(0, 200));
     check.that({.id = id, .text = text, .quantity = "comes out as stated", .source = "interface of io::isolated"},
-               {.value = got.find(expected) == 0 ? 1.0 : 0.0},
+               {.value = got.starts_with(expected) ? 1.0 : 0.0},
                Qualitative{"result beginning with \"" + expected.substr(0, 60) + "\"", "stated in the interface"});
   };
   const std::string large(5'000'000, 'x');

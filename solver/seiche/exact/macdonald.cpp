@@ -138,11 +138,11 @@ SelfTest MacDonald::self_test() const {
     const double h = depth_(x);
     return manning_ * manning_ * discharge_ * discharge_ / std::pow(h, 10.0 / 3.0);
   };
-  constexpr int panels = 32;
+  constexpr int parts = 32;
   double loss = 0;
-  for (int k = 0; k < panels; ++k) {
-    loss += boost::math::quadrature::gauss<double, 30>::integrate(friction, length_ * k / panels,
-                                                                  length_ * (k + 1) / panels);
+  for (int k = 0; k < parts; ++k) {
+    loss +=
+        boost::math::quadrature::gauss<double, 30>::integrate(friction, length_ * k / parts, length_ * (k + 1) / parts);
   }
   const auto energy = [&](double x) {
     const double h = depth_(x);

@@ -143,7 +143,7 @@ SelfTest PlanDispersion::self_test() const {
       {"frequency at k_i h_i = pi/2 in closed form",
        std::abs(frequency(0.5 * shortest_x, 0.5 * shortest_y) / middle - 1), 1e-14, "45 ulp for 25 roundings"},
       {"shortest waves in x: omega^2 = g (2 + cos k2 h2)/(9 alpha H)",
-       std::abs(frequency(shortest_x, 0.5 * shortest_y) / (frequency_bound() * std::sqrt(2.0) / 3) - 1),
+       std::abs(frequency(shortest_x, 0.5 * shortest_y) / (frequency_bound() * std::numbers::sqrt2 / 3) - 1),
        4e-15 + std::pow(std::numeric_limits<double>::epsilon() * spacing_x_ / depth_, 2) / alpha_,
        "18 ulp for as many roundings; the law is stationary there in 1/(K H), which is 0 to a rounding of pi h1/H"},
       {"long waves in every direction: omega = k sqrt(g H)", longest_defect.value(), 4e-15,

@@ -30,7 +30,7 @@ constexpr double farthest = 1e6;
 }  // namespace
 
 SimpleWave::SimpleWave(double gravity, double still_depth, Profile profile)
-    : gravity_(gravity), still_celerity_(0), profile_(std::move(profile)) {
+    : gravity_(gravity), profile_(std::move(profile)) {
   require_positive("gravity", gravity);
   require_positive("still_depth", still_depth);
   if (!profile_.depth || !profile_.slope) throw std::invalid_argument("profile: depth and slope must both be given");

@@ -50,7 +50,7 @@ class SimpleWave {
 
  private:
   double gravity_;
-  double still_celerity_;
+  double still_celerity_ = 0;
   Profile profile_;
   double breaking_time_;
   double breaking_place_;

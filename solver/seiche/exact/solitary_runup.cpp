@@ -195,7 +195,7 @@ SelfTest SolitaryRunup::self_test() const {
   // Of the difference of two sums at tau, relative to the crest: every addition rounds a sum as high as the crest, and
   // every term its phase k tau.
   const auto rounding = [&](double tau) {
-    double square = static_cast<double>(real_.size());
+    auto square = static_cast<double>(real_.size());
     for (std::size_t j = 0; j < real_.size(); ++j) {
       const double turns = static_cast<double>(j) * wavenumber_step_ * tau * depth_ / crest;
       square += (real_[j] * real_[j] + imaginary_[j] * imaginary_[j]) * turns * turns;

@@ -137,7 +137,7 @@ SelfTest ThackerRadialBowl::self_test() const {
   // after three roundings of numbers up to 1.
   const double volume_limit = 4 * std::numeric_limits<double>::epsilon() * std::sqrt(32);
   const double energy_limit =
-      4 * std::numeric_limits<double>::epsilon() * std::hypot(std::sqrt(40), std::sqrt(3) / (1 - amplitude_));
+      4 * std::numeric_limits<double>::epsilon() * std::hypot(std::sqrt(40), std::numbers::sqrt3 / (1 - amplitude_));
   return {
       {"volume is constant, pi a^2 h0/2", volume_defect.value(), volume_limit,
        "the quadrature is exact for the polynomials; 32 roundings: 11 of a depth over its ring, 7 additions, 10 of "

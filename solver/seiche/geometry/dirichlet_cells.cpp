@@ -22,11 +22,11 @@ double cross(Point a, Point b) {
 /// A triangle by the sides that face its vertices, counter-clockwise, and the cotangents of its angles.
 struct Shape {
   std::array<Point, 3> side;
-  std::array<double, 3> cotangent;
+  std::array<double, 3> cotangent{};
   double twice_area;
 
   Shape(Point a, Point b, Point c)
-      : side{c - b, a - c, b - a}, cotangent{}, twice_area(cross(side[2], Point{-side[1].x, -side[1].y})) {
+      : side{c - b, a - c, b - a}, twice_area(cross(side[2], Point{-side[1].x, -side[1].y})) {
     for (int k = 0; k < 3; ++k) {
       cotangent[static_cast<std::size_t>(k)] = -dot(side[next(k)], side[previous(k)]) / twice_area;
     }

@@ -53,7 +53,7 @@ std::string receive(int pipe) {
 #endif
   for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(crash, SIG_DFL);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-  dup2(nowhere, STDERR_FILENO);
+  if (nowhere >= 0) dup2(nowhere, STDERR_FILENO);
   std::string answer;
   try {
     answer = returned + action();

@@ -73,8 +73,8 @@ struct NinePointCholesky::Kernels {
   }
 
   /// U_ip = A_ip - sum_q L_iq U_pq^T over q < last, in place
-  [[gnu::always_inline]] static inline void subtract_previous(const NinePointCholesky& s, End& end, std::size_t p,
-                                                              std::size_t last) {
+  [[gnu::always_inline]] static void subtract_previous(const NinePointCholesky& s, End& end, std::size_t p,
+                                                       std::size_t last) {
     Block* const column = s.recent(end, p);
     for (std::size_t q = p - std::min(p, s.most_reach_); q < last; ++q) {
       const Block* const lower = end.lower.data() + end.columns[q].first;
@@ -86,7 +86,7 @@ struct NinePointCholesky::Kernels {
   }
 
   /// L_ip = U_ip D_p^-1
-  [[gnu::always_inline]] static inline void divide(const NinePointCholesky& s, End& end, std::size_t p) {
+  [[gnu::always_inline]] static void divide(const NinePointCholesky& s, End& end, std::size_t p) {
     const Block* const upper = s.recent(end, p);
     Block* const lower = end.lower.data() + end.columns[p].first;
     for (std::size_t v = 1; v <= end.columns[p].reach; ++v) {
@@ -111,13 +111,13 @@ struct NinePointCholesky::Kernels {
     }
   }
 
-  [[gnu::always_inline]] static inline void forward(const End& end, std::size_t p, Segment* x) {
+  [[gnu::always_inline]] static void forward(const End& end, std::size_t p, Segment* x) {
     const Block* const lower = end.lower.data() + end.columns[p].first;
     for (std::size_t v = 0; v < end.columns[p].reach; ++v) dense_block::subtract_product(lower[v], x[p], x[p + 1 + v]);
   }
 
   /// x_p = D_p^-1 x_p - sum_i L_ip^T x_i
-  [[gnu::always_inline]] static inline void backward(const End& end, std::size_t p, Segment* x) {
+  [[gnu::always_inline]] static void backward(const End& end, std::size_t p, Segment* x) {
     const Block* const lower = end.lower.data() + end.columns[p].first;
     dense_block::RowSums sums;
     sums.assign(end.minus_inverse[p], x[p]);
@@ -131,8 +131,7 @@ struct NinePointCholesky::Kernels {
     std::size_t number = 0;
     double pivot = 1;
   };
-  [[gnu::always_inline]] static inline bool check(const End& end, std::size_t p, const double (&pivot)[n],
-                                                  Failure& failure) {
+  [[gnu::always_inline]] static bool check(const End& end, std::size_t p, const double (&pivot)[n], Failure& failure) {
     double smallest = pivot[0];
     double sum = 0;  // not finite if one is not
     for (std::size_t k = 0; k < n; ++k) {

@@ -30,8 +30,8 @@ void for_each_coupling(const NinePointMatrix& a, const Action& action) {
 Eigen::SparseMatrix<double> pattern(std::size_t columns, std::size_t rows) {
   require_at_least("columns", static_cast<long>(columns), 1);
   require_at_least("rows", static_cast<long>(rows), 1);
-  require_within("columns x rows", static_cast<double>(columns) * static_cast<double>(rows), 1,
-                 std::numeric_limits<int>::max() / 5);
+  constexpr int most_cells = std::numeric_limits<int>::max() / 5;
+  require_within("columns x rows", static_cast<double>(columns) * static_cast<double>(rows), 1, most_cells);
   const auto cells = static_cast<int>(columns * rows);
   Eigen::SparseMatrix<double> result(cells, cells);
   result.reserve(Eigen::VectorXi::Constant(cells, 5));

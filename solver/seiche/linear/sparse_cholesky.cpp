@@ -4,7 +4,6 @@
 #include <cmath>
 #include <new>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include <cholmod.h>
@@ -35,7 +34,7 @@ class OnOneThread {
 }  // namespace
 
 struct SparseCholesky::Cholmod {
-  Cholmod(Eigen::SparseMatrix<double> matrix, std::span<const int> ordering) : pattern(std::move(matrix)) {
+  Cholmod(const Eigen::SparseMatrix<double>& matrix, std::span<const int> ordering) : pattern(matrix) {
     cholmod_start(&common);
     common.print = 0;
     common.final_ll = 1;  // L D L^T would accept negative pivots
@@ -110,16 +109,16 @@ void require_lower(const Eigen::SparseMatrix<double>& pattern) {
 
 }  // namespace
 
-SparseCholesky::SparseCholesky(Eigen::SparseMatrix<double> pattern)
-    : SparseCholesky(std::move(pattern), std::span<const int>{}) {}
+SparseCholesky::SparseCholesky(const Eigen::SparseMatrix<double>& pattern)
+    : SparseCholesky(pattern, std::span<const int>{}) {}
 
-SparseCholesky::SparseCholesky(Eigen::SparseMatrix<double> pattern, std::span<const int> ordering) {
+SparseCholesky::SparseCholesky(const Eigen::SparseMatrix<double>& pattern, std::span<const int> ordering) {
   require_lower(pattern);
   if (!ordering.empty() && ordering.size() != static_cast<std::size_t>(pattern.cols())) {
     throw std::invalid_argument(
         fmt::format("ordering has {} unknowns; the pattern has {}", ordering.size(), pattern.cols()));
   }
-  cholmod_ = std::make_unique<Cholmod>(std::move(pattern), ordering);
+  cholmod_ = std::make_unique<Cholmod>(pattern, ordering);
 }
 
 SparseCholesky::~SparseCholesky() = default;

@@ -21,9 +21,9 @@ class SparseCholesky {
  public:
   /// @param pattern  lower triangle with its diagonal, compressed; its values do not matter. Throws
   ///                 std::invalid_argument.
-  explicit SparseCholesky(Eigen::SparseMatrix<double> pattern);
+  explicit SparseCholesky(const Eigen::SparseMatrix<double>& pattern);
   /// @param ordering  the elimination order of a pattern that was nearly the same: spares finding one
-  SparseCholesky(Eigen::SparseMatrix<double> pattern, std::span<const int> ordering);
+  SparseCholesky(const Eigen::SparseMatrix<double>& pattern, std::span<const int> ordering);
   ~SparseCholesky();
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;

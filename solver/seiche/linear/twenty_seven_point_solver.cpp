@@ -43,8 +43,8 @@ void for_each_coupling(const TwentySevenPointMatrix& a, const Action& action) {
 }
 
 Eigen::SparseMatrix<double> pattern(CosineLattice::Shape shape) {
-  require_within("cells", static_cast<double>(shape.nx) * static_cast<double>(shape.nz * shape.layers), 1,
-                 std::numeric_limits<int>::max() / 14);
+  constexpr int most_cells = std::numeric_limits<int>::max() / 14;
+  require_within("cells", static_cast<double>(shape.nx) * static_cast<double>(shape.nz * shape.layers), 1, most_cells);
   const TwentySevenPointMatrix a(shape.nx, shape.nz, shape.layers);
   const auto cells = static_cast<int>(a.size());
   Eigen::SparseMatrix<double> result(cells, cells);

@@ -66,7 +66,8 @@ double PeriodicCurve::distance(Complex point) const {
   const auto relative = [&](long j) {
     const auto m = static_cast<long>(nodes_.size());
     const long wrapped = (j + m) % m;
-    const Complex z = nodes_[static_cast<std::size_t>(wrapped)] - p + period_ * static_cast<double>((j - wrapped) / m);
+    const long turns = (j - wrapped) / m;
+    const Complex z = nodes_[static_cast<std::size_t>(wrapped)] - p + period_ * static_cast<double>(turns);
     return std::pair{z, tangents_[static_cast<std::size_t>(wrapped)]};
   };
   const auto [centre, slope] = relative(static_cast<long>(nearest));
@@ -74,7 +75,7 @@ double PeriodicCurve::distance(Complex point) const {
   double result = std::abs(centre - shift);
   for (const long side : {-1L, 1L}) {
     const auto [end, end_slope] = relative(static_cast<long>(nearest) + side);
-    const double sign = static_cast<double>(side);
+    const auto sign = static_cast<double>(side);
     result = std::min(result, distance_to_cubic(centre - shift, end - shift, sign * slope, sign * end_slope));
   }
   return result;

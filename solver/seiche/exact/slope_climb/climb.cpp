@@ -31,7 +31,6 @@ double smooth_step(double u) {
 Climb::Climb(double slope, const Eigen::VectorXcd& z, const Eigen::VectorXd& phi, double tolerance)
     : n_(static_cast<std::size_t>(z.size())),
       slope_(slope),
-      tolerance_(tolerance),
       flow_(n_ - 1, slope),
       state_(3 * n_),
       moved_(z.size()),

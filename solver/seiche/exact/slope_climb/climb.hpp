@@ -43,7 +43,6 @@ class Climb {
 
   std::size_t n_;  ///< nodes
   double slope_;
-  double tolerance_;
   WedgeFlow flow_;
   State state_, before_;
   Eigen::VectorXd moved_;  ///< 1, and 0 where water is held at rest

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -121,7 +122,7 @@ class Remap {
       through.level = under;
       return through;
     }
-    static const double gauss = 0.5 / std::sqrt(3.0);
+    static const double gauss = 0.5 / std::numbers::sqrt3;
     for (const double s : {0.5 - gauss, 0.5 + gauss}) {
       for (const double t : {0.5 - gauss, 0.5 + gauss}) {
         const auto mix = [&](auto part) {

@@ -26,7 +26,7 @@ SEICHE_INLINE double shared_node(const double* a, const double* b, std::size_t s
     return 0;
   } else {
     constexpr std::size_t theirs = corner_at(px - di, py - dj, pz - dl);
-    constexpr std::size_t row = static_cast<std::size_t>(py + 2 * pz);
+    constexpr auto row = static_cast<std::size_t>(py + 2 * pz);
     const auto product = [&](std::size_t axis) __attribute__((always_inline)) {
       return w[axis][row][i + px] * a[static_cast<std::ptrdiff_t>(component(corner, axis) * stride) + i] *
              b[static_cast<std::ptrdiff_t>(component(theirs, axis) * stride) + i + di];

@@ -222,7 +222,7 @@ void Model::assemble_and_factor() {
   try {
     solver_.factor(matrix_);
   } catch (const linear::NotPositiveDefinite& failure) {
-    const auto cell = static_cast<std::size_t>(failure.row());
+    const std::size_t cell = failure.row();
     throw mechanics::Infeasible(fmt::format("cell {}: {}", cell, failure.what()), mesh_.x[mesh_.corners(cell)[0]]);
   }
 }

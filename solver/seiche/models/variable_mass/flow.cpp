@@ -25,7 +25,6 @@ Flow::Flow(const Mesh& rest, const Start& start, Control control, Settings setti
     : control_(rest, control),
       water_(std::make_unique<CellWater>(control_.raised(start.elevation), settings)),
       state_(water_->state(start.velocity)),
-      drift_feedback_(drift_feedback),
       force_(water_->nodes()) {
   require_within("drift_feedback", drift_feedback, 0, 1);
   parts_ = std::make_unique<mechanics::StepParts<CellWater>>(*water_, drift_feedback > 0, drift_feedback);

@@ -109,7 +109,6 @@ class Flow {
   ControlVelocity control_;
   std::unique_ptr<CellWater> water_;
   mechanics::State state_;
-  double drift_feedback_;
   std::unique_ptr<mechanics::StepParts<CellWater>> parts_;
   std::unique_ptr<mechanics::InvariantsWatch<CellWater>> watch_;
   CompensatedSum loss_, work_;

@@ -57,7 +57,7 @@ void check_distances(const Particles& particles, std::span<const Record> records
       if (particles.kind[a] != Kind::fluid) continue;
       for (const std::int32_t* j = cluster.begin; j != cluster.end; ++j) {
         const Record& other = records[static_cast<std::size_t>(*j)];
-        const std::size_t b = static_cast<std::size_t>(sources[static_cast<std::size_t>(*j)]);
+        const auto b = static_cast<std::size_t>(sources[static_cast<std::size_t>(*j)]);
         if (b == a) continue;
         const double distance = std::hypot(records[a].x - other.x, records[a].z - other.z);
         const bool wall = particles.kind[b] != Kind::fluid;

@@ -11,7 +11,7 @@ KernelName kernel_named(std::string_view name) {
     if (name == name_of(kernel)) return kernel;
   }
   throw std::invalid_argument(
-      fmt::format("kernel = \"{}\" does not exist: must be \"cubic_spline\" or \"wendland_c2\"", name));
+      fmt::format(R"(kernel = "{}" does not exist: must be "cubic_spline" or "wendland_c2")", name));
 }
 
 std::string_view name_of(KernelName kernel) {

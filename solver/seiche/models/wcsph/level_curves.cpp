@@ -71,10 +71,11 @@ class Tracer {
     const bool upwards = edge % 2 == 1;
     const std::size_t to = from + (upwards ? static_cast<std::size_t>(raster_.columns) : 1);
     const double part = (level_ - raster_.values[from]) / (raster_.values[to] - raster_.values[from]);
-    const auto column = static_cast<double>(from % static_cast<std::size_t>(raster_.columns));
-    const auto row = static_cast<double>(from / static_cast<std::size_t>(raster_.columns));
-    return {raster_.left + (column + (upwards ? 0 : part)) * raster_.step,
-            raster_.bottom + (row + (upwards ? part : 0)) * raster_.step};
+    const auto columns = static_cast<std::size_t>(raster_.columns);
+    const std::size_t column = from % columns;
+    const std::size_t row = from / columns;
+    return {raster_.left + (static_cast<double>(column) + (upwards ? 0 : part)) * raster_.step,
+            raster_.bottom + (static_cast<double>(row) + (upwards ? part : 0)) * raster_.step};
   }
 
   Contour follow(std::size_t edge) {

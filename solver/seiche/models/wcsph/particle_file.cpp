@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -41,8 +42,8 @@ std::vector<double> in_space(const std::vector<double>& a, const std::vector<dou
 }  // namespace
 
 struct ParticleFile::Series {
-  explicit Series(const std::filesystem::path& stem_)
-      : stem(stem_), target(with_extension(stem, ".h5")), file(target.path()) {
+  explicit Series(std::filesystem::path stem_)
+      : stem(std::move(stem_)), target(with_extension(stem, ".h5")), file(target.path()) {
     file.group("/frames");
   }
 
