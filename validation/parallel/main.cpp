@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -224,6 +225,19 @@ int run_hexahedra(Options options) {
   return run(flow, options, begin);
 }
 
+/// Says what went wrong, once where it went wrong everywhere, and leaves no process waiting for this one.
+/// @return the status
+int failed(const distributed::Runtime& runtime, int status, const std::exception& failure) {
+  const bool everywhere = runtime.all_failed();
+  if (!everywhere) {
+    fmt::print(stderr, "seiche-parallel: process {}: {}\n", rank(), failure.what());
+    std::fflush(stderr);
+    MPI_Abort(PETSC_COMM_WORLD, status);
+  }
+  if (rank() == 0) fmt::print(stderr, "seiche-parallel: {}\n", failure.what());
+  return status;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -245,10 +259,8 @@ int main(int argc, char** argv) {
     const int status = rank() == 0 ? app.exit(wrong) : wrong.get_exit_code();
     return status == 0 ? 0 : 2;
   } catch (const std::invalid_argument& wrong) {
-    if (rank() == 0) fmt::print(stderr, "seiche-parallel: {}\n", wrong.what());
-    return 2;
+    return failed(runtime, 2, wrong);
   } catch (const std::exception& failure) {
-    fmt::print(stderr, "seiche-parallel: process {}: {}\n", rank(), failure.what());
-    return 3;
+    return failed(runtime, 3, failure);
   }
 }

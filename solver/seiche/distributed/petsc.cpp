@@ -1,6 +1,8 @@
 #include "seiche/distributed/petsc.hpp"
 
+#include <chrono>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
@@ -30,9 +32,25 @@ Runtime::Runtime(int& argc, char** argv) {
   check(PetscInitialize(&count, &given, nullptr, nullptr));
   // Errors become exceptions (check), so that PETSc shall not print them too.
   check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr));
+  check(MPI_Comm_dup(PETSC_COMM_WORLD, &failures_));
+}
+
+bool Runtime::all_failed() const {
+  constexpr std::chrono::seconds patience{5};
+  MPI_Request all = MPI_REQUEST_NULL;
+  MPI_Ibarrier(failures_, &all);
+  int are_here = 0;
+  const auto begin = std::chrono::steady_clock::now();
+  MPI_Test(&all, &are_here, MPI_STATUS_IGNORE);
+  while (are_here == 0 && std::chrono::steady_clock::now() - begin < patience) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    MPI_Test(&all, &are_here, MPI_STATUS_IGNORE);
+  }
+  return are_here != 0;
 }
 
 Runtime::~Runtime() {
+  MPI_Comm_free(&failures_);
   PetscPopErrorHandler();
   PetscFinalize();
 }

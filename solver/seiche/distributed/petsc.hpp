@@ -27,6 +27,13 @@ class Runtime {
   Runtime(const Runtime&) = delete;
   Runtime& operator=(const Runtime&) = delete;
   ~Runtime();
+
+  /// For a process that cannot go on: whether all others say the same within some seconds. Where they do not, they wait
+  /// for this one, or will; MPI_Abort ends them.
+  [[nodiscard]] bool all_failed() const;
+
+ private:
+  MPI_Comm failures_ = MPI_COMM_NULL;  // of its own, as others may be in the middle of a reduction
 };
 
 int rank();   ///< of this process
