@@ -240,7 +240,7 @@ int failed(const distributed::Runtime& runtime, int status, const std::exception
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape): before MPI runs, nobody else waits
   const distributed::Runtime runtime(argc, argv);
   Options options;
   CLI::App app("Flows of the plan model and of hexahedra on many processes; what follows -- is for PETSc",

@@ -6,7 +6,7 @@ namespace seiche::distributed {
 
 CellSystem::CellSystem(Decomposition& decomposition, double tolerance)
     : decomposition_(decomposition), tolerance_(tolerance) {
-  const DM cells = decomposition.cells();
+  DM cells = decomposition.cells();
   check(DMSetMatrixPreallocateSkip(cells, PETSC_TRUE));
   check(DMCreateMatrix(cells, matrix_.place()));
   check(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));

@@ -13,7 +13,7 @@ namespace seiche::distributed {
 /// place for the matrix's life.
 inline const double* stored_coefficient(const linear::NinePointMatrix& a, std::size_t i, std::size_t j, std::size_t,
                                         int di, int dj, int) {
-  std::ptrdiff_t cell = static_cast<std::ptrdiff_t>(j * a.columns + i);
+  auto cell = static_cast<std::ptrdiff_t>(j * a.columns + i);
   if (dj < 0 || (dj == 0 && di < 0)) {
     cell += dj * static_cast<std::ptrdiff_t>(a.columns) + di;
     di = -di;
