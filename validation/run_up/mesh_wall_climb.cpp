@@ -90,6 +90,7 @@ std::string MeshWallClimb::resolution() const {
 MeshWallRun climb_wall(const MeshWallClimb& climb, const std::function<void(const Flow&)>& after_step) {
   MeshWallRun run{.flow = climb.start(), .fold = {}};
   Flow& flow = run.flow;
+  if (climb.rezone > 0) flow.keep_upright(climb.rezone);
   const double energy = flow.energy();
   Peak level;
   Peak still;
@@ -105,7 +106,7 @@ MeshWallRun climb_wall(const MeshWallClimb& climb, const std::function<void(cons
     }
     level.add(flow.time(), contact);
     if (contact < level.value() / 2 && level.value() > climb.wave.amplitude()) fallen = true;
-    if (flow.steps() > 1 && !fallen) {
+    if (flow.knows_loads() && !fallen) {
       const auto load = flow.wall_load(Flow::WallSide::right);
       if (load.contact > 0) still.add(load.time, load.pressure_at(0));
       bottom.add(load.time, load.pressure_at(-1));

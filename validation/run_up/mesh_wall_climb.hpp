@@ -27,6 +27,8 @@ struct MeshWallClimb {
   lagrangian_mesh_2d::Settings settings = {};
   /// Width of the columns at the wall over the spacing; the change is spread over two depths.
   double wall_columns = 1;
+  /// Farthest that nodes may be from upright columns, in cells, before the mesh is rezoned; 0: never.
+  double rezone = 0;
   /// Starts by an impulse at the surface (impulsive_start.hpp), not with the wave's velocities at the nodes.
   bool surface_impulse = false;
 

@@ -9,11 +9,14 @@
 #include <fmt/format.h>
 
 #include "seiche/geometry/bilinear_patch.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/lattice_interpolant.hpp"
+#include "seiche/plan_lattice/lattice_interpolant.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
 namespace {
+
+using plan_lattice::LatticeInterpolant;
+using plan_lattice::LatticePlace;
 
 using bilinear_patch::Corners;
 

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 
-#include <boost/math/tools/toms748_solve.hpp>
-
 #include "seiche/mechanics/equal_steps.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/lattice_weights.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
 #include "seiche/require.hpp"
-#include "seiche/samples.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -21,57 +16,6 @@ namespace {
 
 double distance(Point a, Point b) {
   return std::hypot(b.x - a.x, b.y - a.y);
-}
-
-/// A row of nodes as a curve: the cubic through four of them, no farther from their polyline than a twentieth of its
-/// edge.
-class RowCurve {
- public:
-  RowCurve(Input x, Input y) : x_(x), y_(y) {}
-
-  [[nodiscard]] Point at(double number) const {
-    const auto last = static_cast<double>(x_.size()) - 1;
-    const double before = std::clamp(std::floor(number), 0.0, last - 1);
-    const auto k = static_cast<std::size_t>(before);
-    const double share = number - before;
-    const Point straight{std::lerp(x_[k], x_[k + 1], share), std::lerp(y_[k], y_[k + 1], share)};
-    const LatticeWeights cubic = cubic_weights(number, x_.size() - 1);
-    Point off{-straight.x, -straight.y};
-    for (std::size_t node = 0; node < cubic.count; ++node) {
-      off.x += cubic.weight[node] * x_[cubic.first + node];
-      off.y += cubic.weight[node] * y_[cubic.first + node];
-    }
-    const double most = 0.05 * std::hypot(x_[k + 1] - x_[k], y_[k + 1] - y_[k]);
-    const double length = std::hypot(off.x, off.y);
-    const double part = length > most ? most / length : 1.0;
-    return {straight.x + part * off.x, straight.y + part * off.y};
-  }
-
- private:
-  Input x_, y_;
-};
-
-/// Where a row meets the line through two points, sought from the node of a column on by at most two cells; the node
-/// itself where it does not.
-Point meet(const RowCurve& row, std::size_t columns, std::size_t column, Point from, Point to) {
-  const auto off = [&](double number) {
-    const Point at = row.at(number);
-    return (to.x - from.x) * (at.y - from.y) - (to.y - from.y) * (at.x - from.x);
-  };
-  const auto here = static_cast<double>(column);
-  const double first = off(here);
-  if (first == 0) return row.at(here);
-  for (const double reach : {0.5, 1.0, 1.5, 2.0}) {
-    for (const double way : {-reach, reach}) {
-      const double far = std::clamp(here + way, 0.0, static_cast<double>(columns));
-      if (!(off(far) * first < 0)) continue;
-      std::uintmax_t evaluations = 100;
-      const auto [left, right] = boost::math::tools::toms748_solve(
-          off, std::min(here, far), std::max(here, far), boost::math::tools::eps_tolerance<double>(50), evaluations);
-      return row.at(0.5 * (left + right));
-    }
-  }
-  return row.at(here);
 }
 
 /// What a sequence has of the pattern + - + -, by its fourth difference; it goes on symmetrically beyond its ends.
@@ -106,11 +50,11 @@ ShoreFollowing::Places ShoreFollowing::places(Input q) const {
   const std::size_t count = shape_.columns + 1;
   Places places;
   for (std::size_t j = 0; j < shape_.rows; ++j) {
-    const RowCurve row(q.subspan(j * count, count), q.subspan(n + j * count, count));
+    const plan_lattice::RowCurve row(q.subspan(j * count, count), q.subspan(n + j * count, count));
     std::vector<double> away;
     for (std::size_t i = 0; i < count; ++i) {
       const bool end = i == 0 || i == shape_.columns;
-      const Point place = end ? row.at(static_cast<double>(i)) : meet(row, shape_.columns, i, first_[i], outer(i));
+      const Point place = end ? row.at(static_cast<double>(i)) : row.meet(i, first_[i], outer(i));
       places.x.push_back(place.x);
       places.y.push_back(place.y);
       const Point from = first_[shape_.node(i, j)];
@@ -131,22 +75,7 @@ ShoreFollowing::Places ShoreFollowing::places(Input q) const {
 
 double ShoreFollowing::drift(Input q, const Places& places) const {
   const std::size_t n = shape_.nodes();
-  const auto wanted = [&](std::size_t i, std::size_t j) {
-    const std::size_t k = shape_.node(i, j);
-    return Point{places.x[k], places.y[k]};
-  };
-  Largest worst;
-  for (std::size_t j = 0; j <= shape_.rows; ++j) {
-    for (std::size_t i = 0; i <= shape_.columns; ++i) {
-      const std::size_t k = shape_.node(i, j);
-      const Point there = wanted(i, j);
-      double edge = distance(there, i > 0 ? wanted(i - 1, j) : wanted(i + 1, j));
-      if (i > 0 && i < shape_.columns) edge = std::min(edge, distance(there, wanted(i + 1, j)));
-      edge = std::min(edge, distance(there, j > 0 ? wanted(i, j - 1) : wanted(i, j + 1)));
-      worst.add(distance({q[k], q[n + k]}, there) / edge);
-    }
-  }
-  return worst.value();
+  return plan_lattice::farthest(shape_, q.first(n), q.subspan(n, n), places);
 }
 
 RezonedFlow::RezonedFlow(Lattice lattice, const InitialVelocity& velocity, Scheme scheme, Settings settings,

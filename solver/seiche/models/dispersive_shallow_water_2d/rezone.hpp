@@ -21,15 +21,14 @@
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "seiche/plan_lattice/rezoned_places.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
 /// Places of the nodes of a lattice that follows the shoreline on its south side.
 class ShoreFollowing {
  public:
-  struct Places {
-    std::vector<double> x, y;
-  };
+  using Places = plan_lattice::RezonedPlaces;
 
   /// Throws std::invalid_argument for a lattice without a shoreline on its south side.
   explicit ShoreFollowing(const Lattice& first);

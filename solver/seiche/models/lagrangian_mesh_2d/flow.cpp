@@ -30,8 +30,10 @@ Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings
     : model_(std::make_unique<Model>(std::move(mesh), settings, std::move(forcing))),
       state_(model_->state(velocity)),
       stepper_(std::make_unique<mechanics::SchemeStepper<Model>>(*model_, scheme)),
+      scheme_(scheme),
       smooth_start_(smooth_start && scheme.stepping != Stepping::conservative &&
                     scheme.composition == TimeComposition::none && model_->nodes().driven().empty()),
+      reproject_every_(reproject_every),
       stable_step_(longest_stable_step(*model_)) {
   require_not_negative("reproject_every", static_cast<double>(reproject_every));
   if (reproject_every > 0) reprojection_ = std::make_unique<mechanics::Reprojection<Model>>(*model_, reproject_every);
@@ -44,12 +46,13 @@ Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings
 }
 
 void Flow::start(double tau) {
-  if (state_.steps > 0 || !smooth_start_) return;
-  mechanics::Start(*model_).project_to_smooth(state_, tau);
+  if (fresh_ && smooth_start_) mechanics::Start(*model_).project_to_smooth(state_, tau);
+  fresh_ = false;
 }
 
 void Flow::advance(double tau) {
   mechanics::require_step(tau);
+  rezone_where_due();
   if (tau > stable_step_) ++beyond_stability_;
   start(tau);
   remember_walls();

@@ -18,6 +18,7 @@
 
 #include "seiche/models/lagrangian_mesh_2d/integrators.hpp"
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
+#include "seiche/models/lagrangian_mesh_2d/rezone.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -48,6 +49,19 @@ class Flow {
   /// @param reproject_every  steps after which that part is restored; 0: never
   explicit Flow(Mesh mesh, const Velocity& velocity = {}, Scheme scheme = {}, Settings settings = {},
                 Forcing forcing = {}, bool smooth_start = true, long reproject_every = 0);
+
+  /// From now on the mesh is rezoned (rezone.hpp) as soon as a node is farther from its place than `drift` of its cells,
+  /// and what it carries remapped (remap.hpp); where that is not possible the mesh goes on as it is. The ledger counts
+  /// from the last rezoning on.
+  /// Throws std::invalid_argument: a drift outside (0, 2], a mesh that is no layer between straight walls (rezone.hpp), a
+  /// body force, whose labels would be lost.
+  void keep_upright(double drift = 0.2);
+  struct Rezoning {
+    long done = 0;
+    long refused = 0;
+    double lost = 0;  ///< energy that it took in all [J/m]
+  };
+  [[nodiscard]] const Rezoning& rezoning() const { return rezoning_; }
 
   /// One step of length tau > 0.
   void advance(double tau);
@@ -89,6 +103,8 @@ class Flow {
   /// The load of a wall at the beginning of the last step, from the mean of the last two steps' multipliers. After two
   /// steps of equal length, without composition.
   [[nodiscard]] WallLoad wall_load(WallSide side) const;
+  /// Whether two steps have been made since the beginning or the last rezoning.
+  [[nodiscard]] bool knows_loads() const { return !state_.earlier_multipliers.empty(); }
 
   /// Shape of the worst corner: 1 at the beginning for rectangles, 0 where the mesh folds; a warning below 0.2.
   [[nodiscard]] Corner worst_corner() const { return model_->worst_corner(state_.q); }
@@ -111,13 +127,21 @@ class Flow {
   }
   void start(double tau);
   void remember_walls();
+  void rezone(const UprightColumns::Places& places);
+  void rezone_where_due();
 
   std::unique_ptr<Model> model_;
   mechanics::State state_;
   std::unique_ptr<mechanics::SchemeStepper<Model>> stepper_;
   std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;
+  Scheme scheme_;
   bool smooth_start_;
+  bool fresh_ = true;  // no step yet since the beginning or the last rezoning
+  long reproject_every_;
   std::unique_ptr<mechanics::Reprojection<Model>> reprojection_;  // or none
+  std::unique_ptr<const UprightColumns> upright_;                 // or none
+  double drift_ = 0;
+  Rezoning rezoning_;
   double stable_step_;
   long beyond_stability_ = 0;
   double remembered_time_ = 0;

@@ -128,6 +128,7 @@ class Model {
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] const Forcing& forcing() const { return forcing_; }
   [[nodiscard]] const Nodes& nodes() const { return nodes_; }
   [[nodiscard]] std::span<const double> first_areas() const { return area_; }
   [[nodiscard]] const linear::NinePointSolver& solver() const { return solver_; }

@@ -1,4 +1,4 @@
-#include "seiche/models/dispersive_shallow_water_2d/lattice_interpolant.hpp"
+#include "seiche/plan_lattice/lattice_interpolant.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "seiche/mechanics/constrained_model.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/lattice_weights.hpp"
 #include "seiche/plan_lattice/bilinear_cell.hpp"
+#include "seiche/plan_lattice/lattice_weights.hpp"
 #include "seiche/require.hpp"
 
-namespace seiche::dispersive_shallow_water_2d {
+namespace seiche::plan_lattice {
 
 namespace {
 
@@ -33,7 +33,7 @@ struct LatticeInterpolant::Stencil {
   }
 };
 
-LatticeInterpolant::LatticeInterpolant(plan_lattice::Shape shape, std::span<const double> x, std::span<const double> y)
+LatticeInterpolant::LatticeInterpolant(Shape shape, std::span<const double> x, std::span<const double> y)
     : shape_(shape), x_(x), y_(y) {
   require_at_least("columns", static_cast<long>(shape.columns), 3);
   require_at_least("rows", static_cast<long>(shape.rows), 3);
@@ -111,8 +111,7 @@ LatticePlace LatticeInterpolant::find_cell(Point place, LatticePlace guess) cons
   LatticePlace best{.i = guess.i, .j = guess.j, .cubic = false};
   for (int walked = 0; walked < 40; ++walked) {
     const std::size_t cell = static_cast<std::size_t>(cell_j) * shape_.columns + static_cast<std::size_t>(cell_i);
-    const auto [s, t] = plan_lattice::find_in_cell(place, plan_lattice::corner_values(x_, shape_, cell),
-                                                   plan_lattice::corner_values(y_, shape_, cell));
+    const auto [s, t] = find_in_cell(place, corner_values(x_, shape_, cell), corner_values(y_, shape_, cell));
     const double outside = std::max({-s, s - 1, -t, t - 1, 0.0});
     if (outside < least) {
       least = outside;
@@ -141,4 +140,4 @@ LatticePlace LatticeInterpolant::find(Point place, LatticePlace guess) const {
   return cell;
 }
 
-}  // namespace seiche::dispersive_shallow_water_2d
+}  // namespace seiche::plan_lattice

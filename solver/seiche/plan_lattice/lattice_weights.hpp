@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace seiche::dispersive_shallow_water_2d {
+namespace seiche::plan_lattice {
 
 struct LatticeWeights {
   std::size_t first = 0;  ///< of the nodes
@@ -39,4 +39,4 @@ inline LatticeWeights linear_weights(double at, std::size_t cells) {
   return w;
 }
 
-}  // namespace seiche::dispersive_shallow_water_2d
+}  // namespace seiche::plan_lattice

@@ -7,7 +7,7 @@
 ///
 /// Values stay between the smallest and the largest of the nodes they come from: no new extremes.
 ///
-/// When not to use it: to move water, see remap.hpp.
+/// When not to use it: to move water. It keeps no sums.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 #include "seiche/geometry/curve.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 
-namespace seiche::dispersive_shallow_water_2d {
+namespace seiche::plan_lattice {
 
 /// Coordinates on a lattice.
 struct LatticePlace {
@@ -29,7 +29,7 @@ class LatticeInterpolant {
  public:
   /// @param x, y  places of the nodes; must outlive the object. At least three columns and rows.
   /// Throws std::invalid_argument.
-  LatticeInterpolant(plan_lattice::Shape shape, std::span<const double> x, std::span<const double> y);
+  LatticeInterpolant(Shape shape, std::span<const double> x, std::span<const double> y);
 
   /// Where a place is on the lattice, sought from `guess` on. Beyond the sides by less than a cell.
   /// Throws mechanics::Infeasible if it is not found.
@@ -50,8 +50,8 @@ class LatticeInterpolant {
   [[nodiscard]] bool refine(Point place, LatticePlace& at) const;
   [[nodiscard]] LatticePlace find_cell(Point place, LatticePlace guess) const;
 
-  plan_lattice::Shape shape_;
+  Shape shape_;
   std::span<const double> x_, y_;
 };
 
-}  // namespace seiche::dispersive_shallow_water_2d
+}  // namespace seiche::plan_lattice

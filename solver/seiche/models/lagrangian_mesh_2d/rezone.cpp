@@ -1,0 +1,114 @@
+#include "seiche/models/lagrangian_mesh_2d/rezone.hpp"
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "seiche/require.hpp"
+
+namespace seiche::lagrangian_mesh_2d {
+
+namespace {
+
+/// Passes over the surface after which it holds its water to round-off: one for upright columns, whose areas are linear
+/// in heights; over inclined ones what is lacking is squared.
+constexpr int passes = 4;
+
+void require_straight_wall(std::string_view name, const Side& side) {
+  const auto* wall = std::get_if<Wall>(&side);
+  if (wall != nullptr && std::dynamic_pointer_cast<const Line>(wall->curve)) return;
+  throw std::invalid_argument(
+      fmt::format("the {} side of a rezoned mesh is not a straight wall; allowed: a straight wall", name));
+}
+
+/// Signed area between two surface edges with ends a, b before and c, d after.
+double area_between(Point a, Point b, Point c, Point d) {
+  return 0.5 * ((d.x - a.x) * (c.y - b.y) - (c.x - b.x) * (d.y - a.y));
+}
+
+}  // namespace
+
+UprightColumns::UprightColumns(const Mesh& first) : shape_{.columns = first.columns, .rows = first.rows} {
+  require_straight_wall("left", first.sides.left);
+  require_straight_wall("right", first.sides.right);
+  if (!std::holds_alternative<Wall>(first.sides.bottom) || !std::holds_alternative<FreeSide>(first.sides.top) ||
+      first.has_joined_sides()) {
+    throw std::invalid_argument("a rezoned mesh is not a layer between walls; allowed: a bottom that neither wall goes "
+                                "on into, under a free surface");
+  }
+  require_at_least("columns", static_cast<long>(shape_.columns), 3);
+  require_at_least("rows", static_cast<long>(shape_.rows), 3);
+  part_.resize(shape_.nodes());
+  for (std::size_t i = 0; i <= shape_.columns; ++i) {
+    const std::size_t low = shape_.node(i, 0);
+    const std::size_t high = shape_.node(i, shape_.rows);
+    const double height = first.y[high] - first.y[low];
+    direction_.push_back({(first.x[high] - first.x[low]) / height, 1});
+    for (std::size_t j = 0; j <= shape_.rows; ++j) {
+      const std::size_t k = shape_.node(i, j);
+      part_[k] = (first.y[k] - first.y[low]) / height;
+    }
+  }
+}
+
+/// Every edge of the new surface that has swept too much water gives it back: its ends go down for half of it each.
+void UprightColumns::level(mechanics::Input q, std::vector<Point>& top) const {
+  const std::size_t last = shape_.columns;
+  const std::size_t n = shape_.nodes();
+  const auto old = [&](std::size_t i) {
+    const std::size_t k = shape_.node(i, shape_.rows);
+    return Point{q[k], q[n + k]};
+  };
+  for (int pass = 0; pass < passes; ++pass) {
+    std::vector<double> gained(last);
+    for (std::size_t i = 0; i < last; ++i) gained[i] = area_between(old(i), old(i + 1), top[i], top[i + 1]);
+    std::vector<double> rise(last + 1);
+    for (std::size_t i = 0; i <= last; ++i) {
+      const double around = (i > 0 ? gained[i - 1] : 0.0) + (i < last ? gained[i] : 0.0);
+      const Point before = top[i > 0 ? i - 1 : i];
+      const Point after = top[i < last ? i + 1 : i];
+      // dA/dr of the polygon along the column.
+      const double width = (after.x - before.x) - direction_[i].x * (after.y - before.y);
+      rise[i] = -around / width;
+    }
+    for (std::size_t i = 0; i <= last; ++i) {
+      top[i].x += rise[i] * direction_[i].x;
+      top[i].y += rise[i];
+    }
+  }
+}
+
+UprightColumns::Places UprightColumns::places(mechanics::Input q) const {
+  const std::size_t n = shape_.nodes();
+  const std::size_t count = shape_.columns + 1;
+  const std::size_t surface = shape_.node(0, shape_.rows);
+  const plan_lattice::RowCurve curve(q.subspan(surface, count), q.subspan(n + surface, count));
+  std::vector<Point> top;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool end = i == 0 || i == shape_.columns;
+    const Point foot{q[i], q[n + i]};
+    top.push_back(end ? curve.at(static_cast<double>(i))
+                      : curve.meet(i, foot, {foot.x + direction_[i].x, foot.y + direction_[i].y}));
+  }
+  level(q, top);
+  Places places{.x = std::vector<double>(n), .y = std::vector<double>(n)};
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j <= shape_.rows; ++j) {
+      const std::size_t k = shape_.node(i, j);
+      places.x[k] = std::lerp(q[i], top[i].x, part_[k]);
+      places.y[k] = std::lerp(q[n + i], top[i].y, part_[k]);
+    }
+  }
+  return places;
+}
+
+double UprightColumns::drift(mechanics::Input q, const Places& places) const {
+  const std::size_t n = shape_.nodes();
+  return plan_lattice::farthest(shape_, q.first(n), q.subspan(n, n), places);
+}
+
+}  // namespace seiche::lagrangian_mesh_2d

@@ -1,0 +1,45 @@
+/// Where the nodes of a layer go when its mesh is rezoned: columns upright again, rows at their parts of the depth.
+///
+/// Surface nodes run ahead of the water beneath them, crowd in the sheet that a high wave throws up a wall and turn the
+/// corners of their cells inside out, though the water does nothing of the kind. In the rezoned mesh every column is
+/// again the line over its lowest node that had the direction of the column in the first mesh; its upper end slides
+/// along the surface, and the nodes between have the parts of its length that they had at first. Columns over a level
+/// bottom cannot fold as long as the surface has one elevation at every place.
+///
+/// The surface is the cubic through its nodes; what its new polygon has too little water in an edge, the ends of the
+/// edge rise for. The water is kept to round-off. A layer at rest is left alone.
+///
+/// When not to use it: water whose surface overturns; where Frank's own model is meant.
+///
+/// Reference: C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227.
+#pragma once
+
+#include <vector>
+
+#include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/models/lagrangian_mesh_2d/mesh.hpp"
+#include "seiche/plan_lattice/rezoned_places.hpp"
+
+namespace seiche::lagrangian_mesh_2d {
+
+class UprightColumns {
+ public:
+  using Places = plan_lattice::RezonedPlaces;
+
+  /// Throws std::invalid_argument for a mesh that is not water between two straight walls, on a bottom, under a free
+  /// surface, for walls that go on into the bottom, and for fewer than three columns or rows.
+  explicit UprightColumns(const Mesh& first);
+  /// For a flow whose nodes are at q.
+  [[nodiscard]] Places places(mechanics::Input q) const;
+  /// Farthest of a node from its place, over the shortest edge there.
+  [[nodiscard]] double drift(mechanics::Input q, const Places& places) const;
+
+ private:
+  void level(mechanics::Input q, std::vector<Point>& top) const;
+
+  plan_lattice::Shape shape_;
+  std::vector<Point> direction_;  ///< of the columns, per height
+  std::vector<double> part_;      ///< of a column's length below a node
+};
+
+}  // namespace seiche::lagrangian_mesh_2d

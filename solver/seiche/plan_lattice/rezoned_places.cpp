@@ -1,0 +1,73 @@
+#include "seiche/plan_lattice/rezoned_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include "seiche/plan_lattice/lattice_weights.hpp"
+#include "seiche/samples.hpp"
+
+namespace seiche::plan_lattice {
+
+Point RowCurve::at(double number) const {
+  const auto last = static_cast<double>(x_.size()) - 1;
+  const double before = std::clamp(std::floor(number), 0.0, last - 1);
+  const auto k = static_cast<std::size_t>(before);
+  const double share = number - before;
+  const Point straight{std::lerp(x_[k], x_[k + 1], share), std::lerp(y_[k], y_[k + 1], share)};
+  const LatticeWeights cubic = cubic_weights(number, x_.size() - 1);
+  Point off{-straight.x, -straight.y};
+  for (std::size_t node = 0; node < cubic.count; ++node) {
+    off.x += cubic.weight[node] * x_[cubic.first + node];
+    off.y += cubic.weight[node] * y_[cubic.first + node];
+  }
+  const double most = 0.05 * std::hypot(x_[k + 1] - x_[k], y_[k + 1] - y_[k]);
+  const double length = std::hypot(off.x, off.y);
+  const double part = length > most ? most / length : 1.0;
+  return {straight.x + part * off.x, straight.y + part * off.y};
+}
+
+Point RowCurve::meet(std::size_t node, Point from, Point to) const {
+  const auto off = [&](double number) {
+    const Point place = at(number);
+    return (to.x - from.x) * (place.y - from.y) - (to.y - from.y) * (place.x - from.x);
+  };
+  const auto here = static_cast<double>(node);
+  const double first = off(here);
+  if (first == 0) return at(here);
+  for (const double reach : {0.5, 1.0, 1.5, 2.0}) {
+    for (const double way : {-reach, reach}) {
+      const double far = std::clamp(here + way, 0.0, static_cast<double>(x_.size() - 1));
+      if (!(off(far) * first < 0)) continue;
+      std::uintmax_t evaluations = 100;
+      const auto [left, right] = boost::math::tools::toms748_solve(
+          off, std::min(here, far), std::max(here, far), boost::math::tools::eps_tolerance<double>(50), evaluations);
+      return at(0.5 * (left + right));
+    }
+  }
+  return at(here);
+}
+
+double farthest(const Shape& shape, std::span<const double> x, std::span<const double> y, const RezonedPlaces& places) {
+  const auto between = [](Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); };
+  const auto wanted = [&](std::size_t i, std::size_t j) {
+    const std::size_t k = shape.node(i, j);
+    return Point{places.x[k], places.y[k]};
+  };
+  Largest worst;
+  for (std::size_t j = 0; j <= shape.rows; ++j) {
+    for (std::size_t i = 0; i <= shape.columns; ++i) {
+      const std::size_t k = shape.node(i, j);
+      const Point there = wanted(i, j);
+      double edge = between(there, i > 0 ? wanted(i - 1, j) : wanted(i + 1, j));
+      if (i > 0 && i < shape.columns) edge = std::min(edge, between(there, wanted(i + 1, j)));
+      edge = std::min(edge, between(there, j > 0 ? wanted(i, j - 1) : wanted(i, j + 1)));
+      worst.add(between({x[k], y[k]}, there) / edge);
+    }
+  }
+  return worst.value();
+}
+
+}  // namespace seiche::plan_lattice

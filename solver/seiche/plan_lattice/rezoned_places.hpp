@@ -1,0 +1,35 @@
+/// Where the nodes of a Lagrangian lattice are put when it is rezoned: along its rows, on given lines.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "seiche/geometry/curve.hpp"
+#include "seiche/plan_lattice/sides.hpp"
+
+namespace seiche::plan_lattice {
+
+/// A row of nodes as a curve: the cubic through four of them, no farther from their polyline than a twentieth of its
+/// edge. The nodes must outlive it; at least four.
+class RowCurve {
+ public:
+  RowCurve(std::span<const double> x, std::span<const double> y) : x_(x), y_(y) {}
+
+  /// At a place counted in nodes.
+  [[nodiscard]] Point at(double number) const;
+  /// Where it meets the line through two points, sought from a node on by at most two edges; the node itself where it
+  /// does not.
+  [[nodiscard]] Point meet(std::size_t node, Point from, Point to) const;
+
+ private:
+  std::span<const double> x_, y_;
+};
+
+struct RezonedPlaces {
+  std::vector<double> x, y;
+};
+
+/// Farthest of a node at (x, y) from its new place, over the shortest edge at the new place.
+double farthest(const Shape& shape, std::span<const double> x, std::span<const double> y, const RezonedPlaces& places);
+
+}  // namespace seiche::plan_lattice
