@@ -38,6 +38,7 @@ std::string MeshSlopeClimb::resolution() const {
 MeshSlopeRun climb_slope(const MeshSlopeClimb& climb, const std::function<void(const Flow&)>& after_step) {
   MeshSlopeRun run{.flow = climb.start(), .fold = {}};
   Flow& flow = run.flow;
+  if (climb.rezone > 0) flow.keep_upright(climb.rezone);
   const double energy = flow.energy();
   Peak level;
   constexpr double fallen = 0.98;

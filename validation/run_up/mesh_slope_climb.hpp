@@ -27,6 +27,8 @@ struct MeshSlopeClimb {
   double blend = 0;  ///< over which columns are sheared, before the toe; 0: max(4, 4 cot)
   /// Length of bottom and of slope that an arc at the toe replaces, over the columns' width; 0: the toe's node stays.
   double rounding = 0;
+  /// Farthest that nodes may be from upright columns, in cells, before the mesh is rezoned; 0: never.
+  double rezone = 0;
   /// Go on when cells fold: their areas stay right, and the bottom's nodes may pass the toe.
   bool beyond_folds = true;
 

@@ -18,6 +18,14 @@ namespace {
 /// in heights; over inclined ones what is lacking is squared.
 constexpr int passes = 4;
 
+// Of the search for a column's place; its water changes nearly linearly with it.
+constexpr int most_iterations = 20;
+constexpr double settled = 1e-13;  // of the column's height
+
+double cross(Point a, Point b) {
+  return a.x * b.y - a.y * b.x;
+}
+
 void require_straight_wall(std::string_view name, const Side& side) {
   const auto* wall = std::get_if<Wall>(&side);
   if (wall != nullptr && std::dynamic_pointer_cast<const Line>(wall->curve)) return;
@@ -42,6 +50,7 @@ UprightColumns::UprightColumns(const Mesh& first) : shape_{.columns = first.colu
   }
   require_at_least("columns", static_cast<long>(shape_.columns), 3);
   require_at_least("rows", static_cast<long>(shape_.rows), 3);
+  bottom_ = std::get<Wall>(first.sides.bottom).curve;
   part_.resize(shape_.nodes());
   for (std::size_t i = 0; i <= shape_.columns; ++i) {
     const std::size_t low = shape_.node(i, 0);
@@ -82,25 +91,47 @@ void UprightColumns::level(mechanics::Input q, std::vector<Point>& top) const {
   }
 }
 
+Point UprightColumns::foot(mechanics::Input q, const plan_lattice::RowCurve& surface, std::size_t i, Point& top) const {
+  const std::size_t n = shape_.nodes();
+  const auto old = [&](std::size_t j) {
+    const std::size_t k = shape_.node(i, j);
+    return Point{q[k], q[n + k]};
+  };
+  double s = bottom_->arc_length_at(old(0));
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const Point low = bottom_->position(s);
+    top = surface.meet(i, low, {low.x + direction_[i].x, low.y + direction_[i].y});
+    // What the column sweeps to its right on its way from the old nodes to the line.
+    double swept = 0;
+    for (std::size_t j = 0; j < shape_.rows; ++j) swept -= 0.5 * cross(old(j), old(j + 1));
+    swept -= 0.5 * (cross(old(shape_.rows), top) + cross(top, low) + cross(low, old(0)));
+    const double height = top.y - low.y;
+    const double step = -swept / height;
+    s += step;
+    if (std::abs(step) < settled * height) break;
+  }
+  return bottom_->position(s);
+}
+
 UprightColumns::Places UprightColumns::places(mechanics::Input q) const {
   const std::size_t n = shape_.nodes();
   const std::size_t count = shape_.columns + 1;
   const std::size_t surface = shape_.node(0, shape_.rows);
   const plan_lattice::RowCurve curve(q.subspan(surface, count), q.subspan(n + surface, count));
+  std::vector<Point> low;
   std::vector<Point> top;
   for (std::size_t i = 0; i < count; ++i) {
-    const bool end = i == 0 || i == shape_.columns;
-    const Point foot{q[i], q[n + i]};
-    top.push_back(end ? curve.at(static_cast<double>(i))
-                      : curve.meet(i, foot, {foot.x + direction_[i].x, foot.y + direction_[i].y}));
+    low.push_back({q[i], q[n + i]});
+    top.push_back(curve.at(static_cast<double>(i)));
+    if (i != 0 && i != shape_.columns) low[i] = foot(q, curve, i, top[i]);
   }
   level(q, top);
   Places places{.x = std::vector<double>(n), .y = std::vector<double>(n)};
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j <= shape_.rows; ++j) {
       const std::size_t k = shape_.node(i, j);
-      places.x[k] = std::lerp(q[i], top[i].x, part_[k]);
-      places.y[k] = std::lerp(q[n + i], top[i].y, part_[k]);
+      places.x[k] = std::lerp(low[i].x, top[i].x, part_[k]);
+      places.y[k] = std::lerp(low[i].y, top[i].y, part_[k]);
     }
   }
   return places;

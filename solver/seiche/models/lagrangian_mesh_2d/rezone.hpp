@@ -2,9 +2,9 @@
 ///
 /// Surface nodes run ahead of the water beneath them, crowd in the sheet that a high wave throws up a wall and turn the
 /// corners of their cells inside out, though the water does nothing of the kind. In the rezoned mesh every column is
-/// again the line over its lowest node that had the direction of the column in the first mesh; its upper end slides
-/// along the surface, and the nodes between have the parts of its length that they had at first. Columns over a level
-/// bottom cannot fold as long as the surface has one elevation at every place.
+/// again a line with the direction that it had in the first mesh, where no water has passed it on the whole; the line
+/// ends on the bottom and on the surface, and the nodes between have the parts of its length that they had at first.
+/// Columns over a level bottom cannot fold as long as the surface has one elevation at every place.
 ///
 /// The surface is the cubic through its nodes; what its new polygon has too little water in an edge, the ends of the
 /// edge rise for. The water is kept to round-off. A layer at rest is left alone.
@@ -14,6 +14,7 @@
 /// Reference: C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "seiche/mechanics/constrained_model.hpp"
@@ -35,9 +36,12 @@ class UprightColumns {
   [[nodiscard]] double drift(mechanics::Input q, const Places& places) const;
 
  private:
+  /// Of a column that keeps its water, and the column's upper end.
+  Point foot(mechanics::Input q, const plan_lattice::RowCurve& surface, std::size_t i, Point& top) const;
   void level(mechanics::Input q, std::vector<Point>& top) const;
 
   plan_lattice::Shape shape_;
+  std::shared_ptr<const Curve> bottom_;
   std::vector<Point> direction_;  ///< of the columns, per height
   std::vector<double> part_;      ///< of a column's length below a node
 };
