@@ -50,11 +50,10 @@ class Flow {
   explicit Flow(Mesh mesh, const Velocity& velocity = {}, Scheme scheme = {}, Settings settings = {},
                 Forcing forcing = {}, bool smooth_start = true, long reproject_every = 0);
 
-  /// From now on the mesh is rezoned (rezone.hpp) as soon as a node is farther from its place than `drift` of its cells,
-  /// and what it carries remapped (remap.hpp); where that is not possible the mesh goes on as it is. The ledger counts
-  /// from the last rezoning on.
-  /// Throws std::invalid_argument: a drift outside (0, 2], a mesh that is no layer between straight walls (rezone.hpp), a
-  /// body force, whose labels would be lost.
+  /// From now on the mesh is rezoned (rezone.hpp) as soon as a node is farther from its place than `drift` of its
+  /// cells, and what it carries remapped (remap.hpp); where that is not possible the mesh goes on as it is. The ledger
+  /// counts from the last rezoning on. Throws std::invalid_argument: a drift outside (0, 2], a mesh that is no layer
+  /// between straight walls (rezone.hpp), a body force, whose labels would be lost.
   void keep_upright(double drift = 0.2);
   struct Rezoning {
     long done = 0;

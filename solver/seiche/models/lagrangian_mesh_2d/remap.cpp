@@ -44,9 +44,7 @@ class Remap {
   [[nodiscard]] double old_area(std::size_t cell) const {
     return cell_area(was_, q_.first(n_), q_.subspan(n_, n_), cell);
   }
-  [[nodiscard]] double new_area(std::size_t cell) const {
-    return cell_area(now_.mesh, now_.mesh.x, now_.mesh.y, cell);
-  }
+  [[nodiscard]] double new_area(std::size_t cell) const { return cell_area(now_.mesh, now_.mesh.x, now_.mesh.y, cell); }
 
   void require_unfolded() const {
     std::vector<double> area(was_.cells());

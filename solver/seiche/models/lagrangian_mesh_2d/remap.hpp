@@ -4,7 +4,8 @@
 /// from the old nodes (plan_lattice/lattice_interpolant.hpp), cubic between them. The momentum of a cell is carried
 /// through the quadrilaterals that its edges sweep on their way,
 ///
-/// @f[ V_s^* = V_s + \sum_e \pm \int_e dA, \qquad \mathbf{P}_s^* = \mathbf{P}_s + \rho \sum_e \pm \int_e \mathbf{u} \, dA, @f]
+/// @f[ V_s^* = V_s + \sum_e \pm \int_e dA, \qquad \mathbf{P}_s^* = \mathbf{P}_s + \rho \sum_e \pm \int_e \mathbf{u} \,
+/// dA, @f]
 ///
 /// and what the interpolated velocities have too little of it, d_s, the cell's corners get:
 ///

@@ -45,8 +45,9 @@ UprightColumns::UprightColumns(const Mesh& first) : shape_{.columns = first.colu
   require_straight_wall("right", first.sides.right);
   if (!std::holds_alternative<Wall>(first.sides.bottom) || !std::holds_alternative<FreeSide>(first.sides.top) ||
       first.has_joined_sides()) {
-    throw std::invalid_argument("a rezoned mesh is not a layer between walls; allowed: a bottom that neither wall goes "
-                                "on into, under a free surface");
+    throw std::invalid_argument(
+        "a rezoned mesh is not a layer between walls; allowed: a bottom that neither wall goes "
+        "on into, under a free surface");
   }
   require_at_least("columns", static_cast<long>(shape_.columns), 3);
   require_at_least("rows", static_cast<long>(shape_.rows), 3);
