@@ -8,16 +8,17 @@
 
 #include <fmt/format.h>
 
+#include "seiche/compensated_sum.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
 namespace {
 
-/// Passes over the surface after which it holds its water to round-off: one for upright columns, whose areas are linear
-/// in heights; over inclined ones what is lacking is squared.
-constexpr int passes = 4;
-
+/// Passes over the surface in which its edges give back what they swept. More of them would raise waves of two edges.
+constexpr int local_passes = 4;
+/// Passes in which the whole surface does: over inclined columns what is lacking is squared by each.
+constexpr int whole_passes = 3;
 // Of the search for a column's place; its water changes nearly linearly with it.
 constexpr int most_iterations = 20;
 constexpr double settled = 1e-13;  // of the column's height
@@ -65,7 +66,8 @@ UprightColumns::UprightColumns(const Mesh& first) : shape_{.columns = first.colu
   }
 }
 
-/// Every edge of the new surface that has swept too much water gives it back: its ends go down for half of it each.
+/// Every edge of the new surface that has swept too much water gives it back: its ends go down for half of it each. The
+/// rounded rest the whole surface gives.
 void UprightColumns::level(mechanics::Input q, std::vector<Point>& top) const {
   const std::size_t last = shape_.columns;
   const std::size_t n = shape_.nodes();
@@ -73,21 +75,26 @@ void UprightColumns::level(mechanics::Input q, std::vector<Point>& top) const {
     const std::size_t k = shape_.node(i, shape_.rows);
     return Point{q[k], q[n + k]};
   };
-  for (int pass = 0; pass < passes; ++pass) {
-    std::vector<double> gained(last);
-    for (std::size_t i = 0; i < last; ++i) gained[i] = area_between(old(i), old(i + 1), top[i], top[i + 1]);
-    std::vector<double> rise(last + 1);
+  std::vector<double> gained(last);     // by edges
+  std::vector<double> width(last + 1);  // twice the change of the area with the rise of a node along its column
+  for (int pass = 0; pass < local_passes + whole_passes; ++pass) {
+    CompensatedSum all;
+    for (std::size_t i = 0; i < last; ++i) {
+      gained[i] = area_between(old(i), old(i + 1), top[i], top[i + 1]);
+      all.add(gained[i]);
+    }
+    CompensatedSum widths;
     for (std::size_t i = 0; i <= last; ++i) {
-      const double around = (i > 0 ? gained[i - 1] : 0.0) + (i < last ? gained[i] : 0.0);
       const Point before = top[i > 0 ? i - 1 : i];
       const Point after = top[i < last ? i + 1 : i];
-      // dA/dr of the polygon along the column.
-      const double width = (after.x - before.x) - direction_[i].x * (after.y - before.y);
-      rise[i] = -around / width;
+      width[i] = (after.x - before.x) - direction_[i].x * (after.y - before.y);
+      widths.add(width[i]);
     }
     for (std::size_t i = 0; i <= last; ++i) {
-      top[i].x += rise[i] * direction_[i].x;
-      top[i].y += rise[i];
+      const double around = (i > 0 ? gained[i - 1] : 0.0) + (i < last ? gained[i] : 0.0);
+      const double rise = pass < local_passes ? -around / width[i] : -2 * all.value() / widths.value();
+      top[i].x += rise * direction_[i].x;
+      top[i].y += rise;
     }
   }
 }
