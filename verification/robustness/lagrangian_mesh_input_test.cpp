@@ -161,3 +161,31 @@ TEST_CASE("bad starts and steps of the Lagrangian mesh are refused and change no
              {.value = kept ? 1.0 : 0.0},
              evidence::Qualitative{"equal coordinates, rates and number of steps", "a caller may go on"});
 }
+
+TEST_CASE("meshes that cannot be rezoned are refused with the reason", "[robustness]") {
+  Check check("lagrangian_mesh_bad_rezoning", "Meshes of the Lagrangian mesh that cannot be rezoned",
+              "Layers and patches whose columns are to be put upright again, with one thing wrong at a time.");
+  Refusals refusals(check);
+  const auto layer = [](std::size_t columns, std::size_t rows) {
+    return layer_mesh({.begin = 0, .end = 4, .columns = columns, .rows = rows});
+  };
+  const auto refused = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
+                           const Mesh& mesh, double drift = 0.2, const Forcing& forcing = {}) {
+    refusals.refused(id, text, words, [&] { Flow(mesh, {}, {}, {}, forcing).keep_upright(drift); });
+  };
+  refused("drift", "No drift at all.", {"drift", "= 0", "1e-06"}, layer(4, 4), 0);
+  refused("drift_nan", "A drift that is not a number.", {"drift", "nan"}, layer(4, 4), not_a_number);
+  refused("far", "A drift of three cells.", {"drift", "= 3", "2"}, layer(4, 4), 3);
+  refused("rows", "Two rows.", {"rows", "= 2", "at least 3"}, layer(4, 2));
+  refused("columns", "Two columns.", {"columns", "= 2", "at least 3"}, layer(2, 4));
+  refused("patch", "A free patch.", {"left side", "straight wall"}, free_patch(4, 4, {0, 0}, {1, 1}));
+  refused("round_toe", "A bottom that goes on as the right wall.", {"right side", "straight wall"},
+          layer_mesh_with_slope({.begin = 0, .end = 4, .columns = 8, .rows = 4}, 1, 2, 0.5));
+  Mesh piston = layer(4, 4);
+  piston.sides.left = MovingWall{.place = constant(0), .velocity = constant(0)};
+  refused("piston", "A moving wall.", {"left side", "straight wall"}, piston);
+  refused("labels", "A body force, which knows nodes by their labels.", {"body force"}, layer(4, 4), 0.2,
+          {.surface_pressure = {}, .body_force = [](Point, double) {
+             return Point{0, 0};
+           }});
+}
