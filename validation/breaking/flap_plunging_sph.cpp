@@ -31,6 +31,7 @@ spacings.
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -164,7 +165,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
        .source = publication},
       [](const Results& r) -> Measurement {
         const SphPlunged& standard = r.runs.front().back();
-        return {.value = r.runs.back().back().hangs_over - standard.hangs_over,
+        const double apart = r.runs.back().back().hangs_over - standard.hangs_over;
+        if (std::isnan(apart)) throw std::runtime_error("a wave does not overturn, with or without that stress");
+        return {.value = apart,
                 .resolution = sph_resolution(standard.spacing, standard.particles)};
       },
       Bound{.limit = 0.04,
