@@ -151,7 +151,8 @@ double GraphCurve::mean_moment_rate(double s0, double s1) const {
 double GraphCurve::arc_length_at(Point near) const {
   const double x = std::clamp(near.x, begin_, end_);
   const std::size_t k = panel(x);
-  return knots_[k] + (x - panel_begin(k)) * mean_stretch(panel_begin(k), x);
+  // The end's may round to more than the curve is long.
+  return std::min(knots_[k] + (x - panel_begin(k)) * mean_stretch(panel_begin(k), x), length());
 }
 
 }  // namespace seiche
