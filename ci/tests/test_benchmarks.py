@@ -38,6 +38,27 @@ class Benchmarks(unittest.TestCase):
         self.assertEqual(small["of_peak"], "")
         self.assertAlmostEqual(float(large["nanoseconds_per_item"]), 8)
 
+    def test_what_is_not_counted_says_why(self):
+        row, = table({"name": "solve/3", "real_time": 2, "time_unit": "ms", "label": "not counted: adaptive"})
+        self.assertEqual({row[column] for column in benchmarks.COUNTED}, {"adaptive"})
+
+    def test_a_label_of_another_kind_is_no_reason(self):
+        row, = table({"name": "step/3", "real_time": 2, "time_unit": "ms", "label": "banded", "bytes_per_step": 1e8})
+        self.assertEqual(float(row["bytes_per_second"]), 5e10)
+
+    def test_memory_of_a_particle_is_shown(self):
+        row, = table({"name": "step/3", "real_time": 2, "time_unit": "ms", "bytes_per_particle": 200.25})
+        self.assertEqual(row["bytes_per_item"], "200")
+
+    def test_words_of_the_command(self):
+        self.assertEqual(benchmarks.table_of("--table"), benchmarks.TABLE)
+        self.assertEqual(benchmarks.table_of("--table=/tmp/a.csv"), pathlib.Path("/tmp/a.csv"))
+        self.assertIsNone(benchmarks.table_of("--benchmark_filter=steps"))
+
+    def test_a_program_without_a_matching_benchmark_has_no_rows(self):
+        with tempfile.NamedTemporaryFile() as empty:
+            self.assertEqual(benchmarks.entries_of(pathlib.Path(empty.name)), [])
+
     def test_a_benchmark_that_failed_has_no_row(self):
         self.assertEqual(table({"name": "step/3", "error_occurred": True, "real_time": 0, "time_unit": "ns"}), [])
 

@@ -11,14 +11,25 @@ MACHINE = "machine"     # the program that measures the limits
 HOW_IT_RAN = re.compile(r"/iterations:\d+|/real_time")     # at the end of a benchmark's name
 
 
+WORDS = ("program", "benchmark", "processor", "date")
+
+
+def _number(text):
+    try:
+        return float(text) if text else None
+    except ValueError:
+        return None
+
+
 def _numbers(row):
-    numbers = {key: (float(value) if value else None) if key not in ("program", "benchmark", "processor", "date") else value
-               for key, value in row.items()}
-    return numbers | {"benchmark": HOW_IT_RAN.sub("", row["benchmark"])}
+    numbers = {key: value if key in WORDS else _number(value) for key, value in row.items()}
+    reason = row["of_peak"] if row["of_peak"] and numbers["of_peak"] is None else ""
+    return numbers | {"benchmark": HOW_IT_RAN.sub("", row["benchmark"]), "not_counted": reason}
 
 
 def read(path=RECORD):
-    """Rows of the record with numbers as such, None where nothing was counted; none where there is no such file."""
+    """Rows of the record with numbers as such, None where nothing was counted, and the word that says why it was not;
+    none where there is no such file."""
     if not path.is_file():
         return []
     with path.open(encoding="utf-8", newline="") as file:

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "seiche/models/dirichlet_mesh/flow.hpp"
+#include "verification/performance/work.hpp"
 
 namespace {
 
@@ -20,6 +21,9 @@ using namespace seiche;
 using namespace seiche::dirichlet_mesh;
 using namespace seiche::free_lagrangian;
 using std::numbers::pi;
+
+/// Of a ring: a node and, by Euler, six neighbours.
+constexpr double members = 7;
 
 Mesh box(int n) {
   return jittered(layer_mesh({.begin = 0, .end = 1, .columns = n, .rows = n}), 0.2, 1);
@@ -51,6 +55,7 @@ void flips_and_geometry(benchmark::State& state) {
   const double work = static_cast<double>(state.iterations()) * static_cast<double>(model.nodes());
   state.SetItemsProcessed(static_cast<long>(work));
   state.counters["flips"] = static_cast<double>(mesh.flips() - before) / work;
+  performance::show_not_counted(state, "branching");
 }
 
 /// What the flips save: all cells anew, by the sweep of a library. Whole numbers are what it computes with.
@@ -65,6 +70,7 @@ void rebuild(benchmark::State& state) {
     benchmark::DoNotOptimize(diagram.num_vertices());
   }
   state.SetItemsProcessed(state.iterations() * static_cast<long>(mesh.nodes()));
+  performance::show_not_counted(state, "branching");
 }
 
 /// Assembly, factor and everything else at a configuration that stays: no new pattern.
@@ -74,9 +80,12 @@ void linearisation(benchmark::State& state) {
   model.linearise({}, start.q);
   for (auto _ : state) model.linearise({}, start.q);
   state.SetItemsProcessed(state.iterations() * static_cast<long>(model.nodes()));
+  performance::show(state, performance::ring_factorisation(model.solver().factor_work(),
+                                                           static_cast<double>(model.nodes()), members));
 }
 
-/// Whole steps that flip edges: cells along a side, threads, method of the pressures.
+/// Whole steps that flip edges: cells along a side, threads, method of the pressures. Counted are the pressures; flips
+/// and geometry branch.
 void steps(benchmark::State& state) {
   const int threads = omp_get_max_threads();
   omp_set_num_threads(static_cast<int>(state.range(1)));
@@ -90,8 +99,14 @@ void steps(benchmark::State& state) {
   const double work = static_cast<double>(state.iterations()) * static_cast<double>(flow.model().nodes());
   state.SetItemsProcessed(static_cast<long>(work));
   state.counters["flips"] = static_cast<double>(flow.flips() - before) / work;
-  state.counters["iterations"] =
-      static_cast<double>(flow.model().solver().iterations() - solved) / static_cast<double>(state.iterations());
+  const linear::RingSolver& solver = flow.model().solver();
+  const double iterations = static_cast<double>(solver.iterations() - solved) / static_cast<double>(state.iterations());
+  state.counters["iterations"] = iterations;
+  const auto nodes = static_cast<double>(flow.model().nodes());
+  performance::show(
+      state, performance::ring_factorisation(solver.factor_work(), nodes, members) +
+                 performance::ring_solution(solver.factor_work(), nodes,
+                                            static_cast<double>(flow.model().matrix().values().size()), iterations));
   omp_set_num_threads(threads);
 }
 

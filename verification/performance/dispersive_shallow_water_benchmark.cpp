@@ -1,9 +1,8 @@
 // Marker-steps per second of the dispersive shallow-water model.
 //
 //   items_per_second     markers x steps / second
-//   bytes_per_step       least traffic of one step per marker: 8 bytes for each array of length N that the scheme
-//                        has to read or write once, whatever the code does beyond that
-//   operations_per_step  floating-point operations of one step per marker in the formulas (+ - * / sqrt count one each)
+//   bytes_per_step, operations_per_step   work.hpp: arrays that the scheme has to read or write once, whatever the
+//                        code does beyond that
 //
 // Channels: level between walls, level and periodic, and a plane beach with a shoreline at its end. Schemes: A
 // one-step, B one-step with feedback, C conservative with three sweeps.
@@ -15,6 +14,7 @@
 
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "verification/performance/work.hpp"
 
 namespace {
 
@@ -44,11 +44,6 @@ Flow start(Site site, std::size_t n, Scheme scheme) {
   return {channel, solitary_markers(channel, -length / 2, length / 2, spacing, wave), scheme};
 }
 
-struct Work {
-  double arrays;      // read or written once per step, of length N
-  double operations;  // per marker and step
-};
-
 /// Arrays of a step with A: x, y, p, r read and written, 1/m and 1/(alpha m) read, two rows of the elimination written
 /// and read again, multipliers written: 8 + 2 + 4 + 1. B also reads the rest volumes. A sweep of C: x, y, p, r read,
 /// their values at the end and at the middle read and written, the rest as before: 4 + 8 + 2 + 4 + 1; four more per
@@ -59,15 +54,15 @@ struct Work {
 /// C: middle and motion 6, mean of the force over the motion 27, the rest without predictor and reflection: 119; 12
 /// more per step. On a slope, per solve: bottom and frames 16, mobilities 15, and 42 where gradients and rates are
 /// turned.
-Work work_of(Stepping stepping, double sloping) {
+performance::Work work_of(Stepping stepping, double sloping) {
   constexpr double turning = 16 + 15 + 42;
   switch (stepping) {
     case Stepping::one_step:
-      return {15, 94 + turning * sloping};
+      return performance::pass(15, 94 + turning * sloping);
     case Stepping::one_step_feedback:
-      return {16, 99 + turning * sloping};
+      return performance::pass(16, 99 + turning * sloping);
     case Stepping::conservative:
-      return {sweeps * 19 + 4, sweeps * (119 + turning * sloping) + 12};
+      return performance::pass(sweeps * 19 + 4, sweeps * (119 + turning * sloping) + 12);
   }
   return {};
 }
@@ -88,10 +83,8 @@ void marker_steps(benchmark::State& state, Site site, Stepping stepping) {
       state.ResumeTiming();
     }
   }
-  const Work work = work_of(stepping, site == Site::beach ? -toe / spacing / markers : 0);
   state.SetItemsProcessed(static_cast<std::int64_t>(static_cast<double>(state.iterations()) * markers));
-  state.counters["bytes_per_step"] = 8 * work.arrays * markers;
-  state.counters["operations_per_step"] = work.operations * markers;
+  performance::show(state, markers * work_of(stepping, site == Site::beach ? -toe / spacing / markers : 0));
   benchmark::DoNotOptimize(flow.x().data());
   omp_set_num_threads(threads);
 }

@@ -1,12 +1,8 @@
 // Cell-steps per second of the finite-volume schemes.
 //
 //   items_per_second  cells x steps / second
-//   bytes_per_step    least traffic of one step per cell, 8 bytes for each pass over an array of length N. In a channel
-//                     of one block passes of the code: reads and writes, arrays that stay in a register between two
-//                     uses counted once. In a longer one what leaves a block: four arrays, read and written.
-//   operations_per_step  floating-point operations of one step per cell in the source (+ - * / sqrt abs min max and
-//                     compare-and-select count one each), counted by hand in the loops of the fluxes, the update and
-//                     the primitives.
+//   bytes_per_step, operations_per_step   work.hpp. Arrays that stay in a register between two uses count once; in a
+//                     channel of several blocks what leaves a block: four arrays, read and written.
 #include <benchmark/benchmark.h>
 
 #include <omp.h>
@@ -15,16 +11,13 @@
 #include <vector>
 
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
+#include "verification/performance/work.hpp"
 
 namespace {
 
+namespace performance = seiche::performance;
 using seiche::shallow_water_finite_volume::FiniteVolumeFlow;
 using seiche::shallow_water_finite_volume::Scheme;
-
-struct Work {
-  double arrays;      // passes over arrays per step
-  double operations;  // per cell and step
-};
 
 /// Courant test 2 reads; update: 2 fluxes, h, q read, h, q written; settle: h, q read, h written; primitives: h, q
 /// read, u, c written: 15 passes, 2 + 6 + 6 + 4 = 18 operations. Fluxes: 2 writes and
@@ -33,16 +26,20 @@ struct Work {
 ///   Roe             4 reads, 64 operations
 /// MUSCL: reconstruction 2 reads, 4 writes, 2 x 12 + 8 operations; HLL 4 reads, 2 writes, 46 operations; that and the
 /// update twice; Heun 8 passes, 4 operations.
-Work work_of(Scheme scheme) {
+performance::Work work_of(Scheme scheme, std::size_t cells) {
+  constexpr std::size_t several_blocks = 1024;
+  const auto work = [cells](double arrays, double operations) {
+    return performance::pass(cells < several_blocks ? arrays : 8, operations);
+  };
   switch (scheme) {
     case Scheme::lax_friedrichs:
-      return {15 + 5, 18 + 24};
+      return work(15 + 5, 18 + 24);
     case Scheme::mac_cormack:
-      return {15 + 13, 18 + 74};
+      return work(15 + 13, 18 + 74);
     case Scheme::roe:
-      return {15 + 6, 18 + 64};
+      return work(15 + 6, 18 + 64);
     case Scheme::muscl_hll:
-      return {2 + 2 * (13 + 12) + 8, 2 + 2 * (16 + 32 + 46) + 4};
+      return work(2 + 2 * (13 + 12) + 8, 2 + 2 * (16 + 32 + 46) + 4);
   }
   return {};
 }
@@ -61,11 +58,7 @@ void finite_volume_steps(benchmark::State& state, Scheme scheme) {
   const double tau = 0.2 / flow.courant_number(1);
   for (auto _ : state) flow.step(tau);
   state.SetItemsProcessed(state.iterations() * state.range(0));
-  const Work work = work_of(scheme);
-  constexpr std::size_t several_blocks = 1024;
-  const double arrays = cells < several_blocks ? work.arrays : 8;
-  state.counters["bytes_per_step"] = 8 * arrays * static_cast<double>(cells);
-  state.counters["operations_per_step"] = work.operations * static_cast<double>(cells);
+  performance::show(state, static_cast<double>(cells) * work_of(scheme, cells));
   benchmark::DoNotOptimize(flow.depth().data());
   omp_set_num_threads(threads);
 }

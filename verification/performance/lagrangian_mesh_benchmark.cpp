@@ -13,6 +13,7 @@
 
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "verification/performance/work.hpp"
 
 namespace {
 
@@ -23,25 +24,42 @@ using linear::NinePointMethod;
 constexpr double amplitude = 0.3;
 constexpr double longest_run = 8;  // then from the beginning again: before the wave reaches the wall
 
-struct Work {
+struct Solver {
   long solves = 0;
   long iterations = 0;
   long factorisations = 0;
 
-  Work& operator+=(const Work& other) {
+  Solver& operator+=(const Solver& other) {
     solves += other.solves;
     iterations += other.iterations;
     factorisations += other.factorisations;
     return *this;
   }
-  Work operator-(const Work& other) const {
+  Solver operator-(const Solver& other) const {
     return {solves - other.solves, iterations - other.iterations, factorisations - other.factorisations};
   }
 };
 
-Work work_of(const Flow& flow) {
+Solver taken(const Flow& flow) {
   const linear::NinePointSolver& solver = flow.model().solver();
   return {solver.solutions(), solver.iterations(), solver.factorisations()};
+}
+
+/// A linearisation with its projection, per cell: predict (6 arrays, 4 operations), diagonals and corners (6, 29),
+/// assembly (11, 48), rates of the areas (7, 11), mean velocities (4), reaction (11, 18), advance (6, 4), reflection
+/// (6, 4). Forces act on the surface alone.
+constexpr performance::Work linearisation = performance::pass(57, 118);
+
+performance::Work work_of(const Solver& done, double steps, linear::FactorWork factor, double columns, double rows) {
+  const double solves = static_cast<double>(done.solves) / steps;
+  const double cells = columns * rows;
+  performance::Work work = (solves * cells) * linearisation;
+  if (done.iterations > 0) {
+    return work + (solves * cells) * performance::lattice_solution(
+                                         columns, 1, 9, static_cast<double>(done.iterations) / steps / solves);
+  }
+  return work + (static_cast<double>(done.factorisations) / steps) * performance::factorisation(factor) +
+         solves * performance::substitution(factor);
 }
 
 Flow start(std::size_t columns, std::size_t rows, double column_width, Stepping stepping, NinePointMethod solver,
@@ -72,25 +90,27 @@ void step(benchmark::State& state, Stepping stepping, NinePointMethod solver, do
     return flow;
   };
   Flow flow = started();
-  Work work = work_of(flow);
-  Work done;
+  Solver before = taken(flow);
+  Solver done;
   for (auto _ : state) {
     if (flow.time() > longest_run) {
       state.PauseTiming();
-      done += work_of(flow) - work;
+      done += taken(flow) - before;
       flow = started();
-      work = work_of(flow);
+      before = taken(flow);
       state.ResumeTiming();
     }
     flow.advance(tau);
   }
-  done += work_of(flow) - work;
+  done += taken(flow) - before;
   const auto steps = static_cast<double>(state.iterations());
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(columns * rows));
   state.SetLabel(std::string(linear::name(flow.model().solver().method())));
   state.counters["solves"] = static_cast<double>(done.solves) / steps;
   state.counters["iterations"] = static_cast<double>(done.iterations) / steps;
   state.counters["factorisations"] = static_cast<double>(done.factorisations) / steps;
+  performance::show(state, work_of(done, steps, flow.model().solver().factor_work(), static_cast<double>(columns),
+                                   static_cast<double>(rows)));
 }
 
 void small_meshes(benchmark::internal::Benchmark* benchmark) {

@@ -1,6 +1,7 @@
 // Rows per second of the tridiagonal solvers, and marker-steps per second of the integrators on a flat channel.
 #include <benchmark/benchmark.h>
 
+#include <type_traits>
 #include <vector>
 
 #include "seiche/linear/tridiagonal.hpp"
@@ -8,10 +9,17 @@
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "verification/conservation/flat_channel.hpp"
+#include "verification/performance/work.hpp"
 
 namespace {
 
 using namespace seiche;
+
+/// Two diagonals and the right-hand side are read, the solution written; pivots and multipliers are written and read
+/// (4 arrays). Elimination 3 + 2, substitution 3 operations; a periodic system is solved for two right-hand sides.
+template <class Matrix>
+constexpr performance::Work solution = std::is_same_v<Matrix, linear::PeriodicTridiagonal> ? performance::pass(12, 15)
+                                                                                           : performance::pass(8, 8);
 
 template <class Matrix>
 void factor_and_solve(benchmark::State& state) {
@@ -27,6 +35,7 @@ void factor_and_solve(benchmark::State& state) {
     benchmark::DoNotOptimize(x.data());
   }
   state.SetItemsProcessed(state.iterations() * state.range(0));
+  performance::show(state, static_cast<double>(n) * solution<Matrix>);
 }
 
 template <template <class> class Stepper, class Matrix>
@@ -40,6 +49,13 @@ void channel_steps(benchmark::State& state) {
   Stepper<Channel> stepper(channel);
   for (auto _ : state) stepper.step(flow, 0.05);
   state.SetItemsProcessed(state.iterations() * state.range(0));
+  // As of channels between walls in dispersive_shallow_water_benchmark.cpp.
+  performance::Work work = performance::pass(15, 94);
+  if constexpr (requires { stepper.total_sweeps(); }) {
+    const double sweeps = static_cast<double>(stepper.total_sweeps()) / static_cast<double>(flow.steps);
+    work = performance::pass(sweeps * 19 + 4, sweeps * 119 + 12);
+  }
+  performance::show(state, static_cast<double>(n) * work);
   benchmark::DoNotOptimize(flow.q.data());
 }
 

@@ -4,14 +4,19 @@
 //   analyses           of the matrix's pattern, per step
 #include <benchmark/benchmark.h>
 
+#include <numbers>
 #include <vector>
 
 #include "seiche/models/overlapping_particles/flow.hpp"
+#include "verification/performance/work.hpp"
 
 namespace {
 
 using namespace seiche;
 using namespace seiche::overlapping_particles;
+
+/// Of a ring: the particles in a support.
+const double members = std::numbers::pi * Settings().support * Settings().support;
 
 Particles disc(int n) {
   return staggered_disc(1, 1.0 / n);
@@ -31,6 +36,7 @@ void neighbours(benchmark::State& state) {
   near.update(p.x, p.y, walls);
   for (auto _ : state) benchmark::DoNotOptimize(near.update(p.x, p.y, walls));
   state.SetItemsProcessed(state.iterations() * static_cast<long>(p.size()));
+  performance::show_not_counted(state, "branching");
 }
 
 /// Gradients, assembly and factor at a configuration that stays: no new pattern.
@@ -40,9 +46,11 @@ void linearisation(benchmark::State& state) {
   model.linearise({}, start.q);
   for (auto _ : state) model.linearise({}, start.q);
   state.SetItemsProcessed(state.iterations() * static_cast<long>(model.size()));
+  performance::show(
+      state, performance::ring_factorisation(model.solver().factor_work(), static_cast<double>(model.size()), members));
 }
 
-/// Whole steps of a fifth of the spacing.
+/// Whole steps of a fifth of the spacing. Counted are the multipliers; the search for neighbours branches.
 void steps(benchmark::State& state) {
   const auto n = static_cast<int>(state.range(0));
   Flow flow(disc(n), eddy);
@@ -50,7 +58,13 @@ void steps(benchmark::State& state) {
   for (auto _ : state) flow.advance(0.2 / n);
   const auto taken = static_cast<double>(state.iterations());
   state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.model().size()));
-  state.counters["analyses"] = static_cast<double>(flow.model().solver().analyses() - before) / taken;
+  const linear::RingSolver& solver = flow.model().solver();
+  state.counters["analyses"] = static_cast<double>(solver.analyses() - before) / taken;
+  const auto particles = static_cast<double>(flow.model().size());
+  performance::show(state,
+                    performance::ring_factorisation(solver.factor_work(), particles, members) +
+                        performance::ring_solution(solver.factor_work(), particles,
+                                                   static_cast<double>(flow.model().matrix().values().size()), 0));
 }
 
 BENCHMARK(neighbours)->Arg(20)->Arg(50)->Arg(180)->Unit(benchmark::kMillisecond);

@@ -9,6 +9,7 @@
 
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "verification/performance/work.hpp"
 
 namespace {
 
@@ -20,13 +21,12 @@ Particles standing_wave(std::size_t count) {
       [](double) { return 0.0; });
 }
 
-/// Traffic and arithmetic as the algorithm needs them, not as a profiler would count them: edges, velocities (read and
-/// written), masses and their inverses (read) are 8 doubles; two curves, their slopes and four Newton steps of one
+/// As the algorithm needs it: edges, velocities (read and written), masses and their inverses (read) are 8 doubles; two
+/// curves, their slopes and four Newton steps of one
 /// Riemann problem are about 110 operations, reconstruction and predictor about 60.
 void count_work(benchmark::State& state, std::size_t particles, double operations) {
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(particles));
-  state.counters["bytes_per_step"] = 64 * static_cast<double>(particles);
-  state.counters["operations_per_step"] = operations * static_cast<double>(particles);
+  seiche::performance::show(state, static_cast<double>(particles) * seiche::performance::pass(8, operations));
 }
 
 void standing_wave_steps(benchmark::State& state, Level level) {

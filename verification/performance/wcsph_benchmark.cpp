@@ -9,15 +9,38 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <variant>
 
 #include <omp.h>
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "verification/performance/work.hpp"
 
 namespace {
 
+namespace performance = seiche::performance;
 using namespace seiche::wcsph;
+
+/// Operations of an ordered pair in an evaluation: distances (24), kernel (13), rates with artificial viscosity (27).
+/// With eddies their stresses (25) and a pass for the strain (38) come in its place (5) and laminar viscosity; with
+/// density diffusion two passes more (34, 36). Filter and shifting have theirs once in a step, of two evaluations.
+double operations_per_pair(const Settings& settings) {
+  double operations = 64;
+  if (std::holds_alternative<LaminarSps>(settings.viscosity)) operations += 12 + 13 + 38 - 5;
+  if (settings.density_diffusion > 0) operations += 34 + 36;
+  if (settings.filter_every > 0) operations += 43 / 2.0;
+  if (settings.particle_shifting) operations += (32 + 60) / 2.0;
+  return operations;
+}
+
+/// Of a particle in an evaluation: the state and its last place are read, and its record, a cache line, is written (18
+/// operations); record and mass are read, and rates written; state and rates are read and the new state is written
+/// (10). Records of neighbours are in the cache; lists of candidates are a few bytes.
+performance::Work work_of(const Settings& settings, double particles, double interactions) {
+  return (2 * particles) * performance::pass(5 + 3 + 8 + 8 + 1 + 5 + 15, 28) +
+         performance::Work{0, interactions * operations_per_pair(settings)};
+}
 
 void dam_break_steps(benchmark::State& state, Settings settings) {
   const auto across = static_cast<double>(state.range(0));
@@ -35,9 +58,11 @@ void dam_break_steps(benchmark::State& state, Settings settings) {
   const long long before = flow.extremes().interactions;
   for (auto _ : state) flow.advance();
   state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.particles().size()));
-  state.counters["interactions"] =
-      benchmark::Counter(static_cast<double>(flow.extremes().interactions - before), benchmark::Counter::kIsRate);
-  state.counters["particles"] = static_cast<double>(flow.particles().size());
+  const auto interactions = static_cast<double>(flow.extremes().interactions - before);
+  state.counters["interactions"] = benchmark::Counter(interactions, benchmark::Counter::kIsRate);
+  const auto particles = static_cast<double>(flow.particles().size());
+  state.counters["particles"] = particles;
+  performance::show(state, work_of(settings, particles, interactions / static_cast<double>(state.iterations())));
 }
 
 const Settings standard{.viscosity = ArtificialViscosity{0.3}};
@@ -81,8 +106,14 @@ void dam_break_rates(benchmark::State& state) {
   Flow flow(scene.particles, scene.spacing, settings);
   const long long before = flow.extremes().interactions;
   for (auto _ : state) benchmark::DoNotOptimize(flow.rates());
-  state.counters["interactions"] =
-      benchmark::Counter(static_cast<double>(flow.extremes().interactions - before), benchmark::Counter::kIsRate);
+  const auto interactions = static_cast<double>(flow.extremes().interactions - before);
+  state.counters["interactions"] = benchmark::Counter(interactions, benchmark::Counter::kIsRate);
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.particles().size()));
+  // Without the move, but the rates are copied.
+  performance::show(
+      state,
+      static_cast<double>(flow.particles().size()) * performance::pass(5 + 3 + 8 + 8 + 1 + 5 + 10, 18) +
+          performance::Work{0, interactions / static_cast<double>(state.iterations()) * operations_per_pair(settings)});
 }
 BENCHMARK(dam_break_rates)->Arg(50)->Arg(690)->UseRealTime();
 

@@ -12,9 +12,11 @@ from render.formulas import Formulas  # noqa: E402
 from render.store import Store  # noqa: E402
 from render.text import Typesetter  # noqa: E402
 
-RECORD = """program,benchmark,nanoseconds_per_item,bytes_per_second,of_bandwidth,operations_per_second,of_peak,processor,date
-machine,triad/1000,0.1,2e11,,,,A processor,2026-01-02
-particles,G1/1000/1/iterations:4/real_time,36,8.5e9,0.43,4e9,,A processor,2026-01-02
+RECORD = """program,benchmark,nanoseconds_per_item,bytes_per_second,of_bandwidth,operations_per_second,of_peak,bytes_per_item,processor,date
+machine,triad/1000,0.1,2e11,,,,,A processor,2026-01-02
+particles,G1/1000/1/iterations:4/real_time,36,8.5e9,0.43,4e9,,,A processor,2026-01-02
+exact_waves,solve/2,,adaptive,adaptive,adaptive,adaptive,,A processor,2026-01-02
+wcsph,steps/2,36,8.5e9,0.43,4e9,0.12,321,A processor,2026-01-02
 """
 
 
@@ -38,6 +40,9 @@ class Speed(unittest.TestCase):
         self.assertIn(">43</span> %</td><td class=\"r\"></td>", page)
         self.assertIn("<code>G1/1000/1</code>", page)
         self.assertIn("A processor, 2026-01-02", page)
+        self.assertIn("adaptive", page[page.index('id="exact_waves"'):page.index('id="wcsph"')])
+        self.assertIn(">321</span>", page[page.index('id="wcsph"'):])
+        self.assertEqual(page.count("bytes per item"), 1)
         self.assertNotIn("triad", page[page.index('id="particles"'):])
 
     def test_without_a_table_the_page_says_how_to_make_one(self):

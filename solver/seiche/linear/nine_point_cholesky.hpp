@@ -25,6 +25,7 @@
 
 #include "seiche/linear/dense_block.hpp"
 #include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/sparse_cholesky.hpp"
 
 namespace seiche::linear {
 
@@ -39,6 +40,8 @@ class NinePointCholesky {
   void solve(std::span<const double> right_hand_side, std::span<double> x) const;
 
   [[nodiscard]] std::size_t size() const { return columns_ * rows_; }
+  /// Of the blocks, whatever fills them.
+  [[nodiscard]] FactorWork work() const;
 
  private:
   using Block = dense_block::Block;

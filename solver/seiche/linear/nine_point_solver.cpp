@@ -45,6 +45,7 @@ class NinePointSolver::Implementation {
   virtual void factor(const NinePointMatrix& a) = 0;
   /// Returns the iterations taken.
   virtual int solve(std::span<const double> right_hand_side, std::span<double> x, double tolerance) = 0;
+  [[nodiscard]] virtual FactorWork factor_work() const = 0;
 };
 
 template <class Cholesky>
@@ -56,6 +57,7 @@ class NinePointSolver::Direct final : public Implementation {
     cholesky_.solve(right_hand_side, x);
     return 0;
   }
+  [[nodiscard]] FactorWork factor_work() const override { return cholesky_.work(); }
 
  private:
   Cholesky cholesky_;
@@ -68,6 +70,7 @@ class NinePointSolver::Iterative final : public Implementation {
   int solve(std::span<const double> right_hand_side, std::span<double> x, double tolerance) override {
     return gradients_.solve(right_hand_side, x, tolerance);
   }
+  [[nodiscard]] FactorWork factor_work() const override { return {}; }
 
  private:
   LatticeGradients<NinePointMatrix> gradients_;
@@ -103,6 +106,10 @@ void NinePointSolver::solve(std::span<const double> right_hand_side, std::span<d
   last_iterations_ = implementation_->solve(right_hand_side, x, tolerance > 0 ? tolerance : tolerance_);
   iterations_ += last_iterations_;
   ++solutions_;
+}
+
+FactorWork NinePointSolver::factor_work() const {
+  return implementation_->factor_work();
 }
 
 }  // namespace seiche::linear

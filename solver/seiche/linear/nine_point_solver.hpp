@@ -17,6 +17,7 @@
 
 #include "seiche/linear/lattice_gradients.hpp"
 #include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/sparse_cholesky.hpp"
 
 namespace seiche::linear {
 
@@ -46,6 +47,8 @@ class NinePointSolver {
   /// @param tolerance  instead of the solver's own; 0 for that
   void solve(std::span<const double> right_hand_side, std::span<double> x, double tolerance = 0);
 
+  /// Of the last factor; nothing of the iterative method.
+  [[nodiscard]] FactorWork factor_work() const;
   [[nodiscard]] long factorisations() const { return factorisations_; }
   [[nodiscard]] long solutions() const { return solutions_; }
   /// Of the iterative method, of all solutions and of the last one.

@@ -23,6 +23,7 @@ class NinePointSparse {
   }
 
   [[nodiscard]] std::size_t size() const { return columns_ * rows_; }
+  [[nodiscard]] FactorWork work() const { return cholesky_.work(); }
 
  private:
   std::size_t columns_;

@@ -9,7 +9,6 @@
 #include <Eigen/IterativeLinearSolvers>
 
 #include "seiche/linear/conjugate_gradients.hpp"
-#include "seiche/linear/sparse_cholesky.hpp"
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/require.hpp"
 
@@ -30,6 +29,7 @@ class RingSolver::Implementation {
   /// Returns the number of iterations.
   virtual int solve(std::span<const double> right_hand_side, std::span<double> x) = 0;
   [[nodiscard]] virtual double pivot_ratio() const = 0;
+  [[nodiscard]] virtual FactorWork factor_work() const = 0;
 };
 
 class RingSolver::Direct final : public Implementation {
@@ -38,10 +38,10 @@ class RingSolver::Direct final : public Implementation {
     if (cholesky_ && cholesky_->size() == a.size()) {
       ordering_.assign(cholesky_->ordering().begin(), cholesky_->ordering().end());
       cholesky_.emplace(a.lower(), ordering_);
-      if (cholesky_->entries() <= fill_ * most_growth) return;
+      if (cholesky_->work().entries <= fill_ * most_growth) return;
     }
     cholesky_.emplace(a.lower());
-    fill_ = cholesky_->entries();
+    fill_ = cholesky_->work().entries;
   }
 
   void factor(const RingMatrix& a, double shift) override {
@@ -66,6 +66,7 @@ class RingSolver::Direct final : public Implementation {
   }
 
   [[nodiscard]] double pivot_ratio() const override { return cholesky_->pivot_ratio(); }
+  [[nodiscard]] FactorWork factor_work() const override { return cholesky_->work(); }
 
  private:
   static constexpr int refinements = 2;
@@ -105,6 +106,7 @@ class RingSolver::Iterative final : public Implementation {
   }
 
   [[nodiscard]] double pivot_ratio() const override { return 1; }
+  [[nodiscard]] FactorWork factor_work() const override { return {}; }
 
  private:
   static constexpr int most_iterations = 5000;
@@ -154,6 +156,10 @@ void RingSolver::solve(std::span<const double> right_hand_side, std::span<double
 
 double RingSolver::pivot_ratio() const {
   return implementation_->pivot_ratio();
+}
+
+FactorWork RingSolver::factor_work() const {
+  return implementation_->factor_work();
 }
 
 }  // namespace seiche::linear

@@ -19,6 +19,7 @@
 #include <string_view>
 
 #include "seiche/linear/ring_matrix.hpp"
+#include "seiche/linear/sparse_cholesky.hpp"
 
 namespace seiche::linear {
 
@@ -46,6 +47,8 @@ class RingSolver {
 
   /// Smallest pivot over the largest of the direct method, 1 of the other one.
   [[nodiscard]] double pivot_ratio() const;
+  /// Of the last factor, without what the incomplete one of the iterative method takes.
+  [[nodiscard]] FactorWork factor_work() const;
   [[nodiscard]] long analyses() const { return analyses_; }
   [[nodiscard]] long factorisations() const { return factorisations_; }
   [[nodiscard]] long iterations() const { return iterations_; }

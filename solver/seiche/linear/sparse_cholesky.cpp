@@ -47,7 +47,7 @@ struct SparseCholesky::Cholmod {
       std::vector<int> given(ordering.begin(), ordering.end());
       factor = cholmod_analyze_p(&a, given.data(), nullptr, 0, &common);
     }
-    entries = common.lnz;
+    work = {common.lnz, common.fl};
     if (factor == nullptr) {
       cholmod_finish(&common);
       throw std::bad_alloc();
@@ -83,7 +83,7 @@ struct SparseCholesky::Cholmod {
   Eigen::SparseMatrix<double> pattern;
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
-  double entries = 0;
+  FactorWork work;
   cholmod_dense* x = nullptr;  // solution and work, kept from one solution to the next
   cholmod_dense* y = nullptr;
   cholmod_dense* e = nullptr;
@@ -133,8 +133,8 @@ std::span<const int> SparseCholesky::ordering() const {
   return {static_cast<const int*>(cholmod_->factor->Perm), size()};
 }
 
-double SparseCholesky::entries() const {
-  return cholmod_->entries;
+FactorWork SparseCholesky::work() const {
+  return cholmod_->work;
 }
 
 double SparseCholesky::pivot_ratio() const {

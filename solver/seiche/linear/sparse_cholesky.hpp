@@ -17,6 +17,12 @@
 
 namespace seiche::linear {
 
+/// Of a factor: its entries, and the operations that make it.
+struct FactorWork {
+  double entries = 0;
+  double operations = 0;
+};
+
 class SparseCholesky {
  public:
   /// @param pattern  lower triangle with its diagonal, compressed; its values do not matter. Throws
@@ -37,8 +43,8 @@ class SparseCholesky {
   [[nodiscard]] std::size_t size() const;
   /// Unknowns in the order of their elimination.
   [[nodiscard]] std::span<const int> ordering() const;
-  /// Entries of the factor that the ordering makes.
-  [[nodiscard]] double entries() const;
+  /// By the symbolic analysis.
+  [[nodiscard]] FactorWork work() const;
   /// Smallest pivot over the largest, after factor.
   [[nodiscard]] double pivot_ratio() const;
 

@@ -43,6 +43,8 @@ class GramSystem {
   [[nodiscard]] double scaled_largest(std::span<const double> r) const;
 
   [[nodiscard]] long analyses() const { return analyses_; }
+  /// Of the normal equations' factor; nothing where conjugate gradients solve them.
+  [[nodiscard]] linear::FactorWork factor_work() const { return solver_ ? solver_->work() : linear::FactorWork{}; }
   /// Of conjugate gradients, so far.
   [[nodiscard]] long iterations() const { return iterations_; }
 

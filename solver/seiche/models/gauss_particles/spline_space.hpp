@@ -61,6 +61,8 @@ class SplineSpace final : public FieldSpace {
   [[nodiscard]] const Seconds& seconds() const { return seconds_; }
   /// Symbolic factorisations so far.
   [[nodiscard]] long analyses() const { return system_.analyses(); }
+  /// Of the normal equations' factor; nothing where conjugate gradients solve them.
+  [[nodiscard]] linear::FactorWork factor_work() const { return system_.factor_work(); }
 
  private:
   [[nodiscard]] double particles_per_cell(std::span<const double> mass) const;

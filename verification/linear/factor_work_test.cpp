@@ -1,0 +1,66 @@
+// Factors tell their entries and the operations that make them: benchmarks are read by these numbers.
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "seiche/linear/nine_point_cholesky.hpp"
+#include "seiche/linear/sparse_cholesky.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using linear::FactorWork;
+
+/// Of the pattern with `below` entries under every diagonal, eliminated as it stands.
+FactorWork banded(int n, int below) {
+  Eigen::SparseMatrix<double> pattern(n, n);
+  for (int j = 0; j < n; ++j) {
+    for (int i = j; i < std::min(n, j + below + 1); ++i) pattern.insert(i, j) = 1;
+  }
+  pattern.makeCompressed();
+  std::vector<int> ordering(static_cast<std::size_t>(n));
+  std::iota(ordering.begin(), ordering.end(), 0);
+  return linear::SparseCholesky(pattern, ordering).work();
+}
+
+/// Columns of c entries: that many numbers, and c^2 operations each.
+FactorWork by_columns(int n, int below) {
+  FactorWork work;
+  for (int j = 0; j < n; ++j) {
+    const double entries = std::min(n - j, below + 1);
+    work.entries += entries;
+    work.operations += entries * entries;
+  }
+  return work;
+}
+
+double difference(FactorWork a, FactorWork b) {
+  return std::abs(a.entries - b.entries) + std::abs(a.operations - b.operations);
+}
+
+}  // namespace
+
+TEST_CASE("factors tell what they cost", "[linear]") {
+  verification::Check check(
+      "factor_work", "What a factor costs",
+      "Entries and operations of Cholesky factors, as the solvers tell them, beside sums over the "
+      "columns of bands and full matrices; of a lattice that is one dense block of eight cells, "
+      "and of one that is two on each other.");
+  const auto same = [&](const std::string& id, FactorWork told, FactorWork counted) {
+    check.that({.id = id,
+                .text = "The solver tells the entries and operations of its factor.",
+                .quantity = "difference",
+                .source = "sums over columns: c entries take c^2 operations"},
+               {.value = difference(told, counted)}, evidence::Bound{.limit = 0, .reason = "whole numbers"});
+  };
+  same("tridiagonal", banded(50, 1), by_columns(50, 1));
+  same("wide", banded(60, 7), by_columns(60, 7));
+  same("full", banded(20, 19), by_columns(20, 19));
+  constexpr double product = 2 * 8 * 8 * 8;
+  same("one-block", linear::NinePointCholesky(4, 2).work(), {64, product});
+  // Inverse, division and update of the first block, inverse of the second.
+  same("two-blocks", linear::NinePointCholesky(8, 2).work(), {3 * 64, 4 * product});
+}
