@@ -2,6 +2,7 @@
 // 4 long, kernel cubic, h = 1.3 dx.
 //
 //   items_per_second  particles (walls too) x steps / second
+//   bytes_per_particle  that the flow holds after its steps, all arrays and lists
 //   interactions      ordered pairs of particles within each other's support, one of them fluid, per second: two
 //                     evaluations per step; with turbulence the pass for the strain is not counted
 //
@@ -15,11 +16,13 @@
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "verification/live_memory.hpp"
 #include "verification/performance/work.hpp"
 
 namespace {
 
 namespace performance = seiche::performance;
+namespace verification = seiche::verification;
 using namespace seiche::wcsph;
 
 /// Operations of an ordered pair in an evaluation: distances (24), kernel (13), rates with artificial viscosity (27).
@@ -53,6 +56,7 @@ void dam_break_steps(benchmark::State& state, Settings settings) {
                                  .wall_height = 3.5 * width,
                                  .spacing = width / across},
                                 settings);
+  const double held = verification::live_bytes();
   Flow flow(scene.particles, scene.spacing, settings);
   for (int step = 0; step < 10; ++step) flow.advance();
   const long long before = flow.extremes().interactions;
@@ -62,6 +66,7 @@ void dam_break_steps(benchmark::State& state, Settings settings) {
   state.counters["interactions"] = benchmark::Counter(interactions, benchmark::Counter::kIsRate);
   const auto particles = static_cast<double>(flow.particles().size());
   state.counters["particles"] = particles;
+  state.counters["bytes_per_particle"] = (verification::live_bytes() - held) / particles;
   performance::show(state, work_of(settings, particles, interactions / static_cast<double>(state.iterations())));
 }
 

@@ -56,18 +56,26 @@ Flow::Engine::Engine(Particles particles, double spacing, const Settings& settin
       smoothing_(settings.smoothing * spacing),
       paddles_(std::move(paddles)),
       particles_(checked(std::move(particles), settings, spacing, paddles_.size())),
-      reference_x_(particles_.x),
-      reference_z_(particles_.z),
+      reference_x_(paddles_.empty() ? std::vector<double>{} : particles_.x),
+      reference_z_(paddles_.empty() ? std::vector<double>{} : particles_.z),
       mean_spacing_(mean_spacing(particles_, settings.density)),
       walls_(settings.kernel, fluid_),
       rates_(settings, spacing),
       shifting_(settings.kernel, spacing),
-      stage_(fluid_, smoothing_, settings.variable_smoothing, rates_.sound_scale()),
+      stage_(fluid_, smoothing_, settings.variable_smoothing, rates_.sound_scale(), rates_.turbulent()),
       neighbours_(mean_spacing_, expected_box(particles_), settings.period),
-      reserve_(settings.skin * support * smoothing_) {
+      reserve_(settings.skin * support * smoothing_),
+      listed_reserve_(reserve_) {
   rates_.resize(particles_.size());
-  next_.resize(particles_.size());
-  place_paddles(0, particles_.x, particles_.z, particles_.u, particles_.w);
+  const PaddlePoses poses = paddles_at(0);
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    if (particles_.kind[i] != Kind::paddle) continue;
+    const PointMotion motion = carried_by_paddle(i, poses);
+    particles_.x[i] = motion.x;
+    particles_.z[i] = motion.z;
+    particles_.u[i] = motion.u;
+    particles_.w[i] = motion.w;
+  }
   sort(reserve_);
   check_start();
 }
@@ -95,17 +103,14 @@ void Flow::Engine::sort(double reserve) {
     widest *= std::max(1.0, std::sqrt(settings_.density / lowest));
   }
   neighbours_.sort(particles_, widest, reserve);
-  for (std::vector<double>* values : {&reference_x_, &reference_z_}) {
-    scratch_.resize(values->size());
-    for (std::size_t i = 0; i < scratch_.size(); ++i) {
-      scratch_[i] = (*values)[static_cast<std::size_t>(neighbours_.order()[i])];
-    }
-    values->swap(scratch_);
+  if (!paddles_.empty()) {
+    std::vector<double> scratch;
+    neighbours_.reorder(reference_x_, scratch);
+    neighbours_.reorder(reference_z_, scratch);
   }
   stage_.adopt(particles_, neighbours_.images());
-  used_ = stage_.fill(StateView(particles_));
   neighbours_.list(stage_.records());
-  listed_ = {particles_.x, particles_.z, particles_.density, reserve};
+  listed_reserve_ = reserve;
   ++extremes_.rebuilds;
 
   const double usual = std::numbers::pi * std::pow(support * smoothing_ / mean_spacing_, 2);
@@ -117,11 +122,11 @@ void Flow::Engine::sort(double reserve) {
 }
 
 void Flow::Engine::fill_level() {
-  used_ = stage_.fill(StateView(particles_));
-  if (used_ + half_travel_ > reserve_) sort(reserve_);
+  const double used = stage_.fill(particles_);
+  if (used + half_travel_ > reserve_) sort(reserve_);
 }
 
-void Flow::Engine::evaluate(double time, std::vector<double>& density, bool limited) {
+void Flow::Engine::evaluate(double time, bool limited) {
   if (settings_.walls == WallPressure::extrapolated) {
     const auto felt_gravity = [this, time](std::size_t i) {
       std::array<double, 2> gravity{0, -settings_.gravity};
@@ -139,14 +144,18 @@ void Flow::Engine::evaluate(double time, std::vector<double>& density, bool limi
       }
       return gravity;
     };
-    walls_.apply(felt_gravity, stage_, neighbours_, density);
+    walls_.apply(felt_gravity, stage_, neighbours_);
   }
   rates_.evaluate(stage_, neighbours_, limited);
   extremes_.interactions += neighbours_.pairs();
 }
 
 void Flow::Engine::evaluate_level(bool limited) {
-  evaluate(time_, particles_.density, limited);
+  evaluate(time_, limited);
+  if (settings_.walls != WallPressure::extrapolated) return;
+  for (std::size_t i = neighbours_.fluid(); i < particles_.size(); ++i) {
+    particles_.density[i] = stage_.records()[i].density;
+  }
 }
 
 Rates Flow::Engine::rates() {
@@ -155,22 +164,19 @@ Rates Flow::Engine::rates() {
   return {.dx = rates_.dx, .dz = rates_.dz, .du = rates_.du, .dw = rates_.dw, .ddensity = rates_.ddensity};
 }
 
-void Flow::Engine::place_paddles(double time, std::vector<double>& x, std::vector<double>& z, std::vector<double>& u,
-                                 std::vector<double>& w) const {
-  for (std::size_t body = 0; body < paddles_.size(); ++body) {
-    const Paddle& paddle = paddles_[body];
-    const Pose pose = paddle.pose(time);
-    const Pose rate = paddle.rate(time);
-    // Before the first sorting any particle may be the paddle's; after it they come behind the fluid.
-    for (std::size_t i = neighbours_.fluid(); i < particles_.size(); ++i) {
-      if (particles_.kind[i] != Kind::paddle || particles_.body[i] != static_cast<std::int32_t>(body)) continue;
-      const PointMotion motion = carried(pose, rate, paddle.hinge_x, paddle.hinge_z, reference_x_[i], reference_z_[i]);
-      x[i] = motion.x;
-      z[i] = motion.z;
-      u[i] = motion.u;
-      w[i] = motion.w;
-    }
+Flow::Engine::PaddlePoses Flow::Engine::paddles_at(double time) const {
+  PaddlePoses poses;
+  for (const Paddle& paddle : paddles_) {
+    poses.pose.push_back(paddle.pose(time));
+    poses.rate.push_back(paddle.rate(time));
   }
+  return poses;
+}
+
+PointMotion Flow::Engine::carried_by_paddle(std::size_t i, const PaddlePoses& poses) const {
+  const auto body = static_cast<std::size_t>(particles_.body[i]);
+  const Paddle& paddle = paddles_[body];
+  return carried(poses.pose[body], poses.rate[body], paddle.hinge_x, paddle.hinge_z, reference_x_[i], reference_z_[i]);
 }
 
 }  // namespace seiche::wcsph

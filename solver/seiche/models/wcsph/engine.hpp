@@ -46,16 +46,22 @@ class Flow::Engine {
   void check_start() const;
   void sort(double reserve);
   void fill_level();
-  void evaluate(double time, std::vector<double>& density, bool limited);
+  void evaluate(double time, bool limited);
   void evaluate_level(bool limited);
   [[nodiscard]] double step_by_rule() const;
   void finish_step(double tau);
-  void move(double tau);
-  void place_paddles(double time, std::vector<double>& x, std::vector<double>& z, std::vector<double>& u,
-                     std::vector<double>& w) const;
+  /// Where paddles are at one instant.
+  struct PaddlePoses {
+    std::vector<Pose> pose, rate;
+  };
+  [[nodiscard]] PaddlePoses paddles_at(double time) const;
+  [[nodiscard]] PointMotion carried_by_paddle(std::size_t i, const PaddlePoses& poses) const;
+  /// Level n and tau times the rates; particles of paddles as they are carried then.
+  void moved(double tau, const PaddlePoses& poses, std::size_t first, std::size_t count, StateBlock& to) const;
+  double fill_moved(double tau);
   void commit(double tau);
   void rearrange(double tau);
-  [[noreturn]] void report_bad_state() const;
+  [[noreturn]] void report_bad_state(double tau, const PaddlePoses& poses) const;
 
   Settings settings_;
   double spacing_;
@@ -63,19 +69,16 @@ class Flow::Engine {
   double smoothing_;  ///< h_0
   std::vector<Paddle> paddles_;
   Particles particles_;                            ///< level n
-  std::vector<double> reference_x_, reference_z_;  ///< of paddle particles, in the pose {0, 0}
-  std::vector<double> scratch_;
+  std::vector<double> reference_x_, reference_z_;  ///< of paddle particles, in the pose {0, 0}; empty without paddles
   double mean_spacing_;
   ExtrapolatedWalls walls_;
   RightHandSide rates_;
   ParticleShifting shifting_;
   Stage stage_;
   Neighbours neighbours_;
-  State next_;                ///< what the step is moving to
-  double reserve_;            ///< of the lists [m]
-  FlowState::Listed listed_;  ///< what the present lists were made of
-  double used_ = 0;           ///< of it, at level n
-  double half_travel_ = 0;    ///< what half a step is going to use, by the last one
+  double reserve_;          ///< of the lists [m]
+  double listed_reserve_;   ///< of the present lists
+  double half_travel_ = 0;  ///< what half a step is going to use, by the last one
   Extremes extremes_;
   double time_ = 0;
   long steps_ = 0;

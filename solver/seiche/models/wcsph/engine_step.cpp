@@ -14,12 +14,10 @@ namespace {
 /// Densities within these, over rho_0, are a run that goes on.
 constexpr double least_density = 0.5;
 constexpr double greatest_density = 1.5;
-/// Particles that are updated together.
-constexpr std::size_t chunk = 2048;
 
-SEICHE_SIMD_CLONES void add_scaled(const double* value, const double* rate, double tau, std::size_t first,
-                                   std::size_t last, double* sum) {
-  for (std::size_t i = first; i < last; ++i) sum[i] = value[i] + tau * rate[i];
+SEICHE_SIMD_CLONES void add_scaled(const double* value, const double* rate, double tau, std::size_t count,
+                                   double* sum) {
+  for (std::size_t i = 0; i < count; ++i) sum[i] = value[i] + tau * rate[i];
 }
 
 struct Survey {
@@ -27,17 +25,23 @@ struct Survey {
   double speed2 = 0;
   double lowest = std::numeric_limits<double>::infinity();
   double highest = 0;
+
+  void add(const Survey& other) {
+    bad = bad || other.bad;
+    speed2 = std::max(speed2, other.speed2);
+    lowest = std::min(lowest, other.lowest);
+    highest = std::max(highest, other.highest);
+  }
 };
 
 /// Comparisons that NaN fails, so that it counts as bad.
-SEICHE_SIMD_CLONES Survey survey(const State& state, std::size_t first, std::size_t last, double lowest,
-                                 double highest) {
+SEICHE_SIMD_CLONES Survey survey(const StateBlock& state, std::size_t count, double lowest, double highest) {
   constexpr double largest = std::numeric_limits<double>::max();
   const double *x = state.x.data(), *z = state.z.data(), *u = state.u.data(), *w = state.w.data(),
                *density = state.density.data();
   Survey found;
   std::int64_t good = -1;
-  for (std::size_t i = first; i < last; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const double speed2 = u[i] * u[i] + w[i] * w[i];
     const bool fine = (density[i] >= lowest) & (density[i] <= highest) & (std::abs(x[i]) <= largest) &
                       (std::abs(z[i]) <= largest) & (speed2 <= largest);
@@ -89,72 +93,75 @@ double Flow::Engine::step_by_rule() const {
   return tau;
 }
 
-/// From rates at level n: formulas (7), (8), which are y <- y + tau f(y + tau/2 f(y)).
+/// From rates at level n: formulas (7), (8), which are y <- y + tau f(y + tau/2 f(y)). What is in the middle of the
+/// step is in the records alone.
 void Flow::Engine::finish_step(double tau) {
   // Step 1: to the middle. Lists that do not last so far are made anew, wide enough.
-  move(0.5 * tau);
-  double used = stage_.fill(StateView(next_));
+  double used = fill_moved(0.5 * tau);
   if (used > reserve_) {
-    sort(std::max(reserve_, 1.5 * (used + used_)));
+    sort(std::max(reserve_, 1.5 * (used + used)));
     evaluate_level(false);
-    move(0.5 * tau);
-    used = stage_.fill(StateView(next_));
+    fill_moved(0.5 * tau);
   }
   // Step 2: rates there, from level n with them.
-  evaluate(time_ + 0.5 * tau, next_.density, false);
-  move(tau);
+  evaluate(time_ + 0.5 * tau, false);
   commit(tau);
   // Step 3: what is done now and then.
   rearrange(tau);
 }
 
-void Flow::Engine::move(double tau) {
-  const std::size_t n = particles_.size();
-  const std::size_t fluid = neighbours_.fluid();
-  const std::size_t chunks = (n + chunk - 1) / chunk;
+void Flow::Engine::moved(double tau, const PaddlePoses& poses, std::size_t first, std::size_t count,
+                         StateBlock& to) const {
+  add_scaled(&particles_.x[first], &rates_.dx[first], tau, count, to.x.data());
+  add_scaled(&particles_.z[first], &rates_.dz[first], tau, count, to.z.data());
+  add_scaled(&particles_.u[first], &rates_.du[first], tau, count, to.u.data());
+  add_scaled(&particles_.w[first], &rates_.dw[first], tau, count, to.w.data());
+  add_scaled(&particles_.density[first], &rates_.ddensity[first], tau, count, to.density.data());
   const bool clamped = settings_.walls == WallPressure::clamped;
-#pragma omp parallel for schedule(static) if (chunks > 1)
-  for (std::size_t c = 0; c < chunks; ++c) {
-    const std::size_t first = c * chunk;
-    const std::size_t last = std::min(n, first + chunk);
-    add_scaled(particles_.x.data(), rates_.dx.data(), tau, first, last, next_.x.data());
-    add_scaled(particles_.z.data(), rates_.dz.data(), tau, first, last, next_.z.data());
-    add_scaled(particles_.u.data(), rates_.du.data(), tau, first, last, next_.u.data());
-    add_scaled(particles_.w.data(), rates_.dw.data(), tau, first, last, next_.w.data());
-    add_scaled(particles_.density.data(), rates_.ddensity.data(), tau, first, last, next_.density.data());
-    if (!clamped) continue;
-    for (std::size_t i = std::max(first, fluid); i < last; ++i) {
-      next_.density[i] = std::max(next_.density[i], settings_.density);
-    }
+  for (std::size_t i = std::max(first, neighbours_.fluid()); i < first + count; ++i) {
+    const std::size_t k = i - first;
+    if (clamped) to.density[k] = std::max(to.density[k], settings_.density);
+    if (particles_.kind[i] != Kind::paddle) continue;
+    const PointMotion motion = carried_by_paddle(i, poses);
+    to.x[k] = motion.x;
+    to.z[k] = motion.z;
+    to.u[k] = motion.u;
+    to.w[k] = motion.w;
   }
-  place_paddles(time_ + tau, next_.x, next_.z, next_.u, next_.w);
 }
 
+double Flow::Engine::fill_moved(double tau) {
+  const PaddlePoses poses = paddles_at(time_ + tau);
+  return stage_.fill(
+      [&](std::size_t first, std::size_t count, StateBlock& block) { moved(tau, poses, first, count, block); });
+}
+
+/// Looks at all particles before it moves one: what moves them is computed twice, and no second state is kept.
 void Flow::Engine::commit(double tau) {
   const std::size_t n = particles_.size();
   const std::size_t fluid = neighbours_.fluid();
   const double lowest = least_density * settings_.density;
   const double highest = greatest_density * settings_.density;
-  const std::size_t chunks = (fluid + chunk - 1) / chunk;
-  bool bad = survey(next_, fluid, n, lowest, highest).bad;
-  Survey all;
-#pragma omp parallel for schedule(static) reduction(|| : bad) if (chunks > 1)
-  for (std::size_t c = 0; c < chunks; ++c) {
-    const Survey found = survey(next_, c * chunk, std::min(fluid, (c + 1) * chunk), lowest, highest);
-    bad = bad || found.bad;
-#pragma omp critical
-    {
-      all.speed2 = std::max(all.speed2, found.speed2);
-      all.lowest = std::min(all.lowest, found.lowest);
-      all.highest = std::max(all.highest, found.highest);
-    }
-  }
-  if (bad) report_bad_state();
-  particles_.x.swap(next_.x);
-  particles_.z.swap(next_.z);
-  particles_.u.swap(next_.u);
-  particles_.w.swap(next_.w);
-  particles_.density.swap(next_.density);
+  const PaddlePoses poses = paddles_at(time_ + tau);
+  const auto look = [&](std::size_t first, std::size_t count, Survey& found) {
+    StateBlock block;
+    moved(tau, poses, first, count, block);
+    found.add(survey(block, count, lowest, highest));
+  };
+  const auto all = over_blocks<Survey>(0, fluid, look);
+  if (all.bad || over_blocks<Survey>(fluid, n, look).bad) report_bad_state(tau, poses);
+  struct Nothing {
+    void add(Nothing /*other*/) {}
+  };
+  over_blocks<Nothing>(0, n, [&](std::size_t first, std::size_t count, Nothing& /*found*/) {
+    StateBlock block;
+    moved(tau, poses, first, count, block);
+    std::copy_n(block.x.data(), count, &particles_.x[first]);
+    std::copy_n(block.z.data(), count, &particles_.z[first]);
+    std::copy_n(block.u.data(), count, &particles_.u[first]);
+    std::copy_n(block.w.data(), count, &particles_.w[first]);
+    std::copy_n(block.density.data(), count, &particles_.density[first]);
+  });
   time_ += tau;
   ++steps_;
   const double speed = std::sqrt(all.speed2);
@@ -175,11 +182,13 @@ void Flow::Engine::rearrange(double tau) {
   if (settings_.particle_shifting) shifting_.apply(tau, stage_, neighbours_, particles_);
 }
 
-void Flow::Engine::report_bad_state() const {
+void Flow::Engine::report_bad_state(double tau, const PaddlePoses& poses) const {
   for (std::size_t i = 0; i < particles_.size(); ++i) {
-    const double relative = next_.density[i] / settings_.density;
-    const bool finite = std::isfinite(next_.x[i]) && std::isfinite(next_.z[i]) && std::isfinite(next_.u[i]) &&
-                        std::isfinite(next_.w[i]) && std::isfinite(next_.density[i]);
+    StateBlock next;
+    moved(tau, poses, i, 1, next);
+    const double relative = next.density[0] / settings_.density;
+    const bool finite = std::isfinite(next.x[0]) && std::isfinite(next.z[0]) && std::isfinite(next.u[0]) &&
+                        std::isfinite(next.w[0]) && std::isfinite(next.density[0]);
     if (finite && relative >= least_density && relative <= greatest_density) continue;
     const auto identity = particles_.identity[i];
     throw Divergence(finite ? fmt::format("density of particle {} over rho_0 becomes {:.4g}, outside [{:g}, {:g}],",

@@ -21,7 +21,7 @@ FlowState Flow::Engine::state() const {
   return {.particles = particles_,
           .reference_x = reference_x_,
           .reference_z = reference_z_,
-          .listed = listed_,
+          .listed = {stage_.base().x, stage_.base().z, stage_.base().density, listed_reserve_},
           .half_travel = half_travel_,
           .time = time_,
           .steps = steps_,
@@ -34,8 +34,10 @@ void Flow::Engine::resume(const FlowState& state) {
                                             state.particles.size(), particles_.size()));
   }
   particles_ = state.particles;
-  reference_x_ = state.reference_x;
-  reference_z_ = state.reference_z;
+  if (!paddles_.empty()) {
+    reference_x_ = state.reference_x;
+    reference_z_ = state.reference_z;
+  }
   time_ = state.time;
   steps_ = state.steps;
   // Lists as they were, of the places then; what is in order stays in order.

@@ -10,7 +10,7 @@ namespace seiche::wcsph {
 
 struct FlowState {
   Particles particles;                           ///< in the order of the last sorting
-  std::vector<double> reference_x, reference_z;  ///< of what paddles carry, in the pose {0, 0}
+  std::vector<double> reference_x, reference_z;  ///< of what paddles carry, in the pose {0, 0}; empty without paddles
   /// What the candidate lists were made of at the last sorting. Sums run in the order of the lists: made of later
   /// places they would differ by rounding.
   struct Listed {

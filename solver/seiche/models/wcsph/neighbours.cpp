@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <omp.h>
 
@@ -12,13 +13,6 @@ namespace {
 constexpr std::size_t overhead = 6;
 /// Lists are whole numbers of these.
 constexpr std::size_t group = abreast;
-
-template <class T>
-void permute(std::vector<T>& values, std::vector<T>& scratch, std::span<const std::int32_t> order) {
-  scratch.resize(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) scratch[i] = values[static_cast<std::size_t>(order[i])];
-  values.swap(scratch);
-}
 
 void wrap(std::vector<double>& values, double period) {
   if (std::isinf(period)) return;
@@ -52,31 +46,32 @@ void Neighbours::sort(Particles& particles, double widest, double reserve) {
   grid_ = TileGrid(box_of(particles), spacing_);
 
   const std::size_t n = particles.size();
-  order_.clear();
-  order_.reserve(n);
+  order_.resize(n);
+  // Sorting is done once in many steps: nothing of it is kept in between.
+  std::vector<std::int32_t> members;
+  members.reserve(n);
   for (const bool fluid : {true, false}) {
-    members_.clear();
+    members.clear();
     for (std::size_t i = 0; i < n; ++i) {
-      if ((particles.kind[i] == Kind::fluid) == fluid) members_.push_back(static_cast<std::int32_t>(i));
+      if ((particles.kind[i] == Kind::fluid) == fluid) members.push_back(static_cast<std::int32_t>(i));
     }
-    BinnedOrder& binned = fluid ? fluid_ : walls_;
-    binned.sort(grid_, particles.x, particles.z, members_);
-    order_.insert(order_.end(), binned.order().begin(), binned.order().end());
+    if (fluid) fluid_count_ = members.size();
+    (fluid ? fluid_ : walls_)
+        .sort(grid_, particles.x, particles.z, members, std::span(order_).subspan(fluid ? 0 : fluid_count_));
   }
-  fluid_count_ = fluid_.order().size();
-
-  permute(particles.x, scratch_.x, order_);
-  permute(particles.z, scratch_.z, order_);
-  permute(particles.u, scratch_.u, order_);
-  permute(particles.w, scratch_.w, order_);
-  permute(particles.density, scratch_.density, order_);
-  permute(particles.mass, scratch_.mass, order_);
-  permute(particles.kind, scratch_.kind, order_);
-  permute(particles.body, scratch_.body, order_);
-  permute(particles.identity, scratch_.identity, order_);
+  std::vector<double> scratch;
+  for (std::vector<double>* const values :
+       {&particles.x, &particles.z, &particles.u, &particles.w, &particles.density, &particles.mass}) {
+    reorder(*values, scratch);
+  }
+  std::vector<Kind> kinds;
+  reorder(particles.kind, kinds);
+  reorder(particles.body, members);
+  reorder(particles.identity, members);
 
   make_images(particles);
   clusters_.clear();
+  clusters_.reserve(n / pair_loops().lanes + 2);
   make_clusters(0, fluid_count_);
   fluid_clusters_ = clusters_.size();
   make_clusters(fluid_count_, n);
@@ -98,25 +93,25 @@ void Neighbours::make_images(const Particles& particles) {
   };
   const std::size_t n = particles.size();
   for (const bool fluid : {true, false}) {
-    unsorted_images_.clear();
-    image_x_.clear();
-    image_z_.clear();
+    std::vector<Image> unsorted;
+    std::vector<double> image_x;
+    std::vector<double> image_z;
     for (std::size_t i = fluid ? 0 : fluid_count_; i < (fluid ? fluid_count_ : n); ++i) {
       double shift_x[2];
       double shift_z[2];
       const int along = shifts(particles.x[i], period_.x, shift_x);
       const int up = shifts(particles.z[i], period_.z, shift_z);
       for (int k = 1; k < along * up; ++k) {
-        unsorted_images_.push_back({static_cast<std::int32_t>(i), shift_x[k % along], shift_z[k / along]});
-        image_x_.push_back(particles.x[i] + unsorted_images_.back().shift_x);
-        image_z_.push_back(particles.z[i] + unsorted_images_.back().shift_z);
+        unsorted.push_back({static_cast<std::int32_t>(i), shift_x[k % along], shift_z[k / along]});
+        image_x.push_back(particles.x[i] + unsorted.back().shift_x);
+        image_z.push_back(particles.z[i] + unsorted.back().shift_z);
       }
     }
-    members_.resize(image_x_.size());
-    for (std::size_t k = 0; k < members_.size(); ++k) members_[k] = static_cast<std::int32_t>(k);
-    BinnedOrder& binned = fluid ? fluid_images_ : wall_images_;
-    binned.sort(grid_, image_x_, image_z_, members_);
-    for (const std::int32_t k : binned.order()) images_.push_back(unsorted_images_[static_cast<std::size_t>(k)]);
+    std::vector<std::int32_t> members(unsorted.size());
+    std::vector<std::int32_t> order(unsorted.size());
+    std::iota(members.begin(), members.end(), 0);
+    (fluid ? fluid_images_ : wall_images_).sort(grid_, image_x, image_z, members, order);
+    for (const std::int32_t k : order) images_.push_back(unsorted[static_cast<std::size_t>(k)]);
   }
 }
 
@@ -133,14 +128,24 @@ void Neighbours::collect_ranges(const Box& box, bool walls_too, std::vector<Inde
   auto offset = std::int32_t{0};
   for (const BinnedOrder* binned : {&fluid_, &walls_, &fluid_images_, &wall_images_}) {
     const bool walls = binned == &walls_ || binned == &wall_images_;
-    if (!binned->empty() && (walls_too || !walls)) {
+    if (binned->size() > 0 && (walls_too || !walls)) {
       grid_.visit_runs(box, [&](std::int32_t first, std::int32_t last) {
         const IndexRange range{offset + binned->begin(first), offset + binned->begin(last + 1)};
         if (range.begin < range.end) ranges.push_back(range);
       });
     }
-    offset += static_cast<std::int32_t>(binned->order().size());
+    offset += static_cast<std::int32_t>(binned->size());
   }
+}
+
+void Neighbours::make_room(std::vector<std::int32_t>& list, std::size_t room, std::size_t first, std::size_t at,
+                           std::size_t last) {
+  // By what the clusters so far have taken; a few per cent beyond. Doubled instead, half of the lists would be empty.
+  const double expected =
+      1.03 * static_cast<double>(room) * static_cast<double>(last - first) / static_cast<double>(at - first + 1);
+  const std::size_t least = room + room / 32;
+  list.reserve(std::clamp(static_cast<std::size_t>(expected), least, 8 * room));
+  list.resize(list.capacity());
 }
 
 void Neighbours::list_share(std::span<const Record> records, std::size_t thread, std::size_t threads) {
@@ -168,7 +173,7 @@ void Neighbours::list_share(std::span<const Record> records, std::size_t thread,
     // The search writes before it decides, and lists are filled up to whole groups.
     std::size_t room = used + group + candidates_ahead;
     for (const IndexRange& range : ranges) room += static_cast<std::size_t>(range.end - range.begin);
-    if (list.size() < room) list.resize(room + room / 2);
+    if (list.size() < room) make_room(list, room, first, c, last);
     const Found found = search(records.data(), cluster, ranges.data(), ranges.size(), reserve_, list.data() + used);
     used += static_cast<std::size_t>(found.candidates);
     while (used % group != 0) list[used++] = nobody;

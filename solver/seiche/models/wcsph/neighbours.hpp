@@ -38,12 +38,19 @@ class Neighbours {
   void sort(Particles& particles, double widest, double reserve);
   /// New numbers of the particles before the last sort(): what was at order()[i] is now at i.
   [[nodiscard]] std::span<const std::int32_t> order() const { return order_; }
+  /// Values of the particles before the last sort(), in their new order. Arrays of one size can share a scratch.
+  template <class T>
+  void reorder(std::vector<T>& values, std::vector<T>& scratch) const {
+    scratch.resize(order_.size());
+    for (std::size_t i = 0; i < scratch.size(); ++i) scratch[i] = values[static_cast<std::size_t>(order_[i])];
+    values.swap(scratch);
+  }
   /// Lists for the records, whose positions are those of the last sort().
   void list(std::span<const Record> records);
 
   [[nodiscard]] std::size_t fluid() const { return fluid_count_; }
   [[nodiscard]] bool is_fluid(std::size_t record) const {
-    return record < fluid_count_ || (record >= order_.size() && record < order_.size() + fluid_images_.order().size());
+    return record < fluid_count_ || (record >= order_.size() && record < order_.size() + fluid_images_.size());
   }
   [[nodiscard]] std::span<const Image> images() const { return images_; }
   [[nodiscard]] std::span<const Cluster> clusters() const { return clusters_; }
@@ -83,6 +90,9 @@ class Neighbours {
   void make_clusters(std::size_t first, std::size_t last);
   [[nodiscard]] Box box_of(const Particles& particles) const;
   void list_share(std::span<const Record> records, std::size_t thread, std::size_t threads);
+  /// Makes room for so many candidates in a list that has come so far through the clusters [first, last).
+  static void make_room(std::vector<std::int32_t>& list, std::size_t room, std::size_t first, std::size_t at,
+                        std::size_t last);
   void collect_ranges(const Box& box, bool walls_too, std::vector<IndexRange>& ranges) const;
   /// First cluster of a share.
   [[nodiscard]] std::size_t boundary(std::size_t begin, std::size_t end, std::size_t share, std::size_t shares) const;
@@ -95,10 +105,8 @@ class Neighbours {
   TileGrid grid_;
   BinnedOrder fluid_, walls_, fluid_images_, wall_images_;
   std::size_t fluid_count_ = 0;
-  std::vector<std::int32_t> members_, order_;
-  std::vector<Image> images_, unsorted_images_;
-  std::vector<double> image_x_, image_z_;
-  Particles scratch_;
+  std::vector<std::int32_t> order_;
+  std::vector<Image> images_;
   std::vector<Cluster> clusters_;
   std::size_t fluid_clusters_ = 0;
   std::vector<std::vector<std::int32_t>> lists_;  ///< one per thread

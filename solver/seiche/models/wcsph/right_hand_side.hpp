@@ -32,6 +32,8 @@ class RightHandSide {
   [[nodiscard]] std::size_t most_limited() const;
   /// Factor of the sound speed in records.
   [[nodiscard]] double sound_scale() const { return work_.sound_scale; }
+  /// Whether stresses of unresolved eddies are among the forces.
+  [[nodiscard]] bool turbulent() const { return friction_ == Friction::turbulent; }
 
  private:
   KernelName kernel_;

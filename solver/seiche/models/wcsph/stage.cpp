@@ -8,63 +8,63 @@
 namespace seiche::wcsph {
 namespace {
 
-/// Particles whose records are computed together, array by array.
-constexpr std::size_t block = 64;
-
 struct Derived {
-  double pressure[block], smoothing[block], sound[block];
+  std::array<double, StateBlock::size> pressure, sound;
 };
 
 /// (5) for gamma = 7 without powers.
 SEICHE_SIMD_CLONES void derive_seventh(const double* density, std::size_t count, double reference, double stiffness,
-                                       double scaled_sound, double h, bool variable, Derived& derived) {
+                                       double scaled_sound, Derived& derived) {
   const double inverse = 1 / reference;
   for (std::size_t k = 0; k < count; ++k) {
     const double s = density[k] * inverse;
     const double cube = s * s * s;
     derived.pressure[k] = stiffness * (cube * cube * s - 1) / (density[k] * density[k]);
     derived.sound[k] = scaled_sound * cube;
-    derived.smoothing[k] = variable ? h / std::sqrt(s) : h;
   }
 }
 
-void derive(const TaitFluid& fluid, const double* density, std::size_t count, double sound_scale, double h,
-            bool variable, Derived& derived) {
+void derive(const TaitFluid& fluid, const double* density, std::size_t count, double sound_scale, Derived& derived) {
   if (fluid.exponent() == 7) {
     derive_seventh(density, count, fluid.reference_density(), fluid.stiffness(),
-                   sound_scale * fluid.reference_sound_speed(), h, variable, derived);
+                   sound_scale * fluid.reference_sound_speed(), derived);
     return;
   }
   for (std::size_t k = 0; k < count; ++k) {
     derived.pressure[k] = fluid.pressure(density[k]) / (density[k] * density[k]);
     derived.sound[k] = sound_scale * fluid.sound_speed(density[k]);
-    derived.smoothing[k] = variable ? h * std::sqrt(fluid.reference_density() / density[k]) : h;
   }
+}
+
+/// h of each density, by the law of derive()'s s.
+SEICHE_SIMD_CLONES void smoothing_of(const double* density, std::size_t count, double reference, bool seventh, double h,
+                                     bool variable, double* smoothing) {
+  const double inverse = 1 / reference;
+  if (!variable) {
+    std::fill_n(smoothing, count, h);
+  } else if (seventh) {
+    for (std::size_t k = 0; k < count; ++k) smoothing[k] = h / std::sqrt(density[k] * inverse);
+  } else {
+    for (std::size_t k = 0; k < count; ++k) smoothing[k] = h * std::sqrt(reference / density[k]);
+  }
+}
+
+void copy(const Particles& particles, std::size_t first, std::size_t count, StateBlock& block) {
+  std::copy_n(&particles.x[first], count, block.x.data());
+  std::copy_n(&particles.z[first], count, block.z.data());
+  std::copy_n(&particles.u[first], count, block.u.data());
+  std::copy_n(&particles.w[first], count, block.w.data());
+  std::copy_n(&particles.density[first], count, block.density.data());
 }
 
 }  // namespace
 
-void State::resize(std::size_t n) {
-  for (std::vector<double>* values : {&x, &z, &u, &w, &density}) values->resize(n);
-}
-
-StateView::StateView(const State& state)
-    : x(state.x.data()), z(state.z.data()), u(state.u.data()), w(state.w.data()), density(state.density.data()) {}
-
-StateView::StateView(const Particles& particles)
-    : x(particles.x.data()),
-      z(particles.z.data()),
-      u(particles.u.data()),
-      w(particles.w.data()),
-      density(particles.density.data()) {}
-
-Stage::Stage(const TaitFluid& fluid, double smoothing, bool variable, double sound_scale)
-    : fluid_(fluid), smoothing_(smoothing), variable_(variable), sound_scale_(sound_scale) {}
+Stage::Stage(const TaitFluid& fluid, double smoothing, bool variable, double sound_scale, bool stresses)
+    : fluid_(fluid), smoothing_(smoothing), variable_(variable), sound_scale_(sound_scale), stresses_(stresses) {}
 
 void Stage::adopt(const Particles& particles, std::span<const Image> images) {
   count_ = particles.size();
   images_ = images;
-  fresh_ = true;
   // Far from everything, finite in all that the loops compute of it.
   constexpr double far = 1e30;
   const std::size_t padded = count_ + images.size() + most_lanes;
@@ -72,71 +72,79 @@ void Stage::adopt(const Particles& particles, std::span<const Image> images) {
   for (std::size_t i = count_ + images.size(); i < padded; ++i) {
     records_[i] = {.x = far, .z = far, .u = 0, .w = 0, .density = 1, .pressure = 0, .smoothing = 1, .sound = 0};
   }
+  mass_.reserve(padded);
   mass_ = particles.mass;
   for (const Image& image : images) mass_.push_back(particles.mass[static_cast<std::size_t>(image.source)]);
   mass_.resize(padded);
-  stress_.assign(padded, Stress{});
-  base_x_.resize(count_);
-  base_z_.resize(count_);
-  base_smoothing_.resize(count_);
+  if (stresses_) stress_.assign(padded, Stress{});
+  base_.x = particles.x;
+  base_.z = particles.z;
+  base_.density = particles.density;
+  fill(particles);
 }
 
-double Stage::fill_range(const StateView& state, std::size_t first, std::size_t last) {
-  double used = 0;
+void Stage::write_records(const StateBlock& state, std::size_t first, std::size_t count) {
   Derived derived;
-  for (std::size_t begin = first; begin < last; begin += block) {
-    const std::size_t count = std::min(block, last - begin);
-    derive(fluid_, state.density + begin, count, sound_scale_, smoothing_, variable_, derived);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t i = begin + k;
-      records_[i] = {.x = state.x[i],
-                     .z = state.z[i],
-                     .u = state.u[i],
-                     .w = state.w[i],
-                     .density = state.density[i],
-                     .pressure = derived.pressure[k],
-                     .smoothing = derived.smoothing[k],
-                     .sound = derived.sound[k]};
-    }
-    if (fresh_) {
-      for (std::size_t k = 0; k < count; ++k) {
-        base_x_[begin + k] = state.x[begin + k];
-        base_z_[begin + k] = state.z[begin + k];
-        base_smoothing_[begin + k] = derived.smoothing[k];
-      }
-      continue;
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t i = begin + k;
-      const double x = state.x[i] - base_x_[i];
-      const double z = state.z[i] - base_z_[i];
-      const double growth = derived.smoothing[k] - base_smoothing_[i];
-      used = std::max(used, std::sqrt(x * x + z * z) + (growth > 0 ? growth : 0));
-    }
+  derive(fluid_, state.density.data(), count, sound_scale_, derived);
+  std::array<double, StateBlock::size> smoothing;
+  smoothing_of(state.density.data(), count, fluid_.reference_density(), fluid_.exponent() == 7, smoothing_, variable_,
+               smoothing.data());
+  for (std::size_t k = 0; k < count; ++k) {
+    records_[first + k] = {.x = state.x[k],
+                           .z = state.z[k],
+                           .u = state.u[k],
+                           .w = state.w[k],
+                           .density = state.density[k],
+                           .pressure = derived.pressure[k],
+                           .smoothing = smoothing[k],
+                           .sound = derived.sound[k]};
+  }
+}
+
+double Stage::used(const StateBlock& state, std::size_t first, std::size_t count) const {
+  std::array<double, StateBlock::size> smoothing;
+  smoothing_of(&base_.density[first], count, fluid_.reference_density(), fluid_.exponent() == 7, smoothing_, variable_,
+               smoothing.data());
+  double used = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = first + k;
+    const double x = state.x[k] - base_.x[i];
+    const double z = state.z[k] - base_.z[i];
+    const double growth = records_[i].smoothing - smoothing[k];
+    used = std::max(used, std::sqrt(x * x + z * z) + (growth > 0 ? growth : 0));
   }
   return 2 * used;
 }
 
-double Stage::fill(const StateView& state) {
-  double used = 0;
-  const std::size_t blocks = (count_ + block - 1) / block;
-#pragma omp parallel for schedule(static) reduction(max : used) if (blocks > 32)
-  for (std::size_t b = 0; b < blocks; ++b) {
-    used = std::max(used, fill_range(state, b * block, std::min(count_, (b + 1) * block)));
-  }
-  fresh_ = false;
+double Stage::fill(const Source& source) {
+  struct Largest {
+    double used = 0;
+    void add(Largest other) { used = std::max(used, other.used); }
+  };
+  const auto largest = over_blocks<Largest>(0, count_, [&](std::size_t first, std::size_t count, Largest& found) {
+    StateBlock block;
+    source(first, count, block);
+    write_records(block, first, count);
+    found.add({used(block, first, count)});
+  });
   refresh_images();
-  return used;
+  return largest.used;
+}
+
+double Stage::fill(const Particles& particles) {
+  return fill(
+      [&particles](std::size_t first, std::size_t count, StateBlock& block) { copy(particles, first, count, block); });
 }
 
 void Stage::set_density(std::size_t i, double density) {
   Derived derived;
-  derive(fluid_, &density, 1, sound_scale_, smoothing_, variable_, derived);
+  derive(fluid_, &density, 1, sound_scale_, derived);
   Record& record = records_[i];
   record.density = density;
   record.pressure = derived.pressure[0];
-  record.smoothing = derived.smoothing[0];
   record.sound = derived.sound[0];
+  smoothing_of(&density, 1, fluid_.reference_density(), fluid_.exponent() == 7, smoothing_, variable_,
+               &record.smoothing);
 }
 
 void Stage::refresh_images() {

@@ -1,7 +1,10 @@
 /// Records of all particles and images at one instant, as the pair loops read them; internal to Flow.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -12,29 +15,52 @@
 
 namespace seiche::wcsph {
 
-/// What a step advances.
-struct State {
-  std::vector<double> x, z, u, w, density;
-  void resize(std::size_t n);
+/// What a step advances, of a few particles at a time.
+struct StateBlock {
+  static constexpr std::size_t size = 64;
+  std::array<double, size> x, z, u, w, density;
 };
 
-/// Arrays of a State or of Particles.
-struct StateView {
-  const double *x, *z, *u, *w, *density;
-  explicit StateView(const State& state);
-  explicit StateView(const Particles& particles);
+/// Calls work(first, count, found) for blocks of the particles first, ..., last - 1, on all threads if they are many;
+/// found.add(what another thread found) must not mind the order.
+template <class Found, class Work>
+Found over_blocks(std::size_t first, std::size_t last, const Work& work) {
+  Found all;
+  const std::size_t blocks = (last - first + StateBlock::size - 1) / StateBlock::size;
+#pragma omp parallel if (blocks > 32)
+  {
+    Found own;
+#pragma omp for schedule(static) nowait
+    for (std::size_t b = 0; b < blocks; ++b) {
+      const std::size_t begin = first + b * StateBlock::size;
+      work(begin, std::min(StateBlock::size, last - begin), own);
+    }
+#pragma omp critical(wcsph_over_blocks)
+    all.add(own);
+  }
+  return all;
+}
+
+/// What the lists were made of.
+struct Base {
+  std::vector<double> x, z, density;
 };
 
 class Stage {
  public:
-  /// @param smoothing  h_0; @param variable  h = h_0 (rho_0/rho)^(1/2) instead of h_0
-  Stage(const TaitFluid& fluid, double smoothing, bool variable, double sound_scale);
+  /// The state of particles first, ..., first + count - 1.
+  using Source = std::function<void(std::size_t first, std::size_t count, StateBlock& block)>;
 
-  /// After a sorting: new masses and images; the next fill() is what displacements are measured from.
+  /// @param smoothing  h_0; @param variable  h = h_0 (rho_0/rho)^(1/2) instead of h_0
+  /// @param stresses   of eddies are asked for
+  Stage(const TaitFluid& fluid, double smoothing, bool variable, double sound_scale, bool stresses);
+
+  /// After a sorting: records of the particles and their images, new masses; what displacements are measured from.
   void adopt(const Particles& particles, std::span<const Image> images);
-  /// Returns how much of the reserve of the lists is used up: twice the largest displacement and growth of h since the
-  /// first fill() after adopt().
-  double fill(const StateView& state);
+  /// Returns how much of the reserve of the lists is used up: twice the largest displacement and growth of h since
+  /// adopt().
+  double fill(const Particles& particles);
+  double fill(const Source& source);
   /// Density of one particle, and what follows from it.
   void set_density(std::size_t i, double density);
   /// Copies what changed since fill() to the images.
@@ -45,23 +71,27 @@ class Stage {
   /// Particles and images; padded for loops that load whole blocks.
   [[nodiscard]] std::span<const Record> records() const { return records_; }
   [[nodiscard]] const std::vector<double>& mass() const { return mass_; }
+  /// Empty where they were not asked for.
   [[nodiscard]] std::vector<Stress>& stress() { return stress_; }
+  /// Of adopt().
+  [[nodiscard]] const Base& base() const { return base_; }
   [[nodiscard]] double sound_scale() const { return sound_scale_; }
 
  private:
-  double fill_range(const StateView& state, std::size_t first, std::size_t last);
+  void write_records(const StateBlock& state, std::size_t first, std::size_t count);
+  [[nodiscard]] double used(const StateBlock& state, std::size_t first, std::size_t count) const;
 
   TaitFluid fluid_;
   double smoothing_;
   bool variable_;
   double sound_scale_;
+  bool stresses_;
   std::size_t count_ = 0;
   std::span<const Image> images_;
-  bool fresh_ = false;
   std::vector<Record> records_;
   std::vector<double> mass_;
   std::vector<Stress> stress_;
-  std::vector<double> base_x_, base_z_, base_smoothing_;
+  Base base_;
 };
 
 }  // namespace seiche::wcsph

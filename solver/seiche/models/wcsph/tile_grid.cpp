@@ -40,20 +40,22 @@ std::int32_t TileGrid::bin(double x, double z) const {
 }
 
 void BinnedOrder::sort(const TileGrid& grid, std::span<const double> x, std::span<const double> z,
-                       std::span<const std::int32_t> members) {
+                       std::span<const std::int32_t> members, std::span<std::int32_t> order) {
+  size_ = members.size();
+  begin_.clear();
+  if (size_ == 0) return;
   begin_.assign(static_cast<std::size_t>(grid.size()) + 1, 0);
-  bin_.resize(members.size());
-  order_.resize(members.size());
-  for (std::size_t k = 0; k < members.size(); ++k) {
+  std::vector<std::int32_t> bins(size_);
+  for (std::size_t k = 0; k < size_; ++k) {
     const auto i = static_cast<std::size_t>(members[k]);
-    bin_[k] = grid.bin(x[i], z[i]);
-    ++begin_[static_cast<std::size_t>(bin_[k])];
+    bins[k] = grid.bin(x[i], z[i]);
+    ++begin_[static_cast<std::size_t>(bins[k])];
   }
   // Ends of bins; placing from the back turns them into beginnings.
   std::int32_t total = 0;
   for (std::int32_t& bin : begin_) bin = total += bin;
-  for (std::size_t k = members.size(); k-- > 0;) {
-    order_[static_cast<std::size_t>(--begin_[static_cast<std::size_t>(bin_[k])])] = members[k];
+  for (std::size_t k = size_; k-- > 0;) {
+    order[static_cast<std::size_t>(--begin_[static_cast<std::size_t>(bins[k])])] = members[k];
   }
   for (std::int32_t bin = 0; bin < grid.size(); ++bin) {
     const auto first = begin_[static_cast<std::size_t>(bin)];
@@ -61,15 +63,15 @@ void BinnedOrder::sort(const TileGrid& grid, std::span<const double> x, std::spa
     if (last - first < 2) continue;
     const double sign = grid.backwards(bin) ? -1 : 1;
     for (std::int32_t k = first + 1; k < last; ++k) {
-      const std::int32_t moving = order_[static_cast<std::size_t>(k)];
+      const std::int32_t moving = order[static_cast<std::size_t>(k)];
       const double place = sign * x[static_cast<std::size_t>(moving)];
       std::int32_t to = k;
       for (; to > first; --to) {
-        const std::int32_t before = order_[static_cast<std::size_t>(to - 1)];
+        const std::int32_t before = order[static_cast<std::size_t>(to - 1)];
         if (!(place < sign * x[static_cast<std::size_t>(before)])) break;
-        order_[static_cast<std::size_t>(to)] = before;
+        order[static_cast<std::size_t>(to)] = before;
       }
-      order_[static_cast<std::size_t>(to)] = moving;
+      order[static_cast<std::size_t>(to)] = moving;
     }
   }
 }

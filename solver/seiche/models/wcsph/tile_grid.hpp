@@ -62,20 +62,19 @@ class TileGrid {
   std::int32_t strips_ = 0;
 };
 
-/// Particles of one kind in the order of a grid, and where each bin begins.
+/// Where each bin begins among particles of one kind in the order of a grid.
 class BinnedOrder {
  public:
-  /// Stable: particles in the same place keep their order.
+  /// Writes the members in their new order. Stable: particles in the same place keep theirs.
   void sort(const TileGrid& grid, std::span<const double> x, std::span<const double> z,
-            std::span<const std::int32_t> members);
-  /// Members in their new order.
-  [[nodiscard]] std::span<const std::int32_t> order() const { return order_; }
-  /// Position in order() of the first particle of a bin.
+            std::span<const std::int32_t> members, std::span<std::int32_t> order);
+  /// Place in the order of the first particle of a bin.
   [[nodiscard]] std::int32_t begin(std::int32_t bin) const { return begin_[static_cast<std::size_t>(bin)]; }
-  [[nodiscard]] bool empty() const { return order_.empty(); }
+  [[nodiscard]] std::size_t size() const { return size_; }
 
  private:
-  std::vector<std::int32_t> begin_, bin_, order_;
+  std::size_t size_ = 0;
+  std::vector<std::int32_t> begin_;
 };
 
 }  // namespace seiche::wcsph

@@ -5,8 +5,8 @@
 namespace seiche::wcsph {
 
 void ExtrapolatedWalls::apply(const std::function<std::array<double, 2>(std::size_t i)>& gravity, Stage& stage,
-                              const Neighbours& neighbours, std::vector<double>& density) {
-  means_.resize(density.size());
+                              const Neighbours& neighbours) {
+  means_.resize(neighbours.order().size());
   const WallPressureWork work{
       .records = stage.records().data(), .clusters = neighbours.clusters().data(), .means = means_.data()};
   const WallPressureLoop sum = pair_loops().wall_pressure(kernel_);
@@ -19,8 +19,7 @@ void ExtrapolatedWalls::apply(const std::function<std::array<double, 2>(std::siz
       const auto [gravity_x, gravity_z] = gravity(i);
       const double extrapolated = means_[i].pressure + gravity_x * means_[i].lever_x + gravity_z * means_[i].lever_z;
       // Beyond it Tait's law has no density; a run that comes there stops by its own checks.
-      density[i] = fluid_.density_at(std::max(extrapolated, -0.99 * fluid_.stiffness()));
-      stage.set_density(i, density[i]);
+      stage.set_density(i, fluid_.density_at(std::max(extrapolated, -0.99 * fluid_.stiffness())));
     }
   });
   stage.refresh_images();

@@ -23,10 +23,10 @@ namespace seiche::wcsph {
 class ExtrapolatedWalls {
  public:
   ExtrapolatedWalls(KernelName kernel, const TaitFluid& fluid) : kernel_(kernel), fluid_(fluid) {}
-  /// Sets the density of wall records and of `density`.
+  /// Sets the density of wall records.
   /// @param gravity  g - a_w felt at wall particle i
   void apply(const std::function<std::array<double, 2>(std::size_t i)>& gravity, Stage& stage,
-             const Neighbours& neighbours, std::vector<double>& density);
+             const Neighbours& neighbours);
 
  private:
   KernelName kernel_;

@@ -1,0 +1,53 @@
+// What weakly compressible SPH needs of memory: as much as its arrays, and nothing twice.
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "seiche/models/wcsph/flow.hpp"
+#include "seiche/models/wcsph/pair_loops.hpp"
+#include "seiche/models/wcsph/scene.hpp"
+#include "verification/check.hpp"
+#include "verification/live_memory.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::wcsph;
+
+/// Bytes per particle after some steps of a tank at rest.
+double memory_of(Settings settings, double& particles) {
+  settings.sound_speed = 30;
+  Scene scene = tank({.width = 1, .depth = 1, .spacing = 1.0 / 200}, settings);
+  particles = static_cast<double>(scene.particles.size());
+  const double before = verification::live_bytes();
+  Flow flow(scene.particles, scene.spacing, settings);
+  for (int step = 0; step < 3; ++step) flow.advance();
+  return (verification::live_bytes() - before) / particles;
+}
+
+}  // namespace
+
+TEST_CASE("the memory that SPH needs is that of its arrays", "[robustness]") {
+  verification::Check check(
+      "wcsph_memory", "Weakly compressible SPH: memory",
+      "Memory per particle of a tank of water after three steps. Needed are, in bytes: the particle 57; rates and the "
+      "limit of the step 48; its record, as neighbours read it, 64, and its mass there 8; where the lists were made "
+      "24; "
+      "its place in the order and its bin 7; with eddies stresses 32. Clusters of as many particles as a register has "
+      "lanes share 32 and a list of about 45 candidates at 4.");
+  const double lanes = static_cast<double>(pair_loops().lanes);
+  for (const bool eddies : {false, true}) {
+    Settings settings;
+    if (eddies) settings.viscosity = LaminarSps{};
+    double particles = 0;
+    const double measured = memory_of(settings, particles);
+    check.that({.id = eddies ? "with-eddies" : "without-eddies",
+                .text = "A flow holds no more than its arrays.",
+                .quantity = "memory per particle",
+                .unit = "B",
+                .source = "sum of the arrays"},
+               {.value = measured, .resolution = std::to_string(static_cast<long>(particles)) + " particles"},
+               evidence::Bound{.limit = 1.06 * (208 + (eddies ? 32 : 0) + (32 + 4 * 45) / lanes),
+                               .reason = "the sum above; a few per cent of room at the end of lists"});
+  }
+}
