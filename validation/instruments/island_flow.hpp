@@ -36,8 +36,9 @@ class ConicalIsland {
     double spacing = 0.4;   ///< of the columns along the walls of the basin [m]
     double raster = 0.1;    ///< spacing of the elevations [m]
     dispersive_shallow_water_2d::Scheme scheme = {};
-    /// Smooth concrete; the edge of the water keeps to what is beside it within a tenth of a second.
-    dispersive_shallow_water_2d::DragSettings drag = {.manning = 0.012, .shore_rate = 10};
+    /// Smooth concrete; the edge of the water keeps to what is beside it within a tenth of a second; what is steeper
+    /// than 10 degrees breaks.
+    dispersive_shallow_water_2d::DragSettings drag = {.manning = 0.012, .shore_rate = 10, .breaking_slope = 0.176};
   };
 
   /// Throws std::invalid_argument.

@@ -7,20 +7,22 @@ an island is Babi, where the tsunami of Flores (1992) destroyed the villages in 
 lattice goes around the island; its first row of markers is the shoreline, which slides on the bottom. The bottom is a
 bicubic spline through elevations on a raster of 0.1 m, as for a surveyed coast, and as rough as smooth concrete,
 Manning's $n$ = 0.012 s/m$^{1/3}$, a handbook's value and not fitted. A force between the shoreline and the next row,
-which keeps momentum, takes differences of their speeds along the shore away within a tenth of a second. The lattice is
-rezoned: its nodes slide back along their rows to the lines of their columns. There is no model of breaking. Walls are
-reflecting; they stand where their echo comes too late to matter.
+which keeps momentum, takes differences of their speeds along the shore away within a tenth of a second. Where the
+surface is steeper than 10 degrees and the water runs together, it breaks: neighbours exchange momentum. The lattice is
+rezoned: its nodes slide back along their rows to the lines of their columns, and where the water runs down the film
+that it leaves is drawn after it. Walls are reflecting; they stand where their echo comes too late to matter.
 
 **What is compared.** The largest run-up $R/A$ by the angle from the front of the island with the measurements, and with
 the shallow-water model of Liu et al. (1995). All measured angles count; where the lattice folds before the water has
 been highest, what it has reached by then.
 
 **What to look at.** The crest bends around the island, and its two ends meet behind it: there the water climbs nearly
-as high as in front, though the sides saw much less. Waves A and B pass the island; behind it the model of B climbs a
-fifth to a third above the measurement. In case C the wave breaks at the sides and as it runs down: thin sheets of water
-there fold the lattice, with columns 0.5 m apart when the ends have met behind the island, with narrower ones before.
-With columns 0.5 m apart and without friction the run-up in front of cases B and C is 6 and 30 % higher, and without
-rezoning B folds behind the island.
+as high as in front, though the sides saw much less. All three waves pass the island, with columns down to 0.25 m apart.
+Behind it the model of B climbs a fifth to a third above the measurement. Wave C breaks at the sides: there the model
+runs along the shore as a jet and climbs two to three times as high as the water of the experiment, whose wave is spent,
+though the run-up in front and, where the ends meet, behind the island agrees. Without breaking and without drawing the
+film after the water the lattice of C folds as the water runs down in front of the island, with columns 0.35 m apart at
+4.6 s, and that of B behind it, with 0.25 m at 9.5 s.
 */
 #include <algorithm>
 #include <array>
@@ -78,6 +80,8 @@ struct Passed {
   double energy_of_rezoning = 0;          // relative to the first
   long rezoned = 0;                       // times
   long refused = 0;                       // times it could not be
+  long halved = 0;                        // steps
+  double displaced = 0;                   // by rezoning, of all water
   Worst volume_defect;                    // relative, of the worst cell
   std::optional<double> folded;           // when [s]
   RunupEnvelope envelope;                 // run-up of the markers
@@ -120,6 +124,8 @@ Passed pass(const ConicalIsland& island, double spacing, const Observe& observe 
   }
   passed.rezoned = flow.rezoned();
   passed.refused = flow.refused();
+  passed.halved = flow.halved();
+  passed.displaced = flow.displaced() / flow.flow().model().mass();
   passed.energy_of_rezoning = flow.lost() / energy;
   const auto& model = flow.flow().model();
   std::vector<double> defects(model.shape().cells());
@@ -166,9 +172,7 @@ Measurement deviation_of(const std::vector<Passed>& spacings, const Measured& da
   return {.value = rms.front(), .uncertainty = fine_limit(size, rms, 1).uncertainty};
 }
 
-/// Of the highest wave the lattice folds.
 void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, const Measured& data) {
-  const bool breaks = wave.name == "C";
   const evidence::Claim runup{
       .id = "runup-" + wave.name,
       .text = fmt::format("Case {}: the run-up all around the island is the measured one.", wave.name),
@@ -181,47 +185,43 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, co
           "10 % of the measurements (assumed): whether they are given in nominal or in measured wave heights "
           "makes up to 11 %; the model's own from two spacings, of first order"};
   const auto off = [data](const std::vector<Passed>& spacings) { return deviation_of(spacings, data); };
-  const evidence::Claim over{
-      .id = "climbed-" + wave.name,
-      .text = fmt::format("Case {}: all around the island the run-up is over before the lattice folds.", wave.name),
-      .quantity = "measured angles where it is not",
-      .source = source};
-  const auto missed = [data](const std::vector<Passed>& spacings) {
-    return static_cast<double>(
-        std::ranges::count_if(data.angle, [&](double angle) { return !spacings.front().saw(angle); }));
-  };
-  const evidence::Bound none{.limit = 0, .reason = "none"};
-  const std::string reason =
-      "the wave breaks at the sides of the island: its edge piles up there and folds the lattice, with which what is "
-      "behind the island is not reached";
-  if (breaks) {
-    claims.known_failure(runup, off, criterion, {.value = 0.66, .width = 0.1, .reason = reason});
-    claims.known_failure(over, missed, none, {.value = 4.5, .width = 0.5, .reason = reason});
+  if (wave.name == "C") {
+    claims.known_failure(
+        runup, [data](const std::vector<Passed>& spacings) { return deviation(spacings.front(), data); },
+        evidence::Bound{.limit = 0.2,
+                        .reason = "twice the 10 % of the measurements; the model's own is not of first order where the "
+                                  "wave breaks, so that two spacings do not tell it"},
+        {.value = 0.95,
+         .width = 0.15,
+         .reason = "the wave breaks at the sides of the island, and from 100 to 160 degrees the water of the "
+                   "experiment climbs half as high as the model's, which runs along the shore as a jet"});
   } else {
     claims.check(runup, off, criterion);
-    claims.check(over, missed, none);
   }
+  claims.check(
+      {.id = "climbed-" + wave.name,
+       .text = fmt::format("Case {}: all around the island the run-up is over before the lattice folds.", wave.name),
+       .quantity = "measured angles where it is not",
+       .source = source},
+      [data](const std::vector<Passed>& spacings) {
+        return static_cast<double>(
+            std::ranges::count_if(data.angle, [&](double angle) { return !spacings.front().saw(angle); }));
+      },
+      evidence::Bound{.limit = 0, .reason = "none"});
 }
 
-void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing) {
-  const evidence::Claim whole{.id = "whole-" + wave.name,
-                              .text = fmt::format("Case {}: the wave passes the island entirely.", wave.name),
-                              .quantity = "wave fronts met behind the island, lattice sound",
-                              .source = source};
-  const evidence::Qualitative sound{.detector = "no cell folds until 6 s after the crest would pass the middle",
-                                    .reason = "the water behind the island has run up and down by then"};
-  const auto reached = [](const std::vector<Passed>& spacings) { return spacings.front().folded ? 0.0 : 1.0; };
-  if (wave.name == "A" || (wave.name == "B" && spacing > 0.3)) {
-    claims.check(whole, reached, sound);
-  } else {
-    claims.known_failure(
-        whole, reached, sound,
-        {.value = 0,
-         .width = 0,
-         .reason = wave.name == "B"
-                       ? "the thin sheet that runs down behind the island crumples; its run-up is over by then"
-                       : "the breaking edge of the water at the sides folds the lattice"});
-  }
+void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave) {
+  claims.check(
+      {.id = "whole-" + wave.name,
+       .text = fmt::format("Case {}: the wave passes the island entirely.", wave.name),
+       .quantity = "wave fronts met behind the island, lattice sound",
+       .source = source},
+      [](const std::vector<Passed>& spacings) {
+        return std::ranges::any_of(spacings, [](const Passed& one) { return one.folded.has_value(); }) ? 0.0 : 1.0;
+      },
+      evidence::Qualitative{.detector = "no cell folds until 6 s after the crest would pass the middle, at "
+                                        "either spacing",
+                            .reason = "the water behind the island has run up and down by then"});
 }
 
 void claim_lee(const Claims<Passed>& claims) {
@@ -243,7 +243,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const auto wave = claims.at(resolution(spacing, step));
     const auto spacings = wave.of([k](const Results& r) -> const std::vector<Passed>& { return r.passed.at(k); });
     claim_runup(spacings, waves[k], measured(table, waves[k].height));
-    claim_whole(spacings, waves[k], spacing);
+    claim_whole(spacings, waves[k]);
     if (waves[k].name == "A") {
       claim_lee(wave.of([k](const Results& r) -> const Passed& { return r.passed.at(k).front(); }));
     }
@@ -281,8 +281,8 @@ void draw_runup(evidence::Exhibit& exhibit, const Results& r, const io::Table& t
   auto& figure =
       exhibit.figure("runup", "Run-up around a conical island",
                      "Against the angle from the front. Measurements with their uncertainty; the model as far "
-                     "as the wave has passed when the lattice folds (C); the shallow-water model of Liu et "
-                     "al. (1995).");
+                     "as the wave has passed, should the lattice fold; the shallow-water model of Liu et al. "
+                     "(1995).");
   for (std::size_t k = 0; k < waves.size(); ++k) {
     const Passed& passed = r.passed[k].front();
     const Measured data = measured(table, waves[k].height);
@@ -340,6 +340,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     exhibit.measure("energy_of_rezoning_" + waves[k].name, passed.energy_of_rezoning);
     exhibit.measure("rezoned_" + waves[k].name, static_cast<double>(passed.rezoned));
     exhibit.measure("refused_" + waves[k].name, static_cast<double>(passed.refused));
+    exhibit.measure("halved_" + waves[k].name, static_cast<double>(passed.halved));
+    exhibit.measure("displaced_" + waves[k].name, passed.displaced);
     exhibit.measure("volume_defect_" + waves[k].name, passed.volume_defect.value());
     if (passed.folded) exhibit.measure("fold_time_" + waves[k].name, *passed.folded);
   }

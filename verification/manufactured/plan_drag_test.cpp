@@ -170,7 +170,7 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
   }
   constexpr double rate = 2;
   constexpr double h = 1e-6;
-  const Drag drag({.lattice_rate = rate}, lattice);
+  const Drag drag({.lattice_rate = rate}, lattice, 1.0 / 3);
   const auto slowed = [&](const std::function<seiche::Point(std::size_t)>& velocity, double time,
                           const std::vector<double>& m, const InverseMasses& w) {
     std::vector<double> u(3 * n, 0.0);
@@ -262,4 +262,90 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
               .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
              {.value = energy_after < energy_before ? 1.0 : 0.0},
              seiche::evidence::Qualitative{.detector = "after less than before", .reason = "every pair takes energy"});
+}
+
+TEST_CASE("steep water that runs together exchanges momentum and other water does not", "[manufactured]") {
+  Check check("plan_breaking", "Breaking in plan",
+              "12 x 10 equal cells 0.5 by 0.4, level bottom 0.8 deep, g = 1; the surface steps up by 0.2 along the "
+              "sixth column. Velocities before and after a short time in which what is steeper than 0.3 breaks.");
+  Lattice lattice =
+      rectangular_lattice({.begin = 0, .end = 6, .south = 0, .north = 4, .columns = 12, .rows = 10, .depth = depth});
+  const std::size_t n = lattice.shape.nodes();
+  for (std::size_t k = 0; k < n; ++k) lattice.z[k] = k % 13 > 5 ? 0.2 : 0.0;
+  const Model model(lattice);
+  const std::vector<double> masses(model.node_masses().begin(), model.node_masses().end());
+  InverseMasses inverse(n);
+  for (std::size_t k = 0; k < n; ++k) inverse.xx[k] = inverse.yy[k] = 1 / masses[k];
+  Drag drag({.breaking_slope = 0.3}, lattice, 1.0 / 3);
+  const auto change = [&](const std::function<seiche::Point(std::size_t)>& velocity, double h) {
+    std::vector<double> u(3 * n, 0.0);
+    for (std::size_t k = 0; k < n; ++k) {
+      u[k] = velocity(k).x;
+      u[n + k] = velocity(k).y;
+    }
+    std::vector<double> after = u;
+    drag.slow(masses, inverse, 1, h, after);
+    return std::pair{u, after};
+  };
+  const auto momentum = [&](const std::vector<double>& u, std::size_t axis) {
+    double sum = 0;
+    for (std::size_t k = 0; k < n; ++k) sum += masses[k] * u[axis * n + k];
+    return sum;
+  };
+  const auto energy = [&](const std::vector<double>& u) {
+    double sum = 0;
+    for (std::size_t k = 0; k < n; ++k) sum += masses[k] * (u[k] * u[k] + u[n + k] * u[n + k]) / 2;
+    return sum;
+  };
+  drag.measure(lattice, model.first_volumes(), model.state().q);
+  const auto together = [](std::size_t k) { return seiche::Point{k % 13 > 5 ? -0.5 : 0.5, k % 13 > 5 ? 0.2 : 0.0}; };
+  const std::string source = "seiche/models/dispersive_shallow_water_2d/drag.hpp";
+  constexpr double h = 1e-6;
+  const auto [before, after] = change(together, h);
+  const std::size_t inner = lattice.shape.node(5, 5);
+  const double mean_depth = depth + 0.1;
+  const double viscosity = 2 * std::sqrt(1.0 / 3) * mean_depth * std::sqrt(mean_depth);
+  const double force = viscosity * mean_depth * 0.4 / 0.5;  // of the difference of two velocities
+  check.that({.id = "rate",
+              .text = "Two neighbours exchange momentum as the viscosity says.",
+              .quantity = "force over nu H times the width and the gradient of the velocity",
+              .source = source},
+             {.value = (after[inner] - before[inner]) * masses[inner] / (h * -1.0 * force)},
+             Bound{.limit = 1e-4,
+                   .reason = "implicit: off by twice h times the rate of some 10, and rounding over 1e-6",
+                   .expected = 1});
+  const auto [wild, tamed] = change(together, 10);
+  check.that({.id = "momentum",
+              .text = "Momentum is kept, over any time.",
+              .quantity = "change of its two components together",
+              .source = source},
+             {.value = momentum(tamed, 0) - momentum(wild, 0) + momentum(tamed, 1) - momentum(wild, 1)},
+             Roundoff{.operations = 4 * static_cast<double>(n), .scale = 1, .reason = "one pair in each row"});
+  // The step's last velocities are twice the mean less the first.
+  std::vector<double> last = tamed;
+  for (std::size_t k = 0; k < last.size(); ++k) last[k] = 2 * tamed[k] - wild[k];
+  check.that({.id = "no-return",
+              .text = "Over a long time the two come to one velocity and not to each other's.",
+              .quantity = "difference of the last velocities over that of the first",
+              .source = source},
+             {.value = (last[inner + 1] - last[inner]) / (wild[inner + 1] - wild[inner])},
+             Bound{.limit = 0.05, .reason = "1/(1 + 2 x), x some tens, is positive and small", .expected = 0.05});
+  check.that({.id = "energy",
+              .text = "Energy is lost.",
+              .quantity = "energy after over that before is less than 1",
+              .source = source},
+             {.value = energy(last) < energy(wild) ? 1.0 : 0.0},
+             seiche::evidence::Qualitative{.detector = "after less than before", .reason = "an implicit exchange"});
+  seiche::Worst changed;
+  const auto [apart, same] = change([&](std::size_t k) { return seiche::Point{-together(k).x, together(k).y}; }, 0.1);
+  for (std::size_t k = 0; k < 2 * n; ++k) changed.add(same[k] - apart[k]);
+  for (std::size_t k = 0; k < n; ++k) lattice.z[k] = k % 13 > 5 ? 0.1 : 0.0;
+  drag.measure(lattice, model.first_volumes(), Model(lattice).state().q);
+  const auto [gentle, still] = change(together, 0.1);
+  for (std::size_t k = 0; k < 2 * n; ++k) changed.add(still[k] - gentle[k]);
+  check.that({.id = "others",
+              .text = "Water that runs apart, and a step that is not steep, stay as they are.",
+              .quantity = "largest change of a velocity",
+              .source = source},
+             {.value = changed.value()}, Roundoff{.operations = 1, .scale = 1, .reason = "nothing is computed"});
 }

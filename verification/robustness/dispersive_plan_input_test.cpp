@@ -107,6 +107,8 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
   settings("manning", "Negative friction.", {"manning", "-1", "non-negative"}, {.drag = {.manning = -1}});
   settings("shore_rate", "A force along a shore where there is none.", {"shore_rate", "shoreline", "south"},
            {.drag = {.shore_rate = 1}});
+  settings("breaking_slope", "A surface that breaks before it is steep.", {"breaking_slope", "-1", "non-negative"},
+           {.drag = {.breaking_slope = -1}});
   settings("lattice_rate", "A pattern that is driven.", {"lattice_rate", "-1", "non-negative"},
            {.drag = {.lattice_rate = -1}});
   settings("absorption", "A layer that gives energy.", {"absorption", "-1", "non-negative"},

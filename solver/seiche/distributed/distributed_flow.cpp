@@ -34,6 +34,9 @@ std::unique_ptr<dispersive_shallow_water_2d::Model> local_model(dispersive_shall
   if (settings.drag.lattice_rate > 0) {
     throw std::invalid_argument("lattice_rate on many processes; allowed: on one, with the model's own flow");
   }
+  if (settings.drag.breaking_slope > 0) {
+    throw std::invalid_argument("breaking_slope on many processes; allowed: on one, with the model's own flow");
+  }
   return std::make_unique<dispersive_shallow_water_2d::Model>(std::move(part), settings);
 }
 

@@ -47,7 +47,11 @@ Point RowCurve::meet(std::size_t node, Point from, Point to) const {
       return at(0.5 * (left + right));
     }
   }
-  return at(here);
+  const Point beside = at(here);
+  const Point line{to.x - from.x, to.y - from.y};
+  const double part =
+      (line.x * (beside.x - from.x) + line.y * (beside.y - from.y)) / (line.x * line.x + line.y * line.y);
+  return {from.x + part * line.x, from.y + part * line.y};
 }
 
 double farthest(const Shape& shape, std::span<const double> x, std::span<const double> y, const RezonedPlaces& places) {

@@ -17,8 +17,8 @@ class RowCurve {
 
   /// At a place counted in nodes.
   [[nodiscard]] Point at(double number) const;
-  /// Where it meets the line through two points, sought from a node on by at most two edges; the node itself where it
-  /// does not.
+  /// Where it meets the line through two points, sought from a node on by at most two edges; where it does not, the
+  /// place of the line beside the node.
   [[nodiscard]] Point meet(std::size_t node, Point from, Point to) const;
 
  private:

@@ -33,7 +33,7 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
       masses_((require_within("inertia", settings.inertia, 1e-3, 1), lattice_.shape), lattice_.sides, lattice_.x,
               lattice_.y, settings.inertia),
       dispersion_(lattice_.shape, settings.gamma),
-      drag_(settings.drag, lattice_),
+      drag_(settings.drag, lattice_, settings.inertia),
       gradients_(lattice_.shape.columns, lattice_.shape.rows),
       push_(3 * lattice_.shape.nodes(), 0.0),
       scratch_(12 * lattice_.shape.columns * static_cast<std::size_t>(omp_get_max_threads()), 0.0),

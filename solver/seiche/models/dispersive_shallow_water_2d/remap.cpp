@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -53,6 +54,7 @@ class Remap {
     find_nodes();
     interpolate();
     sweep();
+    carry();
     level_water();
     level_momentum();
     return std::move(now_);
@@ -95,12 +97,11 @@ class Remap {
   }
 
   void find_nodes() {
-    for (std::size_t j = 0; j <= shape_.rows; ++j) {
-      for (std::size_t i = 0; i <= shape_.columns; ++i) {
-        LatticePlace guess{.i = static_cast<double>(i), .j = static_cast<double>(j)};
-        places_.push_back(old_.find(new_point(shape_.node(i, j)), guess));
-      }
-    }
+    for (std::size_t k = 0; k < n_; ++k) places_.push_back(old_.find(new_point(k), node_of(k)));
+  }
+
+  [[nodiscard]] LatticePlace node_of(std::size_t k) const {
+    return {.i = static_cast<double>(k % (shape_.columns + 1)), .j = static_cast<double>(k / (shape_.columns + 1))};
   }
 
   void interpolate() {
@@ -109,7 +110,8 @@ class Remap {
     now_.w.resize(n_);
     for (std::size_t k = 0; k < n_; ++k) {
       const Point at = new_point(k);
-      now_.lattice.z[k] = bottom(at) + (on_shore_[k] != 0 ? 0.0 : old_depth(at, places_[k]));
+      bed_.push_back(bottom(at));
+      now_.lattice.z[k] = bed_[k] + (on_shore_[k] != 0 ? 0.0 : old_depth(at, places_[k]));
       now_.u[k] = old_.value(old_values(0), places_[k]);
       now_.v[k] = old_.value(old_values(1), places_[k]);
       now_.w[k] = old_.value(old_values(2), places_[k]);
@@ -117,7 +119,7 @@ class Remap {
   }
 
   /// What the edge p -> q sweeps towards its right.
-  [[nodiscard]] Content swept(std::size_t p, std::size_t q, LatticePlace guess, bool closed) const {
+  [[nodiscard]] Content swept(std::size_t p, std::size_t q, bool closed) const {
     const std::array at{old_point(p), new_point(p), new_point(q), old_point(q)};
     Content through;
     const double under = bottom_under(at);
@@ -142,7 +144,13 @@ class Remap {
         const double area = 0.25 * (by_s(x) * by_t(y) - by_s(y) * by_t(x));
         if (area == 0) continue;
         const Point place{mix(x), mix(y)};
-        const LatticePlace found = old_.find(place, guess);
+        const std::array corner{node_of(p), places_[p], places_[q], node_of(q)};
+        const auto mix_places = [&](double LatticePlace::*number) {
+          return (1 - t) * ((1 - s) * corner[0].*number + s * corner[1].*number) +
+                 t * ((1 - s) * corner[3].*number + s * corner[2].*number);
+        };
+        const LatticePlace found =
+            old_.find(place, {.i = mix_places(&LatticePlace::i), .j = mix_places(&LatticePlace::j)});
         const double water = area * old_depth(place, found);
         through.level += water + area * bottom(place);
         through.momentum.x += water * old_.value(old_values(0), found);
@@ -160,33 +168,80 @@ class Remap {
     return through;
   }
 
+  /// Through an edge, from one cell into another; none of them: a side.
+  struct Passage {
+    std::optional<std::size_t> into, from;
+    Content content;
+  };
+
   void sweep() {
-    gained_.assign(shape_.cells(), {});
-    const auto add = [&](std::size_t cell, double sign, const Content& through) {
-      gained_[cell].level += sign * through.level;
-      gained_[cell].water += sign * through.water;
-      gained_[cell].momentum.x += sign * through.momentum.x;
-      gained_[cell].momentum.y += sign * through.momentum.y;
-    };
     const auto columns = shape_.columns;
     for (std::size_t j = 0; j <= shape_.rows; ++j) {
       for (std::size_t i = 0; i < columns; ++i) {
         const bool closed = j == 0 || j == shape_.rows;
-        const LatticePlace guess{.i = static_cast<double>(i) + 0.5, .j = static_cast<double>(j)};
-        const Content through = swept(shape_.node(i, j), shape_.node(i + 1, j), guess, closed);
-        if (j < shape_.rows) add(j * columns + i, 1, through);
-        if (j > 0) add((j - 1) * columns + i, -1, through);
+        Passage one{.into = {}, .from = {}, .content = swept(shape_.node(i, j), shape_.node(i + 1, j), closed)};
+        if (j < shape_.rows) one.into = j * columns + i;
+        if (j > 0) one.from = (j - 1) * columns + i;
+        passages_.push_back(one);
       }
     }
     for (std::size_t j = 0; j < shape_.rows; ++j) {
       for (std::size_t i = 0; i <= columns; ++i) {
         const bool closed = i == 0 || i == columns;
-        const LatticePlace guess{.i = static_cast<double>(i), .j = static_cast<double>(j) + 0.5};
-        const Content through = swept(shape_.node(i, j), shape_.node(i, j + 1), guess, closed);
-        if (i > 0) add(j * columns + i - 1, 1, through);
-        if (i < columns) add(j * columns + i, -1, through);
+        Passage one{.into = {}, .from = {}, .content = swept(shape_.node(i, j), shape_.node(i, j + 1), closed)};
+        if (i > 0) one.into = j * columns + i - 1;
+        if (i < columns) one.from = j * columns + i;
+        passages_.push_back(one);
       }
     }
+  }
+
+  /// V* and P*. No cell loses more than most of its water to others: what would be too much stays, all in proportion.
+  void carry() {
+    std::vector<double> leaves(shape_.cells(), 0.0);
+    const auto loser = [](const Passage& one) { return one.content.water > 0 ? one.from : one.into; };
+    for (const Passage& one : passages_) {
+      if (const auto cell = loser(one)) leaves[*cell] += std::abs(one.content.water);
+    }
+    std::vector<double> level(shape_.cells(), 0.0);
+    momentum_.resize(shape_.cells());
+    for (const Passage& one : passages_) {
+      double part = 1;
+      if (const auto cell = loser(one)) part = std::min(1.0, most_lost * model_.first_volumes()[*cell] / leaves[*cell]);
+      now_.displaced += (1 - part) * std::abs(one.content.water);
+      const auto add = [&](std::size_t cell, double sign) {
+        level[cell] += sign * (one.content.level - (1 - part) * one.content.water);
+        momentum_[cell].x += sign * part * one.content.momentum.x;
+        momentum_[cell].y += sign * part * one.content.momentum.y;
+      };
+      if (one.into) add(*one.into, 1);
+      if (one.from) add(*one.from, -1);
+    }
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      under_.push_back(bottom_under(corners_of(cell, true)));
+      const double before = model_.first_volumes()[cell];
+      volume_.push_back(before + level[cell] - under_[cell] + bottom_under(corners_of(cell, false)));
+      if (!(volume_[cell] > 0)) {
+        throw mechanics::Infeasible(fmt::format("cell {} would hold {:g} of water", cell, volume_[cell]),
+                                    corners_of(cell, true)[0].x);
+      }
+      const Point velocity = mean_velocity(cell, u_.first(n_), u_.subspan(n_, n_));
+      momentum_[cell].x += before * velocity.x;
+      momentum_[cell].y += before * velocity.y;
+    }
+  }
+
+  [[nodiscard]] double share(std::size_t k) const { return on_shore_[k] != 0 ? Shoreline::share_of_mass : 0.25; }
+
+  [[nodiscard]] Point mean_velocity(std::size_t cell, std::span<const double> u, std::span<const double> v) const {
+    double shares = 0;
+    Point sum;
+    for (const std::size_t k : shape_.corners(cell)) {
+      shares += share(k);
+      sum.x += share(k) * u[k];
+      sum.y += share(k) * v[k];
+    }
+    return {sum.x / shares, sum.y / shares};
   }
 
   [[nodiscard]] std::array<Point, 4> corners_of(std::size_t cell, bool fresh) const {
@@ -203,19 +258,29 @@ class Remap {
     return bilinear_patch::volume(at(now_.lattice.x), at(now_.lattice.y), at(now_.lattice.z));
   }
 
-  /// V* and what the surface has too little of it, to the nodes.
-  void level_water() {
-    volume_.resize(shape_.cells());
+  /// Columns that the interpolation leaves nearly dry begin with a part of the mean depth of their cells.
+  void fill_thin_columns() {
+    std::vector<double> water(n_, 0.0);
+    std::vector<double> area(n_, 0.0);
     for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-      under_.push_back(bottom_under(corners_of(cell, true)));
-      volume_[cell] =
-          model_.first_volumes()[cell] + gained_[cell].level - under_[cell] + bottom_under(corners_of(cell, false));
-      if (!(volume_[cell] > 0)) {
-        throw mechanics::Infeasible(fmt::format("cell {} would hold {:g} of water", cell, volume_[cell]),
-                                    corners_of(cell, true)[0].x);
+      const auto at = corners_of(cell, true);
+      const auto j =
+          bilinear_patch::jacobians({at[0].x, at[1].x, at[2].x, at[3].x}, {at[0].y, at[1].y, at[2].y, at[3].y});
+      for (const std::size_t k : shape_.corners(cell)) {
+        water[k] += volume_[cell];
+        area[k] += 0.5 * (j.c0 + j.c2);
       }
     }
-    // dV/dz of the nodes, and how many corners of a cell are not on a shoreline.
+    for (std::size_t k = 0; k < n_; ++k) {
+      if (on_shore_[k] != 0) continue;
+      now_.lattice.z[k] = std::max(now_.lattice.z[k], bed_[k] + thinnest * water[k] / area[k]);
+    }
+  }
+
+  /// What the surface has too little of V*, to the nodes.
+  void level_water() {
+    fill_thin_columns();
+    // dV/dz of the nodes.
     std::vector<double> area(n_, 0.0);
     for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
       const auto corners = shape_.corners(cell);
@@ -225,30 +290,69 @@ class Remap {
       const std::array by_z{threes.c0 / 12, threes.c1 / 12, threes.c2 / 12, threes.c3 / 12};
       for (std::size_t a = 0; a < 4; ++a) area[corners[a]] += by_z[a];
     }
-    for (int pass = 0; pass < passes; ++pass) {
-      std::vector<double> rise(n_, 0.0);
-      for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-        const auto corners = shape_.corners(cell);
-        const double lacking = volume_[cell] - (new_level(cell) - under_[cell]);
-        double wet = 0;
-        for (const std::size_t k : corners) wet += on_shore_[k] != 0 ? 0.0 : 1.0;
-        for (const std::size_t k : corners) {
-          if (on_shore_[k] == 0) rise[k] += lacking / (wet * area[k]);
-        }
-      }
-      for (std::size_t k = 0; k < n_; ++k) {
-        now_.lattice.z[k] += rise[k];
-        if (on_shore_[k] != 0 || now_.lattice.z[k] > bottom(new_point(k))) continue;
+    std::vector<char> sank;
+    for (int pass = 0; pass < passes || std::ranges::count(sank, 1) > 0; ++pass) {
+      if (pass == most_passes) {
         throw mechanics::Infeasible(
-            fmt::format("a column at ({:g}, {:g}) would have no water", now_.lattice.x[k], now_.lattice.y[k]),
-            now_.lattice.x[k]);
+            "columns would have no water",
+            now_.lattice.x[static_cast<std::size_t>(std::ranges::find(sank, 1) - sank.begin())]);
+      }
+      if (pass >= passes) share_with_neighbours(sank);
+      sank = raise(area);
+    }
+  }
+
+  /// One pass. A column sinks by a part of its depth at most: marks those that should sink more.
+  std::vector<char> raise(const std::vector<double>& area) {
+    std::vector<double> rise(n_, 0.0);
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      const auto corners = shape_.corners(cell);
+      const double lacking = volume_[cell] - (new_level(cell) - under_[cell]);
+      double wet = 0;
+      for (const std::size_t k : corners) wet += on_shore_[k] != 0 ? 0.0 : 1.0;
+      for (const std::size_t k : corners) {
+        if (on_shore_[k] == 0) rise[k] += lacking / (wet * area[k]);
       }
     }
+    std::vector<char> sank(n_, 0);
+    for (std::size_t k = 0; k < n_; ++k) {
+      if (on_shore_[k] != 0) continue;
+      const double least = -most_sunk * (now_.lattice.z[k] - bed_[k]);
+      sank[k] = rise[k] < least ? 1 : 0;
+      now_.lattice.z[k] += std::max(rise[k], least);
+    }
+    return sank;
+  }
+
+  /// Columns cannot leave a cell with so little water while the ones beside it hold theirs: it gets of these.
+  void share_with_neighbours(const std::vector<char>& sank) {
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      if (std::ranges::none_of(shape_.corners(cell), [&](std::size_t k) { return sank[k] != 0; })) continue;
+      const double surplus = new_level(cell) - under_[cell] - volume_[cell];
+      if (!(surplus > 0)) continue;
+      const std::size_t columns = shape_.columns;
+      if (cell % columns > 0) move_water(cell - 1, cell, surplus / 4);
+      if (cell % columns + 1 < columns) move_water(cell + 1, cell, surplus / 4);
+      if (cell >= columns) move_water(cell - columns, cell, surplus / 4);
+      if (cell + columns < shape_.cells()) move_water(cell + columns, cell, surplus / 4);
+    }
+  }
+
+  void move_water(std::size_t from, std::size_t into, double wanted) {
+    const double part = std::min(wanted / volume_[from], 0.25);
+    const double water = part * volume_[from];
+    const Point momentum{part * momentum_[from].x, part * momentum_[from].y};
+    volume_[from] -= water;
+    volume_[into] += water;
+    momentum_[from].x -= momentum.x;
+    momentum_[from].y -= momentum.y;
+    momentum_[into].x += momentum.x;
+    momentum_[into].y += momentum.y;
+    now_.displaced += water;
   }
 
   /// The same for the momentum.
   void level_momentum() {
-    const auto share = [&](std::size_t k) { return on_shore_[k] != 0 ? Shoreline::share_of_mass : 0.25; };
     std::vector<double> mass(n_, 0.0);
     std::vector<double> after(shape_.cells());
     for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
@@ -257,22 +361,9 @@ class Remap {
     }
     std::vector<Point> change(n_);
     for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
-      const auto corners = shape_.corners(cell);
-      double shares = 0;
-      Point before{};
-      Point now{};
-      for (const std::size_t k : corners) {
-        shares += share(k);
-        before.x += share(k) * u_[k];
-        before.y += share(k) * u_[n_ + k];
-        now.x += share(k) * now_.u[k];
-        now.y += share(k) * now_.v[k];
-      }
-      const double was = model_.first_volumes()[cell] / shares;
-      const double is = after[cell] / shares;
-      const Point lacking{was * before.x + gained_[cell].momentum.x - is * now.x,
-                          was * before.y + gained_[cell].momentum.y - is * now.y};
-      for (const std::size_t k : corners) {
+      const Point velocity = mean_velocity(cell, now_.u, now_.v);
+      const Point lacking{momentum_[cell].x - after[cell] * velocity.x, momentum_[cell].y - after[cell] * velocity.y};
+      for (const std::size_t k : shape_.corners(cell)) {
         change[k].x += share(k) * lacking.x / mass[k];
         change[k].y += share(k) * lacking.y / mass[k];
       }
@@ -284,6 +375,10 @@ class Remap {
   }
 
   static constexpr int passes = 2;
+  static constexpr int most_passes = 100;
+  static constexpr double most_lost = 0.75;  // of a cell's water, in a remap
+  static constexpr double most_sunk = 0.3;   // of a column's depth, in a pass
+  static constexpr double thinnest = 0.25;   // column, over the mean depth of its cells
 
   const Model& model_;
   plan_lattice::Shape shape_;
@@ -295,9 +390,11 @@ class Remap {
   BottomVolume quadrilateral_;
   Remapped now_;
   std::vector<LatticePlace> places_;
-  std::vector<Content> gained_;
-  std::vector<double> under_;  // bottom_under of the new cells
-  std::vector<double> volume_;
+  std::vector<double> bed_;  // below the new nodes
+  std::vector<Passage> passages_;
+  std::vector<double> under_;   // bottom_under of the new cells
+  std::vector<double> volume_;  // V*
+  std::vector<Point> momentum_;
 };
 
 }  // namespace

@@ -13,6 +13,11 @@
 /// @f[ \delta z_k = \sum_s w_{sk} d_s \Big/ \frac{\partial V}{\partial z_k}, \qquad
 ///     \delta \mathbf{u}_k = \sum_s w_{sk} \mathbf{d}_s / m_k, \qquad \sum_k w_{sk} = 1. @f]
 ///
+/// No column falls dry. A cell loses three quarters of its water at most: what the sweep would take more stays where it
+/// is. A column that should sink by more than its depth stops before, and its cell gets what it then has too much from
+/// the cells around it. Water that is so put elsewhere than it was swept takes its momentum along, and its
+/// amount is told.
+///
 /// Conserved to round-off: all water; horizontal momentum, where neither a wall nor a shoreline takes part and the
 /// bottom is level; a lattice that stays as it is; a stream of one velocity under a level surface over a level bottom.
 /// Smooth fields are carried to third order. Over a sheet of water that is thin for its cells the interpolated depth
@@ -33,6 +38,7 @@ namespace seiche::dispersive_shallow_water_2d {
 struct Remapped {
   Lattice lattice;
   std::vector<double> u, v, w;
+  double displaced = 0;  ///< water elsewhere than it was swept [m^3]
 };
 
 /// @param model, q, u  where the flow is; its volumes are model.first_volumes()

@@ -31,9 +31,17 @@ std::vector<double> pattern(const std::vector<double>& values) {
   return part;
 }
 
+constexpr int most_parts = 8;     // of a step, by its strain
+constexpr int most_halvings = 5;  // of one that fails
+
 }  // namespace
 
-ShoreFollowing::ShoreFollowing(const Lattice& first) : shape_(first.shape) {
+ShoreFollowing::ShoreFollowing(const Lattice& first, RezoneSettings settings)
+    : shape_(first.shape), settings_(settings) {
+  require_within("drift", settings.drift, 1e-6, 2);
+  require_within("narrowest", settings.narrowest, 0, 0.99);
+  require_not_negative("edge_slope", settings.edge_slope);
+  require_within("strain", settings.strain, 1e-6, 1);
   if (!std::holds_alternative<plan_lattice::ShoreSide>(first.sides.south)) {
     throw std::invalid_argument("a lattice without a shoreline on its south side; allowed: one with it");
   }
@@ -45,7 +53,7 @@ ShoreFollowing::ShoreFollowing(const Lattice& first) : shape_(first.shape) {
   }
 }
 
-ShoreFollowing::Places ShoreFollowing::places(Input q) const {
+ShoreFollowing::Places ShoreFollowing::places(Input q, Input volumes) const {
   const std::size_t n = shape_.nodes();
   const std::size_t count = shape_.columns + 1;
   Places places;
@@ -70,7 +78,46 @@ ShoreFollowing::Places ShoreFollowing::places(Input q) const {
     places.x.push_back(outer(i).x);
     places.y.push_back(outer(i).y);
   }
+  if (settings_.edge_slope > 0) draw_back_films(q, volumes, places);
+  keep_widths(places);
   return places;
+}
+
+/// The cells beside a column are a wedge of depth h over its width b; with its water it has the depth over its width
+/// asked for when it is sqrt(h/(b edge_slope)) as wide.
+void ShoreFollowing::draw_back_films(Input q, Input volumes, Places& places) const {
+  const std::size_t n = shape_.nodes();
+  const std::size_t count = shape_.columns + 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    double water = 0;
+    double area = 0;
+    for (const std::size_t cell : {i > 0 ? i - 1 : 0, std::min(i, shape_.columns - 1)}) {
+      const auto [c0, c1, c2, c3] = shape_.corners(cell);
+      water += volumes[cell];
+      area += 0.5 * ((q[c2] - q[c0]) * (q[n + c3] - q[n + c1]) - (q[c3] - q[c1]) * (q[n + c2] - q[n + c0]));
+    }
+    const double width = distance({places.x[i], places.y[i]}, {places.x[count + i], places.y[count + i]});
+    const double slope = 2 * water / area / width;
+    if (!(slope < settings_.edge_slope)) continue;
+    const double part = std::sqrt(slope / settings_.edge_slope);
+    places.x[i] = std::lerp(places.x[count + i], places.x[i], part);
+    places.y[i] = std::lerp(places.y[count + i], places.y[i], part);
+  }
+}
+
+void ShoreFollowing::keep_widths(Places& places) const {
+  for (std::size_t j = 1; j < shape_.rows; ++j) {
+    for (std::size_t i = 0; i <= shape_.columns; ++i) {
+      const std::size_t k = shape_.node(i, j);
+      const std::size_t inner = shape_.node(i, j - 1);
+      const Point line = line_[i];
+      const double width = (places.x[k] - places.x[inner]) * line.x + (places.y[k] - places.y[inner]) * line.y;
+      const double lacking = settings_.narrowest * distance(first_[inner], first_[k]) - width;
+      if (!(lacking > 0)) continue;
+      places.x[k] += lacking * line.x;
+      places.y[k] += lacking * line.y;
+    }
+  }
 }
 
 double ShoreFollowing::drift(Input q, const Places& places) const {
@@ -80,12 +127,11 @@ double ShoreFollowing::drift(Input q, const Places& places) const {
 
 RezonedFlow::RezonedFlow(Lattice lattice, const InitialVelocity& velocity, Scheme scheme, Settings settings,
                          RezoneSettings rezone)
-    : following_(lattice),
+    : following_(lattice, rezone),
       scheme_(scheme),
       settings_(rezone),
       flow_(std::make_unique<Flow>(std::move(lattice), velocity, scheme, std::move(settings), Forcing{}, Window{},
                                    false)) {
-  require_within("drift", rezone.drift, 1e-6, 2);
   if (flow_->model().has_driven_sides()) throw std::invalid_argument("a rezoned lattice with driven sides");
 }
 
@@ -94,25 +140,65 @@ void RezonedFlow::advance_to(double time, double tau, const std::function<void()
   mechanics::equal_steps_to(
       clock, time, tau,
       [&](double length) {
-        const ShoreFollowing::Places places = following_.places(flow_->state().q);
-        if (following_.drift(flow_->state().q, places) > settings_.drift) {
-          try {
-            rezone(places);
-          } catch (const mechanics::Infeasible&) {
-            ++refused_;
-          } catch (const Divergence&) {  // a new flow that cannot begin
-            ++refused_;
-          }
-        }
-        try {
-          flow_->advance(length);
-        } catch (const Divergence& failure) {
-          throw Divergence(failure.what(), this->time(), steps(), failure.place());
-        }
+        advance(length);
         clock.time = this->time();
         clock.steps = steps();
       },
       after_step);
+}
+
+void RezonedFlow::advance(double length) {
+  const double strained = std::ceil(rate_of_strain() * length / settings_.strain);
+  double step = length / std::clamp(strained, 1.0, static_cast<double>(most_parts));
+  double left = length;
+  bool failed = false;
+  for (int halvings = 0; left > 1e-9 * length;) {
+    follow(failed);
+    try {
+      flow_->advance(std::min(step, left));
+      left -= step;
+      failed = false;
+    } catch (const Divergence& failure) {
+      if (halvings == most_halvings) throw Divergence(failure.what(), time(), steps(), failure.place());
+      failed = true;
+      halved_ += halvings == 0 ? 1 : 0;
+      ++halvings;
+      step /= 2;
+    }
+  }
+}
+
+/// Of the edges of all cells, by the velocities of their ends.
+double RezonedFlow::rate_of_strain() const {
+  const Input q = flow_->state().q;
+  const Input u = flow_->state().u;
+  const Shape shape = flow_->shape();
+  const std::size_t n = shape.nodes();
+  double fastest = 0;
+  const auto look = [&](std::size_t from, std::size_t to) {
+    const double change = std::hypot(u[to] - u[from], u[n + to] - u[n + from]);
+    fastest = std::max(fastest, change / distance({q[from], q[n + from]}, {q[to], q[n + to]}));
+  };
+  for (std::size_t j = 0; j <= shape.rows; ++j) {
+    for (std::size_t i = 0; i <= shape.columns; ++i) {
+      if (i < shape.columns) look(shape.node(i, j), shape.node(i + 1, j));
+      if (j < shape.rows) look(shape.node(i, j), shape.node(i, j + 1));
+    }
+  }
+  return fastest;
+}
+
+/// Rezones where nodes have drifted too far, or anyway.
+void RezonedFlow::follow(bool anyway) {
+  const ShoreFollowing::Places places = following_.places(flow_->state().q, flow_->model().first_volumes());
+  if (!anyway && !(following_.drift(flow_->state().q, places) > settings_.drift)) return;
+  try {
+    rezone(places);
+  } catch (const mechanics::Infeasible&) {
+    ++refused_;
+  } catch (const Divergence&) {  // a new flow that cannot begin
+    ++refused_;
+  }
 }
 
 void RezonedFlow::rezone(const ShoreFollowing::Places& places) {
@@ -130,6 +216,7 @@ void RezonedFlow::rezone(const ShoreFollowing::Places& places) {
   const double after = flow->model().kinetic_energy(next.q, next.u) + potential;
   base_ += potential - flow->model().potential_energy(next.q);
   lost_ += before - after;
+  displaced_ += now.displaced;
   begin_ += flow_->time();
   steps_ += flow_->steps();
   ++rezoned_;

@@ -9,9 +9,18 @@
 ///
 /// @f[ \frac{r_{i-2} - 4 r_{i-1} + 6 r_i - 4 r_{i+1} + r_{i+2}}{16}, @f]
 ///
-/// is taken away: by it the edge of the water crumples where it piles up. As soon as a node is farther from its place
-/// than `drift` of its cells, all are put there (remap.hpp). Where that is not possible the lattice goes on as it is. A
-/// lake at rest is left alone.
+/// is taken away: by it the edge of the water crumples where it piles up. Along its column no cell gets narrower than
+/// `narrowest` of what it was: rows that come too near to each other are put farther out.
+///
+/// Water that runs down leaves a film behind, which is thinner the longer it gets, until columns fall dry. Where the
+/// depth over the width of the cells at the shoreline is less than `edge_slope`, the shoreline is drawn back along its
+/// column until it is that: the water of the film, with its momentum, comes to what has run ahead.
+///
+/// As soon as a node is farther from its place than `drift` of its cells, all are put there (remap.hpp). Where that is
+/// not possible the lattice goes on as it is. A lake at rest is left alone.
+///
+/// Steps in which an edge of a cell would change by more than `strain` are divided, by eight at most. One that cannot
+/// be made is made in halves, of a lattice that is rezoned before.
 ///
 /// Reference: C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227.
 #pragma once
@@ -25,37 +34,45 @@
 
 namespace seiche::dispersive_shallow_water_2d {
 
+struct RezoneSettings {
+  double drift = 0.2;        ///< of a cell
+  double narrowest = 0.25;   ///< below 1; 0: as it comes
+  double edge_slope = 0.01;  ///< a film of 1 mm may be 0.1 m long; 0: as thin as it gets
+  double strain = 0.3;       ///< of an edge, in a step
+};
+
 /// Places of the nodes of a lattice that follows the shoreline on its south side.
 class ShoreFollowing {
  public:
   using Places = plan_lattice::RezonedPlaces;
 
-  /// Throws std::invalid_argument for a lattice without a shoreline on its south side.
-  explicit ShoreFollowing(const Lattice& first);
+  /// Throws std::invalid_argument for a lattice without a shoreline on its south side, and for settings outside of
+  /// their ranges: drift (0, 2], narrowest [0, 1), edge_slope not negative, strain (0, 1].
+  explicit ShoreFollowing(const Lattice& first, RezoneSettings settings = {});
   /// For a flow whose nodes are at q.
-  [[nodiscard]] Places places(Input q) const;
+  /// @param volumes  of the cells
+  [[nodiscard]] Places places(Input q, Input volumes) const;
   /// Farthest of a node from its place, over the shortest edge at the node's place.
   [[nodiscard]] double drift(Input q, const Places& places) const;
 
  private:
   [[nodiscard]] Point outer(std::size_t column) const { return first_[shape_.node(column, shape_.rows)]; }
+  void draw_back_films(Input q, Input volumes, Places& places) const;
+  void keep_widths(Places& places) const;
 
   Shape shape_;
+  RezoneSettings settings_;
   std::vector<Point> first_;  ///< places of all nodes
   std::vector<Point> line_;   ///< directions of the columns
 };
 
-struct RezoneSettings {
-  double drift = 0.2;  ///< of a cell
-};
-
 class RezonedFlow {
  public:
-  /// As Flow, without what moves or drives sides. Throws std::invalid_argument too for a drift outside (0, 2].
+  /// As Flow, without what moves or drives sides. Throws std::invalid_argument too for settings as ShoreFollowing.
   RezonedFlow(Lattice lattice, const InitialVelocity& velocity, Scheme scheme, Settings settings,
               RezoneSettings rezone);
 
-  /// As Flow. Throws Divergence with the time since the beginning.
+  /// As Flow, but for steps that are divided. Throws Divergence with the time since the beginning.
   void advance_to(double time, double tau, const std::function<void()>& after_step = {});
 
   /// As it is now; its time counts from the last rezoning.
@@ -68,10 +85,17 @@ class RezonedFlow {
   [[nodiscard]] double energy() const { return base_ + flow_->energy(); }
   /// Times it could not be.
   [[nodiscard]] long refused() const { return refused_; }
+  /// Steps that were made in halves.
+  [[nodiscard]] long halved() const { return halved_; }
   /// Energy that rezoning took in all.
   [[nodiscard]] double lost() const { return lost_; }
+  /// Water that remaps put elsewhere than their lattices swept it, in all (remap.hpp) [m^3].
+  [[nodiscard]] double displaced() const { return displaced_; }
 
  private:
+  void advance(double length);
+  [[nodiscard]] double rate_of_strain() const;
+  void follow(bool anyway);
   void rezone(const ShoreFollowing::Places& places);
 
   ShoreFollowing following_;
@@ -81,9 +105,11 @@ class RezonedFlow {
   double begin_ = 0;
   double base_ = 0;
   double lost_ = 0;
+  double displaced_ = 0;
   long steps_ = 0;
   long rezoned_ = 0;
   long refused_ = 0;
+  long halved_ = 0;
 };
 
 }  // namespace seiche::dispersive_shallow_water_2d
