@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <benchmark/benchmark.h>
+#include <omp.h>
 
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
@@ -22,8 +23,8 @@ Particles standing_wave(std::size_t count) {
 }
 
 /// As the algorithm needs it: edges, velocities (read and written), masses and their inverses (read) are 8 doubles; two
-/// curves, their slopes and four Newton steps of one
-/// Riemann problem are about 110 operations, reconstruction and predictor about 60.
+/// curves, their slopes and four Newton steps of one Riemann problem are about 110 operations, reconstruction and
+/// predictor about 60.
 void count_work(benchmark::State& state, std::size_t particles, double operations) {
   state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(particles));
   seiche::performance::show(state, static_cast<double>(particles) * seiche::performance::pass(8, operations));
@@ -31,6 +32,8 @@ void count_work(benchmark::State& state, std::size_t particles, double operation
 
 void standing_wave_steps(benchmark::State& state, Level level) {
   const auto count = static_cast<std::size_t>(state.range(0));
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(static_cast<int>(state.range(1)));
   Scheme scheme;
   scheme.level = level;
   ParticleFlow flow(standing_wave(count), {}, {}, scheme);
@@ -38,6 +41,7 @@ void standing_wave_steps(benchmark::State& state, Level level) {
   const double tau = 0.8 * flow.largest_step().tau;
   for (auto _ : state) flow.advance(tau);
   count_work(state, count, level == Level::godunov ? 110 : 170);
+  omp_set_num_threads(threads);
 }
 
 void dam_break_steps(benchmark::State& state) {
@@ -48,9 +52,14 @@ void dam_break_steps(benchmark::State& state) {
   count_work(state, count, 170);
 }
 
-}  // namespace
+/// Particles and threads.
+void sizes(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Args({1000, 1})->Args({10000, 1})->Args({1000000, 1})->Args({1000000, 2})->UseRealTime();
+}
 
-BENCHMARK_CAPTURE(standing_wave_steps, G1, Level::godunov)->Arg(1000)->Arg(10000)->Arg(1000000);
-BENCHMARK_CAPTURE(standing_wave_steps, M2, Level::muscl)->Arg(1000)->Arg(10000)->Arg(1000000);
-BENCHMARK_CAPTURE(standing_wave_steps, H2, Level::hand_over)->Arg(1000)->Arg(10000)->Arg(1000000);
+BENCHMARK_CAPTURE(standing_wave_steps, G1, Level::godunov)->Apply(sizes);
+BENCHMARK_CAPTURE(standing_wave_steps, M2, Level::muscl)->Apply(sizes);
+BENCHMARK_CAPTURE(standing_wave_steps, H2, Level::hand_over)->Apply(sizes);
 BENCHMARK(dam_break_steps)->Name("dam_break_steps/H2")->Arg(1000)->Arg(10000);
+
+}  // namespace

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
-#include "seiche/models/shallow_water_particles/row_kernels.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::shallow_water_particles {
@@ -112,24 +111,26 @@ void ParticleFlow::refuse_vacuum(Side s, double at_time) const {
 
 void ParticleFlow::resize_work() {
   const std::size_t count = now_.size();
-  for (Array* a : {&inv_mass_, &inv_width_, &depth_}) a->resize(count);
+  for (Array* a : {&inv_mass_, &depth_}) a->resize(count);
   edge_velocity_.resize(count + 1);
   edge_thrust_.resize(count + 1);
-  values_.resize(count);
+  if (keeps_edge_values()) values_.resize(count);
   for (std::size_t i = 0; i < count; ++i) inv_mass_[i] = 1 / now_.mass[i];
-  if (forcing_.manning > 0) old_velocity_.resize(count);
+  if (forcing_.manning > 0) {
+    old_velocity_.resize(count);
+    old_inv_width_.resize(count);
+  }
   if (forcing_.bed) {
     for (Array* a : {&surface_, &bed_mean_, &reaction_}) a->resize(count);
     for (Array* a : {&bed_edge_, &bed_area_}) a->resize(count + 1);
   }
 }
 
-void ParticleFlow::refresh() {
+void ParticleFlow::refresh(std::optional<RowLimits> known) {
   const std::size_t count = now_.size();
   const double* x = now_.edge.data();
   const double* u = now_.velocity.data();
-  const RowLimits limits =
-      measure_row(x, u, now_.mass.data(), inv_width_.data(), depth_.data(), forcing_.gravity, count);
+  const RowLimits limits = known ? *known : measure();
   if (!limits.sound) {
     for (std::size_t i = 0; i < count; ++i) {
       if (!(now_.width(i) > 0)) {
@@ -150,7 +151,7 @@ void ParticleFlow::refresh() {
       bed_area_[k] = forcing_.bed->primitive(x[k]);
     }
     for (std::size_t i = 0; i < count; ++i) {
-      bed_mean_[i] = (bed_area_[i + 1] - bed_area_[i]) * inv_width_[i];
+      bed_mean_[i] = (bed_area_[i + 1] - bed_area_[i]) * inv_width(i);
       surface_[i] = depth_[i] + bed_mean_[i];
     }
   }
@@ -188,9 +189,9 @@ StepLimit ParticleFlow::step_limit(double courant, bool named) const {
   constexpr double nearly = 1 - 1e-12;
   std::size_t who = 0;
   if (by_celerity) {
-    while (who + 1 < count && celerity(who) * inv_width_[who] < nearly * celerity_rate_) ++who;
+    while (who + 1 < count && celerity(who) * inv_width(who) < nearly * celerity_rate_) ++who;
   } else {
-    const auto closing = [&](std::size_t i) { return (now_.velocity[i] - now_.velocity[i + 1]) * inv_width_[i]; };
+    const auto closing = [&](std::size_t i) { return (now_.velocity[i] - now_.velocity[i + 1]) * inv_width(i); };
     while (who + 2 < count && closing(who) < nearly * closing_rate_) ++who;
   }
   limit.particle = who;
@@ -228,10 +229,10 @@ void ParticleFlow::advance(double tau) {
   solve_edges(tau);
   hand_over_jumps(tau);
   if (forcing_.bed) react_bed(tau);
-  apply(tau);
+  const std::optional<RowLimits> limits = apply(tau);
 
   for (Collision& collision : collisions_) collision.advance(tau, now_.mass);
-  refresh();  // throws with the time and step at which this step began
+  refresh(limits);  // throws with the time and step at which this step began
   time_.add(tau);
   ++steps_;
   for (const bool right : {false, true}) {

@@ -17,6 +17,9 @@
 ///     ParticleFlow flow(equal_widths(...), {Wall{}, Vacuum{}});
 ///     while (flow.time() < 3) flow.advance(flow.largest_step().tau);
 ///
+/// Long rows (linear/worth_threads.hpp) take all threads, unless a bed or a body force is to be asked; results are the
+/// same bits for any number.
+///
 /// When not to use it: flows that dry out in the middle (particles always touch), and Galilean-fixed meshes.
 ///
 /// Sources: Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, formulas (1)-(11);
@@ -25,6 +28,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -38,6 +42,7 @@
 #include "seiche/models/shallow_water_particles/ledger.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/models/shallow_water_particles/reconstruction.hpp"
+#include "seiche/models/shallow_water_particles/row_kernels.hpp"
 #include "seiche/models/shallow_water_particles/scheme.hpp"
 #include "seiche/models/shallow_water_particles/self_similar_start.hpp"
 #include "seiche/samples.hpp"
@@ -148,12 +153,14 @@ class ParticleFlow {
   [[nodiscard]] std::optional<double> wall_velocity(Side s, double time) const;
   [[nodiscard]] bool has_tip(Side s) const;
   [[nodiscard]] double celerity(std::size_t i) const { return shallow_water::celerity(forcing_.gravity, depth_[i]); }
+  [[nodiscard]] double inv_width(std::size_t i) const { return 1 / now_.width(i); }
   [[nodiscard]] State state(std::size_t i) const { return {depth_[i], now_.velocity[i]}; }
 
   void validate() const;
   void resize_work();
   void find_starts();
-  void refresh();
+  /// @param limits  of the row as it is, if they are known already
+  void refresh(std::optional<RowLimits> limits = {});
   [[nodiscard]] StepLimit step_limit(double courant, bool named) const;
   void check_step(double tau) const;
   /// Throws std::invalid_argument where a wall's or piston's velocity at `time` leaves a vacuum beside it.
@@ -165,14 +172,27 @@ class ParticleFlow {
   [[nodiscard]] EdgePair edges_of(std::size_t i, double half_step) const;
   [[nodiscard]] EdgePair edges_on_bed(std::size_t i, Slopes s) const;
   [[nodiscard]] double acceleration(std::size_t i, double time) const;
-  void predict_edges(double tau, std::size_t first, std::size_t last);
-  void solve_edges(double tau);
   void solve_end(Side s, double tau);
   void solve_open_end(Side s, const Open& open, State inner, double tau);
   void hand_over_jumps(double tau);
   void react_bed(double tau);
-  void apply(double tau);
+  /// Returns the limits where particles were measured as they moved.
+  std::optional<RowLimits> apply(double tau);
   void apply_friction(double tau);
+
+  // particle_flow_rows.cpp: stretch by stretch, on threads where the row is long
+  [[nodiscard]] std::size_t threads() const;
+  [[nodiscard]] std::size_t stretches() const;
+  [[nodiscard]] bool keeps_edge_values() const { return forcing_.bed || forcing_.manning > 0; }
+  void predict_particles(double tau, std::size_t first, std::size_t last, EdgeValues& to) const;
+  void solve_edges(double tau);
+  void solve_stretch(double tau, std::size_t first, std::size_t last, EdgeValues& values);
+  void move(double tau);
+  RowLimits move_and_measure(double tau);
+  RowLimits measure();
+  RowLimits measure(std::size_t first, std::size_t last);
+  /// Particles that may hold a jump, a few: most blocks hold nothing that could be one.
+  void find_suspects();
 
   // particle_flow_jumps.cpp
   [[nodiscard]] const Structure* structure_at(std::size_t i) const;
@@ -198,17 +218,21 @@ class ParticleFlow {
   double largest_courant_ = 0;
 
   Array inv_mass_;
-  Array inv_width_;
   Array depth_;
-  Array surface_;   // eta on an uneven bed
-  Array bed_edge_;  // z at the edges
-  Array bed_area_;  // Z at the edges
-  Array bed_mean_;  // mean z of each particle
-  EdgeValues values_;
+  Array surface_;                        // eta on an uneven bed
+  Array bed_edge_;                       // z at the edges
+  Array bed_area_;                       // Z at the edges
+  Array bed_mean_;                       // mean z of each particle
+  EdgeValues values_;                    // where they outlive their stretch: on a bed, with friction
+  std::vector<EdgeValues> edge_values_;  // of a stretch, one per thread
+  std::vector<RowLimits> stretch_limits_;
+  std::vector<std::size_t> suspects_;
+  std::vector<std::uint8_t> suspicious_;
   Array edge_velocity_;
   Array edge_thrust_;
   Array reaction_;
   Array old_velocity_;        // for friction
+  Array old_inv_width_;       // for friction
   double celerity_rate_ = 0;  // max c/w
   double closing_rate_ = 0;   // max (u_i - u_(i+1))/w_i
 

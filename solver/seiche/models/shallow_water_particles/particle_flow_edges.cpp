@@ -1,10 +1,9 @@
-// From particle means to one velocity and one thrust per edge, and the step itself.
+// Edges that are not plain, what acts besides thrusts, and how a step is applied.
 #include <algorithm>
 #include <cmath>
 
 #include "seiche/models/shallow_water_particles/edge_riemann.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
-#include "seiche/models/shallow_water_particles/row_kernels.hpp"
 
 namespace seiche::shallow_water_particles {
 
@@ -109,7 +108,7 @@ EdgePair ParticleFlow::edges_of(std::size_t i, double half_step) const {
   if (forcing_.bed) {
     now = edges_on_bed(i, s);
     // Thrusts and bed reaction of a linear surface add up to its slope; predict() adds the thrusts.
-    const double surface_slope = ((now.h_right + bed_edge_[i + 1]) - (now.h_left + bed_edge_[i])) * inv_width_[i];
+    const double surface_slope = ((now.h_right + bed_edge_[i + 1]) - (now.h_left + bed_edge_[i])) * inv_width(i);
     a -= forcing_.gravity * surface_slope +
          0.5 * forcing_.gravity * inv_mass_[i] * (now.h_left - now.h_right) * (now.h_left + now.h_right);
   } else {
@@ -120,7 +119,7 @@ EdgePair ParticleFlow::edges_of(std::size_t i, double half_step) const {
   EdgePair half =
       scheme_.level == Level::godunov ? now : predict(forcing_.gravity, now, width, inv_mass_[i], half_step, a);
   // A fixed section sees the water pass: undo the half step along the path of the edge.
-  const double depth_slope = (now.h_right - now.h_left) * inv_width_[i];
+  const double depth_slope = (now.h_right - now.h_left) * inv_width(i);
   if (i == 0 && end_is<Open>(side(false))) {
     half.h_left -= half_step * now.u_left * depth_slope;
     half.u_left -= half_step * now.u_left * s.velocity;
@@ -132,75 +131,12 @@ EdgePair ParticleFlow::edges_of(std::size_t i, double half_step) const {
   return half;
 }
 
-void ParticleFlow::predict_edges(double tau, std::size_t first, std::size_t last) {
-  const auto one = [&](std::size_t i) {
-    const EdgePair e = edges_of(i, 0.5 * tau);
-    values_.left_depth[i] = e.h_left;
-    values_.right_depth[i] = e.h_right;
-    values_.left_velocity[i] = e.u_left;
-    values_.right_velocity[i] = e.u_right;
-  };
-  const bool plain = !forcing_.bed && !forcing_.body_force && forcing_.manning == 0 && scheme_.level != Level::godunov;
-  if (!plain) {
-    for (std::size_t i = first; i < last; ++i) one(i);
-    return;
-  }
-  const std::size_t count = now_.size();
-  const PredictionRow row = {now_.edge.data(),
-                             depth_.data(),
-                             now_.velocity.data(),
-                             inv_mass_.data(),
-                             values_.left_depth.data(),
-                             values_.right_depth.data(),
-                             values_.left_velocity.data(),
-                             values_.right_velocity.data(),
-                             forcing_.gravity,
-                             scheme_.theta,
-                             0.5 * tau};
-  predict_row(row, std::max<std::size_t>(first, 1), std::min(last, count - 1));
-  // Ends, particles that hold a jump, and neighbours of both are not plain.
-  const auto again = [&](std::size_t i) {
-    if (i >= first && i < last) one(i);
-  };
-  for (const std::size_t i : {std::size_t{0}, std::size_t{1}, count - 2, count - 1}) again(i);
-  const auto near = std::lower_bound(structures_.begin(), structures_.end(), first,
-                                     [](const Structure& s, std::size_t v) { return s.particle + 1 < v; });
-  for (auto s = near; s != structures_.end() && s->particle <= last; ++s) {
-    if (s->particle > 0) again(s->particle - 1);
-    again(s->particle);
-    again(s->particle + 1);
-  }
-}
-
-void ParticleFlow::solve_edges(double tau) {
-  const std::size_t count = now_.size();
-  const EdgeRow row = {values_.left_depth.data(),
-                       values_.right_depth.data(),
-                       values_.left_velocity.data(),
-                       values_.right_velocity.data(),
-                       edge_velocity_.data(),
-                       edge_thrust_.data(),
-                       forcing_.gravity,
-                       scheme_.newton_steps};
-  // Prediction and Riemann problems of one stretch after the other: edge values stay in the cache.
-  constexpr std::size_t stretch = 2048;
-  std::size_t solved = 1;
-  for (std::size_t first = 0; first < count; first += stretch) {
-    const std::size_t last = std::min(first + stretch, count);
-    predict_edges(tau, first, last);
-    solve_row(row, solved, last);
-    solved = last;
-  }
-  solve_end(side(false), tau);
-  solve_end(side(true), tau);
-}
-
 void ParticleFlow::solve_end(Side s, double tau) {
   const double g = forcing_.gravity;
   const std::size_t i = s.particle(0);
   const std::size_t k = s.edge(0);
-  const State inner = s.right ? State{values_.right_depth[i], values_.right_velocity[i]}
-                              : State{values_.left_depth[i], values_.left_velocity[i]};
+  const EdgePair values = edges_of(i, 0.5 * tau);
+  const State inner = s.right ? State{values.h_right, values.u_right} : State{values.h_left, values.u_left};
   if (const auto wall = wall_velocity(s, time() + 0.5 * tau)) {
     const double out = s.outward() * inner.velocity;
     const double mirror = 2 * s.outward() * *wall - out;
@@ -259,12 +195,16 @@ void ParticleFlow::react_bed(double tau) {
   }
 }
 
-void ParticleFlow::apply(double tau) {
+std::optional<RowLimits> ParticleFlow::apply(double tau) {
+  std::optional<RowLimits> limits;
   const std::size_t count = now_.size();
   double* x = now_.edge.data();
   double* u = now_.velocity.data();
   const double* thrust = edge_thrust_.data();
-  if (forcing_.manning > 0) std::copy(now_.velocity.begin(), now_.velocity.end(), old_velocity_.begin());
+  if (forcing_.manning > 0) {
+    std::copy(now_.velocity.begin(), now_.velocity.end(), old_velocity_.begin());
+    for (std::size_t i = 0; i < count; ++i) old_inv_width_[i] = inv_width(i);
+  }
   if (forcing_.body_force) {
     double sum = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -284,8 +224,10 @@ void ParticleFlow::apply(double tau) {
     }
     ledger_.bed_impulse.add(tau * sum);
     for (std::size_t k = 0; k <= count; ++k) x[k] += tau * edge_velocity_[k];
+  } else if (forcing_.manning > 0 || end_is<Open>(side(false)) || end_is<Open>(side(true))) {
+    move(tau);  // masses or velocities are going to change once more
   } else {
-    move_row(x, u, inv_mass_.data(), edge_velocity_.data(), thrust, tau, count);
+    limits = move_and_measure(tau);
   }
 
   ledger_.left_impulse.add(tau * thrust[0]);
@@ -302,6 +244,7 @@ void ParticleFlow::apply(double tau) {
     (right ? ledger_.right_mass : ledger_.left_mass).add(inflow);
   }
   if (forcing_.manning > 0) apply_friction(tau);
+  return limits;
 }
 
 void ParticleFlow::apply_friction(double tau) {
@@ -309,7 +252,7 @@ void ParticleFlow::apply_friction(double tau) {
   double sum = 0;
   for (std::size_t i = 0; i < now_.size(); ++i) {
     // Rate g n^2 |u|/h^(4/3) at mid-step: width halfway, velocity from the predicted edges.
-    const double width = 0.5 * (1 / inv_width_[i] + now_.width(i));
+    const double width = 0.5 * (1 / old_inv_width_[i] + now_.width(i));
     const double h = now_.mass[i] / width;
     const double u = 0.5 * (values_.left_velocity[i] + values_.right_velocity[i]);
     const double rate = forcing_.gravity * n * n * std::abs(u) / (h * std::cbrt(h));

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
-#include "seiche/models/shallow_water_particles/row_kernels.hpp"
 
 namespace seiche::shallow_water_particles {
 
@@ -33,16 +32,8 @@ void ParticleFlow::detect_jumps() {
   };
 
   const auto difference = [&](std::size_t a, std::size_t b) { return std::abs(depth_[a] - depth_[b]); };
-  constexpr std::size_t block = 64;
-  for (std::size_t i = 1; i + 1 < count; ++i) {
-    if (i % block == 1 || i == 1) {
-      // Most blocks hold nothing that could be a jump.
-      const std::size_t stop = std::min(i + block, count - 1);
-      if (!may_hold_jump(depth_.data(), now_.velocity.data(), forcing_.gravity, scheme_.jump_threshold, i, stop)) {
-        i = stop - 1;
-        continue;
-      }
-    }
+  find_suspects();
+  for (const std::size_t i : suspects_) {
     if (!(now_.velocity[i - 1] > now_.velocity[i + 1])) continue;
     if (!collisions_.empty() && followed(i)) continue;
     auto jump = jump_between(forcing_.gravity, state(i - 1), state(i), state(i + 1), scheme_.jump_threshold);

@@ -22,10 +22,10 @@ SEICHE_INLINE double limited(double backward, double central, double forward, do
 
 template <int Steps>
 SEICHE_INLINE void newton(const EdgeRow& row, std::size_t first, std::size_t last, int steps) {
-  const double* __restrict hl = row.right_depth - 1;
-  const double* __restrict ul = row.right_velocity - 1;
-  const double* __restrict hr = row.left_depth;
-  const double* __restrict ur = row.left_velocity;
+  const double* __restrict hl = row.depth_before;
+  const double* __restrict ul = row.velocity_before;
+  const double* __restrict hr = row.depth_behind;
+  const double* __restrict ur = row.velocity_behind;
   double* __restrict us = row.edge_velocity;
   double* __restrict ps = row.edge_thrust;
   const double g = row.gravity;
@@ -39,7 +39,7 @@ SEICHE_INLINE void newton(const EdgeRow& row, std::size_t first, std::size_t las
 }  // namespace
 
 SEICHE_SIMD_CLONES
-void predict_row(const PredictionRow& row, std::size_t first, std::size_t last) {
+void predict_row(const PredictionRow& row, std::size_t count) {
   const double* __restrict x = row.edge;
   const double* __restrict h = row.depth;
   const double* __restrict u = row.velocity;
@@ -51,8 +51,9 @@ void predict_row(const PredictionRow& row, std::size_t first, std::size_t last) 
   const double g = row.gravity;
   const double theta = row.theta;
   const double half = row.half_step;
+  const auto particles = static_cast<std::ptrdiff_t>(count);
 #pragma GCC ivdep
-  for (std::size_t i = first; i < last; ++i) {
+  for (std::ptrdiff_t i = 0; i < particles; ++i) {
     // Step 1: slopes. Twice the distances between centres; one division serves three quotients.
     const double width = x[i + 1] - x[i];
     const double back = x[i + 1] - x[i - 1];
@@ -84,18 +85,18 @@ void predict_row(const PredictionRow& row, std::size_t first, std::size_t last) 
 }
 
 SEICHE_SIMD_CLONES
-void solve_row(const EdgeRow& row, std::size_t first, std::size_t last) {
-  const double* __restrict hl = row.right_depth - 1;
-  const double* __restrict ul = row.right_velocity - 1;
-  const double* __restrict hr = row.left_depth;
-  const double* __restrict ur = row.left_velocity;
+void solve_row(const EdgeRow& row, std::size_t count) {
+  const double* __restrict hl = row.depth_before;
+  const double* __restrict ul = row.velocity_before;
+  const double* __restrict hr = row.depth_behind;
+  const double* __restrict ur = row.velocity_behind;
   double* __restrict us = row.edge_velocity;
   double* __restrict ps = row.edge_thrust;
   const double g = row.gravity;
   const double half_inv_g = 0.5 / g;
   constexpr double small = 1e-4;
-  for (std::size_t start = first; start < last; start += block) {
-    const std::size_t stop = std::min(start + block, last);
+  for (std::size_t start = 0; start < count; start += block) {
+    const std::size_t stop = std::min(start + block, count);
     int sharp = 0;  // set where an edge needs the iteration, or is not a number
     for (std::size_t k = start; k < stop; ++k) {
       const double c_left = std::sqrt(g * hl[k]);
@@ -122,7 +123,7 @@ void solve_row(const EdgeRow& row, std::size_t first, std::size_t last) {
 
 SEICHE_SIMD_CLONES
 void move_row(double* edge, double* velocity, const double* inv_mass, const double* edge_velocity,
-              const double* edge_thrust, double tau, std::size_t count) {
+              const double* edge_thrust, double tau, std::size_t count, bool closes) {
   double* __restrict x = edge;
   double* __restrict u = velocity;
   const double* __restrict im = inv_mass;
@@ -132,16 +133,21 @@ void move_row(double* edge, double* velocity, const double* inv_mass, const doub
     x[i] += tau * us[i];
     u[i] += tau * im[i] * (ps[i] - ps[i + 1]);
   }
-  x[count] += tau * us[count];
+  if (closes) x[count] += tau * us[count];
+}
+
+void RowLimits::add(const RowLimits& other) {
+  celerity_rate = std::max(celerity_rate, other.celerity_rate);
+  closing_rate = std::max(closing_rate, other.closing_rate);
+  sound = sound && other.sound;
 }
 
 SEICHE_SIMD_CLONES
-RowLimits measure_row(const double* edge, const double* velocity, const double* mass, double* inv_width, double* depth,
-                      double gravity, std::size_t count) {
+RowLimits measure_row(const double* edge, const double* velocity, const double* mass, double* depth, double gravity,
+                      std::size_t count, bool goes_on) {
   const double* __restrict x = edge;
   const double* __restrict u = velocity;
   const double* __restrict m = mass;
-  double* __restrict iw = inv_width;
   double* __restrict h = depth;
   constexpr double huge = std::numeric_limits<double>::max();
   // Maxima of separate lanes: a single running maximum could not be reordered because of NaN.
@@ -152,7 +158,6 @@ RowLimits measure_row(const double* edge, const double* velocity, const double* 
   const auto one = [&](std::size_t i, double next_velocity, std::size_t lane) {
     const double width = x[i + 1] - x[i];
     const double inverse = 1 / width;
-    iw[i] = inverse;
     h[i] = m[i] * inverse;
     const double rate = h[i] * inverse * inverse;
     const double approach = (u[i] - next_velocity) * inverse;
@@ -165,15 +170,14 @@ RowLimits measure_row(const double* edge, const double* velocity, const double* 
   for (; i + lanes < count; i += lanes) {
     for (std::size_t lane = 0; lane < lanes; ++lane) one(i + lane, u[i + lane + 1], lane);
   }
-  for (; i < count; ++i) one(i, u[std::min(i + 1, count - 1)], 0);
+  for (; i < count; ++i) one(i, u[i + 1 < count || goes_on ? i + 1 : i], 0);
   const double rate = *std::max_element(fastest, fastest + lanes);
   return {std::sqrt(gravity * rate), *std::max_element(closing, closing + lanes),
           *std::max_element(worst, worst + lanes) == 0};
 }
 
 SEICHE_SIMD_CLONES
-bool may_hold_jump(const double* depth, const double* velocity, double gravity, double threshold, std::size_t first,
-                   std::size_t last) {
+bool may_hold_jump(const double* depth, const double* velocity, double gravity, double threshold, std::size_t count) {
   const double* __restrict h = depth;
   const double* __restrict u = velocity;
   // The two-wave depth exceeds (1 + threshold) of the lower depth only if the depths do, or if the velocity difference
@@ -182,7 +186,8 @@ bool may_hold_jump(const double* depth, const double* velocity, double gravity, 
   const double ratio = (1 + s) * (1 + s);
   const double square = 4 * s * s * gravity;
   int found = 0;
-  for (std::size_t i = first; i < last; ++i) {
+  const auto particles = static_cast<std::ptrdiff_t>(count);
+  for (std::ptrdiff_t i = 0; i < particles; ++i) {
     const double closing = u[i - 1] - u[i + 1];
     const double low = std::min(h[i - 1], h[i + 1]);
     const double high = std::max(h[i - 1], h[i + 1]);

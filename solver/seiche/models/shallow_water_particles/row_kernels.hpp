@@ -1,15 +1,15 @@
-/// The three loops over a row of particles on a flat bed that take all the time, written to vectorise.
+/// The loops over a row of particles on a flat bed that take all the time, written to vectorise.
 ///
 /// They hold no choices: ends, interior jumps, beds and sources are dealt with outside, particle by particle. Each is
-/// compiled for the instruction sets of common processors and picked at run time; results do not depend on the
-/// number of threads and are the same in every run on one machine.
+/// compiled for the instruction sets of common processors and picked at run time. Pointers are to the first particle or
+/// edge of the row: what a row makes of a particle does not depend on where the row begins.
 #pragma once
 
 #include <cstddef>
 
 namespace seiche::shallow_water_particles {
 
-/// Limited reconstruction and half-step prediction of particles [first, last); reads one particle to either side.
+/// Limited reconstruction and half-step prediction of `count` particles; reads one particle to either side.
 struct PredictionRow {
   const double* edge;
   const double* depth;
@@ -23,40 +23,44 @@ struct PredictionRow {
   double theta;
   double half_step;
 };
-void predict_row(const PredictionRow& row, std::size_t first, std::size_t last);
+void predict_row(const PredictionRow& row, std::size_t count);
 
-/// Riemann problems of edges [first, last), edge k between particles k-1 and k.
+/// Riemann problems of `count` edges, between the particle before and the one behind.
 struct EdgeRow {
-  const double* left_depth;
-  const double* right_depth;
-  const double* left_velocity;
-  const double* right_velocity;
+  const double* depth_before;
+  const double* velocity_before;
+  const double* depth_behind;
+  const double* velocity_behind;
   double* edge_velocity;
   double* edge_thrust;
   double gravity;
   int newton_steps;
 };
 /// Where both differences over an edge are below 1e-4 (of depth and celerity), jump and simple wave differ by less
-/// than 1e-13: the two-wave state is taken without iteration, a block of edges at a time.
-void solve_row(const EdgeRow& row, std::size_t first, std::size_t last);
+/// than 1e-13: the two-wave state is taken without iteration, a block of edges at a time, counted from the row's first.
+void solve_row(const EdgeRow& row, std::size_t count);
 
-/// x += tau u*, u += tau (p*_i - p*_(i+1))/m.
+/// x += tau u*, u += tau (p*_i - p*_(i+1))/m, of `count` particles and their left edges.
+/// @param closes  whether the row's last edge moves too
 void move_row(double* edge, double* velocity, const double* inv_mass, const double* edge_velocity,
-              const double* edge_thrust, double tau, std::size_t count);
+              const double* edge_thrust, double tau, std::size_t count, bool closes);
 
 /// What a row must not exceed.
 struct RowLimits {
   double celerity_rate = 0;  ///< max c/w [1/s]
   double closing_rate = 0;   ///< max (u_i - u_(i+1))/w_i [1/s]
   bool sound = true;         ///< every width positive, every velocity finite
-};
-/// Inverse widths and depths of all particles, and the limits.
-RowLimits measure_row(const double* edge, const double* velocity, const double* mass, double* inv_width, double* depth,
-                      double gravity, std::size_t count);
 
-/// True when some particle i in [first, last) may hold a jump of relative height `threshold` or more between i-1 and
-/// i+1: a necessary condition without roots or divisions.
-bool may_hold_jump(const double* depth, const double* velocity, double gravity, double threshold, std::size_t first,
-                   std::size_t last);
+  /// Of both rows.
+  void add(const RowLimits& other);
+};
+/// Depths of `count` particles, and the limits.
+/// @param goes_on  whether a particle follows that the last one may close in on
+RowLimits measure_row(const double* edge, const double* velocity, const double* mass, double* depth, double gravity,
+                      std::size_t count, bool goes_on);
+
+/// True when some particle of `count` may hold a jump of relative height `threshold` or more between its neighbours: a
+/// necessary condition without roots or divisions.
+bool may_hold_jump(const double* depth, const double* velocity, double gravity, double threshold, std::size_t count);
 
 }  // namespace seiche::shallow_water_particles
