@@ -24,7 +24,7 @@ def _number(text):
 def _numbers(row):
     numbers = {key: value if key in WORDS else _number(value) for key, value in row.items()}
     reason = row["of_peak"] if row["of_peak"] and numbers["of_peak"] is None else ""
-    return numbers | {"benchmark": HOW_IT_RAN.sub("", row["benchmark"]), "not_counted": reason}
+    return {"bytes_per_item": None} | numbers | {"benchmark": HOW_IT_RAN.sub("", row["benchmark"]), "not_counted": reason}
 
 
 def read(path=RECORD):

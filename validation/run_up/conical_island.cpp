@@ -19,10 +19,11 @@ been highest, what it has reached by then.
 **What to look at.** The crest bends around the island, and its two ends meet behind it: there the water climbs nearly
 as high as in front, though the sides saw much less. All three waves pass the island, with columns down to 0.25 m apart.
 Behind it the model of B climbs a fifth to a third above the measurement. Wave C breaks at the sides: there the model
-runs along the shore as a jet and climbs two to three times as high as the water of the experiment, whose wave is spent,
-though the run-up in front and, where the ends meet, behind the island agrees. Without breaking and without drawing the
-film after the water the lattice of C folds as the water runs down in front of the island, with columns 0.35 m apart at
-4.6 s, and that of B behind it, with 0.25 m at 9.5 s.
+runs along the shore as a jet and climbs two to four times as high as the water of the experiment, whose wave is spent.
+In front it climbs up to a fifth more than measured, at the sides up to a third, and directly behind the island, where
+the ends meet, columns 0.35 and 0.25 m apart differ by a third. Without breaking, without drawing the film after the
+water and with a remap that may dry columns, the lattice of C folds as the water runs down in front of the island, with
+columns 0.35 m apart at 4.6 s, and that of B behind it, with 0.25 m at 9.5 s.
 */
 #include <algorithm>
 #include <array>
@@ -191,10 +192,10 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, co
         evidence::Bound{.limit = 0.2,
                         .reason = "twice the 10 % of the measurements; the model's own is not of first order where the "
                                   "wave breaks, so that two spacings do not tell it"},
-        {.value = 0.95,
+        {.value = 1.02,
          .width = 0.15,
          .reason = "the wave breaks at the sides of the island, and from 100 to 160 degrees the water of the "
-                   "experiment climbs half as high as the model's, which runs along the shore as a jet"});
+                   "experiment climbs a quarter to half as high as the model's, which runs along the shore as a jet"});
   } else {
     claims.check(runup, off, criterion);
   }

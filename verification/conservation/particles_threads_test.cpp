@@ -9,6 +9,7 @@
 
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
 using namespace seiche;
@@ -84,13 +85,12 @@ double differing(Level level) {
     longer.advance(tau);
     piece.advance(tau);
   }
-  double differing = 0;
+  Worst differing;
   for (std::size_t i = out_of_reach; i < count - out_of_reach; ++i) {
-    const double apart = std::max(std::abs(longer.particles().edge[begin + i] - piece.particles().edge[i]),
-                                  std::abs(longer.particles().velocity[begin + i] - piece.particles().velocity[i]));
-    differing = std::max(differing, apart);
+    differing.add(longer.particles().edge[begin + i] - piece.particles().edge[i]);
+    differing.add(longer.particles().velocity[begin + i] - piece.particles().velocity[i]);
   }
-  return differing;
+  return differing.value();
 }
 
 }  // namespace
