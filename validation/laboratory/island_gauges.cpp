@@ -4,11 +4,16 @@ and C, 0.045, 0.09 and 0.18 depths high.
 
 **What is compared.** Surface elevation at four gauges before the island and four around it: highest value, when, and
 the root mean square difference; run-up around the island. Levels before arrival are removed, and one shift of time is
-fitted at gauge 3, before the island. The case scores others; for wave A the plan model, in the flow of
-`conical_island`, is judged by the same claims. Of waves B and C its lattice folds before the records end.
+fitted at gauge 3, before the island. The case scores others; the plan model, on the rezoned lattice of
+`conical_island`, is judged by the same claims, from solitary waves as high as gauges 1 to 4 have them. A gauge that
+falls dry reads the bottom. What is declared is of wave A.
 
 **What to look at.** Two distributions of the same run-up differ by up to 1.9: the mean of both is asked for, and half
-of their distance is an uncertainty. The records show a wave B of 0.087 depths, not the 0.096 that is stated.
+of their distance is an uncertainty. The records show a wave B of 0.087 depths, not the 0.096 that is stated. With
+`--set wave=B` the model's run-up is the measured one at all five angles and its crest at gauges 16 and 22 too; what
+follows the crest it misses at seven gauges, as of A; at gauge 9 its crest is 8 % too high, at gauge 16 0.13 s late. Of
+C, which breaks, thirteen readings are missed: crests at gauges 9, 16 and 22 by 20, 4 and 39 %, run-up at 90 and 135
+degrees by 25 and 130 %.
 */
 #include <array>
 #include <cmath>
@@ -29,13 +34,17 @@ const std::string source =
 
 struct Wave {
   std::string table;
-  double letter, passes, until;
+  double letter;
+  double height;  ///< in front of the island, mean of gauges 1 to 4, over the depth
+  double front;   ///< x of these gauges from the middle of the island [m]
+  double passes;  ///< when the crest is there
+  double until;
 };
 
 Wave wave_of(const Values& values) {
-  if (values.text("wave") == "A") return {"briggs_1995_conical_island_a", 1, 28.80, 36};
-  if (values.text("wave") == "B") return {"briggs_1995_conical_island_b", 2, 28.30, 35};
-  return {"briggs_1995_conical_island_c", 3, 27.80, 35};
+  if (values.text("wave") == "A") return {"briggs_1995_conical_island_a", 1, 0.045, -7.2, 28.80, 36};
+  if (values.text("wave") == "B") return {"briggs_1995_conical_island_b", 2, 0.0872, -6.14, 28.30, 35};
+  return {"briggs_1995_conical_island_c", 3, 0.179, -5.4, 27.80, 35};
 }
 
 struct Gauge {
@@ -43,17 +52,19 @@ struct Gauge {
   Point place;  ///< from the middle of the island; half of the basin is computed
 };
 
-/// Of wave A.
-const std::array gauges_of_a{Gauge{1, {-7.2, 2.25}}, Gauge{2, {-7.2, 0.75}}, Gauge{3, {-7.2, 0.75}},
-                             Gauge{4, {-7.2, 2.25}}, Gauge{6, {-3.6, 0}},    Gauge{9, {-2.6, 0}},
-                             Gauge{16, {0, 2.58}},   Gauge{22, {2.6, 0}}};
+std::array<Gauge, 8> gauges_of(const Wave& wave) {
+  return {Gauge{1, {wave.front, 2.25}}, Gauge{2, {wave.front, 0.75}}, Gauge{3, {wave.front, 0.75}},
+          Gauge{4, {wave.front, 2.25}}, Gauge{6, {-3.6, 0}},          Gauge{9, {-2.6, 0}},
+          Gauge{16, {0, 2.58}},         Gauge{22, {2.6, 0}}};
+}
 
 Submitted compute(const Run& run, double coarsening) {
-  const ConicalIsland island({.height = 0.045, .depth = 0.32, .spacing = coarsening * run.real("spacing")});
-  auto flow = island.flow();
+  const Wave wave = wave_of(run);
+  const ConicalIsland island({.height = wave.height, .depth = 0.32, .spacing = coarsening * run.real("spacing")});
+  auto flow = island.rezoned_flow();
   std::vector<Point> places;
   std::vector<SubmittedGroup> records;
-  for (const Gauge& gauge : gauges_of_a) {
+  for (const Gauge& gauge : gauges_of(wave)) {
     places.push_back(gauge.place);
     records.push_back({.value = gauge.number, .abscissa = {}, .values = {}});
   }
@@ -62,19 +73,23 @@ Submitted compute(const Run& run, double coarsening) {
     records[k].values["eta"].push_back(eta);
   };
   // The flow begins with the crest at this time of the experiment where it is then; before, the wave came undisturbed.
-  const double begin = wave_of(run).passes - (places.front().x - island.crest()) / island.wave().speed();
+  const double begin = wave.passes - (wave.front - island.crest()) / island.wave().speed();
   for (double time = begin - 4; time < begin - 0.01; time += 0.05) {
     for (std::size_t k = 0; k < places.size(); ++k) {
       const double behind = places[k].x - island.crest() - island.wave().speed() * (time - begin);
       note(time, k, island.wave().elevation(behind));
     }
   }
-  PlanGauges gauges(flow.shape(), places);
-  RunupEnvelope envelope(flow);
+  PlanGauges gauges(flow.flow().shape(), places);
+  RunupEnvelope envelope(flow.flow());
   const auto observe = [&] {
-    envelope.observe(flow);
-    const auto eta = gauges.read({flow.x(), flow.y(), flow.z()});
-    for (std::size_t k = 0; k < places.size(); ++k) note(begin + flow.time(), k, eta[k]);
+    const auto& now = flow.flow();
+    envelope.observe(now, flow.time());
+    const auto eta = gauges.read({now.x(), now.y(), now.z()});
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const double dry = island.bottom(places[k].x, places[k].y);
+      note(begin + flow.time(), k, std::isnan(eta[k]) ? dry : eta[k]);
+    }
   };
   observe();
   flow.advance_to(island.passage() + 6, island.step(), observe);
@@ -138,10 +153,8 @@ Experiment experiment(const Values& values) {
       .parts = {gauges, runup},
       .files = {"briggs_1995_conical_island_a/bathymetry.asc", wave.table + "/gauges.csv", wave.table + "/paddle.csv"},
       .model = "dispersive shallow water in plan"};
-  if (wave.letter == 1) {
-    one.compute = compute;
-    one.misses = misses();
-  }
+  one.compute = compute;
+  if (wave.letter == 1) one.misses = misses();
   return one;
 }
 

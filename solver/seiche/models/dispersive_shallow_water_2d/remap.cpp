@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "seiche/geometry/bilinear_patch.hpp"
+#include "seiche/geometry/swept_quadrilateral.hpp"
 #include "seiche/plan_lattice/lattice_interpolant.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
@@ -127,37 +127,17 @@ class Remap {
       through.level = under;
       return through;
     }
-    static const double gauss = 0.5 / std::numbers::sqrt3;
-    for (const double s : {0.5 - gauss, 0.5 + gauss}) {
-      for (const double t : {0.5 - gauss, 0.5 + gauss}) {
-        const auto mix = [&](auto part) {
-          return (1 - t) * ((1 - s) * part(at[0]) + s * part(at[1])) + t * ((1 - s) * part(at[3]) + s * part(at[2]));
-        };
-        const auto by_s = [&](auto part) {
-          return (1 - t) * (part(at[1]) - part(at[0])) + t * (part(at[2]) - part(at[3]));
-        };
-        const auto by_t = [&](auto part) {
-          return (1 - s) * (part(at[3]) - part(at[0])) + s * (part(at[2]) - part(at[1]));
-        };
-        const auto x = [](Point a) { return a.x; };
-        const auto y = [](Point a) { return a.y; };
-        const double area = 0.25 * (by_s(x) * by_t(y) - by_s(y) * by_t(x));
-        if (area == 0) continue;
-        const Point place{mix(x), mix(y)};
-        const std::array corner{node_of(p), places_[p], places_[q], node_of(q)};
-        const auto mix_places = [&](double LatticePlace::*number) {
-          return (1 - t) * ((1 - s) * corner[0].*number + s * corner[1].*number) +
-                 t * ((1 - s) * corner[3].*number + s * corner[2].*number);
-        };
-        const LatticePlace found =
-            old_.find(place, {.i = mix_places(&LatticePlace::i), .j = mix_places(&LatticePlace::j)});
-        const double water = area * old_depth(place, found);
-        through.level += water + area * bottom(place);
-        through.momentum.x += water * old_.value(old_values(0), found);
-        through.momentum.y += water * old_.value(old_values(1), found);
-        through.water += water;
-      }
-    }
+    const std::array corner{node_of(p), places_[p], places_[q], node_of(q)};
+    const std::array columns{corner[0].i, corner[1].i, corner[2].i, corner[3].i};
+    const std::array rows{corner[0].j, corner[1].j, corner[2].j, corner[3].j};
+    each_swept_point(at, [&](const SweptPoint& point) {
+      const LatticePlace found = old_.find(point.place, {.i = point.mix(columns), .j = point.mix(rows)});
+      const double water = point.area * old_depth(point.place, found);
+      through.level += water + point.area * bottom(point.place);
+      through.momentum.x += water * old_.value(old_values(0), found);
+      through.momentum.y += water * old_.value(old_values(1), found);
+      through.water += water;
+    });
     // The momentum of the same water that the volumes count.
     const double exact = through.level - under;
     if (through.water != 0 && std::abs(exact - through.water) < 0.5 * std::abs(through.water)) {

@@ -83,25 +83,36 @@ ShoreFollowing::Places ShoreFollowing::places(Input q, Input volumes) const {
   return places;
 }
 
-/// The cells beside a column are a wedge of depth h over its width b; with its water it has the depth over its width
-/// asked for when it is sqrt(h/(b edge_slope)) as wide.
+/// The cells beside a column, from the shoreline to a row, are a wedge of depth h over its width b; with its water it
+/// has the depth over its width asked for when it is sqrt(h/(b edge_slope)) as wide. The film is the widest wedge that
+/// is too thin, as long as all within it are.
 void ShoreFollowing::draw_back_films(Input q, Input volumes, Places& places) const {
   const std::size_t n = shape_.nodes();
   const std::size_t count = shape_.columns + 1;
   for (std::size_t i = 0; i < count; ++i) {
+    const Point shore{places.x[i], places.y[i]};
     double water = 0;
     double area = 0;
-    for (const std::size_t cell : {i > 0 ? i - 1 : 0, std::min(i, shape_.columns - 1)}) {
-      const auto [c0, c1, c2, c3] = shape_.corners(cell);
-      water += volumes[cell];
-      area += 0.5 * ((q[c2] - q[c0]) * (q[n + c3] - q[n + c1]) - (q[c3] - q[c1]) * (q[n + c2] - q[n + c0]));
+    double part = 1;
+    std::size_t film = 0;
+    for (std::size_t row = 0; row + 1 < shape_.rows; ++row) {
+      const std::size_t first = row * shape_.columns;
+      for (const std::size_t cell : {first + (i > 0 ? i - 1 : 0), first + std::min(i, shape_.columns - 1)}) {
+        const auto [c0, c1, c2, c3] = shape_.corners(cell);
+        water += volumes[cell];
+        area += 0.5 * ((q[c2] - q[c0]) * (q[n + c3] - q[n + c1]) - (q[c3] - q[c1]) * (q[n + c2] - q[n + c0]));
+      }
+      const std::size_t base = shape_.node(i, row + 1);
+      const double slope = 2 * water / area / distance(shore, {places.x[base], places.y[base]});
+      if (!(slope < settings_.edge_slope)) break;
+      part = std::sqrt(slope / settings_.edge_slope);
+      film = row + 1;
     }
-    const double width = distance({places.x[i], places.y[i]}, {places.x[count + i], places.y[count + i]});
-    const double slope = 2 * water / area / width;
-    if (!(slope < settings_.edge_slope)) continue;
-    const double part = std::sqrt(slope / settings_.edge_slope);
-    places.x[i] = std::lerp(places.x[count + i], places.x[i], part);
-    places.y[i] = std::lerp(places.y[count + i], places.y[i], part);
+    const std::size_t base = shape_.node(i, film);
+    for (std::size_t k = i; k < base; k += count) {
+      places.x[k] = std::lerp(places.x[base], places.x[k], part);
+      places.y[k] = std::lerp(places.y[base], places.y[k], part);
+    }
   }
 }
 

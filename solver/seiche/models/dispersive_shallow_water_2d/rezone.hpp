@@ -13,8 +13,8 @@
 /// `narrowest` of what it was: rows that come too near to each other are put farther out.
 ///
 /// Water that runs down leaves a film behind, which is thinner the longer it gets, until columns fall dry. Where the
-/// depth over the width of the cells at the shoreline is less than `edge_slope`, the shoreline is drawn back along its
-/// column until it is that: the water of the film, with its momentum, comes to what has run ahead.
+/// depth over the width of the cells from the shoreline to a row is less than `edge_slope`, the nodes within are drawn
+/// back along their column until it is that: the water of the film, with its momentum, comes to what has run ahead.
 ///
 /// As soon as a node is farther from its place than `drift` of its cells, all are put there (remap.hpp). Where that is
 /// not possible the lattice goes on as it is. A lake at rest is left alone.

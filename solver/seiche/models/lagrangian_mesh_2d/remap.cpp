@@ -71,10 +71,10 @@ class Remap {
   /// Momentum per density that the edge p -> q sweeps towards its right.
   [[nodiscard]] Point swept(std::size_t p, std::size_t q, LatticePlace guess) const {
     Point momentum;
-    each_swept_point({old_point(p), new_point(p), new_point(q), old_point(q)}, [&](Point place, double area) {
-      const Point velocity = velocity_at(old_.find(place, guess));
-      momentum.x += area * velocity.x;
-      momentum.y += area * velocity.y;
+    each_swept_point({old_point(p), new_point(p), new_point(q), old_point(q)}, [&](const SweptPoint& point) {
+      const Point velocity = velocity_at(old_.find(point.place, guess));
+      momentum.x += point.area * velocity.x;
+      momentum.y += point.area * velocity.y;
     });
     return momentum;
   }
