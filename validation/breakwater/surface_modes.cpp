@@ -1,5 +1,6 @@
 #include "validation/breakwater/surface_modes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Cholesky>
@@ -23,7 +24,7 @@ class SurfaceResponse {
 
   /// K, from forces that are linear in the elevations: the difference is exact but for rounding.
   [[nodiscard]] Eigen::MatrixXd stiffness() {
-    const double displacement = std::sqrt(model_.first_areas().front()) / 8;
+    const double displacement = lowest_cell() / 8;
     Eigen::MatrixXd k(size_, size_);
     for (Index column = 0; column < size_; ++column) {
       k.col(column) = (forces(column, -displacement) - forces(column, displacement)) / (2 * displacement);
@@ -46,6 +47,11 @@ class SurfaceResponse {
   [[nodiscard]] Index size() const { return size_; }
 
  private:
+  /// Height of the lowest cell, which no displacement may fold.
+  [[nodiscard]] double lowest_cell() const {
+    const double width = rest_[first_ + 1] - rest_[first_];
+    return std::ranges::min(model_.first_areas()) / width;
+  }
   [[nodiscard]] std::size_t node(Index i) const { return first_ + static_cast<std::size_t>(i); }
   [[nodiscard]] std::size_t vertical(Index i) const { return model_.nodes().size() + node(i); }
 

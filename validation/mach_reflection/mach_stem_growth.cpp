@@ -15,6 +15,7 @@ to the wall runs at $c_i/\cos\psi_i$, slower than the stem: that is why the stem
 larger angle with the wall. Along the stem the height hardly changes.
 */
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -103,6 +104,15 @@ void claims(const Values& values, const Claims<Development>& all) {
                       "wave as narrow as the stem"});
 }
 
+/// Throws std::runtime_error, with the time, for a surface without the crests of one.
+ReflectionPattern pattern_at(double time, const SurfaceLattice& surface, double amplitude) {
+  try {
+    return measured_reflection(surface, amplitude);
+  } catch (const std::runtime_error& failure) {
+    throw std::runtime_error(fmt::format("t = {:g}: {}", time, failure.what()));
+  }
+}
+
 Development compute(const Run& run) {
   const ObliqueWave wave = wave_of(run);
   const double end = run.real("time");
@@ -113,7 +123,7 @@ Development compute(const Run& run) {
   for (double t = between_patterns; t < end + 1e-9; t += between_patterns) {
     flow.advance_to(t, 0.5 * run.real("h"));
     const SurfaceLattice surface = surface_of(flow);
-    const ReflectionPattern pattern = measured_reflection(surface, wave.amplitude());
+    const ReflectionPattern pattern = pattern_at(t, surface, wave.amplitude());
     development.time.push_back(t);
     development.wall_x.push_back(pattern.wall.x);
     development.height.push_back(five_node_height(surface, pattern.wall, 0));

@@ -56,7 +56,7 @@ struct History {
     }
     time.push_back(flow.time());
     contact.push_back(now);
-    if (flow.steps() < 2) return;
+    if (!flow.knows_loads()) return;
     const auto load = flow.wall_load(Flow::WallSide::right);
     load_time.push_back(load.time);
     still.push_back(load.pressure_at(0));

@@ -29,6 +29,7 @@ wave is kinder to the dispersive model.
 #include <fmt/format.h>
 
 #include "seiche/exact/solitary_wave.hpp"
+#include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/studies/side_by_side/tank_wave.hpp"
@@ -85,6 +86,7 @@ TankWave tank_of(const SolitaryWave& wave, double way) {
 
 Trial trial_of(const Values& values) {
   const SolitaryWave wave = wave_of(values);
+  require_within("way", values.real("way"), 0, values.real("last"));
   return {.end = values.real("way") / wave.speed(),
           .last = values.real("last") / wave.speed(),
           .looks = 8,

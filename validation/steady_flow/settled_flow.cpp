@@ -1,6 +1,9 @@
 #include "validation/steady_flow/settled_flow.hpp"
 
 #include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "seiche/samples.hpp"
 
@@ -21,6 +24,10 @@ Profile part_of(const Profile& whole, double from, double to) {
     if (part.edges.empty()) part.edges.push_back(whole.edges[i]);
     part.edges.push_back(whole.edges[i + 1]);
     part.means.push_back(whole.means[i]);
+  }
+  if (part.means.empty()) {
+    throw std::runtime_error(fmt::format(
+        "no particle lies wholly between x = {:g} and {:g} at some time: the flow there is not resolved", from, to));
   }
   return part;
 }

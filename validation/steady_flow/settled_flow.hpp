@@ -28,7 +28,7 @@ class SettledInstants {
   double every_;
 };
 
-/// The particles that lie between two places.
+/// The particles that lie between two places; throws std::runtime_error where none does.
 Profile part_of(const Profile& whole, double from, double to);
 
 /// Mean of |q/discharge - 1| over the particles by their lengths.

@@ -82,7 +82,7 @@ void Flow::remember_walls() {
 
 WallLoad Flow::wall_load(WallSide side) const {
   const Mesh& mesh = model_->mesh();
-  if (state_.multipliers.empty() || state_.earlier_multipliers.empty()) {
+  if (!knows_loads()) {
     throw std::logic_error("the load of a wall is known after two steps");
   }
   const double weight = model_->settings().density * model_->settings().gravity;
