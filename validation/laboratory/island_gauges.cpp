@@ -6,7 +6,7 @@ and C, 0.045, 0.09 and 0.18 depths high.
 the root mean square difference; run-up around the island. Levels before arrival are removed, and one shift of time is
 fitted at gauge 3, before the island. The case scores others; the plan model, on the rezoned lattice of
 `conical_island`, is judged by the same claims, from solitary waves as high as gauges 1 to 4 have them. A gauge that
-falls dry reads the bottom. What is declared is of wave A.
+falls dry reads the bottom.
 
 **What to look at.** Two distributions of the same run-up differ by up to 1.9: the mean of both is asked for, and half
 of their distance is an uncertainty. The records show a wave B of 0.087 depths, not the 0.096 that is stated. With
@@ -17,6 +17,9 @@ degrees by 25 and 130 %.
 */
 #include <array>
 #include <cmath>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "validation/instruments/island_flow.hpp"
 #include "validation/instruments/plan_gauges.hpp"
@@ -97,23 +100,75 @@ Submitted compute(const Run& run, double coarsening) {
           {"runup", {{.value = 0, .abscissa = envelope.angle(), .values = {{"R", envelope.runup()}}}}}};
 }
 
-/// Of wave A; a band is an eighth of a misfit and a thirtieth of a height; the tiers differ by less than a fiftieth.
-std::map<std::string, evidence::KnownFailure> misses() {
+using Misses = std::map<std::string, evidence::KnownFailure>;
+
+struct Miss {
+  std::string reading;
+  double value;
+  std::string reason;
+};
+
+/// A band is an eighth of a misfit, a fiftieth of a time after the crest at gauges 1 to 4, `part` of a height: what the
+/// tiers differ by is less than half of it.
+Misses with_bands(const Wave& wave, double part, const std::vector<Miss>& misses) {
+  Misses declared;
+  for (const Miss& miss : misses) {
+    double width = part * miss.value;
+    if (miss.reading.starts_with("gauges-misfit")) width = miss.value / 8;
+    if (miss.reading.starts_with("gauges-when")) width = (miss.value - wave.passes) / 50;
+    declared[miss.reading] = {.value = miss.value, .width = width, .reason = miss.reason};
+  }
+  return declared;
+}
+
+Misses misses(const Wave& wave) {
   const std::string behind =
-      "behind its crest the wave of the experiment is no solitary wave: the surface at gauges 1 to 4 falls 1 mm below "
-      "its level and stays there, where the model has up to 3 mm of what the island sends back; crests and times agree";
+      "behind its crest the wave of the experiment is no solitary wave: the surface at gauges 1 to 4 falls below its "
+      "level and stays there, where the model has what the island sends back; crests and times agree";
   const std::string before =
-      "in front of the island the model is 2 to 3 mm higher from the crest on, as at gauges 1 to 4 later; finer "
-      "columns do not change it";
-  return {{"gauges-misfit-1", {.value = 0.00208, .width = 0.00026, .reason = behind}},
-          {"gauges-misfit-2", {.value = 0.00216, .width = 0.00027, .reason = behind}},
-          {"gauges-misfit-3", {.value = 0.0022, .width = 0.00028, .reason = behind}},
-          {"gauges-misfit-4", {.value = 0.00226, .width = 0.00028, .reason = behind}},
-          {"gauges-misfit-6", {.value = 0.00257, .width = 0.00032, .reason = behind}},
-          {"gauges-misfit-9", {.value = 0.00262, .width = 0.00033, .reason = behind}},
-          {"gauges-misfit-16", {.value = 0.00194, .width = 0.00024, .reason = behind}},
-          {"gauges-highest-6", {.value = 0.0172, .width = 0.0006, .reason = before}},
-          {"gauges-highest-9", {.value = 0.0251, .width = 0.0008, .reason = before}}};
+      "in front of the island the model is higher from the crest on, as at gauges 1 to 4 later; finer columns do not "
+      "change it";
+  const std::string flank = "beside the island the crest comes a hundredth of the way's time late";
+  const std::string breaks =
+      "the wave breaks on the island: the model's roller takes less from it than the experiment's bore lost";
+  if (wave.letter == 1) {
+    return with_bands(wave, 1.0 / 30,
+                      {{"gauges-misfit-1", 0.00208, behind},
+                       {"gauges-misfit-2", 0.00216, behind},
+                       {"gauges-misfit-3", 0.0022, behind},
+                       {"gauges-misfit-4", 0.00226, behind},
+                       {"gauges-misfit-6", 0.00257, behind},
+                       {"gauges-misfit-9", 0.00262, behind},
+                       {"gauges-misfit-16", 0.00194, behind},
+                       {"gauges-highest-6", 0.0172, before},
+                       {"gauges-highest-9", 0.0251, before}});
+  }
+  if (wave.letter == 2) {
+    return with_bands(wave, 1.0 / 30,
+                      {{"gauges-misfit-1", 0.0032, behind},
+                       {"gauges-misfit-2", 0.00362, behind},
+                       {"gauges-misfit-3", 0.00379, behind},
+                       {"gauges-misfit-4", 0.00335, behind},
+                       {"gauges-misfit-6", 0.00383, behind},
+                       {"gauges-misfit-9", 0.0043, behind},
+                       {"gauges-misfit-16", 0.00296, behind},
+                       {"gauges-highest-9", 0.0441, before},
+                       {"gauges-when-16", 32.01, flank}});
+  }
+  return with_bands(wave, 1.0 / 10,
+                    {{"gauges-misfit-1", 0.00558, behind},
+                     {"gauges-misfit-2", 0.00599, behind},
+                     {"gauges-misfit-3", 0.00605, behind},
+                     {"gauges-misfit-4", 0.00582, behind},
+                     {"gauges-misfit-6", 0.00712, behind},
+                     {"gauges-misfit-9", 0.0101, breaks},
+                     {"gauges-misfit-16", 0.00556, breaks},
+                     {"gauges-misfit-22", 0.0105, breaks},
+                     {"gauges-highest-9", 0.0761, breaks},
+                     {"gauges-highest-16", 0.0636, breaks},
+                     {"gauges-highest-22", 0.125, breaks},
+                     {"runup-at-90", 0.135, breaks},
+                     {"runup-at-135", 0.104, breaks}});
 }
 
 Experiment experiment(const Values& values) {
@@ -148,14 +203,13 @@ Experiment experiment(const Values& values) {
                .useful = 0.8,
                .readings = {}};
   for (const double angle : {0, 45, 90, 135, 180}) runup.readings.push_back(at(0, angle, Kind::run_up));
-  Experiment one{
+  return {
       .source = source,
       .parts = {gauges, runup},
       .files = {"briggs_1995_conical_island_a/bathymetry.asc", wave.table + "/gauges.csv", wave.table + "/paddle.csv"},
-      .model = "dispersive shallow water in plan"};
-  one.compute = compute;
-  if (wave.letter == 1) one.misses = misses();
-  return one;
+      .compute = compute,
+      .model = "dispersive shallow water in plan",
+      .misses = misses(wave)};
 }
 
 }  // namespace

@@ -103,9 +103,7 @@ class Flow {
   /// steps of equal length, without composition.
   [[nodiscard]] WallLoad wall_load(WallSide side) const;
   /// Whether two steps have been made since the beginning or the last rezoning.
-  [[nodiscard]] bool knows_loads() const {
-    return !state_.multipliers.empty() && !state_.earlier_multipliers.empty();
-  }
+  [[nodiscard]] bool knows_loads() const { return !state_.multipliers.empty() && !state_.earlier_multipliers.empty(); }
 
   /// Shape of the worst corner: 1 at the beginning for rectangles, 0 where the mesh folds; a warning below 0.2.
   [[nodiscard]] Corner worst_corner() const { return model_->worst_corner(state_.q); }
