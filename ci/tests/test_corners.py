@@ -49,6 +49,11 @@ class Corners(unittest.TestCase):
         ends = {corners.corner(cases, "1", k)[1].get("depth") for k in range(40)}
         self.assertEqual(ends - {None}, {"0.5", "2.0"})
 
+    def test_corners_broken_before_are_read(self):
+        broken = corners.corners_broken_before()
+        self.assertIn(("steady_bump", {"particles": "8", "regime": "all"}), broken)
+        self.assertTrue(all(settings for _, settings in broken))
+
     def test_an_exact_corner_is_the_same_each_time(self):
         solutions = [{"name": "riemann", "parameters": [{"name": "depth", "minimum": "0", "maximum": "2"},
                                                         {"name": "kind", "choices": ["piston", "flap"]},
