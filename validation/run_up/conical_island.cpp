@@ -17,7 +17,8 @@ the shallow-water model of Liu et al. (1995). All measured angles count; where t
 been highest, what it has reached by then.
 
 **What to look at.** The crest bends around the island, and its two ends meet behind it: there the water climbs nearly
-as high as in front, though the sides saw much less. All three waves pass the island, with columns down to 0.25 m apart.
+as high as in front, though the sides saw much less. All three waves pass the island with columns down to 0.25 m apart,
+A and B with 0.125 m too: there the front of C, which runs along the shore, folds the lattice at the side of the island.
 Behind it the model of B climbs a fifth to a third above the measurement. Wave C breaks at the sides: there the model
 runs along the shore as a jet and climbs two to four times as high as the water of the experiment, whose wave is spent.
 In front it climbs up to a fifth more than measured, at the sides up to a third, and directly behind the island, where
@@ -160,6 +161,7 @@ struct Results {
 };
 
 double finest_spacing(const Values& values) {
+  if (values.tier() == Tier::paper) return 0.125;
   return values.tier() == Tier::quick ? 0.35 : 0.25;
 }
 
@@ -173,7 +175,15 @@ Measurement deviation_of(const std::vector<Passed>& spacings, const Measured& da
   return {.value = rms.front(), .uncertainty = fine_limit(size, rms, 1).uncertainty};
 }
 
-void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, const Measured& data) {
+/// Where columns are this near to each other, wave C folds the lattice at the side of the island.
+bool folds(const Wave& wave, double spacing) {
+  return wave.name == "C" && spacing < 0.2;
+}
+const std::string folded =
+    "the front of the wave runs along the shore: within 4 degrees the shoreline falls from 0.15 m to 0.02 m above "
+    "still water, half a metre down the slope, and the thin tongue folds";
+
+void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing, const Measured& data) {
   const evidence::Claim runup{
       .id = "runup-" + wave.name,
       .text = fmt::format("Case {}: the run-up all around the island is the measured one.", wave.name),
@@ -192,37 +202,54 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, co
         evidence::Bound{.limit = 0.2,
                         .reason = "twice the 10 % of the measurements; the model's own is not of first order where the "
                                   "wave breaks, so that two spacings do not tell it"},
-        {.value = 1.02,
-         .width = 0.15,
-         .reason = "the wave breaks at the sides of the island, and from 100 to 160 degrees the water of the "
-                   "experiment climbs a quarter to half as high as the model's, which runs along the shore as a jet"});
+        folds(wave, spacing)
+            ? evidence::KnownFailure{.value = 0.67,
+                                     .width = 0.1,
+                                     .reason =
+                                         "what has been reached when the lattice folds: nothing behind the island"}
+            : evidence::KnownFailure{
+                  .value = 1.02,
+                  .width = 0.15,
+                  .reason = "the wave breaks at the sides of the island, and from 100 to 160 degrees the water of the "
+                            "experiment climbs a quarter to half as high as the model's, which runs along the shore as "
+                            "a jet"});
   } else {
     claims.check(runup, off, criterion);
   }
-  claims.check(
-      {.id = "climbed-" + wave.name,
-       .text = fmt::format("Case {}: all around the island the run-up is over before the lattice folds.", wave.name),
-       .quantity = "measured angles where it is not",
-       .source = source},
-      [data](const std::vector<Passed>& spacings) {
-        return static_cast<double>(
-            std::ranges::count_if(data.angle, [&](double angle) { return !spacings.front().saw(angle); }));
-      },
-      evidence::Bound{.limit = 0, .reason = "none"});
+  const evidence::Claim climbed{
+      .id = "climbed-" + wave.name,
+      .text = fmt::format("Case {}: all around the island the run-up is over before the lattice folds.", wave.name),
+      .quantity = "measured angles where it is not",
+      .source = source};
+  const auto missed = [data](const std::vector<Passed>& spacings) {
+    return static_cast<double>(
+        std::ranges::count_if(data.angle, [&](double angle) { return !spacings.front().saw(angle); }));
+  };
+  const evidence::Bound none{.limit = 0, .reason = "none"};
+  if (folds(wave, spacing)) {
+    claims.known_failure(climbed, missed, none, {.value = 4, .width = 1, .reason = folded});
+  } else {
+    claims.check(climbed, missed, none);
+  }
 }
 
-void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave) {
-  claims.check(
-      {.id = "whole-" + wave.name,
-       .text = fmt::format("Case {}: the wave passes the island entirely.", wave.name),
-       .quantity = "wave fronts met behind the island, lattice sound",
-       .source = source},
-      [](const std::vector<Passed>& spacings) {
-        return std::ranges::any_of(spacings, [](const Passed& one) { return one.folded.has_value(); }) ? 0.0 : 1.0;
-      },
-      evidence::Qualitative{.detector = "no cell folds until 6 s after the crest would pass the middle, at "
-                                        "either spacing",
-                            .reason = "the water behind the island has run up and down by then"});
+void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing) {
+  const evidence::Claim whole{.id = "whole-" + wave.name,
+                              .text = fmt::format("Case {}: the wave passes the island entirely.", wave.name),
+                              .quantity = "wave fronts met behind the island, lattice sound",
+                              .source = source};
+  const auto sound = [](const std::vector<Passed>& spacings) {
+    return std::ranges::any_of(spacings, [](const Passed& one) { return one.folded.has_value(); }) ? 0.0 : 1.0;
+  };
+  const evidence::Qualitative criterion{.detector =
+                                            "no cell folds until 6 s after the crest would pass the middle, at "
+                                            "either spacing",
+                                        .reason = "the water behind the island has run up and down by then"};
+  if (folds(wave, spacing)) {
+    claims.known_failure(whole, sound, criterion, {.value = 0, .width = 0, .reason = folded});
+  } else {
+    claims.check(whole, sound, criterion);
+  }
 }
 
 void claim_lee(const Claims<Passed>& claims) {
@@ -243,8 +270,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const double step = ConicalIsland({.height = waves[k].height, .spacing = spacing}).step();
     const auto wave = claims.at(resolution(spacing, step));
     const auto spacings = wave.of([k](const Results& r) -> const std::vector<Passed>& { return r.passed.at(k); });
-    claim_runup(spacings, waves[k], measured(table, waves[k].height));
-    claim_whole(spacings, waves[k]);
+    claim_runup(spacings, waves[k], spacing, measured(table, waves[k].height));
+    claim_whole(spacings, waves[k], spacing);
     if (waves[k].name == "A") {
       claim_lee(wave.of([k](const Results& r) -> const Passed& { return r.passed.at(k).front(); }));
     }
@@ -357,7 +384,7 @@ Case conical_island() {
   c.source =
       "M. J. Briggs, C. E. Synolakis, G. S. Harkins, D. R. Green, Laboratory experiments of tsunami runup on a "
       "circular island, Pure Appl. Geophys. 144 (1995) 569; P. L.-F. Liu et al., J. Fluid Mech. 302 (1995) 259";
-  c.tiers = {Tier::quick, Tier::full};
+  c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {real("height", 0.045, "depth", {0.01, 0.25}, "height of the wave"),
                   real("depth", 0.32, "m", {0.25, 0.45}, "of the water"),
                   real("spacing", 0.5, "m", {0.2, 1}, "of the columns along the walls of the basin")};
