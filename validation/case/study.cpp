@@ -1,5 +1,6 @@
 #include "validation/case/study.hpp"
 
+#include <new>
 #include <set>
 #include <stdexcept>
 
@@ -70,6 +71,8 @@ void Study::run(const Run& run, evidence::Record& record) const {
     // At a tier's own parameters there is no wrong input: the computation has gone wrong.
     if (!run.standard()) throw;
     return broken(refused);
+  } catch (const std::bad_alloc&) {
+    return broken(std::runtime_error("out of memory: needs less with fewer cells, particles or steps that are kept"));
   } catch (const std::exception& failure) {
     return broken(failure);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -53,6 +54,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 
 Results compute(const Run& run) {
   const std::string& what = run.text("what");
+  if (what == "no memory") throw std::bad_alloc();
   if (what == "crash") throw std::runtime_error("the depth became negative");
   if (what == "refused") throw std::invalid_argument("depth: must be positive");
   Results results{what};
@@ -66,8 +68,8 @@ void show(const Results& results, const Values& /*values*/, Exhibit& exhibit) {
 }
 
 const std::vector<std::string> all_of_them{
-    "fine",     "nothing",        "all left out", "twice",   "left out",        "not measured", "not a number",
-    "not told", "beyond the cap", "crash",        "refused", "another failure", "not shown"};
+    "fine",     "nothing",        "all left out", "twice",     "left out", "not measured",    "not a number",
+    "not told", "beyond the cap", "crash",        "no memory", "refused",  "another failure", "not shown"};
 
 /// @param standard  the case's own choice
 Run run_of(const std::string& what, const std::string& standard = "fine") {
@@ -130,6 +132,10 @@ TEST_CASE("a run that crashes leaves every claim in error, declared failures too
     CHECK_FALSE(judged.as_declared());
   }
   CHECK_FALSE(record.as_declared());
+}
+
+TEST_CASE("a run that gets no memory says so", "[study]") {
+  CHECK(record_of("no memory").error.starts_with("out of memory"));
 }
 
 TEST_CASE("a declared failure of another size than declared is unexpected", "[study]") {
