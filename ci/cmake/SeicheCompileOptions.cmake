@@ -45,6 +45,7 @@ if(SEICHE_COVERAGE)
   target_compile_options(seiche_options INTERFACE --coverage -fprofile-update=single)
   target_link_options(seiche_options INTERFACE --coverage)
 endif()
+string(STRIP "${outsiders}" outsiders)  # the cache keeps a space at an end in quotes
 set(SEICHE_OUTSIDERS_FLAGS "${outsiders}" CACHE INTERNAL "Flags of programs that link to the installed library")
 
 # seiche_precompiled(target header...): precompiled headers, the standard ones and more, for every target that says

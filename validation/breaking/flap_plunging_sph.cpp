@@ -167,8 +167,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
         const SphPlunged& standard = r.runs.front().back();
         const double apart = r.runs.back().back().hangs_over - standard.hangs_over;
         if (std::isnan(apart)) throw std::runtime_error("a wave does not overturn, with or without that stress");
-        return {.value = apart,
-                .resolution = sph_resolution(standard.spacing, standard.particles)};
+        return {.value = apart, .resolution = sph_resolution(standard.spacing, standard.particles)};
       },
       Bound{.limit = 0.04,
             .reason = "half of the time between two frames of the publication, which show both in the same state"});
