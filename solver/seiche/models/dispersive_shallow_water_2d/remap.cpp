@@ -101,7 +101,8 @@ class Remap {
   }
 
   [[nodiscard]] LatticePlace node_of(std::size_t k) const {
-    return {.i = static_cast<double>(k % (shape_.columns + 1)), .j = static_cast<double>(k / (shape_.columns + 1))};
+    const std::size_t row = k / (shape_.columns + 1);
+    return {.i = static_cast<double>(k - shape_.node(0, row)), .j = static_cast<double>(row)};
   }
 
   void interpolate() {
