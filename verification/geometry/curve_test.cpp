@@ -38,8 +38,7 @@ TEST_CASE("a point of a graph and its arc length belong together", "[geometry]")
               .text = "Every point of the graph, its ends too, has an arc length that the curve has.",
               .quantity = "points beyond the ends",
               .source = "arc length from begin to end"},
-             {.value = beyond.value(), .resolution = "1 to 200 panels"},
-             evidence::Bound{.limit = 0, .reason = "none"});
+             {.value = beyond.value(), .resolution = "1 to 200 panels"}, evidence::Bound{.limit = 0, .reason = "none"});
   check.that(
       {.id = "round-trip",
        .text = "The point at the arc length of a point is that point.",
