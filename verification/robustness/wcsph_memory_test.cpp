@@ -35,7 +35,7 @@ TEST_CASE("the memory that SPH needs is that of its arrays", "[robustness]") {
       "24; "
       "its place in the order and its bin 7; with eddies stresses 32. Clusters of as many particles as a register has "
       "lanes share 32 and a list of about 45 candidates at 4.");
-  const double lanes = static_cast<double>(pair_loops().lanes);
+  const auto lanes = static_cast<double>(pair_loops().lanes);
   for (const bool eddies : {false, true}) {
     Settings settings;
     if (eddies) settings.viscosity = LaminarSps{};
