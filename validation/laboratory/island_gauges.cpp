@@ -12,8 +12,9 @@ falls dry reads the bottom.
 of their distance is an uncertainty. The records show a wave B of 0.087 depths, not the 0.096 that is stated. With
 `--set wave=B` the model's run-up is the measured one at all five angles and its crest at gauges 16 and 22 too; what
 follows the crest it misses at seven gauges, as of A; at gauge 9 its crest is 8 % too high, at gauge 16 0.13 s late. Of
-C, which breaks, thirteen readings are missed: crests at gauges 9, 16 and 22 by 20, 4 and 39 %, run-up at 90 and 135
-degrees by 25 and 130 %.
+C, which breaks, thirteen readings are missed: with columns 0.35 m apart crests at gauges 9, 16 and 22 by 20, 4 and
+37 %, run-up at 90 and 135 degrees by 25 and 90 %; with columns 0.25 m apart these crests by 20, 5 and 19 % and that of
+gauge 6 by 5 %, run-up at 90 degrees by 19 %, and at all others it is the measured one.
 */
 #include <array>
 #include <cmath>
@@ -109,7 +110,8 @@ struct Miss {
 };
 
 /// A band is an eighth of a misfit, a tenth of a run-up, a thirtieth of a height, and of a time a hundredth of what has
-/// gone by since the crest was at gauges 1 to 4: what the tiers differ by is less than half of it.
+/// gone by since the crest was at gauges 1 to 4: what the tiers differ by is less than half of it, but for wave C
+/// beside and behind the island, where each has its own.
 Misses with_bands(const Wave& wave, const std::vector<Miss>& misses) {
   Misses declared;
   for (const Miss& miss : misses) {
@@ -122,7 +124,7 @@ Misses with_bands(const Wave& wave, const std::vector<Miss>& misses) {
   return declared;
 }
 
-Misses misses(const Wave& wave) {
+Misses misses(const Wave& wave, Tier tier) {
   const std::string behind =
       "behind its crest the wave of the experiment is no solitary wave: the surface at gauges 1 to 4 falls below its "
       "level and stays there, where the model has what the island sends back; crests and times agree";
@@ -154,19 +156,21 @@ Misses misses(const Wave& wave) {
                              {"gauges-highest-9", 0.0441, before},
                              {"gauges-when-16", 32.01, flank}});
   }
-  return with_bands(wave, {{"gauges-misfit-1", 0.00558, behind},
-                           {"gauges-misfit-2", 0.00599, behind},
-                           {"gauges-misfit-3", 0.00605, behind},
-                           {"gauges-misfit-4", 0.00582, behind},
-                           {"gauges-misfit-6", 0.00712, behind},
+  const bool coarse = tier == Tier::quick;
+  std::vector<Miss> of_all{{"gauges-misfit-1", 0.00552, behind},
+                           {"gauges-misfit-2", 0.00613, behind},
+                           {"gauges-misfit-3", 0.00622, behind},
+                           {"gauges-misfit-4", 0.00577, behind},
+                           {"gauges-misfit-6", 0.00733, behind},
                            {"gauges-misfit-9", 0.0101, breaks},
                            {"gauges-misfit-16", 0.00556, breaks},
-                           {"gauges-misfit-22", 0.0105, breaks},
-                           {"gauges-highest-9", 0.0761, breaks},
-                           {"gauges-highest-16", 0.0636, breaks},
-                           {"gauges-highest-22", 0.125, breaks},
-                           {"runup-at-90", 0.135, breaks},
-                           {"runup-at-135", 0.104, breaks}});
+                           {"gauges-misfit-22", coarse ? 0.0113 : 0.00836, breaks},
+                           {"gauges-highest-9", 0.0762, breaks},
+                           {"gauges-highest-16", 0.0637, breaks},
+                           {"gauges-highest-22", coarse ? 0.1234 : 0.1073, breaks},
+                           {"runup-at-90", 0.132, breaks}};
+  of_all.push_back(coarse ? Miss{"runup-at-135", 0.086, breaks} : Miss{"gauges-highest-6", 0.0632, before});
+  return with_bands(wave, of_all);
 }
 
 Experiment experiment(const Values& values) {
@@ -207,7 +211,7 @@ Experiment experiment(const Values& values) {
       .files = {"briggs_1995_conical_island_a/bathymetry.asc", wave.table + "/gauges.csv", wave.table + "/paddle.csv"},
       .compute = compute,
       .model = "dispersive shallow water in plan",
-      .misses = misses(wave)};
+      .misses = misses(wave, values.tier())};
 }
 
 }  // namespace

@@ -226,14 +226,54 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   }
   const Model thin(film, {.gravity = validation::ConicalIsland::gravity});
   const mechanics::State state = thin.state();
-  const ShoreFollowing following(lake);
+  constexpr double edge_slope = 0.01;
+  const ShoreFollowing following(lake, {.edge_slope = edge_slope});
   const auto drawn = following.places(state.q, thin.first_volumes());
   Worst off;
   for (std::size_t i = 1; i + 1 < count; ++i) {
     const double slope = 2 * mean_depth(film, thin.first_volumes(), i, 1) / width(film, i, 1);
-    off.add(width(drawn, i, 1) / width(film, i, 1) / std::sqrt(slope / RezoneSettings{}.edge_slope) - 1);
+    off.add(width(drawn, i, 1) / width(film, i, 1) / std::sqrt(slope / edge_slope) - 1);
   }
   const std::string resolution = "columns 0.5 m apart";
+  // A tongue: one marker of the shoreline runs 0.4 m ahead, those beside it half as far.
+  Lattice tongue = lake;
+  const std::size_t ahead = count / 2;
+  for (const std::size_t i : {ahead - 1, ahead, ahead + 1}) {
+    const double left = 1 - (i == ahead ? 0.4 : 0.2) / std::hypot(lake.x[i], lake.y[i]);
+    tongue.x[i] *= left;
+    tongue.y[i] *= left;
+    tongue.z[i] = lake.bottom->slope(tongue.x[i], tongue.y[i]).elevation;
+  }
+  const Model long_one(tongue, {.gravity = validation::ConicalIsland::gravity});
+  const auto places_of = [&](double shore_slope) {
+    return ShoreFollowing(lake, {.edge_slope = 0, .shore_slope = shore_slope})
+        .places(long_one.state().q, long_one.first_volumes());
+  };
+  const auto as_it_comes = places_of(0);
+  const auto cut = places_of(1);
+  const auto up = [&](std::size_t i) { return std::hypot(lake.x[i], lake.y[i]) - std::hypot(cut.x[i], cut.y[i]); };
+  Largest steepest;
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    steepest.add(std::abs(up(i + 1) - up(i)) / std::hypot(lake.x[i + 1] - lake.x[i], lake.y[i + 1] - lake.y[i]));
+  }
+  check.that({.id = "cut",
+              .text = "A tongue is drawn back to the slope asked for, on both of its sides.",
+              .quantity = "steepest way up from a marker of the shoreline to the next one over their distance",
+              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
+             {.value = steepest.value(), .resolution = resolution},
+             Bound{.limit = 0.05,
+                   .reason = "columns are lines from the first shoreline to the outer side and not quite radii",
+                   .expected = 1});
+  Worst pressed;
+  for (std::size_t j = 1; j < lake.shape.rows; ++j) {
+    pressed.add(std::min(0.0, width(cut, ahead, j) / width(as_it_comes, ahead, j) - 0.7));
+  }
+  check.that({.id = "pressed",
+              .text = "No cell of its column is pressed by more than 0.3.",
+              .quantity = "width left below 0.7 of what it was",
+              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
+             {.value = pressed.value(), .resolution = resolution},
+             Roundoff{.operations = 10, .scale = 10, .reason = "differences of places up to 10 m away"});
   check.that({.id = "drawn",
               .text = "A film is drawn back until a wedge of its water has the slope asked for.",
               .quantity = "width of the cells at the shoreline over the square root of what the slope lacks, less 1",
@@ -281,7 +321,7 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   Worst off_rows;
   for (std::size_t i = 1; i + 1 < count; ++i) {
     const double slope = 2 * mean_depth(sheet, sheeted.first_volumes(), i, 2) / both(sheet, i);
-    off_rows.add(both(gathered, i) / both(sheet, i) / std::sqrt(slope / RezoneSettings{}.edge_slope) - 1);
+    off_rows.add(both(gathered, i) / both(sheet, i) / std::sqrt(slope / edge_slope) - 1);
   }
   check.that({.id = "drawn-rows",
               .text = "A film over two rows is drawn back as one.",

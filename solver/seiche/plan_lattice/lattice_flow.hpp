@@ -116,6 +116,8 @@ class LatticeFlow {
     watch_ = std::make_unique<mechanics::InvariantsWatch<Model>>(*model_, state_);
   }
 
+  [[nodiscard]] Model& model_to_change() { return *model_; }
+
  private:
   [[nodiscard]] static std::span<const double> part(const std::vector<double>& values, std::size_t index) {
     const std::size_t n = values.size() / 3;

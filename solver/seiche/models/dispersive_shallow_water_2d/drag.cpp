@@ -6,23 +6,12 @@
 #include <stdexcept>
 #include <variant>
 
+#include "seiche/models/dispersive_shallow_water_2d/push.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
 namespace {
-
-struct Force {
-  double x, y;
-};
-
-/// u += W force.
-void push(const InverseMasses& inverse, std::size_t k, Force force, mechanics::Output u) {
-  const std::size_t n = inverse.xx.size();
-  u[k] += inverse.xx[k] * force.x + inverse.xy[k] * force.y;
-  u[n + k] += inverse.xy[k] * force.x + inverse.yy[k] * force.y;
-  u[2 * n + k] += inverse.xz[k] * force.x + inverse.yz[k] * force.y;
-}
 
 /// Inverse mass of a node along a horizontal direction.
 double inverse_along(const InverseMasses& inverse, std::size_t k, Point t) {
@@ -32,7 +21,7 @@ double inverse_along(const InverseMasses& inverse, std::size_t k, Point t) {
 }  // namespace
 
 Drag::Drag(DragSettings settings, const Lattice& lattice, double inertia)
-    : settings_(settings), inertia_(inertia), shape_(lattice.shape) {
+    : settings_(settings), shape_(lattice.shape), breaking_(settings.breaking_slope, inertia, lattice.shape) {
   require_not_negative("manning", settings.manning);
   require_not_negative("shore_rate", settings.shore_rate);
   require_not_negative("lattice_rate", settings.lattice_rate);
@@ -48,7 +37,7 @@ Drag::Drag(DragSettings settings, const Lattice& lattice, double inertia)
   }
 }
 
-void Drag::measure(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q) {
+void Drag::measure(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q, bool new_step) {
   const std::size_t n = lattice.shape.nodes();
   if (settings_.manning > 0) {
     depth_.assign(n, 0.0);
@@ -72,55 +61,7 @@ void Drag::measure(const Lattice& lattice, std::span<const double> volumes, mech
       along_[i] = {chord.x / length, chord.y / length};
     }
   }
-  if (settings_.breaking_slope > 0) find_steep_pairs(lattice, volumes, q);
-}
-
-void Drag::find_steep_pairs(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q) {
-  const plan_lattice::Shape shape = lattice.shape;
-  const std::size_t n = shape.nodes();
-  steep_.clear();
-  const auto look = [&](std::size_t from, std::size_t to, std::array<std::size_t, 2> beside) {
-    const Point way{q[to] - q[from], q[n + to] - q[n + from]};
-    const double square = way.x * way.x + way.y * way.y;
-    const double rise = q[2 * n + to] - q[2 * n + from];
-    if (!(rise * rise > settings_.breaking_slope * settings_.breaking_slope * square)) return;
-    double water = 0;
-    double area = 0;
-    for (const std::size_t cell : beside) {
-      const auto [c0, c1, c2, c3] = shape.corners(cell);
-      water += volumes[cell] / 4;
-      area += 0.125 * ((q[c2] - q[c0]) * (q[n + c3] - q[n + c1]) - (q[c3] - q[c1]) * (q[n + c2] - q[n + c0]));
-    }
-    const double depth = water / area;
-    // On a side there is half of the water; its one cell is counted twice.
-    const double share = beside[0] == beside[1] ? 1 : 2;
-    const double viscosity = 2 * std::sqrt(inertia_ * depth) * depth;
-    steep_.push_back({.from = from, .to = to, .way = way, .exchange = share * water * viscosity / square});
-  };
-  for (std::size_t j = 0; j <= shape.rows; ++j) {
-    for (std::size_t i = 0; i <= shape.columns; ++i) {
-      const auto cell = [&](std::size_t column, std::size_t row) { return row * shape.columns + column; };
-      const std::array rows{j > 0 ? j - 1 : 0, std::min(j, shape.rows - 1)};
-      const std::array columns{i > 0 ? i - 1 : 0, std::min(i, shape.columns - 1)};
-      if (i < shape.columns) look(shape.node(i, j), shape.node(i + 1, j), {cell(i, rows[0]), cell(i, rows[1])});
-      if (j < shape.rows) look(shape.node(i, j), shape.node(i, j + 1), {cell(columns[0], j), cell(columns[1], j)});
-    }
-  }
-}
-
-/// The mean of a step's velocities is slowed down to (1 + x)/(1 + 2 x), so that those at its end are to 1/(1 + 2 x).
-void Drag::mix_steep_pairs(std::span<const double> masses, const InverseMasses& inverse, double gravity, double h,
-                           mechanics::Output u) const {
-  const std::size_t n = masses.size();
-  for (const SteepPair& pair : steep_) {
-    const Force difference{u[pair.to] - u[pair.from], u[n + pair.to] - u[n + pair.from]};
-    if (!(difference.x * pair.way.x + difference.y * pair.way.y < 0)) continue;
-    const double lightness = 1 / masses[pair.from] + 1 / masses[pair.to];
-    const double part = h * std::sqrt(gravity) * pair.exchange * lightness;
-    const double impulse = part / (1 + 2 * part) / lightness;
-    push(inverse, pair.from, {impulse * difference.x, impulse * difference.y}, u);
-    push(inverse, pair.to, {-impulse * difference.x, -impulse * difference.y}, u);
-  }
+  if (settings_.breaking_slope > 0 && new_step) breaking_.measure(lattice, volumes, q);
 }
 
 void Drag::slow(std::span<const double> masses, const InverseMasses& inverse, double gravity, double h,
@@ -147,7 +88,7 @@ void Drag::slow(std::span<const double> masses, const InverseMasses& inverse, do
     }
   }
   if (settings_.lattice_rate > 0) slow_pattern(masses, inverse, h, u);
-  mix_steep_pairs(masses, inverse, gravity, h, u);
+  if (settings_.breaking_slope > 0) breaking_.exchange(masses, inverse, gravity, h, u);
 }
 
 void Drag::absorb(double h, mechanics::Output u) const {
@@ -169,7 +110,7 @@ void Drag::slow_pattern(std::span<const double> masses, const InverseMasses& inv
   const double part = share / (1 + share);
   const auto slow = [&](std::size_t first, std::size_t along, std::size_t across) {
     double lightness = 0;
-    Force difference{0, 0};
+    Impulse difference{0, 0};
     for (std::size_t a = 0; a < 3; ++a) {
       for (std::size_t b = 0; b < 2; ++b) {
         const std::size_t k = first + a * along + b * across;

@@ -19,24 +19,13 @@
 ///
 ///     rate s1^2 s2^2 (s1^2 + s2^2)/2,   s_i = sin(k_i h_i/2).
 ///
-/// Fronts that are too steep break. Neighbours on the lattice's lines that come nearer to each other, while the surface
-/// between them is steeper than breaking_slope, exchange horizontal momentum like in a viscous fluid, with the
-/// viscosity that leaves a bore of the model's equations without waves behind it, whatever its height
-/// (dispersive_shallow_water_1d/breaking.hpp has the derivation),
-///
-/// @f[ \nu = 2 \sqrt{\alpha} \, H \sqrt{g H}, @f]
-///
-/// H the mean depth of the cells beside the two. Lines are taken one by one; where breaking begins and where it ends is
-/// one slope, that of the surface as it is: no front is remembered.
+/// Fronts that are too steep break (breaking.hpp).
 ///
 /// A layer that absorbs waves makes all velocities decay, u' = -rate u, at a rate that each column was given at the
 /// beginning: let it grow smoothly from 0 over about a wavelength before a wall, or waves turn back at its edge. On
 /// sides that prescribe velocities it must be 0.
 ///
 /// All take energy and give none back, over steps of any length: implicit in the speeds that they slow down.
-///
-/// Reference: H. A. Schaeffer, P. A. Madsen, R. Deigaard, Coastal Eng. 20 (1993) 185 (rollers from 20 down to 10
-/// degrees).
 #pragma once
 
 #include <functional>
@@ -44,17 +33,17 @@
 #include <vector>
 
 #include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/breaking.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
 struct DragSettings {
-  double manning = 0;       ///< n [s/m^(1/3)]; smooth concrete: 0.011 to 0.013
-  double shore_rate = 0;    ///< [1/s]
-  double lattice_rate = 0;  ///< of the pattern + - + - [1/s]; a few times the frequency of steep waves
-  /// Of a surface that breaks; 0 for none. tan 10 degrees = 0.176, where rollers end, is below every one that breaks.
-  double breaking_slope = 0;
+  double manning = 0;         ///< n [s/m^(1/3)]; smooth concrete: 0.011 to 0.013
+  double shore_rate = 0;      ///< [1/s]
+  double lattice_rate = 0;    ///< of the pattern + - + - [1/s]; a few times the frequency of steep waves
+  double breaking_slope = 0;  ///< of a surface that begins to break (breaking.hpp); 0 for none
   /// Rate of an absorbing layer [1/s] at the first place of a column; empty for none. Not with a moving window.
   std::function<double(Point)> absorption = {};
 };
@@ -71,35 +60,28 @@ class Drag {
            settings_.breaking_slope > 0;
   }
   [[nodiscard]] bool absorbs() const { return !absorption_.empty(); }
-  /// Depths, directions and steep places at q = (x, y, z).
-  void measure(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q);
+  /// Depths, directions and, of a new step, steep places at q = (x, y, z).
+  void measure(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q, bool new_step = true);
   /// Slows velocities u = (u, v, w) down over h.
   void slow(std::span<const double> masses, const InverseMasses& inverse, double gravity, double h,
             mechanics::Output u) const;
   /// What the layer leaves of velocities after h. Before forces: those that balance each other must not be absorbed.
   void absorb(double h, mechanics::Output u) const;
 
- private:
-  /// Two neighbours with a steep surface between them.
-  struct SteepPair {
-    std::size_t from = 0;
-    std::size_t to = 0;
-    Point way{};
-    double exchange = 0;  ///< mass that they exchange in a second, over the square root of gravity
-  };
+  /// Breaking fronts of another flow on a lattice of this shape go on.
+  void continue_from(const Drag& before) { breaking_.continue_from(before.breaking_); }
+  /// As Model::shift_east.
+  void shift_east() { breaking_.shift_east(); }
 
-  void find_steep_pairs(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q);
-  void mix_steep_pairs(std::span<const double> masses, const InverseMasses& inverse, double gravity, double h,
-                       mechanics::Output u) const;
+ private:
   void slow_pattern(std::span<const double> masses, const InverseMasses& inverse, double h, mechanics::Output u) const;
 
   DragSettings settings_;
-  double inertia_;
   plan_lattice::Shape shape_;
   std::vector<double> depth_, area_;
   std::vector<Point> along_;        ///< the shore, at the markers of the south side
   std::vector<double> absorption_;  ///< rates of the nodes; empty for none
-  std::vector<SteepPair> steep_;
+  BreakingFronts breaking_;
 };
 
 }  // namespace seiche::dispersive_shallow_water_2d

@@ -32,6 +32,9 @@ class Flow : public plan_lattice::LatticeFlow<Model> {
   explicit Flow(Lattice lattice, const InitialVelocity& velocity = {}, Scheme scheme = {}, Settings settings = {},
                 Forcing forcing = {}, Window window = {}, bool smooth_start = true);
 
+  /// Fronts that broke in another flow, of a lattice of this shape, break on (breaking.hpp).
+  void continue_breaking(const Flow& before) { model_to_change().continue_breaking(before.model()); }
+
  private:
   Flow(std::unique_ptr<Model>&& model, const InitialVelocity& velocity, Scheme scheme, Window window,
        bool smooth_start);

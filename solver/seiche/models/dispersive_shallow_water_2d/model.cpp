@@ -168,7 +168,7 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
     throw mechanics::Infeasible(failure.what(), failure.place());
   }
   push_bodies(when.middle());
-  if (drag_.active()) drag_.measure(lattice_, volume_, middle_);
+  if (drag_.active()) drag_.measure(lattice_, volume_, middle_, sweep == 0);
   if (sweep == 0) assemble_and_factor();
   sweeping_ = true;
 }

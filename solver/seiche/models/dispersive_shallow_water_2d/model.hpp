@@ -144,6 +144,8 @@ class Model {
   [[nodiscard]] bool has_driven_sides() const { return masses_.has_driven_sides(); }
   [[nodiscard]] bool has_shoreline() const { return shoreline_.has_value(); }
   [[nodiscard]] bool absorbs() const { return drag_.absorbs(); }
+  /// Fronts that broke in another flow's model, of a lattice of this shape, break on.
+  void continue_breaking(const Model& before) { drag_.continue_from(before.drag_); }
   [[nodiscard]] const linear::NinePointSolver& solver() const { return solver_; }
   /// A of the last linearisation.
   [[nodiscard]] const linear::NinePointMatrix& matrix() const { return matrix_; }

@@ -115,6 +115,7 @@ void Model::shift_east(mechanics::State& state) {
   shift_rows(lattice_.x, columns + 1);
   shift_rows(lattice_.y, columns + 1);
   shift_rows(volume_, columns);
+  drag_.shift_east();
   for (std::vector<double>* multipliers : state.all_multipliers()) {
     if (multipliers->empty()) continue;
     shift_rows(*multipliers, columns);

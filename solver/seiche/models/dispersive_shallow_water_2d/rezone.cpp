@@ -41,6 +41,7 @@ ShoreFollowing::ShoreFollowing(const Lattice& first, RezoneSettings settings)
   require_within("drift", settings.drift, 1e-6, 2);
   require_within("narrowest", settings.narrowest, 0, 0.99);
   require_not_negative("edge_slope", settings.edge_slope);
+  require_not_negative("shore_slope", settings.shore_slope);
   require_within("strain", settings.strain, 1e-6, 1);
   if (!std::holds_alternative<plan_lattice::ShoreSide>(first.sides.south)) {
     throw std::invalid_argument("a lattice without a shoreline on its south side; allowed: one with it");
@@ -79,6 +80,7 @@ ShoreFollowing::Places ShoreFollowing::places(Input q, Input volumes) const {
     places.y.push_back(outer(i).y);
   }
   if (settings_.edge_slope > 0) draw_back_films(q, volumes, places);
+  if (settings_.shore_slope > 0) cut_tongues(places);
   keep_widths(places);
   return places;
 }
@@ -112,6 +114,35 @@ void ShoreFollowing::draw_back_films(Input q, Input volumes, Places& places) con
     for (std::size_t k = i; k < base; k += count) {
       places.x[k] = std::lerp(places.x[base], places.x[k], part);
       places.y[k] = std::lerp(places.y[base], places.y[k], part);
+    }
+  }
+}
+
+void ShoreFollowing::cut_tongues(Places& places) const {
+  constexpr double least_left = 0.7;  // of a pressed cell's width
+  const std::size_t count = shape_.columns + 1;
+  const auto outwards = [&](std::size_t i, std::size_t j) {
+    const std::size_t k = shape_.node(i, j);
+    return (places.x[k] - first_[i].x) * line_[i].x + (places.y[k] - first_[i].y) * line_[i].y;
+  };
+  std::vector<double> shore(count);
+  for (std::size_t i = 0; i < count; ++i) shore[i] = outwards(i, 0);
+  const auto limit = [&](std::size_t i, std::size_t beside) {
+    shore[i] = std::max(shore[i], shore[beside] - settings_.shore_slope * distance(first_[i], first_[beside]));
+  };
+  for (std::size_t i = 1; i < count; ++i) limit(i, i - 1);
+  for (std::size_t i = count - 1; i-- > 0;) limit(i, i + 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double was = outwards(i, 0);
+    if (!(shore[i] > was)) continue;
+    std::size_t row = 1;
+    while (row + 1 < shape_.rows && outwards(i, row) - shore[i] < least_left * (outwards(i, row) - was)) ++row;
+    const double base = outwards(i, row);
+    const double part = (base - shore[i]) / (base - was);
+    const std::size_t out = shape_.node(i, row);
+    for (std::size_t k = i; k < out; k += count) {
+      places.x[k] = std::lerp(places.x[out], places.x[k], part);
+      places.y[k] = std::lerp(places.y[out], places.y[k], part);
     }
   }
 }
@@ -209,6 +240,8 @@ void RezonedFlow::follow(bool anyway) {
     ++refused_;
   } catch (const Divergence&) {  // a new flow that cannot begin
     ++refused_;
+  } catch (const std::invalid_argument&) {  // a surface that leaves a cell without water
+    ++refused_;
   }
 }
 
@@ -220,6 +253,7 @@ void RezonedFlow::rezone(const ShoreFollowing::Places& places) {
   for (std::size_t k = 0; k < model.nodes(); ++k) velocity.push_back({now.u[k], now.v[k], now.w[k]});
   auto flow = std::make_unique<Flow>(std::move(now.lattice), std::move(velocity), scheme_, model.settings(), Forcing{},
                                      Window{}, false);
+  flow->continue_breaking(*flow_);
   // Of both lattices the potential counts from the first one's shoreline: its ways do not meet the bottom's moment.
   const mechanics::State& next = flow->state();
   const double before = flow_->energy();

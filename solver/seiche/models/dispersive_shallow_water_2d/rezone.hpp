@@ -16,6 +16,11 @@
 /// depth over the width of the cells from the shoreline to a row is less than `edge_slope`, the nodes within are drawn
 /// back along their column until it is that: the water of the film, with its momentum, comes to what has run ahead.
 ///
+/// Where a bore runs along a shore the shoreline goes down by a step that columns do not resolve, and the tongue of
+/// water above it shears them. No marker of the shoreline is farther up than the next ones by more than `shore_slope`
+/// times the distance of their columns: it is drawn back, and with it the nodes of its column, the nearer ones the
+/// more, so far out that no cell is pressed by more than 0.3.
+///
 /// As soon as a node is farther from its place than `drift` of its cells, all are put there (remap.hpp). Where that is
 /// not possible the lattice goes on as it is. A lake at rest is left alone.
 ///
@@ -37,8 +42,9 @@ namespace seiche::dispersive_shallow_water_2d {
 struct RezoneSettings {
   double drift = 0.2;        ///< of a cell
   double narrowest = 0.25;   ///< below 1; 0: as it comes
-  double edge_slope = 0.01;  ///< a film of 1 mm may be 0.1 m long; 0: as thin as it gets
+  double edge_slope = 0.08;  ///< a film of 8 mm may be 0.1 m long; 0: as thin as it gets
   double strain = 0.3;       ///< of an edge, in a step
+  double shore_slope = 2;    ///< of the shoreline against its columns, in plan; 0: as it comes
 };
 
 /// Places of the nodes of a lattice that follows the shoreline on its south side.
@@ -47,7 +53,8 @@ class ShoreFollowing {
   using Places = plan_lattice::RezonedPlaces;
 
   /// Throws std::invalid_argument for a lattice without a shoreline on its south side, and for settings outside of
-  /// their ranges: drift (0, 2], narrowest [0, 1), edge_slope not negative, strain (0, 1].
+  /// their ranges: drift (0, 2], narrowest [0, 1), edge_slope and shore_slope not negative, strain
+  /// (0, 1].
   explicit ShoreFollowing(const Lattice& first, RezoneSettings settings = {});
   /// For a flow whose nodes are at q.
   /// @param volumes  of the cells
@@ -58,6 +65,7 @@ class ShoreFollowing {
  private:
   [[nodiscard]] Point outer(std::size_t column) const { return first_[shape_.node(column, shape_.rows)]; }
   void draw_back_films(Input q, Input volumes, Places& places) const;
+  void cut_tongues(Places& places) const;
   void keep_widths(Places& places) const;
 
   Shape shape_;

@@ -1,0 +1,175 @@
+#include "seiche/models/dispersive_shallow_water_2d/breaking.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "seiche/models/dispersive_shallow_water_1d/breaking.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/push.hpp"
+
+namespace seiche::dispersive_shallow_water_2d {
+
+namespace {
+
+/// Drops the first of every `count` values and appends a zero.
+void shift(std::span<char> values, std::size_t count) {
+  for (std::size_t k = 0; k < values.size(); k += count) {
+    const std::span<char> row = values.subspan(k, count);
+    std::copy(row.begin() + 1, row.end(), row.begin());
+    row.back() = 0;
+  }
+}
+
+constexpr double ceasing_froude = dispersive_shallow_water_1d::Breaking{}.ceasing_froude;
+
+}  // namespace
+
+BreakingFronts::BreakingFronts(double slope, double inertia, plan_lattice::Shape shape)
+    : slope_(slope),
+      inertia_(inertia),
+      shape_(shape),
+      breaks_((shape.rows + 1) * shape.columns + shape.rows * (shape.columns + 1), 0) {}
+
+void BreakingFronts::measure(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q) {
+  pairs_.clear();
+  lines_.clear();
+  found_ = false;
+  for (std::size_t j = 0; j <= shape_.rows; ++j) look(lattice, volumes, q, j, true);
+  for (std::size_t i = 0; i <= shape_.columns; ++i) look(lattice, volumes, q, i, false);
+}
+
+/// At one line, a row or what lies across the rows: keeps it if it is steep somewhere or broke.
+void BreakingFronts::look(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q, std::size_t line,
+                          bool is_row) {
+  const std::size_t n = shape_.nodes();
+  const std::size_t count = is_row ? shape_.columns : shape_.rows;
+  const auto pair_at = [&](std::size_t k) {
+    const std::size_t from = is_row ? shape_.node(k, line) : shape_.node(line, k);
+    const std::size_t to = is_row ? from + 1 : from + shape_.columns + 1;
+    const Point way{q[to] - q[from], q[n + to] - q[n + from]};
+    const double rise = q[2 * n + to] - q[2 * n + from];
+    const bool steep = rise * rise > slope_ * slope_ * (way.x * way.x + way.y * way.y);
+    const std::size_t place = is_row ? line * shape_.columns + k : (shape_.rows + 1) * shape_.columns + from;
+    return Pair{.from = from, .to = to, .place = place, .way = way, .rise = rise, .steep = steep};
+  };
+  bool kept = false;
+  for (std::size_t k = 0; k < count && !kept; ++k) {
+    const Pair pair = pair_at(k);
+    kept = pair.steep || breaks_[pair.place] != 0;
+  }
+  if (!kept) return;
+  const std::size_t last = is_row ? shape_.rows : shape_.columns;
+  const std::array beside{line > 0 ? line - 1 : 0, std::min(line, last - 1)};
+  // On a side there is half of the water; its one cell is counted twice.
+  const double share = beside[0] == beside[1] ? 1 : 2;
+  for (std::size_t k = 0; k < count; ++k) {
+    Pair pair = pair_at(k);
+    double water = 0;
+    double area = 0;
+    for (const std::size_t strip : beside) {
+      const std::size_t cell = is_row ? strip * shape_.columns + k : k * shape_.columns + strip;
+      const auto [c0, c1, c2, c3] = lattice.shape.corners(cell);
+      water += volumes[cell] / 4;
+      area += 0.125 * ((q[c2] - q[c0]) * (q[n + c3] - q[n + c1]) - (q[c3] - q[c1]) * (q[n + c2] - q[n + c0]));
+    }
+    pair.depth = water / area;
+    const double viscosity = 2 * std::sqrt(inertia_ * pair.depth) * pair.depth;
+    pair.exchange = share * water * viscosity / (pair.way.x * pair.way.x + pair.way.y * pair.way.y);
+    pairs_.push_back(pair);
+  }
+  lines_.push_back(pairs_.size());
+}
+
+void BreakingFronts::find(mechanics::Input u) const {
+  const std::size_t n = shape_.nodes();
+  const auto comes_nearer = [&](const Pair& pair) {
+    return (u[pair.to] - u[pair.from]) * pair.way.x + (u[n + pair.to] - u[n + pair.from]) * pair.way.y < 0;
+  };
+  broke_.assign(breaks_.begin(), breaks_.end());
+  std::fill(breaks_.begin(), breaks_.end(), char{0});
+  fronts_.clear();
+  std::size_t first = 0;
+  for (const std::size_t end : lines_) {
+    while (first < end) {
+      std::size_t behind = first;
+      bool breaks = false;
+      for (; behind < end && comes_nearer(pairs_[behind]); ++behind) {
+        breaks = breaks || pairs_[behind].steep || broke_[pairs_[behind].place] != 0;
+      }
+      const Front front{.first = first,
+                        .pairs = behind - first,
+                        .damping = breaks ? damping(std::span(pairs_).subspan(first, behind - first)) : 0.0};
+      if (front.damping > 0) {
+        fronts_.push_back(front);
+        for (std::size_t k = first; k < behind; ++k) breaks_[pairs_[k].place] = 1;
+      }
+      first = behind + 1;
+    }
+    first = end;
+  }
+  found_ = true;
+}
+
+/// Share of the viscosity by the height of a front over the depth at its lower end; 0 for what is no bore.
+double BreakingFronts::damping(std::span<const Pair> pairs) {
+  double level = 0;
+  double highest = 0;
+  for (const Pair& pair : pairs) {
+    level += pair.rise;
+    highest = std::max(highest, level);
+  }
+  const Pair& lowest = level > 0 ? pairs.front() : pairs.back();
+  const double ahead = lowest.depth - 0.5 * std::abs(lowest.rise);
+  const double rise = highest - std::min(0.0, level);
+  if (dispersive_shallow_water_1d::bore_froude(ahead, rise) < ceasing_froude) return 0;
+  return dispersive_shallow_water_1d::bore_damping(ahead, rise);
+}
+
+void BreakingFronts::exchange(std::span<const double> masses, const InverseMasses& inverse, double gravity, double h,
+                              mechanics::Output u) const {
+  if (!found_) find(u);
+  for (const Front& front : fronts_) mix(front, h * std::sqrt(gravity) * front.damping, masses, inverse, u);
+}
+
+void BreakingFronts::continue_from(const BreakingFronts& before) {
+  breaks_ = before.breaks_;
+}
+
+void BreakingFronts::shift_east() {
+  const std::span all(breaks_);
+  const std::size_t along = (shape_.rows + 1) * shape_.columns;
+  shift(all.first(along), shape_.columns);
+  shift(all.subspan(along), shape_.columns + 1);
+}
+
+/// The mean of a step's velocities gets half of what those at its end get, (M + 2 h L) u' = M u, L the pairs.
+void BreakingFronts::mix(const Front& front, double time, std::span<const double> masses, const InverseMasses& inverse,
+                         mechanics::Output u) const {
+  const std::size_t n = masses.size();
+  const auto pairs = std::span(pairs_).subspan(front.first, front.pairs);
+  const std::size_t count = pairs.size() + 1;
+  diagonal_.resize(count);
+  coupling_.resize(count);
+  for (std::vector<double>& speeds : speed_) speeds.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t node = k < pairs.size() ? pairs[k].from : pairs.back().to;
+    diagonal_[k] = masses[node];
+    for (std::size_t axis = 0; axis < 2; ++axis) speed_[axis][k] = masses[node] * u[axis * n + node];
+  }
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const double factor = 2 * time * pairs[k].exchange;
+    diagonal_[k] += factor;
+    diagonal_[k + 1] += factor;
+    coupling_[k] = -factor;
+  }
+  matrix_.factor({diagonal_, coupling_});
+  for (std::vector<double>& speeds : speed_) matrix_.solve(speeds, speeds);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const double factor = time * pairs[k].exchange;
+    const double x = factor * (speed_[0][k + 1] - speed_[0][k]);
+    const double y = factor * (speed_[1][k + 1] - speed_[1][k]);
+    push(inverse, pairs[k].from, {x, y}, u);
+    push(inverse, pairs[k].to, {-x, -y}, u);
+  }
+}
+
+}  // namespace seiche::dispersive_shallow_water_2d

@@ -1,0 +1,88 @@
+/// Breaking fronts in plan: where the water gives energy to turbulence.
+///
+/// As in dispersive_shallow_water_1d/breaking.hpp, which has the derivations, line by line of the lattice. A front is a
+/// run of neighbours on a line that come nearer to each other. It begins to break when the surface between two of them
+/// is steeper than a slope, and goes on until the Froude number of a bore of its depths falls below 1.3: what breaks on
+/// is the front that overlaps the one before. All within exchange horizontal momentum like in a viscous fluid, with the
+/// viscosity that leaves a bore of the model's equations without waves behind it,
+///
+/// @f[ \nu = 2 \sqrt{\alpha} \, H \sqrt{g H} \, \sqrt{1 - \frac{h_1 (h_1 + h_2)}{2 h_2^2}} @f]
+///
+/// H the mean depth of the cells beside two neighbours, h1 the depth at the lower end of the front, h2 that of its
+/// highest place above there. Mass and momentum decide the depth behind a bore and the energy that it loses.
+///
+/// Fronts are those of the first velocities that a step asks for, so that sweeps of a conservative step end.
+///
+/// When not to use it: overturning itself, and jets; fronts along which the lattice is so coarse that they never get
+/// steep.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "seiche/linear/tridiagonal.hpp"
+#include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
+
+namespace seiche::dispersive_shallow_water_2d {
+
+class BreakingFronts {
+ public:
+  /// @param slope    of a surface that begins to break, positive
+  /// @param inertia  alpha of the model
+  BreakingFronts(double slope, double inertia, plan_lattice::Shape shape);
+
+  /// Lines with a steep place at q = (x, y, z), or with a front that broke.
+  void measure(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q);
+  /// Exchanges momentum of velocities u = (u, v, w) over h, implicitly along each front. The first call after measure
+  /// finds the fronts.
+  void exchange(std::span<const double> masses, const InverseMasses& inverse, double gravity, double h,
+                mechanics::Output u) const;
+
+  /// What broke in another flow on a lattice of this shape breaks on.
+  void continue_from(const BreakingFronts& before);
+  /// As Model::shift_east: what the last column has anew does not break.
+  void shift_east();
+
+ private:
+  /// Two neighbours on a line.
+  struct Pair {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    std::size_t place = 0;  ///< in what broke
+    Point way{};
+    double rise = 0;
+    double depth = 0;
+    double exchange = 0;  ///< mass that they exchange in a second behind a high bore, over the square root of gravity
+    bool steep = false;
+  };
+  struct Front {
+    std::size_t first = 0;  ///< pair
+    std::size_t pairs = 0;
+    double damping = 0;  ///< share of the viscosity
+  };
+
+  void look(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q, std::size_t line, bool is_row);
+  void find(mechanics::Input u) const;
+  [[nodiscard]] static double damping(std::span<const Pair> pairs);
+  void mix(const Front& front, double time, std::span<const double> masses, const InverseMasses& inverse,
+           mechanics::Output u) const;
+
+  double slope_;
+  double inertia_;
+  plan_lattice::Shape shape_;
+  std::vector<Pair> pairs_;         ///< of the lines that are looked at
+  std::vector<std::size_t> lines_;  ///< where each of them ends
+  // Found with the velocities, which come after the configuration.
+  mutable bool found_ = false;
+  mutable std::vector<Front> fronts_;
+  mutable std::vector<char> breaks_, broke_;  ///< pairs along rows, row by row; then those across, row by row
+  // Of a front.
+  mutable linear::Tridiagonal matrix_;
+  mutable std::vector<double> diagonal_, coupling_;
+  mutable std::array<std::vector<double>, 2> speed_;
+};
+
+}  // namespace seiche::dispersive_shallow_water_2d
