@@ -213,16 +213,25 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
                                       "climbs less high than the model's; finer columns come nearer"});
     }
   }
-  claims.check(
-      {.id = "climbed-" + wave.name,
-       .text = fmt::format("Case {}: all around the island the run-up is over before the lattice folds.", wave.name),
-       .quantity = "measured angles where it is not",
-       .source = source},
-      [data](const std::vector<Passed>& spacings) {
-        return static_cast<double>(
-            std::ranges::count_if(data.angle, [&](double angle) { return !spacings.front().saw(angle); }));
-      },
-      evidence::Bound{.limit = 0, .reason = "none"});
+  const evidence::Claim climbed{
+      .id = "climbed-" + wave.name,
+      .text = fmt::format("Case {}: all around the island the run-up is over before the lattice folds.", wave.name),
+      .quantity = "measured angles where it is not",
+      .source = source};
+  const auto missed = [data](const std::vector<Passed>& spacings) {
+    return static_cast<double>(
+        std::ranges::count_if(data.angle, [&](double angle) { return !spacings.front().saw(angle); }));
+  };
+  const evidence::Bound none{.limit = 0, .reason = "none"};
+  if (wave.name == "C" && resolves_breaking(spacing)) {
+    claims.known_failure(climbed, missed, none,
+                         {.value = 1,
+                          .width = 0,
+                          .reason = "directly behind the island, where the two fronts meet, the lattice folds within "
+                                    "0.25 s after the water was highest"});
+  } else {
+    claims.check(climbed, missed, none);
+  }
 }
 
 void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing) {

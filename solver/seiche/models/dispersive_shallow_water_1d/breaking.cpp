@@ -27,18 +27,6 @@ void Breaking::validate() const {
   require_positive("share", share);
 }
 
-double bore_froude(double ahead, double rise) {
-  if (!(ahead > 0)) return std::numeric_limits<double>::infinity();
-  const double ratio = 1 + rise / ahead;
-  return std::sqrt(0.5 * ratio * (1 + ratio));
-}
-
-double bore_damping(double ahead, double rise) {
-  if (!(ahead > 0)) return 1;
-  const double ratio = 1 + rise / ahead;
-  return std::sqrt(1 - 0.5 * (1 + ratio) / (ratio * ratio));
-}
-
 double BreakingFronts::damping_of_front(const Surface& surface, std::size_t first, std::size_t cells) const {
   const std::size_t all = damping_.size();
   bool broke = false;
@@ -55,8 +43,8 @@ double BreakingFronts::damping_of_front(const Surface& surface, std::size_t firs
   const std::size_t foot = surface.y[first] < surface.y[end] ? first : end;
   const double ahead = surface.y[foot] - surface.bed[foot];
   const double rise = std::abs(surface.y[end] - surface.y[first]);
-  if (bore_froude(ahead, rise) < settings_.ceasing_froude) return 0;
-  return settings_.share * bore_damping(ahead, rise);
+  if (shallow_water::bore_froude(ahead, rise) < settings_.ceasing_froude) return 0;
+  return settings_.share * shallow_water::bore_damping(ahead, rise);
 }
 
 bool BreakingFronts::find(const Surface& surface) {

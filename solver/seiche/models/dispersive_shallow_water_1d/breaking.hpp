@@ -9,15 +9,8 @@
 /// breaks on is the front that overlaps the one before, cell by cell.
 ///
 /// In cells that break markers exchange horizontal momentum like in a viscous fluid, with the viscosity that leaves a
-/// bore of the model's equations without waves behind it. Beside the depth h behind a steady bore, where the water
-/// leaves with U in the bore's frame, formula (14) of Frank (1994) with a viscous stress rho nu h u_x is
-///
-/// @f[ \alpha h^2 U^2 \delta'' + \nu U \delta' + (g h - U^2) \, \delta = 0 @f]
-///
-/// for the small rest delta of the rise, which dies out without waves if nu >= 2 sqrt(alpha) h sqrt(g h - U^2). With
-/// U^2/(g h) = h1 (h1 + h2)/(2 h2^2) of the jump this is the viscosity, h and c = sqrt(g h) those of the cell:
-///
-/// @f[ \nu = 2 \sqrt{\alpha} \, h c \, \sqrt{1 - \frac{h_1 (h_1 + h_2)}{2 h_2^2}} @f]
+/// bore of the model's equations without waves behind it (shallow_water/breaking_bore.hpp), h and c = sqrt(g h) those
+/// of the cell.
 ///
 /// No experiment enters but for where breaking begins and ends. Mass and momentum decide the depth behind a bore and
 /// the energy that it loses, which are those of the hydraulic jump, whatever the viscosity.
@@ -31,29 +24,25 @@
 /// broken waves without friction, whose thin tongue the light marker at the tip leads too far.
 ///
 /// References: M. Tissier, P. Bonneton, F. Marche, F. Chazel, D. Lannes, Coastal Eng. 67 (2012) 54 (30 degrees, 1.3);
-/// A. B. Kennedy, Q. Chen, J. T. Kirby, R. A. Dalrymple, J. Waterway 126 (2000) 39 (viscosity on fronts); R. S.
-/// Johnson, J. Fluid Mech. 42 (1970) 49 (when a viscous bore has no waves).
+/// A. B. Kennedy, Q. Chen, J. T. Kirby, R. A. Dalrymple, J. Waterway 126 (2000) 39 (viscosity on fronts).
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "seiche/shallow_water/breaking_bore.hpp"
+
 namespace seiche::dispersive_shallow_water_1d {
 
 struct Breaking {
-  double onset_slope = 0.577;   ///< of the surface, tan 30 degrees
-  double ceasing_froude = 1.3;  ///< at least 1
-  double share = 1;             ///< of the viscosity that leaves no waves
+  double onset_slope = 0.577;                                    ///< of the surface, tan 30 degrees
+  double ceasing_froude = shallow_water::weakest_breaking_bore;  ///< at least 1
+  double share = 1;                                              ///< of the viscosity that leaves no waves
 
   /// Throws std::invalid_argument.
   void validate() const;
 };
-
-/// Froude number of the bore from depth `ahead` up by `rise`; infinite on dry ground.
-double bore_froude(double ahead, double rise);
-/// Of the same bore, sqrt(1 - U^2/(g h)) behind it; 1 on dry ground.
-double bore_damping(double ahead, double rise);
 
 class BreakingFronts {
  public:

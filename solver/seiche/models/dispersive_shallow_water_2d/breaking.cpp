@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seiche/models/dispersive_shallow_water_1d/breaking.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/push.hpp"
+#include "seiche/shallow_water/breaking_bore.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -18,8 +18,6 @@ void shift(std::span<char> values, std::size_t count) {
     row.back() = 0;
   }
 }
-
-constexpr double ceasing_froude = dispersive_shallow_water_1d::Breaking{}.ceasing_froude;
 
 }  // namespace
 
@@ -120,8 +118,8 @@ double BreakingFronts::damping(std::span<const Pair> pairs) {
   const Pair& lowest = level > 0 ? pairs.front() : pairs.back();
   const double ahead = lowest.depth - 0.5 * std::abs(lowest.rise);
   const double rise = highest - std::min(0.0, level);
-  if (dispersive_shallow_water_1d::bore_froude(ahead, rise) < ceasing_froude) return 0;
-  return dispersive_shallow_water_1d::bore_damping(ahead, rise);
+  if (shallow_water::bore_froude(ahead, rise) < shallow_water::weakest_breaking_bore) return 0;
+  return shallow_water::bore_damping(ahead, rise);
 }
 
 void BreakingFronts::exchange(std::span<const double> masses, const InverseMasses& inverse, double gravity, double h,

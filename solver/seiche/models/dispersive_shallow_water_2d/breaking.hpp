@@ -1,10 +1,10 @@
 /// Breaking fronts in plan: where the water gives energy to turbulence.
 ///
-/// As in dispersive_shallow_water_1d/breaking.hpp, which has the derivations, line by line of the lattice. A front is a
-/// run of neighbours on a line that come nearer to each other. It begins to break when the surface between two of them
-/// is steeper than a slope, and goes on until the Froude number of a bore of its depths falls below 1.3: what breaks on
-/// is the front that overlaps the one before. All within exchange horizontal momentum like in a viscous fluid, with the
-/// viscosity that leaves a bore of the model's equations without waves behind it,
+/// A front is a run of neighbours on a line of the lattice that come nearer to each other. It begins to break when the
+/// surface between two of them is steeper than a slope, and goes on until the Froude number of a bore of its depths
+/// falls below 1.3: what breaks on is the front that overlaps the one before. All within exchange horizontal momentum
+/// like in a viscous fluid, with the viscosity that leaves a bore of the model's equations without waves behind it
+/// (shallow_water/breaking_bore.hpp),
 ///
 /// @f[ \nu = 2 \sqrt{\alpha} \, H \sqrt{g H} \, \sqrt{1 - \frac{h_1 (h_1 + h_2)}{2 h_2^2}} @f]
 ///
