@@ -388,6 +388,30 @@ TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conserva
   check.measure("water that it put elsewhere than it was swept, over all", flow.displaced() / water);
 }
 
+TEST_CASE("fronts break on while their lattice is rezoned", "[conservation]") {
+  verification::Check check("plan_rezone_fronts", "Breaking fronts on a lattice that is rezoned",
+                            "Case C of the conical island, columns 1 m apart, until the crest would be 2 s beyond the "
+                            "middle of the island; the lattice is rezoned before every step.");
+  const validation::ConicalIsland island({.height = 0.181, .spacing = 1});
+  RezonedFlow flow(island.lattice(), [&](double x, double y) { return island.velocity(x, y); }, {},
+                   island.model_settings(), {.drift = 1e-6});
+  long remembered = 0;
+  long rezoned = 0;
+  flow.advance_to(island.passage() + 2, island.step(), [&] {
+    const bool anew = flow.rezoned() > std::exchange(rezoned, flow.rezoned());
+    if (anew && flow.flow().model().breaking().going_on() > 0) ++remembered;
+  });
+  check.that({.id = "go-on",
+              .text = "What broke before a rezoning breaks on after it, though it is not steep any more.",
+              .quantity = "steps with such fronts after a rezoning, more than none",
+              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
+             {.value = remembered > 0 ? 1.0 : 0.0,
+              .resolution = fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned())},
+             Qualitative{.detector = "a front that breaks and has no steep place",
+                         .reason = "only what is remembered across the rezoning can be one"});
+  check.measure("steps with fronts that go on", static_cast<double>(remembered));
+}
+
 TEST_CASE("a rezoned flow around an island keeps its water", "[conservation]") {
   verification::Check check("plan_rezone", "A flow around an island on a rezoned lattice: what it keeps",
                             "Case A of the conical island, columns 1 m apart, until the crest would be at the middle "

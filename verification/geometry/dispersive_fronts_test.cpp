@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_1d/breaking.hpp"
+#include "seiche/shallow_water/breaking_bore.hpp"
 #include "verification/check.hpp"
 
 namespace {
@@ -11,6 +12,8 @@ namespace {
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
 using seiche::evidence::Roundoff;
+using seiche::shallow_water::bore_damping;
+using seiche::shallow_water::bore_froude;
 
 constexpr std::size_t markers = 81;
 
@@ -76,11 +79,9 @@ TEST_CASE("fronts break when they are steep and go on while they are bores", "[g
     check.that({.id = id, .text = text, .quantity = "number", .source = "jump conditions"}, {.value = value},
                Roundoff{.operations = 8, .scale = 2, .reason = "a few roundings", .expected = expected});
   };
-  is("froude", "A bore that doubles the depth has Froude number sqrt(3).", seiche::shallow_water::bore_froude(1, 1),
-     std::sqrt(3.0));
-  is("behind", "Behind it the square of the Froude number is 3/8.", seiche::shallow_water::bore_damping(1, 1),
-     std::sqrt(1 - 3.0 / 8));
-  is("weak", "A bore without height needs no viscosity.", seiche::shallow_water::bore_damping(1, 0), 0);
-  CHECK(std::isinf(seiche::shallow_water::bore_froude(0, 1)));
-  CHECK(seiche::shallow_water::bore_damping(0, 1) == 1);
+  is("froude", "A bore that doubles the depth has Froude number sqrt(3).", bore_froude(1, 1), std::sqrt(3.0));
+  is("behind", "Behind it the square of the Froude number is 3/8.", bore_damping(1, 1), std::sqrt(1 - 3.0 / 8));
+  is("weak", "A bore without height needs no viscosity.", bore_damping(1, 0), 0);
+  CHECK(std::isinf(bore_froude(0, 1)));
+  CHECK(bore_damping(0, 1) == 1);
 }

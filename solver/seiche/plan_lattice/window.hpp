@@ -1,6 +1,7 @@
 /// A window on a long tank that follows a wave travelling east.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -24,6 +25,15 @@ void require_movable(const Window& window, const Sides& sides);
 /// between walls of which one bends. @param x, y  of that lattice
 void require_straight_walls(const Window& window, const Sides& sides, Shape shape, std::span<const double> x,
                             std::span<const double> y);
+
+/// Every row of `length` values moves one place to the west; the last place of each keeps its value.
+template <class T>
+void shift_rows(std::span<T> values, std::size_t length) {
+  for (std::size_t row = 0; row < values.size(); row += length) {
+    const std::span<T> all = values.subspan(row, length);
+    std::copy(all.begin() + 1, all.end(), all.begin());
+  }
+}
 
 /// Moves the window to where it must be at the state's time, by model.shift_east(state); returns by how many columns.
 template <class Model>

@@ -4,40 +4,27 @@
 #include <cmath>
 
 #include "seiche/models/dispersive_shallow_water_2d/push.hpp"
+#include "seiche/plan_lattice/window.hpp"
 #include "seiche/shallow_water/breaking_bore.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
-
-namespace {
-
-/// Drops the first of every `count` values and appends a zero.
-void shift(std::span<char> values, std::size_t count) {
-  for (std::size_t k = 0; k < values.size(); k += count) {
-    const std::span<char> row = values.subspan(k, count);
-    std::copy(row.begin() + 1, row.end(), row.begin());
-    row.back() = 0;
-  }
-}
-
-}  // namespace
 
 BreakingFronts::BreakingFronts(double slope, double inertia, plan_lattice::Shape shape)
     : slope_(slope),
       inertia_(inertia),
       shape_(shape),
-      breaks_((shape.rows + 1) * shape.columns + shape.rows * (shape.columns + 1), 0) {}
+      breaks_(slope > 0 ? (shape.rows + 1) * shape.columns + shape.rows * (shape.columns + 1) : 0, 0) {}
 
-void BreakingFronts::measure(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q) {
+void BreakingFronts::measure(std::span<const double> volumes, mechanics::Input q) {
   pairs_.clear();
   lines_.clear();
   found_ = false;
-  for (std::size_t j = 0; j <= shape_.rows; ++j) look(lattice, volumes, q, j, true);
-  for (std::size_t i = 0; i <= shape_.columns; ++i) look(lattice, volumes, q, i, false);
+  for (std::size_t j = 0; j <= shape_.rows; ++j) look(volumes, q, j, true);
+  for (std::size_t i = 0; i <= shape_.columns; ++i) look(volumes, q, i, false);
 }
 
 /// At one line, a row or what lies across the rows: keeps it if it is steep somewhere or broke.
-void BreakingFronts::look(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q, std::size_t line,
-                          bool is_row) {
+void BreakingFronts::look(std::span<const double> volumes, mechanics::Input q, std::size_t line, bool is_row) {
   const std::size_t n = shape_.nodes();
   const std::size_t count = is_row ? shape_.columns : shape_.rows;
   const auto pair_at = [&](std::size_t k) {
@@ -65,9 +52,8 @@ void BreakingFronts::look(const Lattice& lattice, std::span<const double> volume
     double area = 0;
     for (const std::size_t strip : beside) {
       const std::size_t cell = is_row ? strip * shape_.columns + k : k * shape_.columns + strip;
-      const auto [c0, c1, c2, c3] = lattice.shape.corners(cell);
       water += volumes[cell] / 4;
-      area += 0.125 * ((q[c2] - q[c0]) * (q[n + c3] - q[n + c1]) - (q[c3] - q[c1]) * (q[n + c2] - q[n + c0]));
+      area += cell_area(shape_, q, cell) / 4;
     }
     pair.depth = water / area;
     const double viscosity = 2 * std::sqrt(inertia_ * pair.depth) * pair.depth;
@@ -85,19 +71,23 @@ void BreakingFronts::find(mechanics::Input u) const {
   broke_.assign(breaks_.begin(), breaks_.end());
   std::fill(breaks_.begin(), breaks_.end(), char{0});
   fronts_.clear();
+  going_on_ = 0;
   std::size_t first = 0;
   for (const std::size_t end : lines_) {
     while (first < end) {
       std::size_t behind = first;
-      bool breaks = false;
+      bool steep = false;
+      bool goes_on = false;
       for (; behind < end && comes_nearer(pairs_[behind]); ++behind) {
-        breaks = breaks || pairs_[behind].steep || broke_[pairs_[behind].place] != 0;
+        steep = steep || pairs_[behind].steep;
+        goes_on = goes_on || broke_[pairs_[behind].place] != 0;
       }
       const Front front{.first = first,
                         .pairs = behind - first,
-                        .damping = breaks ? damping(std::span(pairs_).subspan(first, behind - first)) : 0.0};
+                        .damping = steep || goes_on ? damping(std::span(pairs_).subspan(first, behind - first)) : 0.0};
       if (front.damping > 0) {
         fronts_.push_back(front);
+        going_on_ += steep ? 0 : 1;
         for (std::size_t k = first; k < behind; ++k) breaks_[pairs_[k].place] = 1;
       }
       first = behind + 1;
@@ -133,7 +123,12 @@ void BreakingFronts::continue_from(const BreakingFronts& before) {
 }
 
 void BreakingFronts::shift_east() {
+  if (breaks_.empty()) return;
   const std::span all(breaks_);
+  const auto shift = [](std::span<char> places, std::size_t length) {
+    plan_lattice::shift_rows(places, length);
+    for (std::size_t k = length - 1; k < places.size(); k += length) places[k] = 0;
+  };
   const std::size_t along = (shape_.rows + 1) * shape_.columns;
   shift(all.first(along), shape_.columns);
   shift(all.subspan(along), shape_.columns + 1);

@@ -30,16 +30,19 @@ namespace seiche::dispersive_shallow_water_2d {
 
 class BreakingFronts {
  public:
-  /// @param slope    of a surface that begins to break, positive
+  /// @param slope    of a surface that begins to break; 0 where measure is not called
   /// @param inertia  alpha of the model
   BreakingFronts(double slope, double inertia, plan_lattice::Shape shape);
 
   /// Lines with a steep place at q = (x, y, z), or with a front that broke.
-  void measure(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q);
+  void measure(std::span<const double> volumes, mechanics::Input q);
   /// Exchanges momentum of velocities u = (u, v, w) over h, implicitly along each front. The first call after measure
   /// finds the fronts.
   void exchange(std::span<const double> masses, const InverseMasses& inverse, double gravity, double h,
                 mechanics::Output u) const;
+
+  /// Fronts of the last exchange that break because they did, and are not steep any more.
+  [[nodiscard]] std::size_t going_on() const { return going_on_; }
 
   /// What broke in another flow on a lattice of this shape breaks on.
   void continue_from(const BreakingFronts& before);
@@ -64,7 +67,7 @@ class BreakingFronts {
     double damping = 0;  ///< share of the viscosity
   };
 
-  void look(const Lattice& lattice, std::span<const double> volumes, mechanics::Input q, std::size_t line, bool is_row);
+  void look(std::span<const double> volumes, mechanics::Input q, std::size_t line, bool is_row);
   void find(mechanics::Input u) const;
   [[nodiscard]] static double damping(std::span<const Pair> pairs);
   void mix(const Front& front, double time, std::span<const double> masses, const InverseMasses& inverse,
@@ -78,6 +81,7 @@ class BreakingFronts {
   // Found with the velocities, which come after the configuration.
   mutable bool found_ = false;
   mutable std::vector<Front> fronts_;
+  mutable std::size_t going_on_ = 0;
   mutable std::vector<char> breaks_, broke_;  ///< pairs along rows, row by row; then those across, row by row
   // Of a front.
   mutable linear::Tridiagonal matrix_;

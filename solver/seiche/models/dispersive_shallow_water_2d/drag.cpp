@@ -43,10 +43,8 @@ void Drag::measure(const Lattice& lattice, std::span<const double> volumes, mech
     depth_.assign(n, 0.0);
     area_.assign(n, 0.0);
     for (std::size_t cell = 0; cell < lattice.shape.cells(); ++cell) {
-      const auto corners = lattice.shape.corners(cell);
-      const auto [c0, c1, c2, c3] = corners;
-      const double area = 0.5 * ((q[c2] - q[c0]) * (q[n + c3] - q[n + c1]) - (q[c3] - q[c1]) * (q[n + c2] - q[n + c0]));
-      for (const std::size_t k : corners) {
+      const double area = cell_area(lattice.shape, q, cell);
+      for (const std::size_t k : lattice.shape.corners(cell)) {
         depth_[k] += volumes[cell];
         area_[k] += area;
       }
@@ -61,7 +59,7 @@ void Drag::measure(const Lattice& lattice, std::span<const double> volumes, mech
       along_[i] = {chord.x / length, chord.y / length};
     }
   }
-  if (settings_.breaking_slope > 0 && new_step) breaking_.measure(lattice, volumes, q);
+  if (settings_.breaking_slope > 0 && new_step) breaking_.measure(volumes, q);
 }
 
 void Drag::slow(std::span<const double> masses, const InverseMasses& inverse, double gravity, double h,

@@ -68,6 +68,7 @@ class Drag {
   /// What the layer leaves of velocities after h. Before forces: those that balance each other must not be absorbed.
   void absorb(double h, mechanics::Output u) const;
 
+  [[nodiscard]] const BreakingFronts& breaking() const { return breaking_; }
   /// Breaking fronts of another flow on a lattice of this shape go on.
   void continue_from(const Drag& before) { breaking_.continue_from(before.breaking_); }
   /// As Model::shift_east.

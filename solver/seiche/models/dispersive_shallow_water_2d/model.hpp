@@ -144,6 +144,7 @@ class Model {
   [[nodiscard]] bool has_driven_sides() const { return masses_.has_driven_sides(); }
   [[nodiscard]] bool has_shoreline() const { return shoreline_.has_value(); }
   [[nodiscard]] bool absorbs() const { return drag_.absorbs(); }
+  [[nodiscard]] const BreakingFronts& breaking() const { return drag_.breaking(); }
   /// Fronts that broke in another flow's model, of a lattice of this shape, break on.
   void continue_breaking(const Model& before) { drag_.continue_from(before.drag_); }
   [[nodiscard]] const linear::NinePointSolver& solver() const { return solver_; }

@@ -1,10 +1,10 @@
 // What the plan model conserves, and how a moving window shifts it.
-#include <algorithm>
 #include <cmath>
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/geometry/bilinear_patch.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
+#include "seiche/plan_lattice/window.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -14,15 +14,6 @@ using bilinear_patch::Corners;
 
 Corners at(const double* values, const std::array<std::size_t, 4>& corners) {
   return {values[corners[0]], values[corners[1]], values[corners[2]], values[corners[3]]};
-}
-
-/// Every row of `length` values moves one place to the west; the last place of each keeps its value.
-void shift_rows(std::span<double> values, std::size_t length) {
-  for (std::size_t row = 0; row < values.size(); row += length) {
-    std::copy(values.begin() + static_cast<std::ptrdiff_t>(row + 1),
-              values.begin() + static_cast<std::ptrdiff_t>(row + length),
-              values.begin() + static_cast<std::ptrdiff_t>(row));
-  }
 }
 
 }  // namespace
@@ -109,16 +100,16 @@ void Model::shift_east(mechanics::State& state) {
   const std::size_t columns = shape().columns;
   const std::size_t rows = shape().rows;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    shift_rows(std::span(state.q).subspan(axis * n, n), columns + 1);
-    shift_rows(std::span(state.u).subspan(axis * n, n), columns + 1);
+    plan_lattice::shift_rows(std::span(state.q).subspan(axis * n, n), columns + 1);
+    plan_lattice::shift_rows(std::span(state.u).subspan(axis * n, n), columns + 1);
   }
-  shift_rows(lattice_.x, columns + 1);
-  shift_rows(lattice_.y, columns + 1);
-  shift_rows(volume_, columns);
+  plan_lattice::shift_rows(std::span(lattice_.x), columns + 1);
+  plan_lattice::shift_rows(std::span(lattice_.y), columns + 1);
+  plan_lattice::shift_rows(std::span(volume_), columns);
   drag_.shift_east();
   for (std::vector<double>* multipliers : state.all_multipliers()) {
     if (multipliers->empty()) continue;
-    shift_rows(*multipliers, columns);
+    plan_lattice::shift_rows(std::span(*multipliers), columns);
     for (std::size_t j = 0; j < rows; ++j) (*multipliers)[j * columns + columns - 1] = 0;
   }
   for (std::size_t j = 0; j <= rows; ++j) {

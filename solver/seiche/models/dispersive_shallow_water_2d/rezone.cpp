@@ -89,7 +89,6 @@ ShoreFollowing::Places ShoreFollowing::places(Input q, Input volumes) const {
 /// has the depth over its width asked for when it is sqrt(h/(b edge_slope)) as wide. The film is the widest wedge that
 /// is too thin, as long as all within it are.
 void ShoreFollowing::draw_back_films(Input q, Input volumes, Places& places) const {
-  const std::size_t n = shape_.nodes();
   const std::size_t count = shape_.columns + 1;
   for (std::size_t i = 0; i < count; ++i) {
     const Point shore{places.x[i], places.y[i]};
@@ -100,9 +99,8 @@ void ShoreFollowing::draw_back_films(Input q, Input volumes, Places& places) con
     for (std::size_t row = 0; row + 1 < shape_.rows; ++row) {
       const std::size_t first = row * shape_.columns;
       for (const std::size_t cell : {first + (i > 0 ? i - 1 : 0), first + std::min(i, shape_.columns - 1)}) {
-        const auto [c0, c1, c2, c3] = shape_.corners(cell);
         water += volumes[cell];
-        area += 0.5 * ((q[c2] - q[c0]) * (q[n + c3] - q[n + c1]) - (q[c3] - q[c1]) * (q[n + c2] - q[n + c0]));
+        area += cell_area(shape_, q, cell);
       }
       const std::size_t base = shape_.node(i, row + 1);
       const double slope = 2 * water / area / distance(shore, {places.x[base], places.y[base]});

@@ -1,23 +1,11 @@
 // What the hexahedral model conserves, its surface forces, and how a moving window shifts it.
-#include <algorithm>
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/models/lagrangian_mesh_3d/surface.hpp"
+#include "seiche/plan_lattice/window.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
-
-namespace {
-
-/// Every row of `length` values moves one place to the west; the last place of each keeps its value.
-void shift_rows(std::span<double> values, std::size_t length) {
-  for (std::size_t row = 0; row < values.size(); row += length) {
-    const auto first = values.begin() + static_cast<std::ptrdiff_t>(row);
-    std::copy(first + 1, first + static_cast<std::ptrdiff_t>(length), first);
-  }
-}
-
-}  // namespace
 
 PatchRows Model::patches(std::size_t row, Input q) const {
   const std::size_t n = nodes_.size();
@@ -101,15 +89,15 @@ void Model::shift_east(mechanics::State& state) {
   const auto [columns, rows] = mesh_.plan;
   const std::size_t layers = mesh_.layers;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    shift_rows(std::span(state.q).subspan(axis * n, n), columns + 1);
-    shift_rows(std::span(state.u).subspan(axis * n, n), columns + 1);
+    plan_lattice::shift_rows(std::span(state.q).subspan(axis * n, n), columns + 1);
+    plan_lattice::shift_rows(std::span(state.u).subspan(axis * n, n), columns + 1);
   }
-  shift_rows(mesh_.x, columns + 1);
-  shift_rows(mesh_.y, columns + 1);
-  shift_rows(volume_, columns);
+  plan_lattice::shift_rows(std::span(mesh_.x), columns + 1);
+  plan_lattice::shift_rows(std::span(mesh_.y), columns + 1);
+  plan_lattice::shift_rows(std::span(volume_), columns);
   for (auto* multipliers : state.all_multipliers()) {
     if (multipliers->empty()) continue;
-    shift_rows(*multipliers, columns);
+    plan_lattice::shift_rows(std::span(*multipliers), columns);
     for (std::size_t row = 0; row < cell_rows(); ++row) (*multipliers)[row * columns + columns - 1] = 0;
   }
   const double bottom = state.q[2 * n];
