@@ -20,9 +20,9 @@ been highest, what it has reached by then.
 **What to look at.** The crest bends around the island, and its two ends meet behind it: there the water climbs nearly
 as high as in front, though the sides saw much less. All three waves pass the island with columns down to 0.25 m apart,
 A and B with 0.125 m too; there the lattice of C folds when its two fronts have met behind the island and run back.
-Behind it the model of B climbs a fifth to a third above the measurement. Wave C breaks at the sides: there the model
-climbs higher than the water of the experiment, whose wave is spent, with columns 0.35 m apart by half on average, with
-0.25 m by a third; with 0.125 m it climbs as high, within a seventh at every angle.
+The model of B climbs up to a sixth more than measured in front and a tenth more behind. Wave C breaks at the sides:
+there the model climbs higher than the water of the experiment, whose wave is spent, with columns 0.35 m apart by half
+on average, with 0.25 m by a third; with 0.125 m it climbs as high, within 15 % at every angle.
 Without breaking, without drawing the film after the water and with a remap that may dry columns, the lattice of C folds
 as the water runs down in front of the island, with columns 0.35 m apart at 4.6 s, and that of B behind it, with 0.25 m
 at 9.5 s. Where only steep places break and not the whole of their front, the model of C climbs two to four times as
