@@ -23,7 +23,7 @@ void add_options(CLI::App& app, Options& options) {
          "flow", options.flow,
          "hump: of water at rest in the middle of a box; soliton: a solitary wave that runs along x; reflection: "
          "one that meets a wall at an angle, in a window that follows it; island: one around a conical island, "
-         "with its shoreline")
+         "with its shoreline, without breaking")
       ->check(CLI::IsMember({"hump", "soliton", "reflection", "island"}))
       ->capture_default_str();
   app.add_option("--columns", options.columns, "of cells, of hump and soliton")
@@ -125,8 +125,10 @@ validation::ReflectionWindow reflection_window(const Options& options) {
 validation::ConicalIsland::Settings island(const Options& options) {
   require_sensible(options);
   if (options.layers > 0) throw std::invalid_argument("an island in layers of hexahedra; allowed: the plan model");
-  const double depth = validation::ConicalIsland::Settings{}.depth;
-  return {.height = options.amplitude, .spacing = options.spacing * depth};
+  validation::ConicalIsland::Settings settings{.height = options.amplitude};
+  settings.spacing = options.spacing * settings.depth;
+  settings.drag.breaking_slope = 0;  // fronts run through the blocks of several processes
+  return settings;
 }
 
 Units units(const Options& options) {

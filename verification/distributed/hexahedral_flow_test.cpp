@@ -36,17 +36,18 @@ lagrangian_mesh_3d::Mesh box_of_hexahedra(std::shared_ptr<const PlanBottom> bott
 /// @param where  and what, in words
 void compare_with_one(const std::string& id, const std::string& where, const std::string& what,
                       const lagrangian_mesh_3d::Mesh& mesh, const lagrangian_mesh_3d::VelocityAt& velocity = {},
-                      const plan_lattice::Window& window = {}) {
+                      const plan_lattice::Window& window = {},
+                      mechanics::Stepping stepping = mechanics::Stepping::one_step) {
   constexpr double tolerance = 1e-11;
   constexpr double step = 0.2;
   constexpr long steps = 30;
   distributed::HexahedralFlow flow(
       mesh.plan, mesh.layers, [&](const distributed::Patch& patch) { return distributed::part_of(mesh, patch); },
-      mesh.sides, velocity, {.tolerance = tolerance}, true, mechanics::Stepping::one_step, window);
+      mesh.sides, velocity, {.tolerance = tolerance}, true, stepping, window);
   const Outcome shared = outcome(flow, step, steps);
   if (rank() > 0) return;
 
-  lagrangian_mesh_3d::Flow one(mesh, velocity, {}, {.tolerance = 1e-13}, window);
+  lagrangian_mesh_3d::Flow one(mesh, velocity, {.stepping = stepping}, {.tolerance = 1e-13}, window);
   for (long n = 0; n < steps; ++n) one.advance(step);
   Outcome reference{.shifts = one.shifts(), .energy = one.energy()};
   const std::size_t below = mesh.plan.nodes() * mesh.layers;
@@ -96,11 +97,18 @@ TEST_CASE("a flow of hexahedra shared out among processes is that of one process
   compare_with_one("flow", "", hump_in_box, box_of_hexahedra(nullptr));
 }
 
+std::shared_ptr<const PlanBottom> slope() {
+  return std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{
+      {.coefficient = -1}, {.coefficient = 0.02, .x_power = 1}, {.coefficient = 1e-3, .y_power = 2}});
+}
+
 TEST_CASE("a flow of hexahedra over an uneven bottom shared out among processes is that of one process") {
-  compare_with_one(
-      "slope", " over an uneven bottom", hump_in_box,
-      box_of_hexahedra(std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{
-          {.coefficient = -1}, {.coefficient = 0.02, .x_power = 1}, {.coefficient = 1e-3, .y_power = 2}})));
+  compare_with_one("slope", " over an uneven bottom", hump_in_box, box_of_hexahedra(slope()));
+}
+
+TEST_CASE("a conservative flow of hexahedra over an uneven bottom shared out among processes is that of one process") {
+  compare_with_one("conservative", " over an uneven bottom, conservative scheme,", hump_in_box,
+                   box_of_hexahedra(slope()), {}, {}, mechanics::Stepping::conservative);
 }
 
 TEST_CASE("a flow of hexahedra in a moving window shared out among processes is that of one process") {

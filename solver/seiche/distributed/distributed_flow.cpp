@@ -54,16 +54,6 @@ bool has_shoreline(const plan_lattice::Sides& sides) {
   return shore(sides.west) || shore(sides.east) || shore(sides.south) || shore(sides.north);
 }
 
-template <class Model>
-void require_sweepable(const DistributedModel<Model>& model, bool uneven) {
-  if (!model.fuses_step()) return;
-  if (uneven || model.has_driven_sides()) {
-    throw std::invalid_argument(
-        "the conservative scheme on many processes over an uneven bottom or with driven sides; allowed: level bottoms, "
-        "sides at rest, or on one process the model's own flow");
-  }
-}
-
 bool is_conservative(mechanics::Stepping stepping) {
   if (stepping == mechanics::Stepping::one_step_feedback) {
     throw std::invalid_argument("one_step_feedback on many processes; allowed: one_step, conservative");
@@ -140,8 +130,7 @@ Flow<Kind>::Flow(plan_lattice::Shape lattice, std::size_t layers, const MakePart
                  const typename Kind::Settings& settings, bool smooth_start, mechanics::Stepping stepping,
                  plan_lattice::Window window)
     : decomposition_(lattice, std::is_same_v<Kind, PlanModel> ? 3 : 3 * (layers + 1), layers),
-      model_(decomposition_, local_model(part(decomposition_.patch()), settings, sides), sides, settings.tolerance,
-             is_conservative(stepping)),
+      model_(decomposition_, local_model(part(decomposition_.patch()), settings, sides), sides, settings.tolerance),
       state_(model_.local().state(velocity)),
       stepper_(model_),
       sweeper_(model_),
@@ -149,7 +138,6 @@ Flow<Kind>::Flow(plan_lattice::Shape lattice, std::size_t layers, const MakePart
       smooth_start_(smooth_start && !model_.has_driven_sides() && !conservative_),
       window_(std::move(window)) {
   require_movable(window_, model_, decomposition_.patch(), sides);
-  require_sweepable(model_, is_uneven(model_.local()));
   decomposition_.exchange_nodes(state_.u);
   mechanics::Start(model_).project(state_);
 }

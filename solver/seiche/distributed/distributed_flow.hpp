@@ -1,5 +1,5 @@
-/// A flow of a lattice model whose lattice is shared out among processes, stepped by the one-step scheme or, over level
-/// bottoms and without driven sides, the conservative one.
+/// A flow of a lattice model whose lattice is shared out among processes, stepped by the one-step or the conservative
+/// scheme.
 ///
 ///     Runtime runtime(argc, argv);
 ///     PlanFlow flow(lattice.shape, 1, [&](const Patch& patch) { return part_of(lattice, patch); }, lattice.sides,

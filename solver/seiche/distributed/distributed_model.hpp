@@ -15,20 +15,15 @@
 ///
 /// A shoreline is the patches' own that reach it: nodes on the bottom have it below them wherever they are.
 ///
-/// What one process finds infeasible stops all: linearise, enter, settle and shift_east throw on each of them. The
-/// sweeps of ConservativeStep are
-/// the model's own (fused_sweep): the change that ends them is the largest of all processes, so that all end together.
+/// What one process finds infeasible stops all: linearise, enter, settle and shift_east throw on each of them.
 ///
-/// When not to use it: on one machine, where the model alone with its own solvers is faster; with ConservativeStep over
-/// uneven bottoms or with driven sides, where sweeps would have to bring velocities to another configuration.
+/// When not to use it: on one machine, where the model alone with its own solvers is faster.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -38,9 +33,7 @@
 #include "seiche/distributed/cell_system.hpp"
 #include "seiche/distributed/decomposition.hpp"
 #include "seiche/geometry/plan_bottom.hpp"
-#include "seiche/mechanics/conservative_step.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
-#include "seiche/mechanics/projection.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 
@@ -60,13 +53,9 @@ class DistributedModel {
   /// @param local          model of decomposition.patch()
   /// @param sides          of the whole lattice
   /// @param tolerance      relative residual of solve
-  /// @param sweeps         it is stepped by ConservativeStep
   DistributedModel(Decomposition& decomposition, std::unique_ptr<Local> local, const plan_lattice::Sides& sides,
-                   double tolerance, bool sweeps)
-      : decomposition_(decomposition),
-        local_(std::move(local)),
-        system_(decomposition, local_->matrix(), tolerance),
-        sweeps_(sweeps) {
+                   double tolerance)
+      : decomposition_(decomposition), local_(std::move(local)), system_(decomposition, local_->matrix(), tolerance) {
     for (const auto* side : {&sides.west, &sides.east, &sides.south, &sides.north}) {
       driven_ |= std::holds_alternative<plan_lattice::DrivenSide>(*side);
     }
@@ -114,22 +103,8 @@ class DistributedModel {
     local_->join_shift(nodes, cells);
   }
 
-  // What mechanics::FusesSweep asks for.
-  [[nodiscard]] bool fuses_step() const { return sweeps_; }
-  [[noreturn]] void fused_step(Interval, Output, Output, Input, Output) {
-    throw std::logic_error("a one-step step of a model that is set up for sweeps");
-  }
-  /// As ConservativeStep's own sweep, but for the changes, which are those of all processes.
-  mechanics::SweepChange fused_sweep(Interval when, Input q0, Output q1, Input u0, Output mean, Input target, Output mu,
-                                     int sweep) {
-    linearise_between(when, q0, q1, sweep);
-    candidate_.assign(u0.begin(), u0.end());
-    kick(when.length / 2, candidate_);
-    react(mu, candidate_);
-    mechanics::Projection<DistributedModel>(*this).correct(candidate_, target, mu);
-    const mechanics::SweepChange here = mechanics::change_between(mean, candidate_);
-    std::copy(candidate_.begin(), candidate_.end(), mean.begin());
-    advance(q0, mean, when.length, q1);
+  /// Largest of all processes, so that the sweeps of ConservativeStep end together.
+  [[nodiscard]] mechanics::SweepChange of_all(mechanics::SweepChange here) const {
     const bool finite = std::isfinite(here.largest_change) && std::isfinite(here.largest_rate);
     if (Decomposition::least(finite ? 1 : 0) < 1) throw mechanics::Infeasible("a velocity is not finite", 0);
     return {Decomposition::largest(here.largest_change), Decomposition::largest(here.largest_rate)};
@@ -169,9 +144,7 @@ class DistributedModel {
   Decomposition& decomposition_;
   std::unique_ptr<Local> local_;
   CellSystem system_;
-  bool sweeps_;
   bool driven_ = false;
-  std::vector<double> candidate_;  // of a sweep
 };
 
 }  // namespace seiche::distributed

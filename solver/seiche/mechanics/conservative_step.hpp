@@ -123,18 +123,27 @@ class ConservativeStep {
     entered_.assign(before.begin(), before.end());
     candidate_ = entered_;
     model_.kick(when.length / 2, candidate_);
-    if (sweeps_ == 0) kick_ = change_between(entered_, candidate_).largest_change;
+    if (sweeps_ == 0) kick_ = change_of_all(state, entered_, candidate_).largest_change;
     if constexpr (ProjectsItself<Model>) {
       parts_.projection().project(candidate_, target, impulse_);
     } else {
       model_.react(impulse_, candidate_);
       parts_.projection().correct(candidate_, target, impulse_);
     }
-    parts_.require_finite_rates(state, candidate_);
-    const SweepChange change = change_between(mean_, candidate_);
+    const SweepChange change = change_of_all(state, mean_, candidate_);
     mean_.swap(candidate_);
     model_.advance(state.q, mean_, when.length, next_);
     return change;
+  }
+
+  /// change_between, of all processes where several step; throws for rates that are not finite.
+  SweepChange change_of_all(const State& state, Input before, Input after) const {
+    if constexpr (SharedOut<Model>) {
+      return model_.of_all(change_between(before, after));
+    } else {
+      parts_.require_finite_rates(state, after);
+      return change_between(before, after);
+    }
   }
 
   /// The next change, by the contraction seen so far, is a unit in the last place, or below the accuracy of an

@@ -39,6 +39,7 @@
 ///     curvature(u, v, b)         b_s = u^T (Hessian of f_s) v; absent: by differences of J (index_reduced.hpp)
 ///     solver_accuracy()          relative accuracy of solve where it is iterative (conservative_step.hpp), else 0
 ///     place(i)                   coordinate of rate i, for messages
+///     of_all(SweepChange)        the change of a sweep of all processes that share the model out (SharedOut)
 ///     fused_sweep(Interval, q0, q1, u0, mean, target, mu, sweep)   likewise (FusesSweep)
 ///     fused_step(Interval, q, u, target, lambda)   the whole step in few passes, for speed alone (FusesStep)
 ///
@@ -127,6 +128,13 @@ struct SweepChange {
 template <class Model>
 concept FusesSweep = FusesStep<Model> && requires(Model& model, Interval when, Input in, Output out, int sweep) {
   { model.fused_sweep(when, in, out, in, out, in, out, sweep) } -> std::same_as<SweepChange>;
+};
+
+/// A model of which each process steps a part: sweeps end together, by the change of all of them. of_all throws
+/// Infeasible everywhere for a change that is not finite anywhere.
+template <class Model>
+concept SharedOut = requires(const Model& fixed, SweepChange change) {
+  { fixed.of_all(change) } -> std::same_as<SweepChange>;
 };
 
 template <class Model>
