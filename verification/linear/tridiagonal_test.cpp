@@ -48,8 +48,9 @@ Problem random_problem(std::size_t n, bool periodic, double excess, unsigned see
   return p;
 }
 
-/// TwoEndedSweep in the shape of the others: rows become known and unknowns wanted in pieces of `piece` rows.
-template <std::ptrdiff_t piece>
+/// TwoEndedSweep in the shape of the others: rows become known and unknowns wanted in pieces of `piece` rows. In place:
+/// multipliers take the places of couplings, unknowns those of the right-hand side.
+template <std::ptrdiff_t piece, bool in_place = false>
 struct InPieces {
   std::vector<double> diagonal, off_diagonal, multiplier;
   void factor(TridiagonalMatrix a) {
@@ -63,12 +64,16 @@ struct InPieces {
     const auto n = static_cast<std::ptrdiff_t>(diagonal.size());
     std::vector<double> b(right_hand_side.begin(), right_hand_side.end());
     TwoEndedSweep sweep;
-    sweep.begin({diagonal.data(), off_diagonal.data(), b.data(), multiplier.data(), x.data()}, n);
+    if (in_place) std::copy(off_diagonal.begin(), off_diagonal.end(), multiplier.begin());
+    sweep.begin({diagonal.data(), in_place ? multiplier.data() : off_diagonal.data(), b.data(), multiplier.data(),
+                 in_place ? b.data() : x.data()},
+                n);
     for (std::ptrdiff_t known = piece; known < n + piece; known += piece) sweep.eliminate(known, n - known);
     sweep.join();
     for (std::ptrdiff_t wanted = piece; wanted < n + piece; wanted += piece) {
       sweep.substitute(std::max<std::ptrdiff_t>(n / 2 - wanted, 0), std::min(n / 2 + wanted, n));
     }
+    if (in_place) std::copy(b.begin(), b.end(), x.begin());
   }
 };
 
@@ -111,6 +116,8 @@ TEST_CASE("tridiagonal solvers agree with dense elimination", "[linear]") {
   claim("two-ended", "Elimination from both ends.", largest_error<TwoEndedTridiagonal>(false));
   claim("pieces-1", "Elimination from both ends, row by row.", largest_error<InPieces<1>>(false));
   claim("pieces-7", "Elimination from both ends, seven rows at a time.", largest_error<InPieces<7>>(false));
+  claim("in-place", "Elimination from both ends, multipliers in the place of couplings.",
+        largest_error<InPieces<7, true>>(false));
   claim("periodic", "Periodic system.", largest_error<PeriodicTridiagonal>(true));
 }
 

@@ -69,15 +69,17 @@ void TwoEndedSweep::join() {
   double pivot = rows_.diagonal[middle_];
   double value = rows_.right_hand_side[middle_];
   if (middle_ > 0) {
-    const double m = e[middle_ - 1] * front_.inverse;
+    const double coupling = e[middle_ - 1];  // where the multiplier may go
+    const double m = coupling * front_.inverse;
     rows_.multiplier[middle_ - 1] = m;
-    pivot -= e[middle_ - 1] * m;
+    pivot -= coupling * m;
     value -= m * front_.value;
   }
   if (middle_ < n_ - 1) {
-    const double m = e[middle_] * back_.inverse;
+    const double coupling = e[middle_];
+    const double m = coupling * back_.inverse;
     rows_.multiplier[middle_] = m;
-    pivot -= e[middle_] * m;
+    pivot -= coupling * m;
     value -= m * back_.value;
   }
   // A pivot that is zero or not a number passes no comparison on its way here.

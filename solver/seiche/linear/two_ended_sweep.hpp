@@ -22,7 +22,7 @@ class TwoEndedSweep {
     const double* diagonal;
     const double* off_diagonal;
     double* right_hand_side;  ///< overwritten
-    double* multiplier;       ///< work
+    double* multiplier;       ///< work; may be off_diagonal
     double* x;                ///< solution; may be right_hand_side
   };
   void begin(Rows rows, std::ptrdiff_t n);

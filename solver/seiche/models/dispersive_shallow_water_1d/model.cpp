@@ -19,8 +19,8 @@ Model::Model(Channel channel, const Markers& initial, Forcing forcing)
   for (GhostedArray* array : {&push_x_, &push_y_, &p_, &r_, &impulse_}) array->resize(n_);
   level_.assign(static_cast<std::size_t>(blocks()), 0);
   for (Desk& desk : desks_) {
-    desk.bed.resize(static_cast<std::size_t>(block_size));
-    desk.slope.resize(static_cast<std::size_t>(block_size));
+    desk.bed.resize(static_cast<std::size_t>(block_size()));
+    desk.slope.resize(static_cast<std::size_t>(block_size()));
   }
   shore_left_ = initial.x.front();
   shore_right_ = initial.x.back();
@@ -125,7 +125,7 @@ mechanics::State Model::state_of(const Markers& markers) const {
 
 void Model::velocities(Input q, Input rates, Output u, Output v) const {
   Desk& desk = desks_.front();
-  const std::vector<double> origin(static_cast<std::size_t>(block_size), 0.0);
+  const std::vector<double> origin(static_cast<std::size_t>(block_size()), 0.0);
   for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
     const bool level = sample(block, q.data(), desk.bed, 0, desk.slope);
     const auto [first, last] = markers_of(block);

@@ -126,7 +126,7 @@ class Model {
   [[nodiscard]] long solves() const { return solves_; }
 
  private:
-  static constexpr std::ptrdiff_t block_size = 256;
+  static constexpr std::ptrdiff_t long_channel = 65536;  // markers, whose rows are larger than caches
   static constexpr int sweeps_with_new_frames = 3;
 
   /// A step's motion, over which discrete gradients are taken.
@@ -134,7 +134,10 @@ class Model {
     Input q0, q1;
   };
 
-  [[nodiscard]] std::ptrdiff_t blocks() const { return (size_ + block_size - 1) / block_size; }
+  /// Markers of a block. A beach tilts its blocks whole: small ones. Rows that come from memory come sooner in long
+  /// stretches; 2048 markers of all rows still fit in a second cache.
+  [[nodiscard]] std::ptrdiff_t block_size() const { return size_ < long_channel ? 256 : 2048; }
+  [[nodiscard]] std::ptrdiff_t blocks() const { return (size_ + block_size() - 1) / block_size(); }
   [[nodiscard]] Range markers_of(std::ptrdiff_t block) const;
   /// Cells that begin at the block's markers.
   [[nodiscard]] Range cells_of(std::ptrdiff_t block) const;
@@ -164,6 +167,7 @@ class Model {
   struct Desk {
     Bed bed;  // of configurations that are not linearised; begins with the block
     std::vector<double> slope;
+    std::vector<double> force_x, force_y;  // of the block and the marker after it
     Smallest found{};
     mechanics::SweepChange change{};
   };
@@ -174,7 +178,8 @@ class Model {
   /// to = from + h S u for the markers of a block, with the frames at `from`.
   void move_block(std::ptrdiff_t block, Input from, Input u, double h, double* to_x, double* to_y, Desk& desk) const;
   void place_between(std::ptrdiff_t block, Input q0, Input q1);
-  void release_end(std::ptrdiff_t marker, double sign);
+  [[nodiscard]] double release_at_end(std::ptrdiff_t marker, double sign) const;
+  [[nodiscard]] Forces forces() { return {rows_.force_x.row(), rows_.force_y.row()}; }
   void mean_bed(std::ptrdiff_t block, Input q0, Input q1, bool new_frames, Desk& desk);
   [[nodiscard]] Frame end_frame(End end, Frame frame, double slope) const;
 

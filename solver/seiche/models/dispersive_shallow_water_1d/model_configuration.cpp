@@ -10,12 +10,12 @@
 namespace seiche::dispersive_shallow_water_1d {
 
 Range Model::markers_of(std::ptrdiff_t block) const {
-  return {block * block_size, std::min(size_, (block + 1) * block_size)};
+  return {block * block_size(), std::min(size_, (block + 1) * block_size())};
 }
 
 Range Model::cells_of(std::ptrdiff_t block) const {
   const auto cells = static_cast<std::ptrdiff_t>(cells_);
-  return {block * block_size, std::min(cells, (block + 1) * block_size)};
+  return {block * block_size(), std::min(cells, (block + 1) * block_size())};
 }
 
 Frame Model::end_frame(End end, Frame frame, double slope) const {
@@ -175,9 +175,9 @@ void Model::place_between(std::ptrdiff_t block, Input q0, Input q1) {
 }
 
 /// Ghost cells have no extent, but the loop over increments saw an end's motion in them.
-void Model::release_end(std::ptrdiff_t marker, double sign) {
+double Model::release_at_end(std::ptrdiff_t marker, double sign) const {
   const double dy = rows_.step_y.row()[marker];
-  rows_.force_x.row()[marker] += sign * weights_.gravity / 24 * dy * dy;
+  return sign * weights_.gravity / 24 * dy * dy;
 }
 
 void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
@@ -196,10 +196,10 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
     bound_ends(bottom.mean_square(q0[0], q1[0]), bottom.mean_square(q0[n_ - 1], q1[n_ - 1]));
   }
   gather_forces(when);
-  add_increment_forces(rows_, {0, size_}, weights_);
+  add_increment_forces(rows_, {0, size_}, weights_, forces());
   if (!periodic) {
-    release_end(0, 1);
-    release_end(size_ - 1, -1);
+    rows_.force_x.row()[0] += release_at_end(0, 1);
+    rows_.force_x.row()[size_ - 1] += release_at_end(size_ - 1, -1);
   }
   if (channel_.gamma > 0) add_dispersion_forces(q0, q1);
   assemble_and_factor();
@@ -238,7 +238,9 @@ void Model::advance(Input from, Input u, double h, Output to) const {
 
 void Model::kick(double h, Output u) const {
   for (std::ptrdiff_t block = 0; block < blocks(); ++block) {
-    kick_rows(rows_, level(block), markers_of(block), h, u.data(), u.data() + n_);
+    const Range markers = markers_of(block);
+    const GivenForces forces{rows_.force_x.row() + markers.first, rows_.force_y.row() + markers.first};
+    kick_rows(rows_, level(block), markers, forces, h, u.data(), u.data() + n_);
   }
   if (!forcing_.body_force) return;
   for (std::size_t i = 0; i < n_; ++i) {

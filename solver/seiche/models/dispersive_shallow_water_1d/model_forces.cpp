@@ -9,7 +9,7 @@
 namespace seiche::dispersive_shallow_water_1d {
 
 void Model::gather_forces(Interval when) {
-  gravity_forces(rows_, {0, size_}, weights_);
+  gravity_forces(rows_, {0, size_}, weights_, forces());
   if (forcing_.surface_pressure) add_pressure_forces(when.middle());
   if (forcing_.body_force) {
     along_.assign(n_, 0.0);

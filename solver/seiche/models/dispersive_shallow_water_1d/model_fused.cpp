@@ -77,26 +77,33 @@ void Model::assemble_block(std::ptrdiff_t block, double h, Input rates, const do
   measure_cells(rows_, wide_cells);
   bound_block(block, segment);
   if (wide_markers.last == size_) bound_block(blocks() - 1, segment);
-  gravity_forces(rows_, wide_markers, weights_);
+  const auto count = static_cast<std::size_t>(wide_markers.last - wide_markers.first);
+  desk.force_x.resize(count);
+  desk.force_y.resize(count);
+  const Forces forces{desk.force_x.data(), desk.force_y.data()};
+  gravity_forces(rows_, wide_markers, weights_, forces);
   if (segment != nullptr) {
-    add_increment_forces(rows_, wide_markers, weights_);
-    if (wide_markers.first == 0) release_end(0, 1);
-    if (wide_markers.last == size_) release_end(size_ - 1, -1);
+    add_increment_forces(rows_, wide_markers, weights_, forces);
+    if (wide_markers.first == 0) desk.force_x.front() += release_at_end(0, 1);
+    if (wide_markers.last == size_) desk.force_x.back() += release_at_end(size_ - 1, -1);
   }
 
   double* const p = rows_.star_p.row();
   double* const r = rows_.star_r.row();
-  const auto count = static_cast<std::size_t>(wide_markers.last - wide_markers.first);
+  double* const w = rows_.impulse.row();
   std::copy_n(rates.data() + markers.first, count, p + markers.first);
   std::copy_n(rates.data() + n_ + static_cast<std::size_t>(markers.first), count, r + markers.first);
-  kick_rows(rows_, level(block), markers, h, p, r);
-  if (wide_markers.last > markers.last) kick_rows(rows_, level(block + 1), {markers.last, wide_markers.last}, h, p, r);
+  kick_rows(rows_, level(block), markers, {forces.x, forces.y}, h, p, r);
+  if (wide_markers.last > markers.last) {
+    kick_rows(rows_, level(block + 1), {markers.last, wide_markers.last}, {&desk.force_x.back(), &desk.force_y.back()},
+              h, p, r);
+  }
 
   over_cells(block, [&](bool level_cells, Range range) {
     assemble(rows_, level_cells, range);
-    rates_of_cells(rows_, level_cells, range, p, r, rows_.defect.row());
+    rates_of_cells(rows_, level_cells, range, p, r, w);
   });
-  aim(rows_, cells, target);
+  aim(cells, target, w);
   couple(rows_, level(block), markers);
 
   const bool left_tip = markers.first == 0 && channel_.left == End::tip;
@@ -116,8 +123,8 @@ void Model::assemble_from_both_ends(double h, Input rates, Input target, const S
   from_front.found = from_back.found = {infinity, infinity};
   sweep_.begin({.diagonal = rows_.diagonal.row(),
                 .off_diagonal = rows_.coupling.row(),
-                .right_hand_side = rows_.defect.row(),
-                .multiplier = rows_.multiplier.row(),
+                .right_hand_side = rows_.impulse.row(),
+                .multiplier = rows_.coupling.row(),
                 .x = rows_.impulse.row()},
                static_cast<std::ptrdiff_t>(cells_));
   const double* const aims = target.empty() ? nullptr : target.data();
@@ -186,11 +193,11 @@ template <class Use>
 void Model::substitute_from_the_middle(const Use& use) {
   const auto cells = static_cast<std::ptrdiff_t>(cells_);
   const std::ptrdiff_t last = blocks() - 1;
-  const std::ptrdiff_t middle = cells / 2 / block_size;
+  const std::ptrdiff_t middle = cells / 2 / block_size();
   auto& [to_front, to_back] = desks_;
   rows_.impulse.row()[-1] = rows_.impulse.row()[size_ - 1] = 0;
-  const auto first_of = [&](std::ptrdiff_t block) { return std::max<std::ptrdiff_t>(block * block_size - 1, 0); };
-  const auto last_of = [&](std::ptrdiff_t block) { return std::min((block + 1) * block_size, cells); };
+  const auto first_of = [&](std::ptrdiff_t block) { return std::max<std::ptrdiff_t>(block * block_size() - 1, 0); };
+  const auto last_of = [&](std::ptrdiff_t block) { return std::min((block + 1) * block_size(), cells); };
   sweep_.substitute(first_of(middle), last_of(middle));
   use(middle, to_front);
   if (two_threads()) {

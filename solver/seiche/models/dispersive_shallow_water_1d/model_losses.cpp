@@ -137,7 +137,7 @@ void Model::take_friction(double h, Output u, Losses& lost) {
 }
 
 void Model::project_rates(Output u) {
-  const std::span<double> defect(rows_.defect.row(), cells_);
+  const std::span<double> defect(rows_.impulse.row(), cells_);
   constraint_rates(u, defect);
   for (double& d : defect) d = -d;
   solve(defect, loss_impulse_);

@@ -30,9 +30,8 @@ void Rows::resize(std::size_t markers) {
   constexpr std::size_t block_lines = 34;  // a block of markers and two more
   std::size_t shift = 0;
   for (GhostedArray* array :
-       {&x,          &y,      &step_x, &step_y,  &force_x,  &force_y,  &star_p, &star_r,     &mobility_p,
-        &mobility_r, &width,  &mean,   &impulse, &diagonal, &coupling, &defect, &multiplier, &bed.elevation,
-        &bed.xp,     &bed.xr, &bed.yp, &bed.yr}) {
+       {&x,     &y,    &step_x,  &step_y,   &force_x,  &force_y,       &star_p, &star_r, &mobility_p, &mobility_r,
+        &width, &mean, &impulse, &diagonal, &coupling, &bed.elevation, &bed.xp, &bed.xr, &bed.yp,     &bed.yr}) {
     array->resize(markers, shift);
     shift += block_lines;
   }
@@ -146,17 +145,18 @@ template <bool level>
 }
 
 template <bool level>
-[[gnu::always_inline]] inline void kick_body(const Rows& rows, Range markers, double h, double* p, double* r) {
+[[gnu::always_inline]] inline void kick_body(const Rows& rows, Range markers, GivenForces forces, double h, double* p,
+                                             double* r) {
   const Frames<level> frames(rows.bed);
-  const double* const fx = rows.force_x.row();
-  const double* const fy = rows.force_y.row();
   const double* const wp = rows.mobility_p.row();
   const double* const wr = rows.mobility_r.row();
 #pragma omp simd
   for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
     const Frame f = frames.at(i);
-    p[i] += h * wp[i] * (f.xp * fx[i] + f.yp * fy[i]);
-    r[i] += h * wr[i] * (f.xr * fx[i] + f.yr * fy[i]);
+    const double fx = forces.x[i - markers.first];
+    const double fy = forces.y[i - markers.first];
+    p[i] += h * wp[i] * (f.xp * fx + f.yp * fy);
+    r[i] += h * wr[i] * (f.xr * fx + f.yr * fy);
   }
 }
 
@@ -211,11 +211,13 @@ SEICHE_SIMD_CLONES void rates_level(const Rows& rows, Range cells, const double*
 SEICHE_SIMD_CLONES void rates_tilted(const Rows& rows, Range cells, const double* p, const double* r, double* w) {
   rates_body<false>(rows, cells, p, r, w);
 }
-SEICHE_SIMD_CLONES void kick_level(const Rows& rows, Range markers, double h, double* p, double* r) {
-  kick_body<true>(rows, markers, h, p, r);
+SEICHE_SIMD_CLONES void kick_level(const Rows& rows, Range markers, GivenForces forces, double h, double* p,
+                                   double* r) {
+  kick_body<true>(rows, markers, forces, h, p, r);
 }
-SEICHE_SIMD_CLONES void kick_tilted(const Rows& rows, Range markers, double h, double* p, double* r) {
-  kick_body<false>(rows, markers, h, p, r);
+SEICHE_SIMD_CLONES void kick_tilted(const Rows& rows, Range markers, GivenForces forces, double h, double* p,
+                                    double* r) {
+  kick_body<false>(rows, markers, forces, h, p, r);
 }
 SEICHE_SIMD_CLONES void react_level(const Rows& rows, Range markers, const double* mu, double* p, double* r) {
   react_body<true>(rows, markers, mu, p, r);
@@ -246,22 +248,21 @@ SEICHE_SIMD_CLONES void measure_cells(Rows& rows, Range cells) {
   }
 }
 
-SEICHE_SIMD_CLONES void gravity_forces(Rows& rows, Range markers, Weights weights) {
+SEICHE_SIMD_CLONES void gravity_forces(const Rows& rows, Range markers, Weights weights, Forces forces) {
   const double half = 0.5 * weights.gravity;
   const double beta = weights.slope_energy;
   const double* const y = rows.y.row();
   const double* const width = rows.width.row();
   const double* const mean = rows.mean.row();
-  double* const fx = rows.force_x.row();
-  double* const fy = rows.force_y.row();
 #pragma omp simd
   for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
     const double before = y[i] - y[i - 1];
     const double after = y[i + 1] - y[i];
     const double pushed = mean[i - 1] * mean[i - 1] + 0.25 * beta * before * before;
     const double pushing = mean[i] * mean[i] + 0.25 * beta * after * after;
-    fx[i] = half * (pushing - pushed);
-    fy[i] = -half * (width[i - 1] * (mean[i - 1] + 0.5 * beta * before) + width[i] * (mean[i] - 0.5 * beta * after));
+    forces.x[i - markers.first] = half * (pushing - pushed);
+    forces.y[i - markers.first] =
+        -half * (width[i - 1] * (mean[i - 1] + 0.5 * beta * before) + width[i] * (mean[i] - 0.5 * beta * after));
   }
 }
 
@@ -277,8 +278,8 @@ void rates_of_cells(const Rows& rows, bool level, Range cells, const double* p, 
   level ? rates_level(rows, cells, p, r, w) : rates_tilted(rows, cells, p, r, w);
 }
 
-void kick_rows(const Rows& rows, bool level, Range markers, double h, double* p, double* r) {
-  level ? kick_level(rows, markers, h, p, r) : kick_tilted(rows, markers, h, p, r);
+void kick_rows(const Rows& rows, bool level, Range markers, GivenForces forces, double h, double* p, double* r) {
+  level ? kick_level(rows, markers, forces, h, p, r) : kick_tilted(rows, markers, forces, h, p, r);
 }
 
 void react_rows(const Rows& rows, bool level, Range markers, const double* mu, double* p, double* r) {
@@ -307,34 +308,31 @@ SEICHE_SIMD_CLONES Smallest smallest(const Rows& rows, Range cells, Range marker
   return {narrowest, shallowest};
 }
 
-SEICHE_SIMD_CLONES void aim(Rows& rows, Range cells, const double* target) {
-  double* const defect = rows.defect.row();
+SEICHE_SIMD_CLONES void aim(Range cells, const double* target, double* w) {
   if (target == nullptr) {
 #pragma omp simd
-    for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) defect[j] = -defect[j];
+    for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) w[j] = -w[j];
   } else {
 #pragma omp simd
-    for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) defect[j] = target[j] - defect[j];
+    for (std::ptrdiff_t j = cells.first; j < cells.last; ++j) w[j] = target[j] - w[j];
   }
 }
 
-SEICHE_SIMD_CLONES void add_increment_forces(Rows& rows, Range markers, Weights weights) {
+SEICHE_SIMD_CLONES void add_increment_forces(const Rows& rows, Range markers, Weights weights, Forces forces) {
   const double part = weights.gravity / 24;
   const double beta = weights.slope_energy;
   const double* const dx = rows.step_x.row();
   const double* const dy = rows.step_y.row();
-  double* const fx = rows.force_x.row();
-  double* const fy = rows.force_y.row();
 #pragma omp simd
   for (std::ptrdiff_t i = markers.first; i < markers.last; ++i) {
     const double before = dy[i] - dy[i - 1];
     const double after = dy[i + 1] - dy[i];
     const double mean_before = 0.5 * (dy[i] + dy[i - 1]);
     const double mean_after = 0.5 * (dy[i + 1] + dy[i]);
-    fx[i] +=
+    forces.x[i - markers.first] +=
         part * (mean_after * mean_after - mean_before * mean_before + 0.25 * beta * (after * after - before * before));
-    fy[i] -= part * ((dx[i] - dx[i - 1]) * (mean_before + 0.5 * beta * before) +
-                     (dx[i + 1] - dx[i]) * (mean_after - 0.5 * beta * after));
+    forces.y[i - markers.first] -= part * ((dx[i] - dx[i - 1]) * (mean_before + 0.5 * beta * before) +
+                                           (dx[i + 1] - dx[i]) * (mean_after - 0.5 * beta * after));
   }
 }
 

@@ -60,17 +60,16 @@ struct Rows {
   GhostedArray x, y;
   Bed bed;
   GhostedArray step_x, step_y;          // motion over the step, for discrete gradients
-  GhostedArray force_x, force_y;        // -grad Pi and what else acts
+  GhostedArray force_x, force_y;        // -grad Pi and what else acts, in steps that are not fused
   GhostedArray star_p, star_r;          // rates after the kick, in fused steps
   GhostedArray mobility_p, mobility_r;  // 1/m and 1/(alpha m), 0 where an end
                                         // allows no motion; constant
 
   // Of cells.
   GhostedArray width, mean;  // dx and (y_j + y_{j+1})/2
-  GhostedArray impulse;      // of the multipliers, 0 in ghosts
-  GhostedArray diagonal, coupling,
-      defect;               // of A mu = defect; coupling[j] between cells j and j+1
-  GhostedArray multiplier;  // of the elimination, in fused steps
+  // Of A mu = defect: coupling[j] between cells j and j+1, and in its place the multipliers of the elimination; the
+  // defect, and in its place the impulses, 0 in ghosts. Long channels live on what their passes need not fetch.
+  GhostedArray diagonal, coupling, impulse;
 
   void resize(std::size_t markers);
 };
@@ -83,10 +82,17 @@ struct Weights {
 
 /// width and mean of cells.
 void measure_cells(Rows& rows, Range cells);
+/// Of the markers of a range, from its first on.
+struct Forces {
+  double *x, *y;
+};
+struct GivenForces {
+  const double *x, *y;
+};
 /// -grad Pi of markers from the cells on both sides.
-void gravity_forces(Rows& rows, Range markers, Weights weights);
+void gravity_forces(const Rows& rows, Range markers, Weights weights, Forces forces);
 /// What the mean of -grad Pi over a straight motion (step_x, step_y) has beyond its value at the middle.
-void add_increment_forces(Rows& rows, Range markers, Weights weights);
+void add_increment_forces(const Rows& rows, Range markers, Weights weights, Forces forces);
 /// diagonal of cells; coupling of cells i-1 and i for the markers i of the range.
 void assemble(Rows& rows, bool level, Range cells);
 void couple(Rows& rows, bool level, Range markers);
@@ -95,12 +101,12 @@ struct Smallest {
   double width, depth;
 };
 Smallest smallest(const Rows& rows, Range cells, Range markers);
-/// defect = -defect and, if there is a target, + target.
-void aim(Rows& rows, Range cells, const double* target);
+/// The defect, -J u and, if there is a target, + target; w holds J u.
+void aim(Range cells, const double* target, double* w);
 /// w = J u for cells.
 void rates_of_cells(const Rows& rows, bool level, Range cells, const double* p, const double* r, double* w);
 /// u += h W F, u += W J^T mu for markers; mu has ghosts.
-void kick_rows(const Rows& rows, bool level, Range markers, double h, double* p, double* r);
+void kick_rows(const Rows& rows, bool level, Range markers, GivenForces forces, double h, double* p, double* r);
 void react_rows(const Rows& rows, bool level, Range markers, const double* mu, double* p, double* r);
 /// to = from + h S u for markers.
 void advance_rows(const Bed& bed, bool level, Range markers, const double* x, const double* y, const double* p,
