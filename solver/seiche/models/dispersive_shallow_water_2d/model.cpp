@@ -12,6 +12,7 @@
 
 #include "seiche/geometry/bilinear_patch.hpp"
 #include "seiche/linear/tridiagonal.hpp"
+#include "seiche/linear/worth_threads.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/undeformed.hpp"
 #include "seiche/require.hpp"
 
@@ -188,7 +189,7 @@ void Model::measure(Input q, double weight, bool add) {
   if (!add && shape().rows % 2 == 0) clear(shape().rows, 1);
   // Rows of one parity share no nodes; each row of nodes is added to from above and from below, in this order.
   for (std::size_t parity = 0; parity < 2; ++parity) {
-#pragma omp parallel for schedule(static) reduction(min : jacobian, depth) if (shape().cells() > parallel_cells)
+#pragma omp parallel for schedule(static) reduction(min : jacobian, depth) if (shape().cells() > linear::worth_threads)
     for (std::size_t j = parity; j < shape().rows; j += 2) {
       if (!add && parity == 0) clear(j, 2);
       const std::size_t k = j * (columns + 1);
@@ -258,7 +259,7 @@ void Model::push_bodies(double time) {
 void Model::assemble_and_factor() {
   const std::size_t columns = shape().columns;
   const std::size_t rows = shape().rows;
-#pragma omp parallel for schedule(static) if (shape().cells() > parallel_cells)
+#pragma omp parallel for schedule(static) if (shape().cells() > linear::worth_threads)
   for (std::size_t j = 0; j < rows; ++j) {
     assemble_row(columns, j * columns, j * (columns + 1), masses_.full(j) || masses_.full(j + 1), j + 1 < rows,
                  gradients_, masses_.inverse(), matrix_);
@@ -275,7 +276,7 @@ void Model::advance(Input from, Input u, double h, Output to) const {
   const double* const begin = from.data();
   const double* const rate = u.data();
   double* const end = to.data();
-#pragma omp parallel for simd schedule(static) if (parallel : from.size() > 3 * parallel_cells)
+#pragma omp parallel for simd schedule(static) if (parallel : from.size() > 3 * linear::worth_threads)
   for (std::size_t i = 0; i < from.size(); ++i) end[i] = begin[i] + h * rate[i];
 }
 
@@ -283,7 +284,7 @@ void Model::kick(double h, Output u) const {
   const std::size_t n = nodes();
   const std::size_t count = shape().columns + 1;
   if (drag_.absorbs()) drag_.absorb(h, u);
-#pragma omp parallel for schedule(static) if (shape().cells() > parallel_cells)
+#pragma omp parallel for schedule(static) if (shape().cells() > linear::worth_threads)
   for (std::size_t j = 0; j <= shape().rows; ++j) {
     const std::size_t k = j * count;
     kick_row(count, k, masses_.full(j), h, {push_.data() + k, push_.data() + n + k, push_.data() + 2 * n + k},
@@ -314,7 +315,7 @@ void Model::settle(Interval when, Output q, Output u) const {
 void Model::constraint_rates(Input u, Output w) const {
   const std::size_t columns = shape().columns;
   const std::size_t n = nodes();
-#pragma omp parallel for schedule(static) if (shape().cells() > parallel_cells)
+#pragma omp parallel for schedule(static) if (shape().cells() > linear::worth_threads)
   for (std::size_t j = 0; j < shape().rows; ++j) {
     const auto rows = [&](std::size_t axis) {
       const double* lower = u.data() + axis * n + j * (columns + 1);
@@ -327,7 +328,7 @@ void Model::constraint_rates(Input u, Output w) const {
 void Model::react(Input mu, Output u) const {
   const std::size_t columns = shape().columns;
   const std::size_t n = nodes();
-#pragma omp parallel for schedule(static) if (shape().cells() > parallel_cells)
+#pragma omp parallel for schedule(static) if (shape().cells() > linear::worth_threads)
   for (std::size_t j = 0; j <= shape().rows; ++j) {
     const std::size_t k = j * (columns + 1);
     const auto above = static_cast<std::ptrdiff_t>(j * columns);

@@ -166,7 +166,6 @@ class Model {
   [[nodiscard]] double east_width() const { return east_width_; }
 
  private:
-  static constexpr std::size_t parallel_cells = 131072;  // below, threads cost more than they give
   static constexpr double tolerance_of_sweeps = 1e-3;    // of the correction that a sweep makes; the next one goes on
 
   [[nodiscard]] BottomVolume::Places plan(Input q) const { return {q.data(), q.data() + nodes()}; }

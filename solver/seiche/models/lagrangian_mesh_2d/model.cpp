@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "seiche/linear/tridiagonal.hpp"
+#include "seiche/linear/worth_threads.hpp"
 #include "seiche/models/lagrangian_mesh_2d/lattice.hpp"
 #include "seiche/require.hpp"
 
@@ -184,7 +185,7 @@ void Model::measure(Places at) {
   const std::size_t columns = mesh_.columns;
   const std::size_t stride = columns + 1;
   double worst = std::numeric_limits<double>::infinity();
-#pragma omp parallel for schedule(static) reduction(min : worst) if (mesh_.cells() > parallel_cells)
+#pragma omp parallel for schedule(static) reduction(min : worst) if (mesh_.cells() > linear::worth_threads)
   for (std::size_t j = 0; j < mesh_.rows; ++j) {
     const std::size_t k = j * stride;
     worst = std::min(worst, measure_row(columns, j * columns, {at.x + k, at.x + k + stride},
@@ -216,7 +217,7 @@ void Model::assemble_and_factor() {
   const std::size_t stride = columns + 1;
   const double* wx = nodes_.wx().data();
   const double* wy = nodes_.wy().data();
-#pragma omp parallel for schedule(static) if (mesh_.cells() > parallel_cells)
+#pragma omp parallel for schedule(static) if (mesh_.cells() > linear::worth_threads)
   for (std::size_t j = 0; j < mesh_.rows; ++j) {
     const std::size_t k = j * stride;
     assemble_row(columns, j * columns, j + 1 < mesh_.rows, diagonals_, {wx + k, wx + k + stride},
@@ -329,7 +330,7 @@ void Model::constraint_rates(Input u, Output w) const {
   const std::size_t stride = columns + 1;
   const double* ux = u.data();
   const double* uy = u.data() + nodes_.size();
-#pragma omp parallel for schedule(static) if (mesh_.cells() > parallel_cells)
+#pragma omp parallel for schedule(static) if (mesh_.cells() > linear::worth_threads)
   for (std::size_t j = 0; j < mesh_.rows; ++j) {
     const std::size_t k = j * stride;
     rates_of_row(columns, j * columns, diagonals_, {ux + k, ux + k + stride}, {uy + k, uy + k + stride},
@@ -340,7 +341,7 @@ void Model::constraint_rates(Input u, Output w) const {
 void Model::react(Input mu, Output u) const {
   const std::size_t columns = mesh_.columns;
   const std::size_t n = nodes_.size();
-#pragma omp parallel for schedule(static) if (mesh_.cells() > parallel_cells)
+#pragma omp parallel for schedule(static) if (mesh_.cells() > linear::worth_threads)
   for (std::size_t j = 0; j <= mesh_.rows; ++j) {
     const std::size_t k = j * (columns + 1);
     const auto above = static_cast<std::ptrdiff_t>(j * columns);

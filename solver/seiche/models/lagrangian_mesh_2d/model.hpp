@@ -138,7 +138,6 @@ class Model {
   [[nodiscard]] Corner worst_corner(Input q) const;
 
  private:
-  static constexpr std::size_t parallel_cells = 131072;  // below, threads cost more than they give
   static constexpr double tolerance_of_sweeps = 1e-3;    // of the correction that a sweep makes; the next one goes on
 
   /// Cells around a node with their gradients: corner c of the cell is the node.
