@@ -37,7 +37,6 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
       drag_(settings.drag, lattice_, settings.inertia),
       gradients_(lattice_.shape.columns, lattice_.shape.rows),
       push_(3 * lattice_.shape.nodes(), 0.0),
-      scratch_(12 * lattice_.shape.columns * static_cast<std::size_t>(omp_get_max_threads()), 0.0),
       no_cells_(lattice_.shape.columns + 1, 0.0),
       matrix_(lattice_.shape.columns, lattice_.shape.rows),
       solver_(lattice_.shape.columns, lattice_.shape.rows, settings.solver,
@@ -178,6 +177,9 @@ void Model::measure(Input q, double weight, bool add) {
   const std::size_t n = nodes();
   const std::size_t columns = shape().columns;
   const double bottom = bottom_ ? 0.0 : -lattice_.depth;
+  const std::size_t scratch_of_row = 12 * columns;
+  const auto threads = static_cast<std::size_t>(omp_get_max_threads());  // may have become more since the last step
+  scratch_.resize(std::max(scratch_.size(), scratch_of_row * threads));
   double jacobian = std::numeric_limits<double>::infinity();
   double depth = std::numeric_limits<double>::infinity();
   const auto clear = [&](std::size_t row, std::size_t count) {
@@ -201,7 +203,7 @@ void Model::measure(Input q, double weight, bool add) {
         double* lower = push_.data() + axis * n + k;
         return ForceRows{lower, lower + columns + 1};
       };
-      double* scratch = scratch_.data() + 12 * columns * static_cast<std::size_t>(omp_get_thread_num());
+      double* scratch = scratch_.data() + scratch_of_row * static_cast<std::size_t>(omp_get_thread_num());
       const RowExtremes least =
           measure_row(columns, j * columns, {rows(0), rows(1), rows(2)}, bottom, settings_.gravity, weight, add,
                       gradients_, {forces(0), forces(1), forces(2)}, scratch);
