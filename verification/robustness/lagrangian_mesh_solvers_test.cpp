@@ -95,7 +95,7 @@ TEST_CASE("threads change no bit of the motion", "[robustness]") {
               "every bit is the same. Sums are taken in one order.");
   const int threads = omp_get_max_threads();
   constexpr std::size_t rows = 60;
-  constexpr std::size_t columns = worth_threads / rows + 1;
+  constexpr std::size_t columns = worth_threads / rows + 200;
   for (const auto& [id, stepping] : steppings) {
     // On so fine a mesh a direct solver rounds more than sweeps wait for.
     const int sweeps = stepping == Stepping::conservative ? 4 : 0;

@@ -14,9 +14,9 @@ constexpr std::size_t threads_from([[maybe_unused]] std::size_t usual) {
 #endif
 }
 
-/// Unknowns below which passes over a lattice or a row stay on one thread. Two idle cores pay from 2e4 unknowns on; on a
-/// machine whose cores are busy every pass waits for a time slice of the other thread, 4 ms, which small systems do not
-/// make good.
+/// Unknowns below which passes over a lattice or a row stay on one thread. Two idle cores pay from 2e4 unknowns on; on
+/// a machine whose cores are busy every pass waits for a time slice of the other thread, 4 ms, which small systems do
+/// not make good.
 inline constexpr std::size_t worth_threads = threads_from(98304);
 
 }  // namespace seiche::linear

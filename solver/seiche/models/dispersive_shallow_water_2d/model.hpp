@@ -166,7 +166,7 @@ class Model {
   [[nodiscard]] double east_width() const { return east_width_; }
 
  private:
-  static constexpr double tolerance_of_sweeps = 1e-3;    // of the correction that a sweep makes; the next one goes on
+  static constexpr double tolerance_of_sweeps = 1e-3;  // of the correction that a sweep makes; the next one goes on
 
   [[nodiscard]] BottomVolume::Places plan(Input q) const { return {q.data(), q.data() + nodes()}; }
   [[nodiscard]] double cell_volume(Input q, std::size_t cell) const;

@@ -138,7 +138,7 @@ class Model {
   [[nodiscard]] Corner worst_corner(Input q) const;
 
  private:
-  static constexpr double tolerance_of_sweeps = 1e-3;    // of the correction that a sweep makes; the next one goes on
+  static constexpr double tolerance_of_sweeps = 1e-3;  // of the correction that a sweep makes; the next one goes on
 
   /// Cells around a node with their gradients: corner c of the cell is the node.
   struct Around {
