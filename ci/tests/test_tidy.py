@@ -18,8 +18,10 @@ class Stamps(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
-        (self.root / "solver").mkdir()
+        for room in ("solver", "ci"):
+            (self.root / room).mkdir()
         self.write(".clang-tidy", "Checks: bugprone-*\n")
+        self.write(tidy.PLUGIN, "int walked();\n")
         self.write("solver/under.hpp", "int depth();\n")
         self.write("solver/wave.hpp", '#include "under.hpp"\n')
         self.write("solver/other.hpp", "int other();\n")
@@ -33,7 +35,7 @@ class Stamps(unittest.TestCase):
 
     def test_what_a_file_includes_counts(self):
         for path, text in ((".clang-tidy", "Checks: misc-*\n"), ("solver/.clang-tidy", "InheritParentConfig: true\n"),
-                           ("solver/under.hpp", "// NOLINT\nint depth();\n"),
+                           (tidy.PLUGIN, "int walked_otherwise();\n"), ("solver/under.hpp", "// NOLINT\nint depth();\n"),
                            ("solver/wave.hpp", '#include "under.hpp"\nint wave();\n'), ("solver/wave.cpp", "\n")):
             before = self.stamp()
             self.write(path, text)
