@@ -27,6 +27,7 @@
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/samples.hpp"
+#include "verification/wcsph_problems.hpp"
 
 namespace seiche::verification {
 
@@ -338,5 +339,32 @@ class DirectSums {
   wcsph::Settings settings_;
   std::vector<double> pressure_, sound_speed_, smoothing_;
 };
+
+/// Largest differences over the largest rate.
+struct RateDifference {
+  double motion, acceleration, density;
+};
+
+/// Rates of a flow, whose present state has been reached by some steps, against the sums.
+inline RateDifference compare(wcsph::Flow& flow, double spacing) {
+  const wcsph::Particles particles = flow.particles();
+  const wcsph::Rates computed = flow.rates();
+  const wcsph::Rates direct = DirectSums(particles, spacing, flow.settings()).rates();
+  // Rates of walls other than that of their density belong to their motion.
+  const auto difference = [&](const std::vector<double>& values, const std::vector<double>& reference, bool walls) {
+    std::vector<double> mine;
+    std::vector<double> theirs;
+    for (std::size_t a = 0; a < particles.size(); ++a) {
+      if (!walls && particles.kind[a] != wcsph::Kind::fluid) continue;
+      mine.push_back(values[a]);
+      theirs.push_back(reference[a]);
+    }
+    return relative_difference(mine, theirs);
+  };
+  return {
+      seiche::worst(std::array{difference(computed.dx, direct.dx, false), difference(computed.dz, direct.dz, false)}),
+      seiche::worst(std::array{difference(computed.du, direct.du, false), difference(computed.dw, direct.dw, false)}),
+      difference(computed.ddensity, direct.ddensity, true)};
+}
 
 }  // namespace seiche::verification

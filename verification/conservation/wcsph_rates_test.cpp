@@ -41,31 +41,6 @@ Particles layer(std::size_t columns, std::size_t rows) {
   return open;
 }
 
-struct Difference {
-  double motion, acceleration, density;
-};
-
-/// Of a flow whose present state has been reached by some steps.
-Difference compare(Flow& flow) {
-  const Particles particles = flow.particles();
-  const Rates computed = flow.rates();
-  const Rates direct = DirectSums(particles, spacing, flow.settings()).rates();
-  // Rates of walls other than that of their density belong to their motion.
-  const auto difference = [&](const std::vector<double>& values, const std::vector<double>& reference, bool walls) {
-    std::vector<double> mine;
-    std::vector<double> theirs;
-    for (std::size_t a = 0; a < particles.size(); ++a) {
-      if (!walls && particles.kind[a] != Kind::fluid) continue;
-      mine.push_back(values[a]);
-      theirs.push_back(reference[a]);
-    }
-    return relative_difference(mine, theirs);
-  };
-  return {worst(std::array{difference(computed.dx, direct.dx, false), difference(computed.dz, direct.dz, false)}),
-          worst(std::array{difference(computed.du, direct.du, false), difference(computed.dw, direct.dw, false)}),
-          difference(computed.ddensity, direct.ddensity, true)};
-}
-
 struct Setup {
   std::string id, name;
   Particles particles;
@@ -114,7 +89,7 @@ TEST_CASE("rates equal the sums over all pairs for every viscosity, kernel and b
                                 .viscosity = model.viscosity,
                                 .period = setup.period};
         Flow flow(setup.particles, spacing, settings);
-        const Difference found = compare(flow);
+        const RateDifference found = compare(flow, spacing);
         table.rows.push_back(
             {setup.name, std::string(name_of(kernel)), model.name, found.motion, found.acceleration, found.density});
         check.that({.id = fmt::format("{}-{}-{}", setup.id, name_of(kernel), model.id),
@@ -163,7 +138,7 @@ TEST_CASE("rates equal the sums over all pairs with constant smoothing, clamped 
       Flow flow(setup.particles, spacing, settings);
       // Walls are clamped by steps.
       flow.advance(1e-4);
-      const Difference found = compare(flow);
+      const RateDifference found = compare(flow, spacing);
       std::string id = setup.id + "-" + name;
       std::replace(id.begin(), id.end(), ' ', '-');
       check.that({.id = id,

@@ -51,6 +51,19 @@ TEST_CASE("settings out of range are refused by name", "[robustness]") {
   refuse(water, with([](Settings& s) { s.gravity = std::numeric_limits<double>::quiet_NaN(); }), "gravity");
   // Three supports with their skin: 3 x 2 x 0.13 x 1.15 m.
   refuse(lattice(8, 8, spacing, 1000), with([](Settings& s) { s.period = {0.8, 0.8}; }), "period");
+  const auto mixed = [](const auto& change) {
+    return with([&change](Settings& s) {
+      s.storage = Storage::mixed;
+      change(s);
+    });
+  };
+  refuse(water, mixed([](Settings& s) { s.density_diffusion = 0.1; }), "density_diffusion");
+  refuse(water, mixed([](Settings& s) { s.filter_every = 20; }), "filter_every");
+  refuse(water, mixed([](Settings& s) { s.particle_shifting = true; }), "particle_shifting");
+  refuse(water, mixed([](Settings& s) { s.walls = WallPressure::extrapolated; }), "walls");
+  Particles far = water;
+  far.add(5000, 0, 1, 1000);
+  refuse(far, mixed([](Settings& /*s*/) {}), "storage");
   CHECK_THROWS_WITH(kernel_named("gaussian"), Catch::Contains("cubic_spline") && Catch::Contains("wendland_c2"));
 }
 

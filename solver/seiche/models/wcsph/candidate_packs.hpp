@@ -14,6 +14,7 @@ namespace seiche::wcsph {
 template <class Lanes, int count>
 struct SideBySide {
   using Pack = typename Lanes::Pack;
+  using Scalar = typename Lanes::Scalar;
   Pack at[count];
 
   template <class Operation>
@@ -33,16 +34,16 @@ struct SideBySide {
     return of([&](int k) { return a.at[k] * b.at[k]; });
   }
   SEICHE_INLINE friend SideBySide operator+(const SideBySide& a, double b) {
-    return of([&](int k) { return a.at[k] + b; });
+    return of([&](int k) { return a.at[k] + static_cast<Scalar>(b); });
   }
   SEICHE_INLINE friend SideBySide operator-(const SideBySide& a, double b) {
-    return of([&](int k) { return a.at[k] - b; });
+    return of([&](int k) { return a.at[k] - static_cast<Scalar>(b); });
   }
   SEICHE_INLINE friend SideBySide operator-(double a, const SideBySide& b) {
-    return of([&](int k) { return a - b.at[k]; });
+    return of([&](int k) { return static_cast<Scalar>(a) - b.at[k]; });
   }
   SEICHE_INLINE friend SideBySide operator*(double a, const SideBySide& b) {
-    return of([&](int k) { return a * b.at[k]; });
+    return of([&](int k) { return static_cast<Scalar>(a) * b.at[k]; });
   }
 };
 

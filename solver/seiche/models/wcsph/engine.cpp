@@ -62,8 +62,10 @@ Flow::Engine::Engine(Particles particles, double spacing, const Settings& settin
       walls_(settings.kernel, fluid_),
       rates_(settings, spacing),
       shifting_(settings.kernel, spacing),
-      stage_(fluid_, smoothing_, settings.variable_smoothing, rates_.sound_scale(), rates_.turbulent()),
-      neighbours_(mean_spacing_, expected_box(particles_), settings.period),
+      stage_(fluid_, smoothing_, settings.variable_smoothing, rates_.sound_scale(), rates_.turbulent(),
+             settings.storage),
+      neighbours_(mean_spacing_, expected_box(particles_), settings.period,
+                  settings.storage == Storage::mixed ? pair_loops().mixed.lanes : pair_loops().full.lanes),
       reserve_(settings.skin * support * smoothing_),
       listed_reserve_(reserve_) {
   rates_.resize(particles_.size());
@@ -90,10 +92,7 @@ void Flow::Engine::check_start() const {
           laminar->kinematic_viscosity, highest));
     }
   }
-  std::vector<std::int32_t> sources(particles_.size());
-  for (std::size_t i = 0; i < sources.size(); ++i) sources[i] = static_cast<std::int32_t>(i);
-  for (const Image& image : neighbours_.images()) sources.push_back(image.source);
-  check_distances(particles_, stage_.records(), neighbours_.clusters(), sources, spacing_);
+  check_distances(particles_, neighbours_.images(), neighbours_.clusters(), spacing_);
 }
 
 void Flow::Engine::sort(double reserve) {
@@ -109,7 +108,11 @@ void Flow::Engine::sort(double reserve) {
     neighbours_.reorder(reference_z_, scratch);
   }
   stage_.adopt(particles_, neighbours_.images());
-  neighbours_.list(stage_.records());
+  if (settings_.storage == Storage::mixed) {
+    list<MixedRecord>(reserve);
+  } else {
+    list<Record>(reserve);
+  }
   listed_reserve_ = reserve;
   ++extremes_.rebuilds;
 
@@ -119,6 +122,18 @@ void Flow::Engine::sort(double reserve) {
         fmt::format("{:.0f} neighbours of a particle, {:.0f} are usual", neighbours_.most_neighbours(), usual), time_,
         steps_, particles_.x[neighbours_.most_crowded()]);
   }
+}
+
+template <class SomeRecord>
+void Flow::Engine::list(double reserve) {
+  const Units& units = stage_.units();
+  const SearchWork<SomeRecord> work{.records = stage_.held<SomeRecord>().records.data(),
+                                    .skin = reserve * units.per_length,
+                                    .place_unit = units.place * units.per_length};
+  const CandidateSearch<SomeRecord> search = rate_loops<SomeRecord>().search;
+  neighbours_.list(particles_, [&](const Cluster& cluster, std::span<const IndexRange> ranges, std::int32_t* to) {
+    return search(work, cluster, ranges.data(), ranges.size(), to);
+  });
 }
 
 void Flow::Engine::fill_level() {
@@ -161,7 +176,14 @@ void Flow::Engine::evaluate_level(bool limited) {
 Rates Flow::Engine::rates() {
   fill_level();
   evaluate_level(false);
-  return {.dx = rates_.dx, .dz = rates_.dz, .du = rates_.du, .dw = rates_.dw, .ddensity = rates_.ddensity};
+  return rates_.with_rates([](const auto& rates) {
+    const auto copy = [](const auto& values) { return std::vector<double>(values.begin(), values.end()); };
+    return Rates{.dx = copy(rates.dx),
+                 .dz = copy(rates.dz),
+                 .du = copy(rates.du),
+                 .dw = copy(rates.dw),
+                 .ddensity = copy(rates.ddensity)};
+  });
 }
 
 Flow::Engine::PaddlePoses Flow::Engine::paddles_at(double time) const {

@@ -45,6 +45,8 @@ class Flow::Engine {
  private:
   void check_start() const;
   void sort(double reserve);
+  template <class SomeRecord>
+  void list(double reserve);
   void fill_level();
   void evaluate(double time, bool limited);
   void evaluate_level(bool limited);

@@ -19,6 +19,9 @@ SEICHE_SIMD_CLONES void add_scaled(const double* value, const double* rate, doub
                                    double* sum) {
   for (std::size_t i = 0; i < count; ++i) sum[i] = value[i] + tau * rate[i];
 }
+SEICHE_SIMD_CLONES void add_scaled(const double* value, const float* rate, double tau, std::size_t count, double* sum) {
+  for (std::size_t i = 0; i < count; ++i) sum[i] = value[i] + tau * static_cast<double>(rate[i]);
+}
 
 struct Survey {
   bool bad = false;
@@ -79,10 +82,14 @@ double Flow::Engine::step_by_rule() const {
     }
   }
   if (settings_.limit_by_forces) {
-    double greatest = 0;
-    for (std::size_t i = 0; i < neighbours_.fluid(); ++i) {
-      greatest = std::max(greatest, std::hypot(rates_.du[i], rates_.dw[i]) / stage_.records()[i].smoothing);
-    }
+    const double greatest = rates_.with_rates([this](const auto& rates) {
+      double found = 0;
+      for (std::size_t i = 0; i < neighbours_.fluid(); ++i) {
+        const double force = std::hypot(rates.du[i], rates.dw[i]);
+        found = std::max(found, force / stage_.smoothing(i));
+      }
+      return found;
+    });
     if (greatest > 0) tau = std::min(tau, 0.3 / std::sqrt(greatest));
   }
   const double acoustic = settings_.courant * smoothing_ / settings_.sound_speed;
@@ -112,11 +119,13 @@ void Flow::Engine::finish_step(double tau) {
 
 void Flow::Engine::moved(double tau, const PaddlePoses& poses, std::size_t first, std::size_t count,
                          StateBlock& to) const {
-  add_scaled(&particles_.x[first], &rates_.dx[first], tau, count, to.x.data());
-  add_scaled(&particles_.z[first], &rates_.dz[first], tau, count, to.z.data());
-  add_scaled(&particles_.u[first], &rates_.du[first], tau, count, to.u.data());
-  add_scaled(&particles_.w[first], &rates_.dw[first], tau, count, to.w.data());
-  add_scaled(&particles_.density[first], &rates_.ddensity[first], tau, count, to.density.data());
+  rates_.with_rates([&](const auto& rates) {
+    add_scaled(&particles_.x[first], &rates.dx[first], tau, count, to.x.data());
+    add_scaled(&particles_.z[first], &rates.dz[first], tau, count, to.z.data());
+    add_scaled(&particles_.u[first], &rates.du[first], tau, count, to.u.data());
+    add_scaled(&particles_.w[first], &rates.dw[first], tau, count, to.w.data());
+    add_scaled(&particles_.density[first], &rates.ddensity[first], tau, count, to.density.data());
+  });
   const bool clamped = settings_.walls == WallPressure::clamped;
   for (std::size_t i = std::max(first, neighbours_.fluid()); i < first + count; ++i) {
     const std::size_t k = i - first;

@@ -19,7 +19,7 @@
 ///
 /// Evaluation: particles are kept sorted in tiles, so that few consecutive ones (a cluster, one SIMD register) share a
 /// list of candidates within 2h and a skin. Every particle gathers its own sums: no write conflicts, the same bytes
-/// from any number of threads.
+/// from any number of threads. For a million particles and more there is Storage::mixed.
 ///
 /// When not to use it: incompressible flow to more than about a per cent; pressures at walls without
 /// WallPressure::extrapolated and density diffusion (wall_gauge.hpp reads them); vortices at Reynolds numbers above

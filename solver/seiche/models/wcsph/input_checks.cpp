@@ -46,8 +46,9 @@ void check_period(const Settings& settings, double smoothing_length) {
   }
 }
 
-void check_distances(const Particles& particles, std::span<const Record> records, std::span<const Cluster> clusters,
-                     std::span<const std::int32_t> sources, double spacing) {
+void check_distances(const Particles& particles, std::span<const Image> images, std::span<const Cluster> clusters,
+                     double spacing) {
+  const std::size_t count = particles.size();
   // A lattice that stands exactly at the limit is all right.
   const double nearest_wall = 0.5 * spacing * (1 - 1e-9);
   const double nearest_fluid = 1e-6 * spacing;
@@ -56,15 +57,18 @@ void check_distances(const Particles& particles, std::span<const Record> records
       const auto a = static_cast<std::size_t>(i);
       if (particles.kind[a] != Kind::fluid) continue;
       for (const std::int32_t* j = cluster.begin; j != cluster.end; ++j) {
-        const Record& other = records[static_cast<std::size_t>(*j)];
-        const auto b = static_cast<std::size_t>(sources[static_cast<std::size_t>(*j)]);
+        const auto record = static_cast<std::size_t>(*j);
+        const Image other = record < count ? Image{*j, 0, 0} : images[record - count];
+        const auto b = static_cast<std::size_t>(other.source);
         if (b == a) continue;
-        const double distance = std::hypot(records[a].x - other.x, records[a].z - other.z);
+        const double x = particles.x[b] + other.shift_x;
+        const double z = particles.z[b] + other.shift_z;
+        const double distance = std::hypot(particles.x[a] - x, particles.z[a] - z);
         const bool wall = particles.kind[b] != Kind::fluid;
         if (distance >= (wall ? nearest_wall : nearest_fluid)) continue;
         throw std::invalid_argument(fmt::format(
             "particles {} at ({:.9g}, {:.9g}) and {} at ({:.9g}, {:.9g}) are {:.3g} apart: {}", particles.identity[a],
-            records[a].x, records[a].z, particles.identity[b], other.x, other.z, distance,
+            particles.x[a], particles.z[a], particles.identity[b], x, z, distance,
             wall ? fmt::format("fluid must keep {:g}, half a spacing, from walls", 0.5 * spacing)
                  : fmt::format("two fluid particles must keep {:g}, a millionth of the spacing", nearest_fluid)));
       }

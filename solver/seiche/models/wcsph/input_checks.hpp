@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "seiche/models/wcsph/neighbours.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"
 #include "seiche/models/wcsph/particles.hpp"
 #include "seiche/models/wcsph/settings.hpp"
@@ -15,7 +16,7 @@ void check_particles(const Particles& particles, std::size_t paddles);
 /// A period of at least three supports with their reserve: a particle meets one image of another at most.
 void check_period(const Settings& settings, double smoothing_length);
 /// No two fluid particles in one place, none in a wall.
-void check_distances(const Particles& particles, std::span<const Record> records, std::span<const Cluster> clusters,
-                     std::span<const std::int32_t> sources, double spacing);
+void check_distances(const Particles& particles, std::span<const Image> images, std::span<const Cluster> clusters,
+                     double spacing);
 
 }  // namespace seiche::wcsph

@@ -1,8 +1,9 @@
 /// What all loops over pairs on lanes share: records of a cluster as packs, distances, the visit of candidates;
 /// internal to them.
 ///
-/// `Lanes` has Pack, a vector of Lanes::width doubles; on it positive and negative (largest or smallest of it and 0),
-/// largest, less (one bit per lane), where_less and inverse_root.
+/// `Lanes` has the Record that it reads; Pack, a vector of Lanes::width Scalars; on it positive and negative (largest
+/// or smallest of it and 0), largest, less (one bit per lane), where_less and inverse_root; places() of records and the
+/// distances() of one from them; Wide, sums of Packs in double precision.
 ///
 /// Included by each version of the loops after its target is chosen, so nothing of the standard library is used here.
 #pragma once
@@ -13,21 +14,22 @@
 
 namespace seiche::wcsph {
 
-/// Keeps 1/r finite at r = 0, far below any distance squared.
-inline constexpr double least_square = 1e-200;
-
+/// Records of a cluster.
 template <class Lanes>
 struct Block {
-  typename Lanes::Pack x, z, u, w, density, pressure, smoothing, sound;
+  typename Lanes::Places x, z;
+  typename Lanes::Pack u, w, density, pressure, smoothing, sound;
+  typename Lanes::Scalar place_unit;
 };
 
 template <class Lanes>
-SEICHE_INLINE Block<Lanes> load_block(const Record* records) {
+SEICHE_INLINE Block<Lanes> load_block(const typename Lanes::Record* records, double place_unit = 1) {
   Block<Lanes> a;
+  a.place_unit = static_cast<typename Lanes::Scalar>(place_unit);
+  a.x = Lanes::places(records, &Lanes::Record::x);
+  a.z = Lanes::places(records, &Lanes::Record::z);
   for (int l = 0; l < Lanes::width; ++l) {
-    const Record& record = records[l];
-    a.x[l] = record.x;
-    a.z[l] = record.z;
+    const typename Lanes::Record& record = records[l];
     a.u[l] = record.u;
     a.w[l] = record.w;
     a.density[l] = record.density;
@@ -39,7 +41,7 @@ SEICHE_INLINE Block<Lanes> load_block(const Record* records) {
 }
 
 template <class Lanes>
-SEICHE_INLINE void store(typename Lanes::Pack values, double* to, const Cluster& cluster) {
+SEICHE_INLINE void store(typename Lanes::Pack values, typename Lanes::Scalar* to, const Cluster& cluster) {
   if (cluster.count == Lanes::width) {
     __builtin_memcpy(to + cluster.first, &values, sizeof values);
   } else {
@@ -52,8 +54,57 @@ SEICHE_INLINE typename Lanes::Pack magnitude(typename Lanes::Pack value) {
   return Lanes::largest(value, -value);
 }
 
+/// A sum over candidates in double precision; of single precision, those side by side are added up before.
+template <class Lanes>
+class Sum {
+ public:
+  using Values = SideBySide<Lanes, abreast>;
+
+  /// Adds a b of each candidate.
+  SEICHE_INLINE void add(const Values& a, const Values& b) {
+    if constexpr (Lanes::single) {
+      typename Lanes::Pack part = a.at[0] * b.at[0];
+      for (int k = 1; k < abreast; ++k) part += a.at[k] * b.at[k];
+      Lanes::add(sum_, part);
+    } else {
+      for (int k = 0; k < abreast; ++k) sum_ += a.at[k] * b.at[k];
+    }
+  }
+  SEICHE_INLINE void subtract(const Values& a, const Values& b) {
+    if constexpr (Lanes::single) {
+      typename Lanes::Pack part = a.at[0] * b.at[0];
+      for (int k = 1; k < abreast; ++k) part += a.at[k] * b.at[k];
+      Lanes::add(sum_, -part);
+    } else {
+      for (int k = 0; k < abreast; ++k) sum_ -= a.at[k] * b.at[k];
+    }
+  }
+  [[nodiscard]] SEICHE_INLINE Sum plus(const Sum& other) const {
+    Sum both;
+    if constexpr (Lanes::single) {
+      both.sum_ = {sum_.low + other.sum_.low, sum_.high + other.sum_.high};
+    } else {
+      both.sum_ = sum_ + other.sum_;
+    }
+    return both;
+  }
+  /// Times a factor, in the precision of the lanes.
+  [[nodiscard]] SEICHE_INLINE typename Lanes::Pack times(double factor) const {
+    if constexpr (Lanes::single) {
+      return Lanes::narrow(factor, sum_);
+    } else {
+      return factor * sum_;
+    }
+  }
+
+ private:
+  typename Lanes::Wide sum_{};
+};
+
 /// Records of the next candidates; those after them are on their way to the cache when their turn comes.
-SEICHE_INLINE void load_records(const Record* records, const std::int32_t* candidate, const Record* (&b)[abreast]) {
+template <class SomeRecord>
+SEICHE_INLINE void load_records(const SomeRecord* records, const std::int32_t* candidate,
+                                const SomeRecord* (&b)[abreast]) {
   for (int k = 0; k < abreast; ++k) {
     b[k] = records + candidate[k];
     __builtin_prefetch(records + candidate[k + candidates_ahead]);
@@ -68,10 +119,10 @@ struct Distance {
   Values inverse_area;  ///< 1/(r (h_a + h_b))
   Values inverse_width;
 
-  SEICHE_INLINE Distance(const Block<Lanes>& a, const Record* const (&b)[abreast]) {
-    x = Values::of([&](int k) { return a.x - b[k]->x; });
-    z = Values::of([&](int k) { return a.z - b[k]->z; });
-    const Values square = x * x + (z * z + least_square);
+  SEICHE_INLINE Distance(const Block<Lanes>& a, const typename Lanes::Record* const (&b)[abreast]) {
+    x = Values::of([&](int k) { return Lanes::distances(a.x, b[k]->x, a.place_unit); });
+    z = Values::of([&](int k) { return Lanes::distances(a.z, b[k]->z, a.place_unit); });
+    const Values square = x * x + (z * z + Lanes::least_square);
     const Values width = Values::of([&](int k) { return a.smoothing + b[k]->smoothing; });
     const Values scaled = square * width;
     inverse_area = inverse_root(scaled * width);
@@ -85,10 +136,11 @@ struct Distance {
 /// places of the pairs, and the kernel there, until the list ends.
 /// @tparam Pair  Distance, or more
 template <class Kernel, class Pair, class Lanes, class Visit>
-SEICHE_INLINE void visit_candidates(const Record* records, const Cluster& cluster, const Block<Lanes>& a, Visit visit) {
+SEICHE_INLINE void visit_candidates(const typename Lanes::Record* records, const Cluster& cluster,
+                                    const Block<Lanes>& a, Visit visit) {
   using Shape = LaneKernel<typename Pair::Values, Kernel>;
   for (const std::int32_t* candidate = cluster.begin; candidate < cluster.end; candidate += abreast) {
-    const Record* b[abreast];
+    const typename Lanes::Record* b[abreast];
     load_records(records, candidate, b);
     const Pair pair(a, b);
     visit(candidate, b, pair, Shape(pair.s, pair.inverse_area, pair.inverse_width));

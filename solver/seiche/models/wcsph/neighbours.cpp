@@ -25,8 +25,8 @@ void wrap(std::vector<double>& values, double period) {
 
 }  // namespace
 
-Neighbours::Neighbours(double spacing, const Box& box, Period period)
-    : spacing_(spacing), expected_(box), period_(period) {}
+Neighbours::Neighbours(double spacing, const Box& box, Period period, std::size_t lanes)
+    : spacing_(spacing), expected_(box), period_(period), lanes_(lanes) {}
 
 Box Neighbours::box_of(const Particles& particles) const {
   const auto [left, right] = std::minmax_element(particles.x.begin(), particles.x.end());
@@ -39,7 +39,6 @@ Box Neighbours::box_of(const Particles& particles) const {
 }
 
 void Neighbours::sort(Particles& particles, double widest, double reserve) {
-  reserve_ = reserve;
   reach_ = 2 * widest + reserve;
   wrap(particles.x, period_.x);
   wrap(particles.z, period_.z);
@@ -71,7 +70,7 @@ void Neighbours::sort(Particles& particles, double widest, double reserve) {
 
   make_images(particles);
   clusters_.clear();
-  clusters_.reserve(n / pair_loops().lanes + 2);
+  clusters_.reserve(n / lanes_ + 2);
   make_clusters(0, fluid_count_);
   fluid_clusters_ = clusters_.size();
   make_clusters(fluid_count_, n);
@@ -116,10 +115,9 @@ void Neighbours::make_images(const Particles& particles) {
 }
 
 void Neighbours::make_clusters(std::size_t first, std::size_t last) {
-  const std::size_t lanes = pair_loops().lanes;
-  for (std::size_t i = first; i < last; i += lanes) {
+  for (std::size_t i = first; i < last; i += lanes_) {
     clusters_.push_back(
-        {.first = static_cast<std::int32_t>(i), .count = static_cast<std::int32_t>(std::min(lanes, last - i))});
+        {.first = static_cast<std::int32_t>(i), .count = static_cast<std::int32_t>(std::min(lanes_, last - i))});
   }
 }
 
@@ -148,10 +146,9 @@ void Neighbours::make_room(std::vector<std::int32_t>& list, std::size_t room, st
   list.resize(list.capacity());
 }
 
-void Neighbours::list_share(std::span<const Record> records, std::size_t thread, std::size_t threads) {
+void Neighbours::list_share(const Particles& particles, const Search& search, std::size_t thread, std::size_t threads) {
   const std::size_t first = clusters_.size() * thread / threads;
   const std::size_t last = clusters_.size() * (thread + 1) / threads;
-  const CandidateSearch search = pair_loops().search;
   std::vector<std::int32_t>& list = lists_[thread];
   std::vector<IndexRange>& ranges = ranges_[thread];
   Tally& tally = tallies_[thread];
@@ -161,12 +158,12 @@ void Neighbours::list_share(std::span<const Record> records, std::size_t thread,
   for (std::size_t c = first; c < last; ++c) {
     Cluster& cluster = clusters_[c];
     const auto a = static_cast<std::size_t>(cluster.first);
-    Box box{records[a].x, records[a].x, records[a].z, records[a].z};
+    Box box{particles.x[a], particles.x[a], particles.z[a], particles.z[a]};
     for (std::size_t i = a + 1; i < a + static_cast<std::size_t>(cluster.count); ++i) {
-      box.left = std::min(box.left, records[i].x);
-      box.right = std::max(box.right, records[i].x);
-      box.bottom = std::min(box.bottom, records[i].z);
-      box.top = std::max(box.top, records[i].z);
+      box.left = std::min(box.left, particles.x[i]);
+      box.right = std::max(box.right, particles.x[i]);
+      box.bottom = std::min(box.bottom, particles.z[i]);
+      box.top = std::max(box.top, particles.z[i]);
     }
     const bool fluid = c < fluid_clusters_;
     collect_ranges({box.left - reach_, box.right + reach_, box.bottom - reach_, box.top + reach_}, fluid, ranges);
@@ -174,7 +171,7 @@ void Neighbours::list_share(std::span<const Record> records, std::size_t thread,
     std::size_t room = used + group + candidates_ahead;
     for (const IndexRange& range : ranges) room += static_cast<std::size_t>(range.end - range.begin);
     if (list.size() < room) make_room(list, room, first, c, last);
-    const Found found = search(records.data(), cluster, ranges.data(), ranges.size(), reserve_, list.data() + used);
+    const Found found = search(cluster, ranges, list.data() + used);
     used += static_cast<std::size_t>(found.candidates);
     while (used % group != 0) list[used++] = nobody;
     work_before_[c + 1] = static_cast<std::size_t>(found.candidates);
@@ -196,14 +193,14 @@ void Neighbours::list_share(std::span<const Record> records, std::size_t thread,
   }
 }
 
-void Neighbours::list(std::span<const Record> records) {
+void Neighbours::list(const Particles& particles, const Search& search) {
   const auto threads = clusters_.size() > worth_threads ? static_cast<std::size_t>(omp_get_max_threads()) : 1;
   lists_.resize(std::max(lists_.size(), threads));
   ranges_.resize(lists_.size());
   tallies_.resize(lists_.size());
   work_before_.resize(clusters_.size() + 1);
 #pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads))
-  for (std::size_t thread = 0; thread < threads; ++thread) list_share(records, thread, threads);
+  for (std::size_t thread = 0; thread < threads; ++thread) list_share(particles, search, thread, threads);
   pairs_ = 0;
   most_ = {};
   for (std::size_t thread = 0; thread < threads; ++thread) {

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -32,7 +33,8 @@ class Neighbours {
  public:
   /// @param spacing  mean distance of particles [m]
   /// @param box      where particles are to be expected; sorted less well outside
-  Neighbours(double spacing, const Box& box, Period period);
+  /// @param lanes    particles of a cluster
+  Neighbours(double spacing, const Box& box, Period period, std::size_t lanes);
 
   /// New order of the particles: fluid first. Wraps positions into the box. `widest` is the longest smoothing length.
   void sort(Particles& particles, double widest, double reserve);
@@ -45,8 +47,10 @@ class Neighbours {
     for (std::size_t i = 0; i < scratch.size(); ++i) scratch[i] = values[static_cast<std::size_t>(order_[i])];
     values.swap(scratch);
   }
-  /// Lists for the records, whose positions are those of the last sort().
-  void list(std::span<const Record> records);
+  /// Appends the candidates of a cluster among ranges of records to the list; see CandidateSearch.
+  using Search = std::function<Found(const Cluster& cluster, std::span<const IndexRange> ranges, std::int32_t* list)>;
+  /// Lists for the particles, at the places of the last sort().
+  void list(const Particles& particles, const Search& search);
 
   [[nodiscard]] std::size_t fluid() const { return fluid_count_; }
   [[nodiscard]] bool is_fluid(std::size_t record) const {
@@ -89,7 +93,7 @@ class Neighbours {
   void make_images(const Particles& particles);
   void make_clusters(std::size_t first, std::size_t last);
   [[nodiscard]] Box box_of(const Particles& particles) const;
-  void list_share(std::span<const Record> records, std::size_t thread, std::size_t threads);
+  void list_share(const Particles& particles, const Search& search, std::size_t thread, std::size_t threads);
   /// Makes room for so many candidates in a list that has come so far through the clusters [first, last).
   static void make_room(std::vector<std::int32_t>& list, std::size_t room, std::size_t first, std::size_t at,
                         std::size_t last);
@@ -100,8 +104,8 @@ class Neighbours {
   double spacing_;
   Box expected_;
   Period period_;
+  std::size_t lanes_;
   double reach_ = 0;  ///< longest distance of a candidate
-  double reserve_ = 0;
   TileGrid grid_;
   BinnedOrder fluid_, walls_, fluid_images_, wall_images_;
   std::size_t fluid_count_ = 0;

@@ -4,7 +4,8 @@
 /// is broadcast to all lanes: no gathers, no sums across lanes, no two threads writing to one place. Terms of a pair
 /// are symmetric or antisymmetric in its particles bit by bit, so forces cancel in sums over all particles.
 ///
-/// The loops exist for AVX-512 (8 lanes), AVX2 (4) and any machine (2); pair_loops() chooses when first called.
+/// The loops exist for AVX-512 (8 lanes), AVX2 (4) and any machine (2); pair_loops() chooses when first called. Those
+/// of Storage::mixed have twice as many lanes.
 #pragma once
 
 #include <cstddef>
@@ -34,10 +35,33 @@ struct alignas(64) Record {
   double sound;      ///< c times PairWork::sound_scale
 };
 
-/// Stress of unresolved eddies over rho^2, and the volume m/rho.
-struct Stress {
-  double xx, xz, zz, volume;
+/// The same in half the memory (Storage::mixed). Lengths are over h_0, densities over rho_0, and places whole numbers
+/// of a unit that MixedScale has: of whole numbers, differences are exact and antisymmetric, wherever the pair is.
+struct alignas(32) MixedRecord {
+  std::int32_t x, z;
+  float u, w, density;
+  float pressure;  ///< P rho_0/rho^2
+  float smoothing;
+  float sound;  ///< c times RateWork::sound_scale
 };
+
+template <class Record>
+struct RealOf;
+template <>
+struct RealOf<Record> {
+  using Type = double;
+};
+template <>
+struct RealOf<MixedRecord> {
+  using Type = float;
+};
+
+/// Stress of unresolved eddies over rho^2, and the volume m/rho; over rho_0 and h_0 beside mixed records.
+template <class Real>
+struct StressOf {
+  Real xx, xz, zz, volume;
+};
+using Stress = StressOf<double>;
 
 /// Particles first, ..., first + count - 1 and what may lie within their supports.
 struct Cluster {
@@ -49,21 +73,31 @@ struct Cluster {
 
 enum class Friction { none, artificial, laminar, turbulent };
 
-/// Where the loops read and write.
-struct PairWork {
-  const Record* records;
-  const double* mass;
-  Stress* stress;
+/// Where the loops of rates read and write.
+/// @tparam SomeRecord  Record or MixedRecord
+template <class SomeRecord>
+struct RateWork {
+  using Real = typename RealOf<SomeRecord>::Type;
+  const SomeRecord* records;
+  const Real* mass;  ///< beside mixed records over rho_0 h_0^2
+  StressOf<Real>* stress;
   const Cluster* clusters;
-  // Rates of change; limit is (c + sigma)/h, whose largest value limits the step.
-  double *dx, *dz, *du, *dw, *ddensity, *limit;
+  // Rates of change.
+  Real *dx, *dz, *du, *dw, *ddensity;
+  /// Largest (c + sigma)/h of each cluster, which limits the step.
+  Real* limit;
   double gravity;
   double xsph;
   double sound_scale;          ///< -alpha/2 with artificial viscosity, 1 otherwise: saves a product per pair
   double kinematic_viscosity;  ///< nu_0
   double eddy_factor;          ///< (C_S Delta)^2
   double isotropic_factor;     ///< (2/3) C_I Delta^2
+  // What mixed records are in terms of.
+  double place_unit = 1;    ///< of their places, over h_0
+  double per_length = 1;    ///< 1/h_0
+  double density_unit = 1;  ///< rho_0
 };
+using PairWork = RateWork<Record>;
 
 /// Gradient of the density, and the volume m/rho of fluid, 0 of walls.
 struct DensityGradient {
@@ -116,8 +150,8 @@ struct FilterWork {
 };
 
 /// Clusters first, ..., last - 1.
-using PairLoop = void (*)(const PairWork& work, std::size_t first, std::size_t last);
-
+template <class SomeRecord>
+using RateLoop = void (*)(const RateWork<SomeRecord>& work, std::size_t first, std::size_t last);
 using DiffusionLoop = void (*)(const DiffusionWork& work, std::size_t first, std::size_t last);
 using ShiftLoop = void (*)(const ShiftWork& work, std::size_t first, std::size_t last);
 using WallPressureLoop = void (*)(const WallPressureWork& work, std::size_t first, std::size_t last);
@@ -132,18 +166,34 @@ struct Found {
   std::int32_t candidates = 0;
   std::int32_t pairs = 0;  ///< within the support, the particles themselves included
 };
+/// Where a search for candidates looks.
+template <class SomeRecord>
+struct SearchWork {
+  const SomeRecord* records;
+  double skin;  ///< beside mixed records over h_0
+  double place_unit = 1;
+};
 /// Appends to `list` those of `count` ranges that come nearer to a particle of the cluster than h_a + h_b + skin.
-using CandidateSearch = Found (*)(const Record* records, const Cluster& cluster, const IndexRange* ranges,
-                                  std::size_t count, double skin, std::int32_t* list);
+template <class SomeRecord>
+using CandidateSearch = Found (*)(const SearchWork<SomeRecord>& work, const Cluster& cluster, const IndexRange* ranges,
+                                  std::size_t count, std::int32_t* list);
 
-struct PairLoops {
+/// What there is for both kinds of records.
+template <class SomeRecord>
+struct RateLoops {
   std::size_t lanes;
   /// All rates of fluid clusters; with `limited` also the limit of the step.
-  PairLoop (*fluid)(KernelName kernel, Friction friction, bool limited);
+  RateLoop<SomeRecord> (*fluid)(KernelName kernel, Friction friction, bool limited);
   /// Density of wall clusters.
-  PairLoop (*wall)(KernelName kernel, bool limited);
+  RateLoop<SomeRecord> (*wall)(KernelName kernel, bool limited);
   /// Stress of fluid clusters.
-  PairLoop (*strain)(KernelName kernel);
+  RateLoop<SomeRecord> (*strain)(KernelName kernel);
+  CandidateSearch<SomeRecord> search;
+};
+
+struct PairLoops {
+  RateLoops<Record> full;
+  RateLoops<MixedRecord> mixed;
   /// See density_diffusion.hpp and particle_shifting.hpp; of fluid clusters.
   DiffusionLoop (*density_gradient)(KernelName kernel);
   DiffusionLoop (*diffusion)(KernelName kernel);
@@ -153,11 +203,10 @@ struct PairLoops {
   WallPressureLoop (*wall_pressure)(KernelName kernel);
   /// See density_filter.hpp; of fluid clusters.
   FilterLoop (*filter)(KernelName kernel);
-  CandidateSearch search;
 };
 
 /// Largest number of lanes of any version: arrays are padded by as many elements.
-inline constexpr std::size_t most_lanes = 8;
+inline constexpr std::size_t most_lanes = 16;
 /// Loops take this many candidates side by side, beyond Cluster::end too: there the lists must be filled up with a
 /// record that is nobody's neighbour.
 inline constexpr int abreast = SEICHE_PAIR_LOOPS_PLAIN ? 1 : 4;
@@ -166,6 +215,16 @@ inline constexpr int candidates_ahead = 12;
 
 /// The widest that this machine runs.
 const PairLoops& pair_loops();
+
+/// Those of one kind of records.
+template <class SomeRecord>
+const RateLoops<SomeRecord>& rate_loops() {
+  if constexpr (sizeof(SomeRecord) == sizeof(Record)) {
+    return pair_loops().full;
+  } else {
+    return pair_loops().mixed;
+  }
+}
 
 namespace versions {
 extern const PairLoops avx512;

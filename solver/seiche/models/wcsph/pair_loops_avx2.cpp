@@ -17,6 +17,19 @@ namespace {
 struct FourLanes {
   static constexpr int width = 4;
   using Pack = __m256d;
+  using Record = wcsph::Record;
+  using Scalar = double;
+  using Places = Pack;
+  using Wide = Pack;
+  static constexpr bool single = false;
+  /// Keeps 1/r finite at r = 0, far below any distance squared.
+  static constexpr double least_square = 1e-200;
+  SEICHE_INLINE static Pack distances(Places a, double b, double /*unit*/) { return a - b; }
+  SEICHE_INLINE static Places places(const Record* records, double Record::*place) {
+    Places values;
+    for (int l = 0; l < width; ++l) values[l] = records[l].*place;
+    return values;
+  }
   SEICHE_INLINE static Pack largest(Pack a, Pack b) { return _mm256_max_pd(a, b); }
   SEICHE_INLINE static Pack positive(Pack a) { return _mm256_max_pd(a, _mm256_setzero_pd()); }
   SEICHE_INLINE static Pack negative(Pack a) { return _mm256_min_pd(a, _mm256_setzero_pd()); }
@@ -33,9 +46,51 @@ struct FourLanes {
   }
 };
 
+struct EightSingleLanes {
+  static constexpr int width = 8;
+  using Pack = __m256;
+  using Places = __m256i;
+  struct Wide {
+    __m256d low, high;
+  };
+  using Record = MixedRecord;
+  using Scalar = float;
+  static constexpr bool single = true;
+  /// Keeps 1/r finite at r = 0, below the square of what places are rounded by.
+  static constexpr double least_square = 1e-20;
+  SEICHE_INLINE static Pack distances(Places a, std::int32_t b, float unit) {
+    return _mm256_cvtepi32_ps(_mm256_sub_epi32(a, _mm256_set1_epi32(b))) * unit;
+  }
+  SEICHE_INLINE static Places places(const Record* records, std::int32_t Record::*place) {
+    alignas(32) std::int32_t values[width];
+    for (int l = 0; l < width; ++l) values[l] = records[l].*place;
+    return _mm256_load_si256(reinterpret_cast<const __m256i*>(values));
+  }
+  SEICHE_INLINE static void add(Wide& sum, Pack part) {
+    sum.low += _mm256_cvtps_pd(_mm256_castps256_ps128(part));
+    sum.high += _mm256_cvtps_pd(_mm256_extractf128_ps(part, 1));
+  }
+  SEICHE_INLINE static Pack narrow(double factor, const Wide& sum) {
+    return _mm256_set_m128(_mm256_cvtpd_ps(factor * sum.high), _mm256_cvtpd_ps(factor * sum.low));
+  }
+  SEICHE_INLINE static Pack largest(Pack a, Pack b) { return _mm256_max_ps(a, b); }
+  SEICHE_INLINE static Pack positive(Pack a) { return _mm256_max_ps(a, _mm256_setzero_ps()); }
+  SEICHE_INLINE static Pack negative(Pack a) { return _mm256_min_ps(a, _mm256_setzero_ps()); }
+  SEICHE_INLINE static unsigned less(Pack a, Pack b) {
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LT_OQ)));
+  }
+  SEICHE_INLINE static Pack where_less(Pack a, float b, Pack value) {
+    return _mm256_and_ps(_mm256_cmp_ps(a, _mm256_set1_ps(b), _CMP_LT_OQ), value);
+  }
+  template <int count>
+  SEICHE_INLINE static SideBySide<EightSingleLanes, count> inverse_root(const SideBySide<EightSingleLanes, count>& a) {
+    return SideBySide<EightSingleLanes, count>::of([&](int k) { return 1.0F / _mm256_sqrt_ps(a.at[k]); });
+  }
+};
+
 }  // namespace
 
-const PairLoops versions::avx2 = loops_of<FourLanes>();
+const PairLoops versions::avx2 = loops_of<FourLanes, EightSingleLanes>();
 
 }  // namespace seiche::wcsph
 

@@ -17,6 +17,19 @@ namespace {
 struct EightLanes {
   static constexpr int width = 8;
   using Pack = __m512d;
+  using Record = wcsph::Record;
+  using Scalar = double;
+  using Places = Pack;
+  using Wide = Pack;
+  static constexpr bool single = false;
+  /// Keeps 1/r finite at r = 0, far below any distance squared.
+  static constexpr double least_square = 1e-200;
+  SEICHE_INLINE static Pack distances(Places a, double b, double /*unit*/) { return a - b; }
+  SEICHE_INLINE static Places places(const Record* records, double Record::*place) {
+    Places values;
+    for (int l = 0; l < width; ++l) values[l] = records[l].*place;
+    return values;
+  }
   SEICHE_INLINE static Pack largest(Pack a, Pack b) { return _mm512_max_pd(a, b); }
   SEICHE_INLINE static Pack positive(Pack a) { return _mm512_max_pd(a, _mm512_setzero_pd()); }
   SEICHE_INLINE static Pack negative(Pack a) { return _mm512_min_pd(a, _mm512_setzero_pd()); }
@@ -36,9 +49,54 @@ struct EightLanes {
   }
 };
 
+struct SixteenLanes {
+  static constexpr int width = 16;
+  using Pack = __m512;
+  using Places = __m512i;
+  struct Wide {
+    __m512d low, high;
+  };
+  using Record = MixedRecord;
+  using Scalar = float;
+  static constexpr bool single = true;
+  /// Keeps 1/r finite at r = 0, below the square of what places are rounded by.
+  static constexpr double least_square = 1e-20;
+  SEICHE_INLINE static Pack distances(Places a, std::int32_t b, float unit) {
+    return _mm512_cvtepi32_ps(_mm512_sub_epi32(a, _mm512_set1_epi32(b))) * unit;
+  }
+  SEICHE_INLINE static Places places(const Record* records, std::int32_t Record::*place) {
+    alignas(64) std::int32_t values[width];
+    for (int l = 0; l < width; ++l) values[l] = records[l].*place;
+    return _mm512_load_si512(values);
+  }
+  SEICHE_INLINE static void add(Wide& sum, Pack part) {
+    sum.low += _mm512_cvtps_pd(_mm512_castps512_ps256(part));
+    sum.high += _mm512_cvtps_pd(_mm512_extractf32x8_ps(part, 1));
+  }
+  SEICHE_INLINE static Pack narrow(double factor, const Wide& sum) {
+    return _mm512_insertf32x8(_mm512_castps256_ps512(_mm512_cvtpd_ps(factor * sum.low)),
+                              _mm512_cvtpd_ps(factor * sum.high), 1);
+  }
+  SEICHE_INLINE static Pack largest(Pack a, Pack b) { return _mm512_max_ps(a, b); }
+  SEICHE_INLINE static Pack positive(Pack a) { return _mm512_max_ps(a, _mm512_setzero_ps()); }
+  SEICHE_INLINE static Pack negative(Pack a) { return _mm512_min_ps(a, _mm512_setzero_ps()); }
+  SEICHE_INLINE static unsigned less(Pack a, Pack b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
+  SEICHE_INLINE static Pack where_less(Pack a, float b, Pack value) {
+    return _mm512_maskz_mov_ps(_mm512_cmp_ps_mask(a, _mm512_set1_ps(b), _CMP_LT_OQ), value);
+  }
+  /// From 14 bits by one step of Newton's.
+  template <int count>
+  SEICHE_INLINE static SideBySide<SixteenLanes, count> inverse_root(const SideBySide<SixteenLanes, count>& a) {
+    using Values = SideBySide<SixteenLanes, count>;
+    const Values y = Values::of([&](int k) { return _mm512_rsqrt14_ps(a.at[k]); });
+    const Values e = 1.0 - (a * y) * y;
+    return 0.5 * (y * e) + y;
+  }
+};
+
 }  // namespace
 
-const PairLoops versions::avx512 = loops_of<EightLanes>();
+const PairLoops versions::avx512 = loops_of<EightLanes, SixteenLanes>();
 
 }  // namespace seiche::wcsph
 

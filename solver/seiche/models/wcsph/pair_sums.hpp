@@ -22,10 +22,10 @@ struct Separation {
   Values inverse_width, inverse_densities;
   Values viscous;  ///< (h_a + h_b)/((rho_a + rho_b) (r^2 + eta^2))
 
-  SEICHE_INLINE Separation(const Block<Lanes>& a, const Record* const (&b)[abreast]) {
-    x = Values::of([&](int k) { return a.x - b[k]->x; });
-    z = Values::of([&](int k) { return a.z - b[k]->z; });
-    const Values square = x * x + (z * z + least_square);
+  SEICHE_INLINE Separation(const Block<Lanes>& a, const typename Lanes::Record* const (&b)[abreast]) {
+    x = Values::of([&](int k) { return Lanes::distances(a.x, b[k]->x, a.place_unit); });
+    z = Values::of([&](int k) { return Lanes::distances(a.z, b[k]->z, a.place_unit); });
+    const Values square = x * x + (z * z + Lanes::least_square);
     const Values width = Values::of([&](int k) { return a.smoothing + b[k]->smoothing; });
     const Values densities = Values::of([&](int k) { return a.density + b[k]->density; });
     const Values softened = square + softening * (width * width);
@@ -44,24 +44,39 @@ struct Separation {
   }
 };
 
+/// Largest (c + sigma)/h of the particles of a cluster, sigma of its pairs given.
+template <class Lanes>
+SEICHE_INLINE typename Lanes::Scalar largest_limit(const RateWork<typename Lanes::Record>& work, const Block<Lanes>& a,
+                                                   typename Lanes::Pack sigma, const Cluster& cluster) {
+  using Scalar = typename Lanes::Scalar;
+  const auto per_scale = static_cast<Scalar>(1 / work.sound_scale);
+  const typename Lanes::Pack limit = (a.sound * per_scale + Scalar(0.5) * sigma) / a.smoothing;
+  Scalar largest = 0;
+  for (int l = 0; l < cluster.count; ++l) {
+    if (limit[l] > largest) largest = limit[l];
+  }
+  return static_cast<Scalar>(work.per_length) * largest;
+}
+
 template <class Lanes, class Kernel, Friction friction, bool limited>
-void fluid_rates(const PairWork& work, std::size_t first, std::size_t last) {
+void fluid_rates(const RateWork<typename Lanes::Record>& work, std::size_t first, std::size_t last) {
   using Pack = typename Lanes::Pack;
   using Values = SideBySide<Lanes, abreast>;
   using Shape = LaneKernel<Values, Kernel>;
   for (std::size_t c = first; c < last; ++c) {
     const Cluster cluster = work.clusters[c];
-    const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first);
+    const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first, work.place_unit);
     Pack xx{}, xz{}, zz{};
     if constexpr (friction == Friction::turbulent) {
       for (int l = 0; l < Lanes::width; ++l) {
-        const Stress& stress = work.stress[cluster.first + l];
+        const auto& stress = work.stress[cluster.first + l];
         xx[l] = stress.xx;
         xz[l] = stress.xz;
         zz[l] = stress.zz;
       }
     }
-    Pack du{}, dw{}, ddensity{}, smooth_u{}, smooth_w{}, sigma{};
+    Sum<Lanes> du, dw, ddensity, smooth_u, smooth_w;
+    Pack sigma{};
     visit_candidates<Kernel, Separation<Lanes>>(
         work.records, cluster, a,
         [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
@@ -78,115 +93,116 @@ void fluid_rates(const PairWork& work, std::size_t first, std::size_t last) {
             pressures = pressures + sound * negative(approach) * pair.viscous;
           }
           const Values push = pressures * slope;
-          for (int k = 0; k < abreast; ++k) {
-            ddensity += slope.at[k] * approach.at[k];
-            du -= push.at[k] * pair.x.at[k];
-            dw -= push.at[k] * pair.z.at[k];
-            smooth_u += weight.at[k] * u.at[k];
-            smooth_w += weight.at[k] * w.at[k];
-          }
+          ddensity.add(slope, approach);
+          du.subtract(push, pair.x);
+          dw.subtract(push, pair.z);
+          smooth_u.add(weight, u);
+          smooth_w.add(weight, w);
           if constexpr (friction == Friction::laminar || friction == Friction::turbulent) {
             const Values square = pair.x * pair.x + pair.z * pair.z;
-            const Values drag = 4 * work.kinematic_viscosity * square * (pair.viscous * pair.inverse_width) * slope;
-            for (int k = 0; k < abreast; ++k) {
-              du += drag.at[k] * u.at[k];
-              dw += drag.at[k] * w.at[k];
-            }
+            const double viscosity = 4 * work.kinematic_viscosity * work.per_length;
+            const Values drag = viscosity * square * (pair.viscous * pair.inverse_width) * slope;
+            du.add(drag, u);
+            dw.add(drag, w);
           }
           if constexpr (friction == Friction::turbulent) {
-            for (int k = 0; k < abreast; ++k) {
-              const Stress& other = work.stress[candidate[k]];
-              const Pack sum_xz = xz + other.xz;
-              du += slope.at[k] * ((xx + other.xx) * pair.x.at[k] + sum_xz * pair.z.at[k]);
-              dw += slope.at[k] * (sum_xz * pair.x.at[k] + (zz + other.zz) * pair.z.at[k]);
-            }
+            const Values sum_xz = Values::of([&](int k) { return xz + work.stress[candidate[k]].xz; });
+            du.add(slope, Values::of([&](int k) {
+                     return (xx + work.stress[candidate[k]].xx) * pair.x.at[k] + sum_xz.at[k] * pair.z.at[k];
+                   }));
+            dw.add(slope, Values::of([&](int k) {
+                     return sum_xz.at[k] * pair.x.at[k] + (zz + work.stress[candidate[k]].zz) * pair.z.at[k];
+                   }));
           }
           if constexpr (limited) {
             for (int k = 0; k < abreast; ++k) {
               const Pack rate = magnitude<Lanes>(approach.at[k]) * (pair.viscous.at[k] * (a.density + b[k]->density));
-              sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1.0, rate));
+              sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1, rate));
             }
           }
         });
     // Deferred constants; densities were sums, not means.
     const double xsph = 2 * work.xsph * Shape::weight_factor;
-    store<Lanes>(a.u - xsph * smooth_u, work.dx, cluster);
-    store<Lanes>(a.w - xsph * smooth_w, work.dz, cluster);
-    store<Lanes>(Shape::slope_factor * du, work.du, cluster);
-    store<Lanes>(Shape::slope_factor * dw - work.gravity, work.dw, cluster);
-    store<Lanes>(Shape::slope_factor * ddensity, work.ddensity, cluster);
-    if constexpr (limited) {
-      store<Lanes>((a.sound * (1 / work.sound_scale) + 0.5 * sigma) / a.smoothing, work.limit, cluster);
-    }
+    const double slope_factor = Shape::slope_factor * work.per_length;
+    store<Lanes>(a.u - smooth_u.times(xsph), work.dx, cluster);
+    store<Lanes>(a.w - smooth_w.times(xsph), work.dz, cluster);
+    store<Lanes>(du.times(slope_factor), work.du, cluster);
+    store<Lanes>(dw.times(slope_factor) - static_cast<typename Lanes::Scalar>(work.gravity), work.dw, cluster);
+    store<Lanes>(ddensity.times(slope_factor * work.density_unit), work.ddensity, cluster);
+    if constexpr (limited) work.limit[c] = largest_limit<Lanes>(work, a, sigma, cluster);
   }
 }
 
 template <class Lanes, class Kernel, bool limited>
-void wall_rates(const PairWork& work, std::size_t first, std::size_t last) {
+void wall_rates(const RateWork<typename Lanes::Record>& work, std::size_t first, std::size_t last) {
   using Pack = typename Lanes::Pack;
   using Values = SideBySide<Lanes, abreast>;
   using Shape = LaneKernel<Values, Kernel>;
   for (std::size_t c = first; c < last; ++c) {
     const Cluster cluster = work.clusters[c];
-    Pack ddensity{}, sigma{};
-    const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first);
+    Sum<Lanes> ddensity;
+    Pack sigma{};
+    const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first, work.place_unit);
     visit_candidates<Kernel, Separation<Lanes>>(
         work.records, cluster, a,
         [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
-          for (int k = 0; k < abreast; ++k) {
-            const Pack approach = pair.x.at[k] * (a.u - b[k]->u) + pair.z.at[k] * (a.w - b[k]->w);
+          const Values approach =
+              Values::of([&](int k) { return pair.x.at[k] * (a.u - b[k]->u) + pair.z.at[k] * (a.w - b[k]->w); });
+          const Values slope = Values::of([&](int k) {
             const Pack inverse_width = pair.inverse_width.at[k];
-            ddensity += work.mass[candidate[k]] * (inverse_width * inverse_width) * shape.slope.at[k] * approach;
-            if constexpr (limited) {
-              const Pack rate = magnitude<Lanes>(approach) * (pair.viscous.at[k] * (a.density + b[k]->density));
-              sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1.0, rate));
+            return work.mass[candidate[k]] * (inverse_width * inverse_width) * shape.slope.at[k];
+          });
+          ddensity.add(slope, approach);
+          if constexpr (limited) {
+            for (int k = 0; k < abreast; ++k) {
+              const Pack rate = magnitude<Lanes>(approach.at[k]) * (pair.viscous.at[k] * (a.density + b[k]->density));
+              sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1, rate));
             }
           }
         });
-    store<Lanes>(Shape::slope_factor * ddensity, work.ddensity, cluster);
-    if constexpr (limited) {
-      store<Lanes>((a.sound * (1 / work.sound_scale) + 0.5 * sigma) / a.smoothing, work.limit, cluster);
-    }
+    store<Lanes>(ddensity.times(Shape::slope_factor * work.per_length * work.density_unit), work.ddensity, cluster);
+    if constexpr (limited) work.limit[c] = largest_limit<Lanes>(work, a, sigma, cluster);
   }
 }
 
 /// tau/rho = 2 nu_t (S - (1/3) tr S) - (2/3) C_I Delta^2 |S|^2, nu_t = (C_S Delta)^2 |S|, |S| = sqrt(2 S:S).
 template <class Lanes, class Kernel>
-void strain_stress(const PairWork& work, std::size_t first, std::size_t last) {
+void strain_stress(const RateWork<typename Lanes::Record>& work, std::size_t first, std::size_t last) {
   using Pack = typename Lanes::Pack;
+  using Scalar = typename Lanes::Scalar;
   using Values = SideBySide<Lanes, abreast>;
   using Shape = LaneKernel<Values, Kernel>;
   for (std::size_t c = first; c < last; ++c) {
     const Cluster cluster = work.clusters[c];
-    const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first);
-    Pack u_x{}, u_z{}, w_x{}, w_z{};
+    const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first, work.place_unit);
+    Sum<Lanes> u_x, u_z, w_x, w_z;
     visit_candidates<Kernel, Distance<Lanes>>(
         work.records, cluster, a,
         [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
           const Values squared = pair.inverse_width * pair.inverse_width;
-          for (int k = 0; k < abreast; ++k) {
-            const Pack slope = work.stress[candidate[k]].volume * squared.at[k] * shape.slope.at[k];
-            const Pack u = slope * (a.u - b[k]->u);
-            const Pack w = slope * (a.w - b[k]->w);
-            u_x += u * pair.x.at[k];
-            u_z += u * pair.z.at[k];
-            w_x += w * pair.x.at[k];
-            w_z += w * pair.z.at[k];
-          }
+          const Values slope =
+              Values::of([&](int k) { return work.stress[candidate[k]].volume * squared.at[k] * shape.slope.at[k]; });
+          const Values u = Values::of([&](int k) { return slope.at[k] * (a.u - b[k]->u); });
+          const Values w = Values::of([&](int k) { return slope.at[k] * (a.w - b[k]->w); });
+          u_x.add(u, pair.x);
+          u_z.add(u, pair.z);
+          w_x.add(w, pair.x);
+          w_z.add(w, pair.z);
         });
-    const Pack xx = -Shape::slope_factor * u_x;
-    const Pack zz = -Shape::slope_factor * w_z;
-    const Pack xz = -0.5 * Shape::slope_factor * (u_z + w_x);
-    const Pack norm2 = 2.0 * (xx * xx + zz * zz) + 4.0 * (xz * xz);
-    const Pack norm = norm2 * inverse_root(SideBySide<Lanes, 1>{{norm2 + least_square}}).at[0];
-    const Pack eddy = 2 * work.eddy_factor * norm;
-    const Pack trace = (1.0 / 3) * (xx + zz);
-    const Pack isotropic = work.isotropic_factor * norm2;
+    const double factor = -Shape::slope_factor * work.per_length;
+    const Pack xx = u_x.times(factor);
+    const Pack zz = w_z.times(factor);
+    const Pack xz = u_z.plus(w_x).times(0.5 * factor);
+    const Pack norm2 = Scalar(2) * (xx * xx + zz * zz) + Scalar(4) * (xz * xz);
+    const Pack norm = norm2 * inverse_root(SideBySide<Lanes, 1>{{norm2 + Scalar(Lanes::least_square)}}).at[0];
+    const Pack eddy = Scalar(2 * work.eddy_factor) * norm;
+    const Pack trace = Scalar(1.0 / 3) * (xx + zz);
+    const Pack isotropic = Scalar(work.isotropic_factor) * norm2;
     const Pack stress_xx = (eddy * (xx - trace) - isotropic) / a.density;
     const Pack stress_zz = (eddy * (zz - trace) - isotropic) / a.density;
     const Pack stress_xz = eddy * xz / a.density;
     for (int l = 0; l < cluster.count; ++l) {
-      Stress& stress = work.stress[cluster.first + l];
+      auto& stress = work.stress[cluster.first + l];
       stress.xx = stress_xx[l];
       stress.xz = stress_xz[l];
       stress.zz = stress_zz[l];
@@ -195,24 +211,20 @@ void strain_stress(const PairWork& work, std::size_t first, std::size_t last) {
 }
 
 template <class Lanes>
-Found search(const Record* records, const Cluster& cluster, const IndexRange* ranges, std::size_t count, double skin,
-             std::int32_t* list) {
+Found search(const SearchWork<typename Lanes::Record>& work, const Cluster& cluster, const IndexRange* ranges,
+             std::size_t count, std::int32_t* list) {
   using Pack = typename Lanes::Pack;
   const unsigned valid = (1U << cluster.count) - 1;
-  Pack ax, az, ah;
-  for (int l = 0; l < Lanes::width; ++l) {
-    ax[l] = records[cluster.first + l].x;
-    az[l] = records[cluster.first + l].z;
-    ah[l] = records[cluster.first + l].smoothing;
-  }
+  const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first, work.place_unit);
+  const auto skin = static_cast<typename Lanes::Scalar>(work.skin);
   Found found;
   for (std::size_t r = 0; r < count; ++r) {
     for (std::int32_t j = ranges[r].begin; j < ranges[r].end; ++j) {
-      const Record& b = records[j];
-      const Pack x = ax - b.x;
-      const Pack z = az - b.z;
+      const typename Lanes::Record& b = work.records[j];
+      const Pack x = Lanes::distances(a.x, b.x, a.place_unit);
+      const Pack z = Lanes::distances(a.z, b.z, a.place_unit);
       const Pack square = x * x + z * z;
-      const Pack width = ah + b.smoothing;
+      const Pack width = a.smoothing + b.smoothing;
       const Pack reach = width + skin;
       const bool near = (Lanes::less(square, reach * reach) & valid) != 0;
       list[found.candidates] = j;
@@ -224,7 +236,7 @@ Found search(const Record* records, const Cluster& cluster, const IndexRange* ra
 }
 
 template <class Lanes, class Kernel, bool limited>
-PairLoop fluid_loop(Friction friction) {
+RateLoop<typename Lanes::Record> fluid_loop(Friction friction) {
   switch (friction) {
     case Friction::none:
       return fluid_rates<Lanes, Kernel, Friction::none, limited>;
@@ -239,28 +251,37 @@ PairLoop fluid_loop(Friction friction) {
 }
 
 template <class Lanes>
-constexpr PairLoops loops_of() {
+constexpr RateLoops<typename Lanes::Record> rate_loops_of() {
+  using Loop = RateLoop<typename Lanes::Record>;
   return {
       .lanes = static_cast<std::size_t>(Lanes::width),
-      .fluid =
-          [](KernelName kernel, Friction friction, bool limited) {
-            if (kernel == KernelName::cubic_spline) {
-              return limited ? fluid_loop<Lanes, CubicSpline, true>(friction)
-                             : fluid_loop<Lanes, CubicSpline, false>(friction);
-            }
-            return limited ? fluid_loop<Lanes, WendlandC2, true>(friction)
-                           : fluid_loop<Lanes, WendlandC2, false>(friction);
-          },
-      .wall = [](KernelName kernel, bool limited) -> PairLoop {
+      .fluid = [](KernelName kernel, Friction friction, bool limited) -> Loop {
+        if (kernel == KernelName::cubic_spline) {
+          return limited ? fluid_loop<Lanes, CubicSpline, true>(friction)
+                         : fluid_loop<Lanes, CubicSpline, false>(friction);
+        }
+        return limited ? fluid_loop<Lanes, WendlandC2, true>(friction) : fluid_loop<Lanes, WendlandC2, false>(friction);
+      },
+      .wall = [](KernelName kernel, bool limited) -> Loop {
         if (kernel == KernelName::cubic_spline) {
           return limited ? wall_rates<Lanes, CubicSpline, true> : wall_rates<Lanes, CubicSpline, false>;
         }
         return limited ? wall_rates<Lanes, WendlandC2, true> : wall_rates<Lanes, WendlandC2, false>;
       },
-      .strain = [](KernelName kernel) -> PairLoop {
+      .strain = [](KernelName kernel) -> Loop {
         return kernel == KernelName::cubic_spline ? strain_stress<Lanes, CubicSpline>
                                                   : strain_stress<Lanes, WendlandC2>;
       },
+      .search = search<Lanes>,
+  };
+}
+
+/// @tparam Lanes  of doubles; @tparam MixedLanes  of single precision, with sums in double precision
+template <class Lanes, class MixedLanes>
+constexpr PairLoops loops_of() {
+  return {
+      .full = rate_loops_of<Lanes>(),
+      .mixed = rate_loops_of<MixedLanes>(),
       .density_gradient = [](KernelName kernel) -> DiffusionLoop {
         return kernel == KernelName::cubic_spline ? density_gradient<Lanes, CubicSpline>
                                                   : density_gradient<Lanes, WendlandC2>;
@@ -283,7 +304,6 @@ constexpr PairLoops loops_of() {
         return kernel == KernelName::cubic_spline ? filter_moments<Lanes, CubicSpline>
                                                   : filter_moments<Lanes, WendlandC2>;
       },
-      .search = search<Lanes>,
   };
 }
 

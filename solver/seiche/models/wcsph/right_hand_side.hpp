@@ -23,25 +23,46 @@ class RightHandSide {
   /// Rates at the records of the stage; with `limited` also the limit of the step.
   void evaluate(Stage& stage, const Neighbours& neighbours, bool limited);
 
-  // Walls have the density's only, the others are zero.
-  std::vector<double> dx, dz, du, dw, ddensity;
+  /// What use(rates) returns of the arrays of this storage: dx, dz, du, dw, ddensity. Walls have the density's only,
+  /// the others are zero.
+  template <class Use>
+  auto with_rates(const Use& use) const {
+    return storage_ == Storage::mixed ? use(mixed_) : use(full_);
+  }
 
   /// Largest (c + sigma)/h of the last evaluation with `limited` [1/s].
-  [[nodiscard]] double largest_limit() const;
-  /// The particle that has it.
-  [[nodiscard]] std::size_t most_limited() const;
+  [[nodiscard]] double largest_limit() const { return largest_limit_; }
+  /// A particle beside it: the first of the cluster that has it.
+  [[nodiscard]] std::size_t most_limited() const { return most_limited_; }
   /// Factor of the sound speed in records.
-  [[nodiscard]] double sound_scale() const { return work_.sound_scale; }
+  [[nodiscard]] double sound_scale() const { return sound_scale_; }
   /// Whether stresses of unresolved eddies are among the forces.
   [[nodiscard]] bool turbulent() const { return friction_ == Friction::turbulent; }
 
  private:
+  /// One per particle; the limit one per cluster.
+  template <class Real>
+  struct Arrays {
+    std::vector<Real> dx, dz, du, dw, ddensity, limit;
+  };
+  template <class SomeRecord, class Real>
+  void evaluate(Stage& stage, const Neighbours& neighbours, bool limited, Arrays<Real>& rates);
+
+  Storage storage_;
   KernelName kernel_;
   Friction friction_ = Friction::none;
   DensityDiffusion diffusion_;
   bool frozen_walls_;
-  PairWork work_{};
-  std::vector<double> limit_;
+  double gravity_;
+  double xsph_;
+  double sound_scale_ = 1;
+  double kinematic_viscosity_ = 0;
+  double eddy_factor_ = 0;
+  double isotropic_factor_ = 0;
+  Arrays<double> full_;
+  Arrays<float> mixed_;
+  std::size_t most_limited_ = 0;
+  double largest_limit_ = 0;
 };
 
 }  // namespace seiche::wcsph
