@@ -55,17 +55,24 @@ void steps(benchmark::State& state, Stepping stepping) {
 
 }  // namespace
 
-/// Cells along a side of the box, layers, cells to a depth.
+/// Cells along a side of the box, layers, cells to a depth. Of so many steps however fast the machine is: the wave that
+/// comes back to the corner steepens, and after some seven hundred steps the mesh folds.
 BENCHMARK_CAPTURE(steps, one_step, Stepping::one_step)
     ->Args({96, 1, 2})
     ->Args({96, 2, 2})
     ->Args({96, 3, 2})
     ->Args({96, 2, 4})
     ->Args({96, 2, 10})
+    ->Iterations(200)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(steps, one_step, Stepping::one_step)
     ->Args({320, 2, 2})
+    ->Iterations(20)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(steps, conservative, Stepping::conservative)
     ->Args({96, 2, 2})
+    ->Iterations(100)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);

@@ -201,6 +201,7 @@ void Neighbours::list(const Particles& particles, const Search& search) {
   work_before_.resize(clusters_.size() + 1);
 #pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads))
   for (std::size_t thread = 0; thread < threads; ++thread) list_share(particles, search, thread, threads);
+  for (BinnedOrder* const binned : {&fluid_, &walls_, &fluid_images_, &wall_images_}) binned->release();
   pairs_ = 0;
   most_ = {};
   for (std::size_t thread = 0; thread < threads; ++thread) {

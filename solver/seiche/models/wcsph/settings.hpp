@@ -38,7 +38,7 @@ enum class WallPressure {
 /// How the pair loops hold particles.
 enum class Storage {
   full,  ///< in double precision
-  /// In single precision with sums in double precision, places in whole numbers: 166 bytes a particle instead of 233,
+  /// In single precision with sums in double precision, places in whole numbers: 161 bytes a particle instead of 228,
   /// twice as many particles at a time, rates to 1e-6 of the largest. For many particles; the error of the method is
   /// far above that. Not with density diffusion, filter, shifting or extrapolated walls, and not over more than 2^15
   /// h_0.

@@ -71,6 +71,8 @@ class BinnedOrder {
   /// Place in the order of the first particle of a bin.
   [[nodiscard]] std::int32_t begin(std::int32_t bin) const { return begin_[static_cast<std::size_t>(bin)]; }
   [[nodiscard]] std::size_t size() const { return size_; }
+  /// Gives back the memory of the bins, of which an empty tank has many, until the next sorting.
+  void release() { std::vector<std::int32_t>().swap(begin_); }
 
  private:
   std::size_t size_ = 0;
