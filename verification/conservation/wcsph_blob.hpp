@@ -18,6 +18,7 @@
 #include "seiche/models/wcsph/pair_loops.hpp"
 #include "seiche/models/wcsph/particles.hpp"
 #include "seiche/models/wcsph/settings.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::verification {
 
@@ -37,11 +38,12 @@ struct Blob {
         density_unit(mixed ? settings.density : 1) {
     const wcsph::TaitFluid water(settings.density, settings.sound_speed, settings.exponent);
     const std::size_t padded = count + wcsph::most_lanes;
-    double extent = 0;
+    Worst extent;
     for (std::size_t a = 0; a < count; ++a) {
-      extent = std::max({extent, std::abs(particles.x[a]), std::abs(particles.z[a])});
+      extent.add(particles.x[a]);
+      extent.add(particles.z[a]);
     }
-    if (mixed) place = 1.5 * extent / (1 << 30);
+    if (mixed) place = 1.5 * extent.value() / (1 << 30);
     const auto place_of = [this](double x) {
       if constexpr (mixed) {
         return static_cast<std::int32_t>(std::lround(x / place));
