@@ -113,3 +113,16 @@ TEST_CASE("a computation that breaks down says when and where, and keeps the las
   }
   CHECK_THROWS_AS(Flow(water, spacing, good).advance(std::numeric_limits<double>::quiet_NaN()), std::exception);
 }
+
+TEST_CASE("a particle that flies farther than mixed storage tells places is reported", "[robustness]") {
+  Particles water = lattice(12, 12, spacing, 1000);
+  water.add(4259, 0, 10, 1000, Kind::fluid, 10);
+  Settings settings = good;
+  settings.storage = Storage::mixed;
+  Flow flow(water, spacing, settings);
+  const auto fly = [&flow] {
+    for (int step = 0; step < 100; ++step) flow.advance(0.004);
+  };
+  CHECK_THROWS_WITH(fly(), Catch::Contains("storage = mixed") && Catch::Contains("after"));
+  CHECK(flow.time() > 0);
+}

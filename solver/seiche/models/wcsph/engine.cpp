@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -95,12 +97,28 @@ void Flow::Engine::check_start() const {
   check_distances(particles_, neighbours_.images(), neighbours_.clusters(), spacing_);
 }
 
+/// Whether mixed records resolve the places of all particles: not those of one that flew off.
+void Flow::Engine::check_extent() const {
+  const auto [left, right] = std::minmax_element(particles_.x.begin(), particles_.x.end());
+  const auto [bottom, top] = std::minmax_element(particles_.z.begin(), particles_.z.end());
+  const double extent = std::max(*right - *left, *top - *bottom);
+  if (extent <= widest_mixed_domain * smoothing_) return;
+  const std::string what = fmt::format(
+      "particles over {:g} m, {:.3g} smoothing lengths, with storage = mixed: must be at most {:g}, or full", extent,
+      extent / smoothing_, widest_mixed_domain);
+  if (steps_ == 0) throw std::invalid_argument(what);
+  const bool up = *top - *bottom > *right - *left;
+  const auto farthest = up ? top - particles_.z.begin() : right - particles_.x.begin();
+  throw Divergence(what, time_, steps_, particles_.x[static_cast<std::size_t>(farthest)]);
+}
+
 void Flow::Engine::sort(double reserve) {
   double widest = smoothing_;
   if (settings_.variable_smoothing) {
     const double lowest = *std::min_element(particles_.density.begin(), particles_.density.end());
     widest *= std::max(1.0, std::sqrt(settings_.density / lowest));
   }
+  if (settings_.storage == Storage::mixed) check_extent();
   neighbours_.sort(particles_, widest, reserve);
   if (!paddles_.empty()) {
     std::vector<double> scratch;

@@ -45,6 +45,7 @@ class Flow::Engine {
  private:
   void check_start() const;
   void sort(double reserve);
+  void check_extent() const;
   template <class SomeRecord>
   void list(double reserve);
   void fill_level();

@@ -36,7 +36,7 @@ struct alignas(64) Record {
 };
 
 /// The same in half the memory (Storage::mixed). Lengths are over h_0, densities over rho_0, and places whole numbers
-/// of a unit that MixedScale has: of whole numbers, differences are exact and antisymmetric, wherever the pair is.
+/// of a unit (Units of stage.hpp): of whole numbers, differences are exact and antisymmetric, wherever the pair is.
 struct alignas(32) MixedRecord {
   std::int32_t x, z;
   float u, w, density;

@@ -4,10 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <type_traits>
-
-#include <fmt/format.h>
 
 #include "seiche/simd_clones.hpp"
 
@@ -16,8 +13,6 @@ namespace {
 
 /// Places of mixed records, from the middle of the domain: any two of them differ by less than 2^31.
 constexpr double farthest_place = (1 << 30) - 1;
-/// Over h_0: places are resolved to 3e-5 of it there.
-constexpr double widest_mixed_domain = 1 << 15;
 
 /// (5) for gamma = 7 without powers.
 SEICHE_SIMD_CLONES void derive_seventh(const double* density, std::size_t count, double reference, double stiffness,
@@ -122,11 +117,6 @@ void Stage::adopt_mixed(const Particles& particles) {
   // Images lie within a support around, and particles move by less than that before the next sorting.
   const double margin = 4 * support * smoothing_;
   const double extent = std::max(*right - *left, *top - *bottom) + 2 * margin;
-  if (extent > widest_mixed_domain * smoothing_) {
-    throw std::invalid_argument(fmt::format(
-        "storage = mixed for particles over {:g} m, {:.3g} smoothing lengths: must be at most {:g}, or full", extent,
-        extent / smoothing_, widest_mixed_domain));
-  }
   units_ = {.place = 0.5 * extent / farthest_place,
             .left = 0.5 * (*left + *right),
             .bottom = 0.5 * (*bottom + *top),

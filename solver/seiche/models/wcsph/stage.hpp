@@ -64,6 +64,9 @@ struct Units {
   double density = 1;           ///< rho_0 [kg/m^3]
 };
 
+/// Widest domain of mixed records, over h_0: places are resolved to 3e-5 of it there.
+inline constexpr double widest_mixed_domain = 1 << 15;
+
 class Stage {
  public:
   /// The state of particles first, ..., first + count - 1.
@@ -74,7 +77,6 @@ class Stage {
   Stage(const TaitFluid& fluid, double smoothing, bool variable, double sound_scale, bool stresses, Storage storage);
 
   /// After a sorting: records of the particles and their images, new masses; what displacements are measured from.
-  /// Throws std::invalid_argument where mixed records would not resolve so wide a domain.
   void adopt(const Particles& particles, std::span<const Image> images);
   /// Returns how much of the reserve of the lists is used up: twice the largest displacement and growth of h since
   /// adopt().
