@@ -44,13 +44,6 @@ struct Blob {
       extent.add(particles.z[a]);
     }
     if (mixed) place = 1.5 * extent.value() / (1 << 30);
-    const auto place_of = [this](double x) {
-      if constexpr (mixed) {
-        return static_cast<std::int32_t>(std::lround(x / place));
-      } else {
-        return x;
-      }
-    };
     SomeRecord nobody{.x = {}, .z = {}, .u = 0, .w = 0, .density = 1, .pressure = 0, .smoothing = 1, .sound = 0};
     if constexpr (mixed) {
       nobody.x = nobody.z = std::numeric_limits<std::int32_t>::min();
@@ -80,6 +73,13 @@ struct Blob {
                           .count = static_cast<std::int32_t>(std::min(lanes, count - first)),
                           .begin = list.data(),
                           .end = list.data() + count});
+    }
+  }
+  [[nodiscard]] auto place_of(double x) const {
+    if constexpr (mixed) {
+      return static_cast<std::int32_t>(std::lround(x / place));
+    } else {
+      return x;
     }
   }
   [[nodiscard]] Real volume(std::size_t a) const { return mass[a] / records[a].density; }
