@@ -55,6 +55,7 @@ NOT_RUN = {
         "ci/solvers": SOLVERS,
         "ci/sanitize thread": WHOLE_BUILD,
         "ci/coverage": WHOLE_BUILD,
+        "ci/tidy": WHOLE_BUILD,
     },
     "CONTRIBUTING.md": {
         "ci/sanitize thread": WHOLE_BUILD,
