@@ -85,6 +85,23 @@ TEST_CASE("particles in single precision have the rates of sums over all pairs, 
                   .source = source},
                  {.value = worst(std::array{found.motion, found.acceleration, found.density})}, rounding);
     }
+    Flow flow(noisy_square(16, spacing), spacing,
+              {.kernel = kernel,
+               .sound_speed = 20,
+               .viscosity = ArtificialViscosity{0.3},
+               .period = {side, side},
+               .storage = Storage::mixed});
+    const double expected = DirectSums(noisy_square(16, spacing), spacing, flow.settings()).largest_step();
+    check.that({.id = fmt::format("step-{}", name_of(kernel)),
+                .text = fmt::format("The first step has the length of the rule ({}).", name_of(kernel)),
+                .quantity = "dt",
+                .unit = "s",
+                .source = "the rule summed over all pairs"},
+               {.value = flow.advance()},
+               Bound{.limit = 20 * unit,
+                     .reason = "some 20 roundings of the fastest pair in single precision",
+                     .expected = expected,
+                     .relative = true});
   }
 }
 
