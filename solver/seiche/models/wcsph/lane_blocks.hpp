@@ -2,7 +2,7 @@
 /// internal to them.
 ///
 /// `Lanes` has the Record that it reads; Pack, a vector of Lanes::width Scalars; on it positive and negative (largest
-/// or smallest of it and 0), largest, less (one bit per lane), where_less and inverse_root; places() of records and the
+/// or smallest of it and 0), largest, less (one bit per lane), where_less and inverse_root; Places and the
 /// distances() of one from them; Wide, sums of Packs in double precision.
 ///
 /// Included by each version of the loops after its target is chosen, so nothing of the standard library is used here.
@@ -13,6 +13,38 @@
 #include "seiche/models/wcsph/pair_loops.hpp"
 
 namespace seiche::wcsph {
+
+/// What all lanes of doubles have in common.
+struct FullLanes {
+  using Record = wcsph::Record;
+  using Scalar = double;
+  static constexpr bool single = false;
+  /// Keeps 1/r finite at r = 0, far below any distance squared.
+  static constexpr double least_square = 1e-200;
+};
+
+/// And all of single precision.
+struct MixedLanes {
+  using Record = MixedRecord;
+  using Scalar = float;
+  static constexpr bool single = true;
+  /// Keeps 1/r finite at r = 0, below the square of what places are rounded by.
+  static constexpr double least_square = 1e-20;
+};
+
+/// One coordinate of a cluster's records.
+template <class Lanes, class Place>
+SEICHE_INLINE typename Lanes::Places places(const typename Lanes::Record* records, Place Lanes::Record::*place) {
+  typename Lanes::Places packed;
+  if constexpr (Lanes::single) {
+    Place values[Lanes::width];
+    for (int l = 0; l < Lanes::width; ++l) values[l] = records[l].*place;
+    __builtin_memcpy(&packed, values, sizeof packed);
+  } else {
+    for (int l = 0; l < Lanes::width; ++l) packed[l] = records[l].*place;
+  }
+  return packed;
+}
 
 /// Records of a cluster.
 template <class Lanes>
@@ -26,8 +58,8 @@ template <class Lanes>
 SEICHE_INLINE Block<Lanes> load_block(const typename Lanes::Record* records, double place_unit = 1) {
   Block<Lanes> a;
   a.place_unit = static_cast<typename Lanes::Scalar>(place_unit);
-  a.x = Lanes::places(records, &Lanes::Record::x);
-  a.z = Lanes::places(records, &Lanes::Record::z);
+  a.x = places<Lanes>(records, &Lanes::Record::x);
+  a.z = places<Lanes>(records, &Lanes::Record::z);
   for (int l = 0; l < Lanes::width; ++l) {
     const typename Lanes::Record& record = records[l];
     a.u[l] = record.u;

@@ -14,22 +14,12 @@
 namespace seiche::wcsph {
 namespace {
 
-struct FourLanes {
+struct FourLanes : FullLanes {
   static constexpr int width = 4;
   using Pack = __m256d;
-  using Record = wcsph::Record;
-  using Scalar = double;
   using Places = Pack;
   using Wide = Pack;
-  static constexpr bool single = false;
-  /// Keeps 1/r finite at r = 0, far below any distance squared.
-  static constexpr double least_square = 1e-200;
   SEICHE_INLINE static Pack distances(Places a, double b, double /*unit*/) { return a - b; }
-  SEICHE_INLINE static Places places(const Record* records, double Record::*place) {
-    Places values;
-    for (int l = 0; l < width; ++l) values[l] = records[l].*place;
-    return values;
-  }
   SEICHE_INLINE static Pack largest(Pack a, Pack b) { return _mm256_max_pd(a, b); }
   SEICHE_INLINE static Pack positive(Pack a) { return _mm256_max_pd(a, _mm256_setzero_pd()); }
   SEICHE_INLINE static Pack negative(Pack a) { return _mm256_min_pd(a, _mm256_setzero_pd()); }
@@ -46,25 +36,15 @@ struct FourLanes {
   }
 };
 
-struct EightSingleLanes {
+struct EightSingleLanes : MixedLanes {
   static constexpr int width = 8;
   using Pack = __m256;
   using Places = __m256i;
   struct Wide {
     __m256d low, high;
   };
-  using Record = MixedRecord;
-  using Scalar = float;
-  static constexpr bool single = true;
-  /// Keeps 1/r finite at r = 0, below the square of what places are rounded by.
-  static constexpr double least_square = 1e-20;
   SEICHE_INLINE static Pack distances(Places a, std::int32_t b, float unit) {
     return _mm256_cvtepi32_ps(_mm256_sub_epi32(a, _mm256_set1_epi32(b))) * unit;
-  }
-  SEICHE_INLINE static Places places(const Record* records, std::int32_t Record::*place) {
-    alignas(32) std::int32_t values[width];
-    for (int l = 0; l < width; ++l) values[l] = records[l].*place;
-    return _mm256_load_si256(reinterpret_cast<const __m256i*>(values));
   }
   SEICHE_INLINE static void add(Wide& sum, Pack part) {
     sum.low += _mm256_cvtps_pd(_mm256_castps256_ps128(part));

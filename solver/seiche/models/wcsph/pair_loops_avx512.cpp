@@ -14,22 +14,12 @@
 namespace seiche::wcsph {
 namespace {
 
-struct EightLanes {
+struct EightLanes : FullLanes {
   static constexpr int width = 8;
   using Pack = __m512d;
-  using Record = wcsph::Record;
-  using Scalar = double;
   using Places = Pack;
   using Wide = Pack;
-  static constexpr bool single = false;
-  /// Keeps 1/r finite at r = 0, far below any distance squared.
-  static constexpr double least_square = 1e-200;
   SEICHE_INLINE static Pack distances(Places a, double b, double /*unit*/) { return a - b; }
-  SEICHE_INLINE static Places places(const Record* records, double Record::*place) {
-    Places values;
-    for (int l = 0; l < width; ++l) values[l] = records[l].*place;
-    return values;
-  }
   SEICHE_INLINE static Pack largest(Pack a, Pack b) { return _mm512_max_pd(a, b); }
   SEICHE_INLINE static Pack positive(Pack a) { return _mm512_max_pd(a, _mm512_setzero_pd()); }
   SEICHE_INLINE static Pack negative(Pack a) { return _mm512_min_pd(a, _mm512_setzero_pd()); }
@@ -49,25 +39,15 @@ struct EightLanes {
   }
 };
 
-struct SixteenLanes {
+struct SixteenLanes : MixedLanes {
   static constexpr int width = 16;
   using Pack = __m512;
   using Places = __m512i;
   struct Wide {
     __m512d low, high;
   };
-  using Record = MixedRecord;
-  using Scalar = float;
-  static constexpr bool single = true;
-  /// Keeps 1/r finite at r = 0, below the square of what places are rounded by.
-  static constexpr double least_square = 1e-20;
   SEICHE_INLINE static Pack distances(Places a, std::int32_t b, float unit) {
     return _mm512_cvtepi32_ps(_mm512_sub_epi32(a, _mm512_set1_epi32(b))) * unit;
-  }
-  SEICHE_INLINE static Places places(const Record* records, std::int32_t Record::*place) {
-    alignas(64) std::int32_t values[width];
-    for (int l = 0; l < width; ++l) values[l] = records[l].*place;
-    return _mm512_load_si512(values);
   }
   SEICHE_INLINE static void add(Wide& sum, Pack part) {
     sum.low += _mm512_cvtps_pd(_mm512_castps512_ps256(part));

@@ -8,22 +8,12 @@ namespace seiche::wcsph {
 namespace {
 
 /// Any machine whose compiler knows the vector types of GCC.
-struct TwoLanes {
+struct TwoLanes : FullLanes {
   static constexpr int width = 2;
   using Pack [[gnu::vector_size(16)]] = double;
-  using Record = wcsph::Record;
-  using Scalar = double;
   using Places = Pack;
   using Wide = Pack;
-  static constexpr bool single = false;
-  /// Keeps 1/r finite at r = 0, far below any distance squared.
-  static constexpr double least_square = 1e-200;
   SEICHE_INLINE static Pack distances(Places a, double b, double /*unit*/) { return a - b; }
-  SEICHE_INLINE static Places places(const Record* records, double Record::*place) {
-    Places values;
-    for (int l = 0; l < width; ++l) values[l] = records[l].*place;
-    return values;
-  }
   SEICHE_INLINE static Pack largest(Pack a, Pack b) { return a > b ? a : b; }
   SEICHE_INLINE static Pack positive(Pack a) { return a > 0.0 ? a : Pack{}; }
   SEICHE_INLINE static Pack negative(Pack a) { return a < 0.0 ? a : Pack{}; }
@@ -38,7 +28,7 @@ struct TwoLanes {
   }
 };
 
-struct FourSingleLanes {
+struct FourSingleLanes : MixedLanes {
   static constexpr int width = 4;
   using Pack [[gnu::vector_size(16)]] = float;
   using Places [[gnu::vector_size(16)]] = std::uint32_t;
@@ -47,18 +37,8 @@ struct FourSingleLanes {
   struct Wide {
     Half low, high;
   };
-  using Record = MixedRecord;
-  using Scalar = float;
-  static constexpr bool single = true;
-  /// Keeps 1/r finite at r = 0, below the square of what places are rounded by.
-  static constexpr double least_square = 1e-20;
   SEICHE_INLINE static Pack distances(Places a, std::int32_t b, float unit) {
     return __builtin_convertvector(Signed(a - static_cast<std::uint32_t>(b)), Pack) * unit;
-  }
-  SEICHE_INLINE static Places places(const Record* records, std::int32_t Record::*place) {
-    Places values;
-    for (int l = 0; l < width; ++l) values[l] = static_cast<std::uint32_t>(records[l].*place);
-    return values;
   }
   SEICHE_INLINE static void add(Wide& sum, Pack part) {
     sum.low += Half{part[0], part[1]};
