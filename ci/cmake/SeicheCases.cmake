@@ -20,11 +20,11 @@ function(seiche_registry out)
   foreach(source IN LISTS ARGN)
     cmake_path(GET source PARENT_PATH phenomenon)
     cmake_path(GET source STEM name)
-    string(APPEND declarations "namespace cases { Case ${name}(); }\n"
+    string(APPEND declarations "namespace cases::${name} { Case ${name}(); }\n"
                                "namespace articles { extern const char* const ${name}; }\n"
                                "namespace fingerprints { extern const char* const ${name}; }\n")
     string(APPEND entries
-      "      {\"${name}\", \"${phenomenon}\", articles::${name}, fingerprints::${name}, cases::${name}},\n")
+      "      {\"${name}\", \"${phenomenon}\", articles::${name}, fingerprints::${name}, cases::${name}::${name}},\n")
   endforeach()
   set(SEICHE_CASE_DECLARATIONS "${declarations}")
   set(SEICHE_CASE_ENTRIES "${entries}")

@@ -1,8 +1,12 @@
 # What every target of the project is compiled with. `seiche_options` is never installed.
 add_library(seiche_options INTERFACE)
+set(shadow -Wshadow)
+if(CMAKE_UNITY_BUILD)  # files that are compiled together see each other's constants
+  set(shadow -Wshadow=local)
+endif()
 target_compile_features(seiche_options INTERFACE cxx_std_20)
 target_compile_options(seiche_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  -Wall -Wextra -Wpedantic -Wconversion ${shadow}
   # Designated initialisers leave out what has a default.
   -Wno-missing-field-initializers
   # Honours `#pragma omp simd` without a threading runtime.

@@ -26,7 +26,7 @@ take their pressure from the water make no sound: they are ten times better, and
 #include "validation/case/on_threads.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::hydrostatic_sph {
 namespace {
 
 using evidence::Bound;
@@ -235,4 +235,4 @@ Case hydrostatic_sph() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::hydrostatic_sph

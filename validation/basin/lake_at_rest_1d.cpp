@@ -24,7 +24,7 @@ step, with zero: not one bit may differ.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::lake_at_rest_1d {
 namespace {
 
 using evidence::Bound;
@@ -266,4 +266,4 @@ Case lake_at_rest_1d() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::lake_at_rest_1d

@@ -17,7 +17,7 @@ the surface at 0.8 m, as smooth as beds come but nowhere flat.
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::lake_at_rest_particles {
 namespace {
 
 using evidence::Role;
@@ -153,4 +153,4 @@ Case lake_at_rest_particles() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::lake_at_rest_particles

@@ -31,7 +31,7 @@ with hydrostatic reconstruction beside it, whose shoreline is the last cell that
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::thacker {
 namespace {
 
 using evidence::Role;
@@ -359,4 +359,4 @@ Case thacker() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::thacker

@@ -30,7 +30,7 @@ reproduced.
 #include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/judged_states.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::bore_reflection {
 namespace {
 
 using evidence::Role;
@@ -276,4 +276,4 @@ Case bore_reflection() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::bore_reflection

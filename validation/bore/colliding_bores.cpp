@@ -19,7 +19,7 @@ jumps, and then both that leave it.
 #include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/judged_states.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::colliding_bores {
 namespace {
 
 using evidence::Role;
@@ -159,4 +159,4 @@ Case colliding_bores() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::colliding_bores

@@ -32,7 +32,7 @@ digit. Every peer smears it over several cells.
 #include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/judged_states.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::moving_bore {
 namespace {
 
 using evidence::Role;
@@ -304,4 +304,4 @@ Case moving_bore() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::moving_bore

@@ -21,7 +21,7 @@ which starts at that of a simple wave and must settle to that behind a bore.
 #include "validation/studies/shallow_water/profile_curves.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::shock_formation {
 namespace {
 
 using evidence::Role;
@@ -177,4 +177,4 @@ Case shock_formation() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::shock_formation

@@ -36,7 +36,7 @@ Frank's figure; against potential flow it is one.
 #include "validation/breaking/pressure_breaking_reference.hpp"
 #include "validation/case/case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::breaking_gauss {
 namespace {
 
 using evidence::Role;
@@ -330,4 +330,4 @@ Case breaking_gauss() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::breaking_gauss

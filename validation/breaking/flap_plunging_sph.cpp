@@ -46,7 +46,7 @@ spacings.
 #include "validation/studies/wcsph/speed_field.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::flap_plunging_sph {
 namespace {
 
 using evidence::Bound;
@@ -314,4 +314,4 @@ Case flap_plunging_sph() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::flap_plunging_sph

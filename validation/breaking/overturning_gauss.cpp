@@ -38,7 +38,7 @@ to 800 spacings in a wavelength. The whole jet is right to a part of a cell.
 #include "validation/instruments/processor_time.hpp"
 #include "validation/instruments/sph_steep_wave.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::overturning_gauss {
 namespace {
 
 using evidence::Bound;
@@ -321,4 +321,4 @@ Case overturning_gauss() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::overturning_gauss

@@ -37,7 +37,7 @@ bottom by a part of a spacing; the kinetic energy is within a few per cent of th
 #include "validation/studies/wcsph/speed_field.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::overturning_sph {
 namespace {
 
 using evidence::Bound;
@@ -381,4 +381,4 @@ Case overturning_sph() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::overturning_sph

@@ -30,7 +30,7 @@ spacing, is shown and not judged: their jet is formed by few of them, and late.
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::overturning_sph_depths {
 namespace {
 
 using evidence::Amount;
@@ -261,4 +261,4 @@ Case overturning_sph_depths() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::overturning_sph_depths

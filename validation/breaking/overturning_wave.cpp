@@ -28,7 +28,7 @@ throws a thick jet near the crest.
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/agreement.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::overturning_wave {
 namespace {
 
 using evidence::Role;
@@ -182,4 +182,4 @@ Case overturning_wave() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::overturning_wave

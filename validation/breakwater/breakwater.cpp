@@ -32,7 +32,7 @@ tenth of what a plain wall does. Waves much longer push on both together.
 #include "validation/breakwater/berm_load.hpp"
 #include "validation/case/case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::breakwater {
 namespace {
 
 using evidence::Bound;
@@ -400,4 +400,4 @@ Case breakwater() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::breakwater

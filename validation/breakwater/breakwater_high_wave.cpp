@@ -43,7 +43,7 @@ has twice the frequency.
 #include "validation/case/case.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::breakwater_high_wave {
 namespace {
 
 using evidence::Amount;
@@ -322,4 +322,4 @@ Case breakwater_high_wave() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::breakwater_high_wave

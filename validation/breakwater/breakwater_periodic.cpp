@@ -37,7 +37,7 @@ wall. Waves of fifteen depths push on both together.
 #include "validation/breakwater/tank_start.hpp"
 #include "validation/case/case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::breakwater_periodic {
 namespace {
 
 using evidence::Amount;
@@ -364,4 +364,4 @@ Case breakwater_periodic() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::breakwater_periodic

@@ -1,8 +1,8 @@
 /// What a validation case is.
 ///
 /// A case is one file validation/<phenomenon>/<name>.cpp. It opens with a Markdown comment, the article that the report
-/// prints, and defines one function `Case <name>()` in namespace seiche::validation::cases. The build finds the file,
-/// takes the article, and adds the case to the registry: nothing else is to be edited.
+/// prints, and defines one function `Case <name>()` in a namespace of its own, seiche::validation::cases::<name>. The
+/// build finds the file, takes the article, and adds the case to the registry: nothing else is to be edited.
 #pragma once
 
 #include <chrono>

@@ -32,7 +32,7 @@ on them, on every lattice: it is thin sooner, and there is no friction on bed an
 #include "validation/dam_break/gauss_column.hpp"
 #include "validation/instruments/fine_limit.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::collapse_gauss {
 namespace {
 
 using evidence::Bound;
@@ -389,4 +389,4 @@ Case collapse_gauss() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::collapse_gauss

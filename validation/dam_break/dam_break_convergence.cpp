@@ -20,7 +20,7 @@ particles.
 #include "validation/case/case.hpp"
 #include "validation/studies/shallow_water/contest.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dam_break_convergence {
 namespace {
 
 using evidence::Role;
@@ -211,4 +211,4 @@ Case dam_break_convergence() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dam_break_convergence

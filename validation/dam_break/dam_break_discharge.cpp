@@ -25,7 +25,7 @@ With $h_0/h_1 = \tfrac49 s$ the condition $u_* = c_*$ at the dam gives $s^3 - s^
 #include "validation/case/case.hpp"
 #include "validation/studies/shallow_water/profile_curves.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dam_break_discharge {
 namespace {
 
 using evidence::Role;
@@ -193,4 +193,4 @@ Case dam_break_discharge() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dam_break_discharge

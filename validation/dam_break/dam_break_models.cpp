@@ -31,7 +31,7 @@ water has no vertical front.
 #include "validation/case/case.hpp"
 #include "validation/dam_break/column_contenders.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dam_break_models {
 namespace {
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994); Martin and Moyce (1952)";
@@ -136,4 +136,4 @@ Case dam_break_models() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dam_break_models

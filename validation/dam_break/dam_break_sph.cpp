@@ -34,7 +34,7 @@ with it tells the largest speed, from which the sound speed follows.
 #include "validation/instruments/shifted_front.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dam_break_sph {
 namespace {
 
 using evidence::Role;
@@ -199,4 +199,4 @@ Case dam_break_sph() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dam_break_sph

@@ -32,7 +32,7 @@ $a/71$, where the points say 1.28.
 #include "validation/instruments/shifted_front.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dam_break_sph_front {
 namespace {
 
 using evidence::Bound;
@@ -291,4 +291,4 @@ Case dam_break_sph_front() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dam_break_sph_front

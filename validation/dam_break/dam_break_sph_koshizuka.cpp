@@ -22,7 +22,7 @@ experiment is later than both.
 #include "validation/instruments/shifted_front.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dam_break_sph_koshizuka {
 namespace {
 
 using evidence::Bound;
@@ -159,4 +159,4 @@ Case dam_break_sph_koshizuka() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dam_break_sph_koshizuka

@@ -33,7 +33,7 @@ passes between them (`--set wall_rows=2`); how much of it the publication lost, 
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 #include "validation/studies/wcsph/speed_field.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dam_break_sph_turbulence {
 namespace {
 
 using evidence::Bound;
@@ -259,4 +259,4 @@ Case dam_break_sph_turbulence() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dam_break_sph_turbulence

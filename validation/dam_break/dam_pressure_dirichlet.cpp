@@ -33,7 +33,7 @@ nothing restores, the loss of quality that the source reports.
 #include "validation/case/case.hpp"
 #include "validation/case/refinement.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dam_pressure_dirichlet {
 namespace {
 
 using evidence::Bound;
@@ -250,4 +250,4 @@ Case dam_pressure_dirichlet() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dam_pressure_dirichlet

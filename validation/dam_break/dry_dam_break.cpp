@@ -26,7 +26,7 @@ has no answer over a dry bed.
 #include "validation/case/case.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dry_dam_break {
 namespace {
 
 using evidence::Role;
@@ -180,4 +180,4 @@ Case dry_dam_break() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dry_dam_break

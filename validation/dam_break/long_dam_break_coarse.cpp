@@ -10,7 +10,7 @@ $\Delta x^2/\tau$ and spreads the dam over the whole channel.
 */
 #include "validation/dam_break/wet_dam_break.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::long_dam_break_coarse {
 namespace {
 
 WetDamBreak setup() {
@@ -34,4 +34,4 @@ Case long_dam_break_coarse() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::long_dam_break_coarse

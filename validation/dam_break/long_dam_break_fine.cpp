@@ -8,7 +8,7 @@ A longer channel: dam at $x = 100$ m in $[0, 200]$ m, $h_0/h_1 = 0.1$, 200 parti
 */
 #include "validation/dam_break/wet_dam_break.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::long_dam_break_fine {
 namespace {
 
 WetDamBreak setup() {
@@ -33,4 +33,4 @@ Case long_dam_break_fine() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::long_dam_break_fine

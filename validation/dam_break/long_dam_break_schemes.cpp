@@ -15,7 +15,7 @@ rounds the corners of the fan. Compare with 200 and 22 particles in the next two
 #include "validation/case/case.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::long_dam_break_schemes {
 namespace {
 
 /// What the parameters decide.
@@ -104,4 +104,4 @@ Case long_dam_break_schemes() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::long_dam_break_schemes

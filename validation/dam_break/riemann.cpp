@@ -27,7 +27,7 @@ scheme loses its order.
 #include "validation/scoring/score.hpp"
 #include "validation/studies/shallow_water/judged_states.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::riemann {
 namespace {
 
 JudgedStates states_of(const Values& values) {
@@ -171,4 +171,4 @@ Case riemann() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::riemann

@@ -10,7 +10,7 @@ $\tau = 0.05$ s (their figure 23).
 */
 #include "validation/dam_break/wet_dam_break.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::wet_dam_break_deep {
 namespace {
 
 WetDamBreak setup() {
@@ -32,4 +32,4 @@ Case wet_dam_break_deep() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::wet_dam_break_deep

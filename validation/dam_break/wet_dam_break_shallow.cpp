@@ -14,7 +14,7 @@ leaves a quarter of a cell behind.
 */
 #include "validation/dam_break/wet_dam_break.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::wet_dam_break_shallow {
 namespace {
 
 WetDamBreak setup() {
@@ -36,4 +36,4 @@ Case wet_dam_break_shallow() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::wet_dam_break_shallow

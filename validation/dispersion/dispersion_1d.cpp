@@ -36,7 +36,7 @@ are roundings: the program solves what the formula describes.
 #include "validation/instruments/dispersive_standing_mode.hpp"
 #include "validation/instruments/stable_standing_box.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dispersion_1d {
 namespace {
 
 using dispersive_shallow_water_1d::Stepping;
@@ -337,4 +337,4 @@ Case dispersion_1d() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dispersion_1d

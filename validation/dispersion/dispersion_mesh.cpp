@@ -37,7 +37,7 @@ too few for that. Deviations of the measured frequencies from the law are roundi
 #include "validation/dispersion/frequency_roundoff.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dispersion_mesh {
 namespace {
 
 using evidence::Bound;
@@ -430,4 +430,4 @@ Case dispersion_mesh() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dispersion_mesh

@@ -31,7 +31,7 @@ for the errors of the pressure and of the inertia cancel; at an angle $\theta$ a
 #include "validation/case/case.hpp"
 #include "validation/instruments/plan_standing_mode.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dispersion_plan {
 namespace {
 
 using evidence::Bound;
@@ -262,4 +262,4 @@ Case dispersion_plan() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dispersion_plan

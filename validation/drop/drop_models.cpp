@@ -35,7 +35,7 @@ dispersive shallow water has no drop: its water stands on a bottom.
 #include "validation/case/case.hpp"
 #include "validation/drop/drop_contenders.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::drop_models {
 namespace {
 
 using exact::StretchingDrop;
@@ -224,4 +224,4 @@ Case drop_models() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::drop_models

@@ -30,7 +30,7 @@ cut cells, the sums over particles, and the steps.
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "validation/case/case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::ellipse_gauss {
 namespace {
 
 using evidence::Role;
@@ -323,4 +323,4 @@ Case ellipse_gauss() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::ellipse_gauss

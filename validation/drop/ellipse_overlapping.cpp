@@ -38,7 +38,7 @@ until t = 1 to 0.01 per cent of the stretch with a spacing of 0.1, to 2.4 per ce
 #include "validation/case/case.hpp"
 #include "validation/case/refinement.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::ellipse_overlapping {
 namespace {
 
 using Eigen::Matrix2d;
@@ -364,4 +364,4 @@ Case ellipse_overlapping() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::ellipse_overlapping

@@ -32,7 +32,7 @@ of a surface that cuts cells, or of walls.
 #include "seiche/models/gauss_particles/spatial_model.hpp"
 #include "validation/case/case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::ellipsoid_gauss {
 namespace {
 
 using Eigen::Matrix3d;
@@ -298,4 +298,4 @@ Case ellipsoid_gauss() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::ellipsoid_gauss

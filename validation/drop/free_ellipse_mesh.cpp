@@ -34,7 +34,7 @@ It is an exact solution too, but its surface is unstable, and any method loses i
 #include "validation/drop/round_patch.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::free_ellipse_mesh {
 namespace {
 
 using evidence::Amount;
@@ -253,4 +253,4 @@ Case free_ellipse_mesh() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::free_ellipse_mesh

@@ -33,7 +33,7 @@ One step with feedback gives up the energy to bring areas back.
 #include "validation/case/case.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::free_patch_mesh {
 namespace {
 
 using evidence::Roundoff;
@@ -282,4 +282,4 @@ Case free_patch_mesh() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::free_patch_mesh

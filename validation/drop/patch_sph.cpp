@@ -33,7 +33,7 @@ several times better than the cubic spline with $h = 1.3\,dx$. Momenta are kept 
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::patch_sph {
 namespace {
 
 using evidence::Bound;
@@ -288,4 +288,4 @@ Case patch_sph() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::patch_sph

@@ -17,7 +17,7 @@ semi-axes and the pressure in time.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::stretching_drop {
 namespace {
 
 using evidence::Role;
@@ -99,4 +99,4 @@ Case stretching_drop() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::stretching_drop

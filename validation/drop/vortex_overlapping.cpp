@@ -36,7 +36,7 @@ same equilibrium is reached.
 #include "validation/case/reference_source.hpp"
 #include "validation/instruments/straight_line.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::vortex_overlapping {
 namespace {
 
 using evidence::Bound;
@@ -431,4 +431,4 @@ Case vortex_overlapping() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::vortex_overlapping

@@ -21,7 +21,7 @@ for them. For the particles the water moves 43 m and the jump stays: to the last
 #include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::stationary_jump {
 namespace {
 
 using evidence::Role;
@@ -127,4 +127,4 @@ Case stationary_jump() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::stationary_jump

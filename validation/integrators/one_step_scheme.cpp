@@ -35,7 +35,7 @@ then drifts by their work on the rounding of the rates; reprojecting the velocit
 #include "validation/case/case.hpp"
 #include "validation/integrators/integrator_runs.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::one_step_scheme {
 namespace {
 
 using evidence::Amount;
@@ -438,4 +438,4 @@ Case one_step_scheme() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::one_step_scheme

@@ -9,7 +9,7 @@ the waves are lower than beside it. Models without that current have it the othe
 */
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::breaking_on_shoal {
 namespace {
 
 using namespace laboratory;
@@ -36,4 +36,4 @@ Case breaking_on_shoal() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::breaking_on_shoal

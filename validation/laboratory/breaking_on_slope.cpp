@@ -14,7 +14,7 @@ of permanent form: from linear wavemakers free second harmonics beat along the f
 #include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::breaking_on_slope {
 namespace {
 
 using namespace laboratory;
@@ -146,4 +146,4 @@ Case breaking_on_slope() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::breaking_on_slope

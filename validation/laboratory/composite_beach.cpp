@@ -15,7 +15,7 @@ each wave. The run-up of B is a jet at the wall, and C breaks: no model without 
 #include "validation/laboratory/composite_beach_experiment.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::composite_beach {
 namespace {
 
 using namespace laboratory;
@@ -36,4 +36,4 @@ Case composite_beach() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::composite_beach

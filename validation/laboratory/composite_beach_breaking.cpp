@@ -14,7 +14,7 @@ meets the wall and leaves it dry.
 #include "validation/laboratory/composite_beach_experiment.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::composite_beach_breaking {
 namespace {
 
 using namespace laboratory;
@@ -35,4 +35,4 @@ Case composite_beach_breaking() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::composite_beach_breaking

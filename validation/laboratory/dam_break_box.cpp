@@ -10,7 +10,7 @@ wetted.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dam_break_box {
 namespace {
 
 using namespace laboratory;
@@ -58,4 +58,4 @@ Case dam_break_box() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dam_break_box

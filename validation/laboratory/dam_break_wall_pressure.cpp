@@ -22,7 +22,7 @@ asked for. Average a computed pressure over 5 ms and over the sensor's face of 4
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dam_break_wall_pressure {
 namespace {
 
 using namespace laboratory;
@@ -129,4 +129,4 @@ Case dam_break_wall_pressure() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dam_break_wall_pressure

@@ -13,7 +13,7 @@ dispersion laws apart.
 #include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::dingemans_bar {
 namespace {
 
 using namespace laboratory;
@@ -91,4 +91,4 @@ Case dingemans_bar() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::dingemans_bar

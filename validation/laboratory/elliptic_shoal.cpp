@@ -15,7 +15,7 @@ theory has the pattern right and the peaks behind the focus a tenth too high; th
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/laboratory/wave_basin.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::elliptic_shoal {
 namespace {
 
 using namespace laboratory;
@@ -128,4 +128,4 @@ Case elliptic_shoal() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::elliptic_shoal

@@ -9,7 +9,7 @@ square difference. The clock is that of the wavemaker, of which the carrier give
 */
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::fission_on_shelf {
 namespace {
 
 using namespace laboratory;
@@ -46,4 +46,4 @@ Case fission_on_shelf() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::fission_on_shelf

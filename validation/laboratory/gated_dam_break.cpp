@@ -12,7 +12,7 @@ shallow water with a second-order finite-volume scheme is judged by the same cla
 #include "validation/laboratory/gated_dam_break_experiment.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::gated_dam_break {
 namespace {
 
 using namespace laboratory;
@@ -32,4 +32,4 @@ Case gated_dam_break() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::gated_dam_break

@@ -12,7 +12,7 @@ second order (H2). No gate: it is gone at once.
 #include "validation/laboratory/gated_dam_break_experiment.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::gated_dam_break_particles {
 namespace {
 
 using namespace laboratory;
@@ -33,4 +33,4 @@ Case gated_dam_break_particles() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::gated_dam_break_particles

@@ -24,7 +24,7 @@ and the front is within what is known of the measured one.
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::gated_dam_break_sph {
 namespace {
 
 using namespace laboratory;
@@ -94,4 +94,4 @@ Case gated_dam_break_sph() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::gated_dam_break_sph

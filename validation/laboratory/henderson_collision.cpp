@@ -13,7 +13,7 @@ mm.
 #include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::henderson_collision {
 namespace {
 
 using namespace laboratory;
@@ -105,4 +105,4 @@ Case henderson_collision() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::henderson_collision

@@ -26,7 +26,7 @@ and falls behind; asymmetry grows until the shore.
 #include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::irregular_waves_slope {
 namespace {
 
 using namespace laboratory;
@@ -164,4 +164,4 @@ Case irregular_waves_slope() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::irregular_waves_slope

@@ -26,7 +26,7 @@ gauge 6 by 5 %, run-up at 90 degrees by 19 %, and at all others it is the measur
 #include "validation/instruments/plan_gauges.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::island_gauges {
 namespace {
 
 using namespace laboratory;
@@ -227,4 +227,4 @@ Case island_gauges() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::island_gauges

@@ -10,7 +10,7 @@ where 0.02 m of water stands.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::isolated_building {
 namespace {
 
 using namespace laboratory;
@@ -60,4 +60,4 @@ Case isolated_building() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::isolated_building

@@ -14,7 +14,7 @@ bar is a short one, $kh$ = 1.7, and its second harmonic has $kh$ = 6.4, beyond a
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/laboratory/luth_bar_experiment.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::luth_bar {
 namespace {
 
 using namespace laboratory;
@@ -35,4 +35,4 @@ Case luth_bar() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::luth_bar

@@ -16,7 +16,7 @@ a half to four times as large.
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/laboratory/luth_bar_experiment.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::luth_bar_short {
 namespace {
 
 using namespace laboratory;
@@ -37,4 +37,4 @@ Case luth_bar_short() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::luth_bar_short

@@ -11,7 +11,7 @@ run-up.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::monai_valley {
 namespace {
 
 using namespace laboratory;
@@ -56,4 +56,4 @@ Case monai_valley() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::monai_valley

@@ -14,7 +14,7 @@ laboratory: a run-up as measured needs either. The exact solution for the smalle
 */
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::plane_beach {
 namespace {
 
 using namespace laboratory;
@@ -75,4 +75,4 @@ Case plane_beach() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::plane_beach

@@ -15,7 +15,7 @@ be judged. Waves of 1 s need good linear dispersion, $kh$ = 1.9.
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/laboratory/wave_basin.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::semicircular_shoal {
 namespace {
 
 using namespace laboratory;
@@ -132,4 +132,4 @@ Case semicircular_shoal() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::semicircular_shoal

@@ -11,7 +11,7 @@ the experiment, and are not asked for.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::shelf_and_cone {
 namespace {
 
 using namespace laboratory;
@@ -65,4 +65,4 @@ Case shelf_and_cone() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::shelf_and_cone

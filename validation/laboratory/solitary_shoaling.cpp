@@ -12,7 +12,7 @@ dispersive model is judged by the same claims.
 #include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::solitary_shoaling {
 namespace {
 
 using namespace laboratory;
@@ -90,4 +90,4 @@ Case solitary_shoaling() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::solitary_shoaling

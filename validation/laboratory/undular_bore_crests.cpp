@@ -17,7 +17,7 @@ they ran. The theory of modulated waves lets the first crest grow beyond twice t
 #include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::undular_bore_crests {
 namespace {
 
 using namespace laboratory;
@@ -78,4 +78,4 @@ Case undular_bore_crests() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::undular_bore_crests

@@ -38,7 +38,7 @@ grows by more than 1 % in the last fifth of the run is marked, and the limit of 
 #include "validation/mach_reflection/reflection_reference.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::mach_reflection {
 namespace {
 
 using evidence::Measurement;
@@ -368,4 +368,4 @@ Case mach_reflection() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::mach_reflection

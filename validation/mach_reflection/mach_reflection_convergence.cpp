@@ -22,7 +22,7 @@ follow a power of $h$.
 #include "validation/mach_reflection/reflection_reference.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::mach_reflection_convergence {
 namespace {
 
 using evidence::Bound;
@@ -186,4 +186,4 @@ Case mach_reflection_convergence() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::mach_reflection_convergence

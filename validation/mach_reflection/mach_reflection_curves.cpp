@@ -36,7 +36,7 @@ $a_i = 0.3$) the plateau is lower; 0.99 of it is the criterion there, and no cla
 #include "validation/mach_reflection/reflection_figures.hpp"
 #include "validation/mach_reflection/reflection_reference.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::mach_reflection_curves {
 namespace {
 
 using evidence::Bound;
@@ -381,4 +381,4 @@ Case mach_reflection_curves() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::mach_reflection_curves

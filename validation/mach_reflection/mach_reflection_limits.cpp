@@ -38,7 +38,7 @@ mostly theirs.
 #include "validation/mach_reflection/reflection_run.hpp"
 #include "validation/mach_reflection/reflection_sweep.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::mach_reflection_limits {
 namespace {
 
 using evidence::Bound;
@@ -410,4 +410,4 @@ Case mach_reflection_limits() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::mach_reflection_limits

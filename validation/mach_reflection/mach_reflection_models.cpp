@@ -22,7 +22,7 @@ resonance both stems still grow at the end.
 #include "validation/mach_reflection/reflection_reference.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::mach_reflection_models {
 namespace {
 
 using evidence::Measurement;
@@ -204,4 +204,4 @@ Case mach_reflection_models() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::mach_reflection_models

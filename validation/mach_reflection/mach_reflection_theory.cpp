@@ -23,7 +23,7 @@ tell a stem from regular reflection nothing is decided. Small waves settle slowl
 #include "validation/case/reference_case.hpp"
 #include "validation/mach_reflection/reflection_reference.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::mach_reflection_theory {
 namespace {
 
 using evidence::Amount;
@@ -165,4 +165,4 @@ Case mach_reflection_theory() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::mach_reflection_theory

@@ -23,7 +23,7 @@ larger angle with the wall. Along the stem the height hardly changes.
 #include "validation/case/case.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::mach_stem_growth {
 namespace {
 
 using evidence::Bound;
@@ -198,4 +198,4 @@ Case mach_stem_growth() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::mach_stem_growth

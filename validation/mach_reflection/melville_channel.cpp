@@ -36,7 +36,7 @@ is a hundredth lower.
 #include "validation/mach_reflection/reflection_reference.hpp"
 #include "validation/mach_reflection/surface_part.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::melville_channel {
 namespace {
 
 using dispersive_shallow_water_2d::Flow;
@@ -349,4 +349,4 @@ Case melville_channel() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::melville_channel

@@ -36,7 +36,7 @@ are of first order in every respect.
 #include "validation/instruments/mesh_double_shear.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::mms_mesh {
 namespace {
 
 using evidence::Bound;
@@ -190,4 +190,4 @@ Case mms_mesh() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::mms_mesh

@@ -22,7 +22,7 @@ The volumes of the cells err by the time step alone; with the conservative schem
 #include "validation/case/refinement.hpp"
 #include "validation/instruments/plan_manufactured_flow.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::mms_plan {
 namespace {
 
 using evidence::Order;
@@ -103,4 +103,4 @@ Case mms_plan() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::mms_plan

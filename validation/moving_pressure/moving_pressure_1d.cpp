@@ -15,7 +15,7 @@ the surface at the source. Try `--set p0=-0.1 --set half_width=6.5 --set time=80
 #include "validation/case/case.hpp"
 #include "validation/moving_pressure/pressure_regimes.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::moving_pressure_1d {
 namespace {
 
 struct SetUp {
@@ -90,4 +90,4 @@ Case moving_pressure_1d() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::moving_pressure_1d

@@ -23,7 +23,7 @@ one does.
 #include "validation/case/case.hpp"
 #include "validation/moving_pressure/pressure_regimes.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::moving_pressure_regimes {
 namespace {
 
 using evidence::Bound;
@@ -216,4 +216,4 @@ Case moving_pressure_regimes() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::moving_pressure_regimes

@@ -35,7 +35,7 @@ within a few cells, a little more on finer meshes.
 #include "validation/case/refinement.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::gerstner_mesh {
 namespace {
 
 using evidence::Order;
@@ -287,4 +287,4 @@ Case gerstner_mesh() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::gerstner_mesh

@@ -30,7 +30,7 @@ the steps make it lead; momentum; the energy, which changes by what the penalty 
 #include "validation/case/case.hpp"
 #include "validation/periodic_wave/surface_fit.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::stokes_gauss {
 namespace {
 
 using evidence::Role;
@@ -324,4 +324,4 @@ Case stokes_gauss() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::stokes_gauss

@@ -40,7 +40,7 @@ SPH does not. A longer wave has less dispersion, and the dispersive model less e
 #include "validation/periodic_wave/surface_fit.hpp"
 #include "validation/periodic_wave/travelling_models.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::stokes_models {
 namespace {
 
 using evidence::Role;
@@ -331,4 +331,4 @@ Case stokes_models() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::stokes_models

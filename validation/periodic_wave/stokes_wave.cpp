@@ -20,7 +20,7 @@ particle methods round it off, spectral ones ring.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::stokes_wave {
 namespace {
 
 using evidence::Role;
@@ -121,4 +121,4 @@ Case stokes_wave() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::stokes_wave

@@ -48,7 +48,7 @@ it.
 #include "validation/periodic_wave/surface_fit.hpp"
 #include "validation/periodic_wave/travelling_models.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::wave_attenuation {
 namespace {
 
 using evidence::Bound;
@@ -368,4 +368,4 @@ Case wave_attenuation() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::wave_attenuation

@@ -24,7 +24,7 @@ is dispersive in the mean alone has one velocity over the depth.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::wave_kinematics {
 namespace {
 
 using evidence::Role;
@@ -212,4 +212,4 @@ Case wave_kinematics() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::wave_kinematics

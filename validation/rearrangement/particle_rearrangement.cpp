@@ -22,7 +22,7 @@ it, because the deep particle also pushes.
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::particle_rearrangement {
 namespace {
 
 using evidence::Role;
@@ -197,4 +197,4 @@ Case particle_rearrangement() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::particle_rearrangement

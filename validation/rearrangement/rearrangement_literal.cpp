@@ -31,7 +31,7 @@ bore may be compressed, the bore hands the whole row on towards the piston, and 
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::rearrangement_literal {
 namespace {
 
 using evidence::Role;
@@ -268,4 +268,4 @@ Case rearrangement_literal() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::rearrangement_literal

@@ -22,7 +22,7 @@ others: `seiche score carrier_greenspan_runup` takes the largest run-up, and the
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::carrier_greenspan_runup {
 namespace {
 
 using evidence::Role;
@@ -122,4 +122,4 @@ Case carrier_greenspan_runup() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::carrier_greenspan_runup

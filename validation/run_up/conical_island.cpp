@@ -41,7 +41,7 @@ high at the sides as the water of the experiment.
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/instruments/island_flow.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::conical_island {
 namespace {
 
 using dispersive_shallow_water_2d::Flow;
@@ -397,4 +397,4 @@ Case conical_island() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::conical_island

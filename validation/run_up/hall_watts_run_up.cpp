@@ -18,7 +18,7 @@ more closely.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::hall_watts_run_up {
 namespace {
 
 using evidence::Role;
@@ -98,4 +98,4 @@ Case hall_watts_run_up() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::hall_watts_run_up

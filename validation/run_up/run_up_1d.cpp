@@ -28,7 +28,7 @@ and, with finer markers, rises a little less: what dispersion does.
 #include "validation/instruments/processor_time.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::run_up_1d {
 namespace {
 
 using dispersive::Flow;
@@ -194,4 +194,4 @@ Case run_up_1d() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::run_up_1d

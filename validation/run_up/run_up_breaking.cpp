@@ -25,7 +25,7 @@ comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85,
 #include "validation/run_up/run_down.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::run_up_breaking {
 namespace {
 
 using evidence::Role;
@@ -290,4 +290,4 @@ Case run_up_breaking() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::run_up_breaking

@@ -38,7 +38,7 @@ more slowly than at a wall.
 #include "validation/run_up/gauss_climb.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::run_up_gauss {
 namespace {
 
 using evidence::Bound;
@@ -297,4 +297,4 @@ Case run_up_gauss() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::run_up_gauss

@@ -35,7 +35,7 @@ thousandth of the energy, at the wall half of it while the sheet falls.
 #include "validation/run_up/mesh_wall_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::run_up_mesh_rezoned {
 namespace {
 
 using evidence::Role;
@@ -372,4 +372,4 @@ Case run_up_mesh_rezoned() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::run_up_mesh_rezoned

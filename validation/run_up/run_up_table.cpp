@@ -37,7 +37,7 @@ thesis's kinetic energy comes nearer to them there because it errs to the same s
 #include "validation/run_up/mild_slopes.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::run_up_table {
 namespace {
 
 using evidence::Role;
@@ -448,4 +448,4 @@ Case run_up_table() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::run_up_table

@@ -20,7 +20,7 @@ tension, and no measured tongue is followed to where it is thinner than a film.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::slope_run_up_exact {
 namespace {
 
 using evidence::Role;
@@ -128,4 +128,4 @@ Case slope_run_up_exact() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::slope_run_up_exact

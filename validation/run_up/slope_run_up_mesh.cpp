@@ -38,7 +38,7 @@ eighth wide, a few tenths of a per cent of most.
 #include "validation/run_up/solitary_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::slope_run_up_mesh {
 namespace {
 
 using evidence::Bound;
@@ -428,4 +428,4 @@ Case slope_run_up_mesh() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::slope_run_up_mesh

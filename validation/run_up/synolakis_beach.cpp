@@ -36,7 +36,7 @@ and flow without friction part. Elsewhere the model is nearer to the measurement
 #include "validation/run_up/beach_profiles.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::synolakis_beach {
 namespace {
 
 using dispersive::Flow;
@@ -361,4 +361,4 @@ Case synolakis_beach() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::synolakis_beach

@@ -23,7 +23,7 @@ at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as high as the theori
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::synolakis_runup {
 namespace {
 
 using dispersive::TipMass;
@@ -209,4 +209,4 @@ Case synolakis_runup() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::synolakis_runup

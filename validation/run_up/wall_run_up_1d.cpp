@@ -26,7 +26,7 @@ a velocity that is uniform over the depth knows nothing.
 #include "validation/case/reference_case.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::wall_run_up_1d {
 namespace {
 
 using evidence::Role;
@@ -217,4 +217,4 @@ Case wall_run_up_1d() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::wall_run_up_1d

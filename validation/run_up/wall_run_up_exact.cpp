@@ -18,7 +18,7 @@ thin sheet, and the exact values leave every series.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::wall_run_up_exact {
 namespace {
 
 using evidence::Role;
@@ -101,4 +101,4 @@ Case wall_run_up_exact() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::wall_run_up_exact

@@ -33,7 +33,7 @@ Above $A = 0.45$ they may fold when the water falls again; the case then tells w
 #include "validation/run_up/mesh_wall_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::wall_run_up_mesh {
 namespace {
 
 using evidence::Role;
@@ -376,4 +376,4 @@ Case wall_run_up_mesh() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::wall_run_up_mesh

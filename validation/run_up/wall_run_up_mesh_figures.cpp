@@ -30,7 +30,7 @@ where the pressure begins like the elevation.
 #include "validation/case/reference_case.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::wall_run_up_mesh_figures {
 namespace {
 
 using evidence::Role;
@@ -439,4 +439,4 @@ Case wall_run_up_mesh_figures() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::wall_run_up_mesh_figures

@@ -34,7 +34,7 @@ meshes. Rezoning carries every wave through, and its run-up is no worse than tha
 #include "validation/run_up/mesh_wall_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::wall_run_up_mesh_limit {
 namespace {
 
 using evidence::Role;
@@ -389,4 +389,4 @@ Case wall_run_up_mesh_limit() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::wall_run_up_mesh_limit

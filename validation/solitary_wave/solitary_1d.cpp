@@ -35,7 +35,7 @@ and steps. What the latter buys is in the histories: energy and every cell's vol
 #include "validation/solitary_wave/serre_history.hpp"
 #include "validation/solitary_wave/serre_wave.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::solitary_1d {
 namespace {
 
 using dispersive_shallow_water_1d::Flow;
@@ -491,4 +491,4 @@ Case solitary_1d() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::solitary_1d

@@ -42,7 +42,7 @@ The highest wave leaves the first column of the coarsest mesh sheared, which fol
 #include "validation/solitary_wave/born_waves.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::solitary_birth {
 namespace {
 
 using evidence::Bound;
@@ -453,4 +453,4 @@ Case solitary_birth() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::solitary_birth

@@ -40,7 +40,7 @@ A small restoring force (`hourglass`) prevents it too.
 #include "validation/instruments/mesh_solitary_wave.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::solitary_mesh {
 namespace {
 
 using evidence::Bound;
@@ -496,4 +496,4 @@ Case solitary_mesh() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::solitary_mesh

@@ -26,7 +26,7 @@ and from twelve rows on hardly any more.
 #include "validation/instruments/straight_line.hpp"
 #include "validation/studies/variable_mass/solitary_run.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::solitary_variable_mass {
 namespace {
 
 using evidence::Bound;
@@ -279,4 +279,4 @@ Case solitary_variable_mass() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::solitary_variable_mass

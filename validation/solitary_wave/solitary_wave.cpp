@@ -20,7 +20,7 @@ Boussinesq-type equations, has the wrong speed: the shift at the last time tells
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::solitary_wave {
 namespace {
 
 using evidence::Role;
@@ -127,4 +127,4 @@ Case solitary_wave() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::solitary_wave

@@ -34,7 +34,7 @@ wave is kinder to the dispersive model.
 #include "validation/case/case.hpp"
 #include "validation/studies/side_by_side/tank_wave.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::solitary_wave_models {
 namespace {
 
 using exact::SolitaryWave;
@@ -226,4 +226,4 @@ Case solitary_wave_models() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::solitary_wave_models

@@ -34,7 +34,7 @@ the machine, nothing is claimed of them: the point of Basilisk is from another o
 #include "validation/instruments/processor_time.hpp"
 #include "validation/solitary_wave/serre_wave.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::soliton_le_metayer {
 namespace {
 
 using dispersive_shallow_water_1d::Flow;
@@ -358,4 +358,4 @@ Case soliton_le_metayer() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::soliton_le_metayer

@@ -24,7 +24,7 @@ shortest. Across, where the bottom is level, they agree to half a per cent.
 #include "validation/case/case.hpp"
 #include "validation/solitary_wave/shoal_waves.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::soliton_over_shoal {
 namespace {
 
 using evidence::Bound;
@@ -167,4 +167,4 @@ Case soliton_over_shoal() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::soliton_over_shoal

@@ -29,7 +29,7 @@ fold there in the end, long after the wave has gone, and the runs of two and thr
 #include "validation/case/case.hpp"
 #include "validation/instruments/plan_soliton.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::soliton_plan {
 namespace {
 
 using evidence::Bound;
@@ -246,4 +246,4 @@ Case soliton_plan() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::soliton_plan

@@ -31,7 +31,7 @@ short. The reflected wave comes back from the left wall and follows over the ste
 #include "validation/case/case.hpp"
 #include "validation/studies/variable_mass/solitary_run.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::step_variable_mass {
 namespace {
 
 using evidence::Bound;
@@ -389,4 +389,4 @@ Case step_variable_mass() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::step_variable_mass

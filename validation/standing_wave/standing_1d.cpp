@@ -39,7 +39,7 @@ are near Tadjbakhsh and Keller's; shorter ones slow down too little.
 #include "validation/instruments/dispersive_standing_mode.hpp"
 #include "validation/instruments/stable_standing_box.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::standing_1d {
 namespace {
 
 using dispersive_shallow_water_1d::stepping_named;
@@ -395,4 +395,4 @@ Case standing_1d() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::standing_1d

@@ -26,7 +26,7 @@ score two amplitudes and compare the difference of frequencies with that of the 
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::standing_wave {
 namespace {
 
 using evidence::Role;
@@ -159,4 +159,4 @@ Case standing_wave() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::standing_wave

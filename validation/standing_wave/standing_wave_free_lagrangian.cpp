@@ -36,7 +36,7 @@ ten periods.
 #include "validation/case/refinement.hpp"
 #include "validation/instruments/harmonic_fit.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::standing_wave_free_lagrangian {
 namespace {
 
 using evidence::Bound;
@@ -415,4 +415,4 @@ Case standing_wave_free_lagrangian() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::standing_wave_free_lagrangian

@@ -33,7 +33,7 @@ Tadjbakhsh and Keller's line, where the one-dimensional dispersive model has its
 #include "validation/case/reference_case.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::standing_wave_mesh {
 namespace {
 
 using evidence::Bound;
@@ -373,4 +373,4 @@ Case standing_wave_mesh() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::standing_wave_mesh

@@ -36,7 +36,7 @@ at the beginning. Watch the corners.
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::standing_wave_mesh_life {
 namespace {
 
 using evidence::Bound;
@@ -405,4 +405,4 @@ Case standing_wave_mesh_life() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::standing_wave_mesh_life

@@ -34,7 +34,7 @@ keep it, with short waves on it. SPH loses height, and beyond some twelve rows i
 #include "validation/case/case.hpp"
 #include "validation/studies/side_by_side/tank_wave.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::standing_wave_models {
 namespace {
 
 using exact::StandingWave;
@@ -250,4 +250,4 @@ Case standing_wave_models() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::standing_wave_models

@@ -30,7 +30,7 @@ instant the errors scatter so much that the order cannot be told.
 #include "validation/steady_flow/settled_flow.hpp"
 #include "validation/studies/shallow_water/profile_curves.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::macdonald_channel {
 namespace {
 
 using evidence::Role;
@@ -227,4 +227,4 @@ Case macdonald_channel() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::macdonald_channel

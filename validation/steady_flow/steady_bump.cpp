@@ -39,7 +39,7 @@ disturbance of its own.
 #include "validation/steady_flow/settled_flow.hpp"
 #include "validation/studies/shallow_water/profile_curves.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::steady_bump {
 namespace {
 
 using evidence::Role;
@@ -405,4 +405,4 @@ Case steady_bump() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::steady_bump

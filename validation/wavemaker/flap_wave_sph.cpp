@@ -39,7 +39,7 @@ for this stroke, 1.08 m high.
 #include "validation/studies/wcsph/sph_settings.hpp"
 #include "validation/wavemaker/sph_flap_waves.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::flap_wave_sph {
 namespace {
 
 using evidence::Bound;
@@ -436,4 +436,4 @@ Case flap_wave_sph() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::flap_wave_sph

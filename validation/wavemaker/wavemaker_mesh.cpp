@@ -31,7 +31,7 @@ and the difference falls as slowly. The second order has twice the frequency: cr
 #include "validation/case/case.hpp"
 #include "validation/wavemaker/soft_piston.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::wavemaker_mesh {
 namespace {
 
 using evidence::Bound;
@@ -289,4 +289,4 @@ Case wavemaker_mesh() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::wavemaker_mesh

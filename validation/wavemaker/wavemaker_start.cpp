@@ -21,7 +21,7 @@ transient.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 
-namespace seiche::validation::cases {
+namespace seiche::validation::cases::wavemaker_start {
 namespace {
 
 using evidence::Role;
@@ -125,4 +125,4 @@ Case wavemaker_start() {
   return c;
 }
 
-}  // namespace seiche::validation::cases
+}  // namespace seiche::validation::cases::wavemaker_start

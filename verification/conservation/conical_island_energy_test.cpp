@@ -10,7 +10,7 @@
 #include "validation/instruments/island_flow.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace conical_island_energy_test {
 
 using namespace seiche;
 using dispersive_shallow_water_2d::Flow;
@@ -24,8 +24,6 @@ validation::ConicalIsland island() {
   return validation::ConicalIsland(
       {.height = 0.045, .spacing = spacing, .scheme = {.stepping = mechanics::Stepping::conservative}, .drag = {}});
 }
-
-}  // namespace
 
 TEST_CASE("conservative steps keep the energy of a wave that climbs an island", "[conservation]") {
   verification::Check check(
@@ -77,3 +75,5 @@ TEST_CASE("conservative steps keep the energy of a wave that climbs an island", 
                       .reason = "places of 20 m and sides of 0.2 m next to the shore: each step rounds their "
                                 "differences anew"});
 }
+
+}  // namespace conical_island_energy_test

@@ -12,7 +12,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/flat_channel.hpp"
 
-namespace {
+namespace conservative_step_test {
 
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
@@ -58,8 +58,6 @@ void known_digits(Check& check, const std::string& id, const std::string& text, 
              {.value = value},
              Bound{.limit = 0.05, .reason = "expected values have two digits", .expected = expected, .relative = true});
 }
-
-}  // namespace
 
 TEST_CASE("a solitary wave in a periodic channel: what each scheme conserves", "[conservation]") {
   Check check(
@@ -196,3 +194,5 @@ TEST_CASE("energy of a cubic potential and rigid links are exact at once", "[con
              {.value = largest(std::array{plain.second, composed.second})},
              Roundoff{.operations = 20000, .scale = 3, .reason = "one rounded coordinate, up to 3, per step"});
 }
+
+}  // namespace conservative_step_test

@@ -8,7 +8,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dirichlet_mesh_test {
 
 using namespace seiche;
 using namespace seiche::dirichlet_mesh;
@@ -36,8 +36,6 @@ Flow run(Flow flow, double tau) {
   flow.advance_to(0.6, tau, [&] { flow.observe(); });
   return flow;
 }
-
-}  // namespace
 
 TEST_CASE("water at rest in Dirichlet cells stays at rest on any mesh", "[conservation]") {
   Check check(
@@ -211,3 +209,5 @@ TEST_CASE("areas of Dirichlet cells drift by the square of the step, as does ene
   check.measure("largest drift of an area at the longest step", drifts.front());
   check.measure("defect of the energy at the longest step", energies.front());
 }
+
+}  // namespace dirichlet_mesh_test

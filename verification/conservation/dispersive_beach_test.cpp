@@ -10,7 +10,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_defects.hpp"
 
-namespace {
+namespace dispersive_beach_test {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
@@ -69,8 +69,6 @@ void check_round_off(Check& check, const std::string& id, const std::string& tex
                       .scale = length,
                       .reason = "one place, up to the channel's length, rounded per step, times the depth"});
 }
-
-}  // namespace
 
 TEST_CASE("run-up and full run-down on a mild slope: what each scheme conserves", "[conservation]") {
   Check check("dispersive_beach_conservation", "Dispersive shallow water: conservation on a beach",
@@ -143,3 +141,5 @@ TEST_CASE("markers that cross the toe of a slope do not spoil conservation", "[c
     check.measure("solves per step, " + text, defects.solves);
   }
 }
+
+}  // namespace dispersive_beach_test

@@ -13,7 +13,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_breaking_test {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
@@ -115,8 +115,6 @@ void claim_bore(Check& check, Flow& flow, double tau, const std::function<Profil
              {.value = (taken() - before) / (0.1 * end)},
              Bound{.limit = 0.01, .reason = spread, .expected = bore.energy_loss_rate(), .relative = true});
 }
-
-}  // namespace
 
 TEST_CASE("breaking keeps mass and momentum and takes energy", "[conservation]") {
   Check check("dispersive_breaking_ledger", "What breaking keeps and takes",
@@ -247,3 +245,5 @@ TEST_CASE("a zigzag of markers over shallow water dies out", "[conservation]") {
               .source = "breaking.hpp"},
              {.value = deep.lost().breaking}, Bound{.limit = 0, .reason = "no exchange"});
 }
+
+}  // namespace dispersive_breaking_test

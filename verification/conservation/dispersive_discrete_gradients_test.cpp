@@ -13,7 +13,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_defects.hpp"
 
-namespace {
+namespace dispersive_discrete_gradients_test {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
@@ -80,8 +80,6 @@ std::vector<Basin> basins() {
   return all;
 }
 
-}  // namespace
-
 TEST_CASE("discrete gradients keep energy and volumes in every kind of channel", "[conservation]") {
   Check check(
       "dispersive_discrete_gradients", "Dispersive shallow water: energy in every kind of channel",
@@ -136,3 +134,5 @@ TEST_CASE("discrete gradients keep energy and volumes in every kind of channel",
   }
   check.table(table);
 }
+
+}  // namespace dispersive_discrete_gradients_test

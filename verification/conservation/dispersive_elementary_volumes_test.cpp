@@ -7,11 +7,11 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
+namespace dispersive_elementary_volumes_test {
+
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_1d;
 using verification::Role;
-
-namespace {
 
 const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, figure 4 and formula (10)";
 
@@ -112,8 +112,6 @@ void draw(verification::Check& check, const Shore& shore, const std::vector<Shap
   panel.points("particles", x, y, Role::data);
 }
 
-}  // namespace
-
 TEST_CASE("particles of the dispersive model have the mass of their elementary volumes", "[conservation]") {
   verification::Check check(
       "conservation_elementary_volumes", "Elementary volumes of the discrete shallow-water model",
@@ -166,3 +164,5 @@ TEST_CASE("particles of the dispersive model have the mass of their elementary v
           .operations = 10, .scale = 1.0 / 6, .reason = "two areas of five operations each", .expected = 1.0 / 6});
   draw(check, shore, volumes);
 }
+
+}  // namespace dispersive_elementary_volumes_test

@@ -14,7 +14,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_plan_bottom_reduction_test {
 
 using namespace seiche;
 using evidence::Roundoff;
@@ -113,8 +113,6 @@ Difference difference(const Slope& slope, std::size_t rows, Stepping stepping, b
   return {along.value(), across.value()};
 }
 
-}  // namespace
-
 TEST_CASE("waves of the plan model over a bottom uneven along one axis are those of the one-dimensional model",
           "[conservation]") {
   verification::Check check(
@@ -175,3 +173,5 @@ TEST_CASE("waves of the plan model over a bottom uneven along one axis are those
     }
   }
 }
+
+}  // namespace dispersive_plan_bottom_reduction_test

@@ -14,7 +14,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 
-namespace {
+namespace dispersive_plan_energy_test {
 
 using namespace seiche::dispersive_shallow_water_2d;
 using namespace seiche::mechanics;
@@ -71,8 +71,6 @@ std::vector<Basin> basins() {
            whole,
            {.inertia = 0.4, .gamma = 1.0 / 15, .tolerance = 1e-13}}};
 }
-
-}  // namespace
 
 TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bottom", "[conservation]") {
   Check check("dispersive_plan_energy", "Plan model: energy and volumes to round-off",
@@ -153,3 +151,5 @@ TEST_CASE("energy and volumes of the one-step scheme in plan err by the square o
   judge("level", plan_hump_in_box(), 200, {0.4, 0.2, 0.1, 0.05});
   judge("bump", hump_over_bump(), 30, {0.2, 0.1, 0.05, 0.025});
 }
+
+}  // namespace dispersive_plan_energy_test

@@ -9,7 +9,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_plan_far_bottom_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_2d;
@@ -42,8 +42,6 @@ Flow basin() {
   return Flow(rectangular_lattice(rectangle), {}, {.stepping = mechanics::Stepping::conservative},
               {.solver = linear::NinePointMethod::banded});
 }
-
-}  // namespace
 
 TEST_CASE("conservative steps settle over a surveyed bottom far from where its integral begins", "[conservation]") {
   verification::Check check(
@@ -93,3 +91,5 @@ TEST_CASE("conservative steps settle over a surveyed bottom far from where its i
                       .reason = "the volume itself is a sum of four edges half a depth long, each with the integral, "
                                 "300, at three places; steps add what they round"});
 }
+
+}  // namespace dispersive_plan_far_bottom_test

@@ -10,7 +10,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 
-namespace {
+namespace dispersive_plan_gradients_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_2d;
@@ -124,8 +124,6 @@ double gauss(const bilinear_patch::Corners& x, const bilinear_patch::Corners& y,
   return sum;
 }
 
-}  // namespace
-
 TEST_CASE("gradients of the plan model's volumes and energy are those of differences", "[conservation]") {
   Check check("dispersive_plan_gradients", "Plan model: gradients",
               "6 x 5 cells off a rectangle at random below a curved surface: every entry of the gradients of all "
@@ -194,3 +192,5 @@ TEST_CASE("a bilinear patch is the mean of its two triangulations and its integr
   claim("volume", "The volume is the integral.", volume_error.value());
   claim("moment", "The moment is the integral.", moment_error.value());
 }
+
+}  // namespace dispersive_plan_gradients_test

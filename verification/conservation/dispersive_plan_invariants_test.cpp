@@ -11,7 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 
-namespace {
+namespace dispersive_plan_invariants_test {
 
 using namespace seiche::dispersive_shallow_water_2d;
 using namespace seiche::mechanics;
@@ -48,8 +48,6 @@ Roundoff rounding(const PlanProblem& problem, double arm) {
               "a node's momentum (times its largest distance from the axis) is rounded some 32 times in each of "
               "100 steps"};
 }
-
-}  // namespace
 
 TEST_CASE("water in plan that no side holds keeps its horizontal momenta to round-off", "[conservation]") {
   Check check(
@@ -216,3 +214,5 @@ TEST_CASE("the plan model's volumes have no rates at the middle of a step", "[co
         Bound{1.01, "the solver stops at its tolerance; its recursive residual is the true one to round-off"});
   }
 }
+
+}  // namespace dispersive_plan_invariants_test

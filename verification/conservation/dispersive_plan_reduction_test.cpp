@@ -12,7 +12,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_plan_reduction_test {
 
 using namespace seiche;
 using evidence::Roundoff;
@@ -62,8 +62,6 @@ plan::Flow plan_flow(std::size_t rows, Stepping stepping, bool along_y, double g
       {.stepping = stepping}, {.inertia = 1.0 / 3 + gamma, .gamma = gamma, .solver = linear::NinePointMethod::banded},
       {}, {}, false);
 }
-
-}  // namespace
 
 TEST_CASE("waves of the plan model along one axis are those of the one-dimensional model", "[conservation]") {
   verification::Check check(
@@ -131,3 +129,5 @@ TEST_CASE("waves of the plan model along one axis are those of the one-dimension
     }
   }
 }
+
+}  // namespace dispersive_plan_reduction_test

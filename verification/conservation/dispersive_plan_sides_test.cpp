@@ -16,7 +16,7 @@
 #include "validation/instruments/plan_soliton.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_plan_sides_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_2d;
@@ -72,8 +72,6 @@ InflowErrors inflow_errors(double spacing) {
   }
   return {wave_error.value(), side_error.value()};
 }
-
-}  // namespace
 
 TEST_CASE("a moving window of the plan model holds the same wave as a long tank", "[conservation]") {
   verification::Check check(
@@ -185,3 +183,5 @@ TEST_CASE("the plan model gives the same bytes for any number of threads", "[con
                evidence::Qualitative{"all numbers compare equal", "sums are made row by row, in order"});
   }
 }
+
+}  // namespace dispersive_plan_sides_test

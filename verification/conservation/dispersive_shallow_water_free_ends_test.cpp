@@ -10,7 +10,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_shallow_water_free_ends_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_1d;
@@ -39,8 +39,6 @@ double size_of_momenta(const Flow& flow) {
   for (std::size_t i = 0; i < flow.p().size(); ++i) squares += std::pow(flow.model().masses()[i] * flow.p()[i], 2);
   return std::sqrt(squares);
 }
-
-}  // namespace
 
 TEST_CASE("a patch of water with free ends keeps momentum, and energy with the conservative stepping",
           "[conservation]") {
@@ -92,3 +90,5 @@ TEST_CASE("a patch of water with free ends keeps momentum, and energy with the c
           "rounding of a place");
   }
 }
+
+}  // namespace dispersive_shallow_water_free_ends_test

@@ -15,7 +15,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_defects.hpp"
 
-namespace {
+namespace dispersive_shallow_water_test {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
@@ -99,8 +99,6 @@ void known_volume(Check& check, const std::string& id, const std::string& text, 
              {.value = value / spacing},
              Bound{.limit = 0.05, .reason = "two digits are printed", .expected = printed, .relative = true});
 }
-
-}  // namespace
 
 TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserves", "[conservation]") {
   Check check(
@@ -303,3 +301,5 @@ TEST_CASE("histories of energy and volumes of a solitary wave", "[conservation]"
                      .expected = 1});
   }
 }
+
+}  // namespace dispersive_shallow_water_test

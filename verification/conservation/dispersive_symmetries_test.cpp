@@ -17,7 +17,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_defects.hpp"
 
-namespace {
+namespace dispersive_symmetries_test {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
@@ -90,8 +90,6 @@ Roundoff limit(int steps, double length) {
 }
 
 constexpr double tau = 0.05;
-
-}  // namespace
 
 TEST_CASE("dispersive shallow water returns when its velocities are reversed", "[conservation]") {
   Check check("dispersive_reversible", "Dispersive shallow water: time reversal",
@@ -285,3 +283,5 @@ TEST_CASE("dispersive shallow water does not know units or the origin", "[conser
   }
   same("datum-multipliers", "It adds its height to the multipliers.", multiplier.value(), steps, 60);
 }
+
+}  // namespace dispersive_symmetries_test

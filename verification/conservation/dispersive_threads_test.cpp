@@ -12,10 +12,10 @@
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "verification/check.hpp"
 
+namespace dispersive_threads_test {
+
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_1d;
-
-namespace {
 
 constexpr std::size_t cells = 140000;
 constexpr double spacing = 0.25;
@@ -68,8 +68,6 @@ Ending with_threads(int threads, const Channel& channel, const Markers& markers,
   return ending;
 }
 
-}  // namespace
-
 TEST_CASE("two threads that meet in a dispersive channel leave no trace", "[conservation]") {
   verification::Check check(
       "dispersive_threads", "Dispersive shallow water: two threads",
@@ -107,3 +105,5 @@ TEST_CASE("two threads that meet in a dispersive channel leave no trace", "[cons
   claim("failure", "A tip that leaves the bottom is reported the same by either thread.",
         !alone.failure.empty() && alone.same_as(together), "one message, with its place; the state as before the step");
 }
+
+}  // namespace dispersive_threads_test

@@ -10,11 +10,11 @@
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "verification/check.hpp"
 
+namespace finite_volume_blocks_test {
+
 using namespace seiche;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
-
-namespace {
 
 constexpr double tau = 0.05;
 const std::string source = "what a step makes of a cell depends on its neighbours alone";
@@ -71,8 +71,6 @@ double differing_cells(Scheme scheme) {
   return differing;
 }
 
-}  // namespace
-
 TEST_CASE("the seams between blocks of a finite-volume channel leave no trace", "[conservation]") {
   verification::Check check(
       "finite_volume_blocks", "Finite volumes: block by block",
@@ -128,3 +126,5 @@ TEST_CASE("the seams between blocks of a finite-volume channel leave no trace", 
              {.value = flow.momentum_defect(), .resolution = resolution},
              roundoff(2, "three roundings per cell and stage of discharges and of tau g h^2/2, up to 2 m^3/s a cell"));
 }
+
+}  // namespace finite_volume_blocks_test

@@ -4,12 +4,12 @@
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "verification/check.hpp"
 
+namespace finite_volume_closed_basin_test {
+
 using namespace seiche;
 using shallow_water_finite_volume::End;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
-
-namespace {
 
 FiniteVolumeFlow dam_break(Scheme scheme, std::size_t cells, End left, End right) {
   std::vector<double> depth(cells, 1.0);
@@ -20,8 +20,6 @@ FiniteVolumeFlow dam_break(Scheme scheme, std::size_t cells, End left, End right
   settings.right = right;
   return {settings, 0, 100, depth, std::vector<double>(cells, 0.0)};
 }
-
-}  // namespace
 
 TEST_CASE("finite-volume schemes conserve mass and momentum to round-off", "[conservation]") {
   verification::Check check(
@@ -88,3 +86,5 @@ TEST_CASE("finite-volume schemes conserve mass and momentum to round-off", "[con
                {.value = open.momentum_defect(), .resolution = resolution}, open_momentum_limit);
   }
 }
+
+}  // namespace finite_volume_closed_basin_test

@@ -12,7 +12,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace gauss_particles_invariants_test {
 
 using namespace seiche::gauss_particles;
 using namespace seiche::mechanics;
@@ -115,8 +115,6 @@ void keeps(Check& check, const std::string& id, const std::string& text, const D
   claim("momentum", d.momentum, d.scales.momentum, "sum of m |u| at the end");
   claim("angular_momentum", d.angular_momentum, d.scales.angular_momentum, "sum of m |r| |u| at the end");
 }
-
-}  // namespace
 
 TEST_CASE("free particles keep energy and momenta in a space that changes at every step", "[conservation]") {
   Check check(
@@ -266,3 +264,5 @@ TEST_CASE("water between two separate walls keeps its momentum along them", "[co
                Roundoff{.operations = count, .scale = 1, .reason = "one rounded energy per step"});
   }
 }
+
+}  // namespace gauss_particles_invariants_test

@@ -12,7 +12,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace gauss_particles_spaces_test {
 
 using namespace seiche::gauss_particles;
 using namespace seiche::mechanics;
@@ -60,8 +60,6 @@ Point turning(Point r) {
 Point mixed(Point r) {
   return {0.3 + 0.5 * r.x - 0.9 * r.y + 0.2 * r.x * r.y, -0.2 + 0.7 * r.x - 0.5 * r.y + 0.1 * r.x * r.x};
 }
-
-}  // namespace
 
 TEST_CASE("a momentum of free particles is kept if and only if the space holds its field", "[conservation]") {
   Check check(
@@ -225,3 +223,5 @@ TEST_CASE("markers among free particles are never reflected", "[conservation]") 
              {.value = std::hypot(state.u[marker] - water.x, state.u[count + marker] - water.y)},
              Roundoff{.operations = 100, .scale = 1, .reason = "a projection of 48 particles onto five fields"});
 }
+
+}  // namespace gauss_particles_spaces_test

@@ -8,7 +8,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
-namespace {
+namespace lagrangian_mesh_3d_bottom_test {
 
 using namespace seiche::lagrangian_mesh_3d;
 using namespace seiche::mechanics;
@@ -53,8 +53,6 @@ Defects defects(Scheme scheme, double tau) {
           .bottom = off.value(),
           .oblique = wall.value()};
 }
-
-}  // namespace
 
 TEST_CASE("hexahedra over an uneven bottom keep what they keep over a level one", "[conservation]") {
   Check check(
@@ -127,3 +125,5 @@ TEST_CASE("hexahedra over an uneven bottom return when their velocities are reve
                       .scale = 6,
                       .reason = "each place, up to 6 depths, rounded once in a step; what is added to it is small"});
 }
+
+}  // namespace lagrangian_mesh_3d_bottom_test

@@ -8,7 +8,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
-namespace {
+namespace lagrangian_mesh_3d_energy_test {
 
 using namespace seiche::lagrangian_mesh_3d;
 using namespace seiche::mechanics;
@@ -36,8 +36,6 @@ Defects defects(Scheme scheme, Settings settings, double tau, double time) {
   }
   return {watch.ledger().largest_defect("energy") / energy, watch.ledger().largest_defect("volume_worst") / volume};
 }
-
-}  // namespace
 
 TEST_CASE("a hump in a box of hexahedra keeps energy and volumes with the conservative scheme", "[conservation]") {
   Check check(
@@ -121,3 +119,5 @@ TEST_CASE("a hexahedral mesh returns when its velocities are reversed", "[conser
                       .scale = 10,
                       .reason = "each place, up to 10 depths, rounded once in a step; what is added to it is small"});
 }
+
+}  // namespace lagrangian_mesh_3d_energy_test

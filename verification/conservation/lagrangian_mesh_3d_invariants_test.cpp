@@ -10,7 +10,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
-namespace {
+namespace lagrangian_mesh_3d_invariants_test {
 
 using namespace seiche::lagrangian_mesh_3d;
 using namespace seiche::mechanics;
@@ -41,8 +41,6 @@ Roundoff rounding(const HexahedralProblem& problem, double largest_arm) {
               "each velocity is rounded twice in each of 100 steps, at their middle and at their end; the "
               "roundings of all nodes' momenta (times their largest distance from the axis) add up as squares"};
 }
-
-}  // namespace
 
 TEST_CASE("a free body of fluid in space keeps momenta and energy to round-off", "[conservation]") {
   Check check(
@@ -104,3 +102,5 @@ TEST_CASE("water that no side holds keeps its horizontal momenta to round-off", 
     check.measure(id + "energy defect", ledger.entry("energy").largest_defect);
   }
 }
+
+}  // namespace lagrangian_mesh_3d_invariants_test

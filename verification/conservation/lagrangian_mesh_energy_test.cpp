@@ -9,7 +9,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace {
+namespace lagrangian_mesh_energy_test {
 
 using namespace seiche::lagrangian_mesh_2d;
 using namespace seiche::mechanics;
@@ -57,8 +57,6 @@ Defects defects(const Basin& basin, Scheme scheme, double tau, double time) {
   }
   return {watch.ledger().largest_defect("energy") / wave_energy, watch.ledger().largest_defect("volume_worst") / area};
 }
-
-}  // namespace
 
 TEST_CASE("water between walls keeps energy and areas with the conservative scheme", "[conservation]") {
   Check check(
@@ -151,3 +149,5 @@ TEST_CASE("energy and areas err by a bounded O(tau^2) with the one-step scheme u
   bounded("energy", late.energy / early.energy);
   bounded("area", late.area / early.area);
 }
+
+}  // namespace lagrangian_mesh_energy_test

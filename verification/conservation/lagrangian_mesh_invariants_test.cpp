@@ -11,7 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace {
+namespace lagrangian_mesh_invariants_test {
 
 using namespace seiche::mechanics;
 using namespace seiche::verification;
@@ -55,8 +55,6 @@ Drift drift(Integrator integrator, double tau, int steps, long reproject_every =
   return {ledger.largest_defect("energy"), ledger.largest_defect("momentum"), ledger.largest_defect("angular_momentum"),
           ledger.largest_defect("volume_worst"), modified.value()};
 }
-
-}  // namespace
 
 TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservation]") {
   Check check(
@@ -139,3 +137,5 @@ TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservatio
   keeps("conservative-momentum", "Fully conservative: momenta to round-off.",
         worst(std::array{implicit.momentum, implicit.angular_momentum}), 50, "tau = 0.02");
 }
+
+}  // namespace lagrangian_mesh_invariants_test

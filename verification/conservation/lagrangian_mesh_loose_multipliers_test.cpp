@@ -14,7 +14,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace {
+namespace lagrangian_mesh_loose_multipliers_test {
 
 using namespace seiche::lagrangian_mesh_2d;
 using namespace seiche::mechanics;
@@ -74,8 +74,6 @@ Defects defects(Some& model, State state) {
   return result;
 }
 
-}  // namespace
-
 TEST_CASE("loosely solved pressures: momenta of a free patch exact, energy changed by their work", "[conservation]") {
   Check check(
       "lagrangian_mesh_loose_multipliers", "Loosely solved pressures on a Lagrangian mesh",
@@ -124,3 +122,5 @@ TEST_CASE("loosely solved pressures: momenta of a free patch exact, energy chang
   }
   check.table(table);
 }
+
+}  // namespace lagrangian_mesh_loose_multipliers_test

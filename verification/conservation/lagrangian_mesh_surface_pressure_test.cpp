@@ -14,7 +14,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace lagrangian_mesh_surface_pressure_test {
 
 using namespace seiche::lagrangian_mesh_2d;
 using namespace seiche::verification;
@@ -186,4 +186,5 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
   }
 }
 
-}  // namespace
+
+}  // namespace lagrangian_mesh_surface_pressure_test

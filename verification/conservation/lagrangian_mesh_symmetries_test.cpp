@@ -8,7 +8,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace {
+namespace lagrangian_mesh_symmetries_test {
 
 using namespace seiche::mechanics;
 using namespace seiche::verification;
@@ -52,8 +52,6 @@ double difference_of_places(const State& a, const State& b, double angle, double
   }
   return largest.value();
 }
-
-}  // namespace
 
 TEST_CASE("a Lagrangian mesh returns when its velocities are reversed", "[conservation]") {
   Check check("lagrangian_mesh_reversible", "Lagrangian mesh: time reversal",
@@ -107,3 +105,5 @@ TEST_CASE("a turned or shifted patch of fluid moves likewise", "[conservation]")
                   .reason = "one rounding of coordinates of 1000 per step; differences of neighbours inherit it"});
   }
 }
+
+}  // namespace lagrangian_mesh_symmetries_test

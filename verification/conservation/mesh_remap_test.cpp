@@ -15,7 +15,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace mesh_remap_test {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
@@ -76,8 +76,6 @@ constexpr double tau = 0.025;
 const Roundoff rounded{.operations = 100 * cells * cells,
                        .scale = size,
                        .reason = "about a hundred operations a cell on places of the patch's size"};
-
-}  // namespace
 
 TEST_CASE("a remap of the mesh in the vertical plane keeps momentum", "[conservation]") {
   verification::Check check("mesh_remap", "Remap of the two-dimensional mesh: what it keeps",
@@ -266,3 +264,5 @@ TEST_CASE("columns that are put upright again keep their water and their slope",
              {.value = bent.value(), .resolution = resolution},
              Roundoff{.operations = 100, .scale = 10, .reason = "places of 10 m"});
 }
+
+}  // namespace mesh_remap_test

@@ -10,7 +10,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace model_concept_test {
 
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
@@ -218,8 +218,6 @@ double distance_after(Model& model, State state, int steps, double tau) {
   return largest.value();
 }
 
-}  // namespace
-
 TEST_CASE("one step for turned axes, for a basis, and for constraints that change", "[conservation]") {
   Check check(
       "mechanics_one_interface", "One step for all models",
@@ -298,3 +296,5 @@ TEST_CASE("curvature by differences of J equals the Hessians of quadratic constr
     CHECK(std::abs(found[s] - expected[s]) < 4 * 2.3e-16 * 8 / 6e-6);
   }
 }
+
+}  // namespace model_concept_test

@@ -7,7 +7,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace one_step_invariants_test {
 
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
@@ -24,8 +24,6 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
   for (std::size_t i = 0; i < a.size(); ++i) largest.add(a[i] - b[i]);
   return largest.value();
 }
-
-}  // namespace
 
 TEST_CASE("energy of a spherical double pendulum over a million steps", "[conservation]") {
   Check check("one_step_double_pendulum", "Spherical double pendulum: a million steps",
@@ -162,3 +160,5 @@ TEST_CASE("a quadratic potential has its own exact energy", "[conservation]") {
              Roundoff{.operations = 1e4, .scale = first, .reason = "one rounded energy per step"});
   check.measure("largest energy defect", watch.ledger().largest_defect("energy"));
 }
+
+}  // namespace one_step_invariants_test

@@ -8,7 +8,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace one_step_loose_multipliers_test {
 
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
@@ -96,8 +96,6 @@ void check_energy_law(Check& check, const std::string& system, const Defects& wo
              {.value = worst.unexplained_sum.value(), .resolution = resolution},
              Roundoff{.operations = steps, .scale = worst.scales.energy, .reason = "one rounded energy per step"});
 }
-
-}  // namespace
 
 TEST_CASE("loosely solved multipliers: momenta exact, energy changed by their work on the residual", "[conservation]") {
   Check check(
@@ -190,3 +188,5 @@ TEST_CASE("loosely solved multipliers: momenta exact, energy changed by their wo
              {.value = (3.4e-9 - mean) / deviation, .resolution = "tau = 0.01, 1000 steps"},
              Bound{2, "one outcome of a random walk, at 95 %"});
 }
+
+}  // namespace one_step_loose_multipliers_test

@@ -8,7 +8,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace one_step_parasitic_test {
 
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
@@ -195,8 +195,6 @@ double growth(Input a, Input b) {
   return (of_b.mean - of_a.mean) / std::sqrt(of_a.variance_of_mean + of_b.variance_of_mean);
 }
 
-}  // namespace
-
 TEST_CASE("the corrected start leaves an alternation of third order", "[conservation]") {
   Check check(
       "one_step_start", "Start of the one-step scheme",
@@ -349,3 +347,5 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
   panel.line("without reprojection", wild.time, wild.parasite, Role::peer);
   panel.line("reprojection every 1000 steps", cured.time, cured.parasite, Role::computed);
 }
+
+}  // namespace one_step_parasitic_test

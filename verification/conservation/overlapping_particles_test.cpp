@@ -11,7 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/noise.hpp"
 
-namespace {
+namespace overlapping_particles_test {
 
 using namespace seiche;
 using namespace seiche::overlapping_particles;
@@ -56,8 +56,6 @@ void claim_kept(Check& check, const std::string& id, const std::string& what, co
                         .reason = "one rounding per step of a sum of order 1; sums are compensated"});
   }
 }
-
-}  // namespace
 
 TEST_CASE("a free blob of overlapping particles keeps mass, momenta and energy", "[conservation]") {
   Check check("overlapping_particles_invariants", "Free blob of overlapping particles: invariants",
@@ -241,3 +239,5 @@ TEST_CASE("water on a floor keeps energy and the momentum along it", "[conservat
                       .reason = "100 kicks g tau = 1/100 and reactions that balance it, sums of some twenty terms that "
                                 "are up to ten times as large"});
 }
+
+}  // namespace overlapping_particles_test

@@ -7,7 +7,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace particles_closed_basin_test {
 
 using namespace seiche::shallow_water_particles;
 using seiche::Worst;
@@ -15,8 +15,6 @@ using seiche::evidence::Roundoff;
 using seiche::verification::Check;
 
 const std::string source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method";
-
-}  // namespace
 
 TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conservation]") {
   Check check("particles_closed_basin", "Closed basin: mass, length and momentum",
@@ -133,3 +131,5 @@ TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
                       .scale = 3.1 * 0.005 * 200,
                       .reason = "one rounded sum of 200 reactions per step; scale is thrust times step times 200"});
 }
+
+}  // namespace particles_closed_basin_test

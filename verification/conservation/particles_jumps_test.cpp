@@ -14,7 +14,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace particles_jumps_test {
 
 using namespace seiche::shallow_water_particles;
 using seiche::Largest;
@@ -46,8 +46,6 @@ Roundoff rounding(double steps, double scale) {
       .scale = scale,
       .reason = "a hundred rounded operations per particle and step; scale is the celerity (depth) that is rounded"};
 }
-
-}  // namespace
 
 TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact rate", "[conservation]") {
   Check check("particles_bore", "Bore 2 | 1: exact with one transition particle",
@@ -262,3 +260,5 @@ TEST_CASE("a dry front moves with the exact velocity for any number of particles
                      .reason = "the section lies in one of N particles of depth ~1/2: half a particle's share"});
   }
 }
+
+}  // namespace particles_jumps_test

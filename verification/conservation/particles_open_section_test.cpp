@@ -8,7 +8,7 @@
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace particles_open_section_test {
 
 using namespace seiche::shallow_water_particles;
 using seiche::evidence::Order;
@@ -21,8 +21,6 @@ Open prescribed(std::optional<double> discharge, std::optional<double> depth) {
   if (depth) open.depth = [h = *depth](double) { return h; };
   return open;
 }
-
-}  // namespace
 
 TEST_CASE("steady subcritical flow over a bump between open sections", "[conservation]") {
   Check check("particles_steady_bump", "Steady flow over a bump between open sections",
@@ -81,3 +79,5 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
                     .panel({.x = "particle width [m]", .y = "L1 error of h [m]", .log_x = true, .log_y = true});
   panel.points("particles", sizes, errors);
 }
+
+}  // namespace particles_open_section_test

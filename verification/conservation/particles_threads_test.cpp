@@ -12,10 +12,10 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
+namespace particles_threads_test {
+
 using namespace seiche;
 using namespace seiche::shallow_water_particles;
-
-namespace {
 
 constexpr long steps = 6;
 const std::string source = "what a step makes of a particle depends on its neighbours alone";
@@ -93,8 +93,6 @@ double differing(Level level) {
   return differing.value();
 }
 
-}  // namespace
-
 TEST_CASE("stretches and threads of a row of shallow-water particles leave no trace", "[conservation]") {
   verification::Check check(
       "particles_threads", "Shallow-water particles: stretch by stretch",
@@ -144,3 +142,5 @@ TEST_CASE("stretches and threads of a row of shallow-water particles leave no tr
              {.value = static_cast<double>(still.largest_step().particle), .resolution = "5000 particles"},
              evidence::Bound{.limit = 0, .reason = "a number of a particle", .expected = narrowest});
 }
+
+}  // namespace particles_threads_test

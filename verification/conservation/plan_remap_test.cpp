@@ -20,7 +20,7 @@
 #include "validation/instruments/island_flow.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace plan_remap_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_2d;
@@ -80,8 +80,6 @@ Point momentum(std::span<const double> masses, std::span<const double> u, std::s
 const Roundoff rounded{.operations = 100 * cells * cells,
                        .scale = size,
                        .reason = "about a hundred operations a cell on places of the box's size"};
-
-}  // namespace
 
 TEST_CASE("a remap of the plan model keeps water and momentum", "[conservation]") {
   verification::Check check("plan_remap", "Remap of the plan model: what it keeps",
@@ -505,3 +503,5 @@ TEST_CASE("a rezoned flow books the energy that rezoning takes", "[conservation]
                              "nodes, next to the shore alone",
                    .expected = 0.005});
 }
+
+}  // namespace plan_remap_test

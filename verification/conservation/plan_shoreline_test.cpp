@@ -13,7 +13,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace plan_shoreline_test {
 
 using namespace seiche::dispersive_shallow_water_2d;
 using namespace seiche::verification;
@@ -77,8 +77,6 @@ double fastest(const Flow& flow) {
   for (const double u : flow.state().u) most.add(u);
   return most.value();
 }
-
-}  // namespace
 
 TEST_CASE("still water with moving shorelines stays still", "[conservation]") {
   Check check("plan_shoreline_rest", "Still water with moving shorelines, seen from above",
@@ -187,3 +185,5 @@ TEST_CASE("shorelines that cannot be are refused", "[robustness]") {
   Lattice window = moved_water(20, 0);
   CHECK_THROWS_AS(Flow(window, {}, {}, {}, {}, {.reach = [](double) { return 0.0; }}), std::invalid_argument);
 }
+
+}  // namespace plan_shoreline_test

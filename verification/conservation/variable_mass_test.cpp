@@ -11,7 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/noise.hpp"
 
-namespace {
+namespace variable_mass_test {
 
 using namespace seiche;
 using namespace seiche::free_lagrangian;
@@ -55,8 +55,6 @@ Worst change_of_masses(const Flow& flow, const std::vector<double>& first) {
 std::vector<double> copied(std::span<const double> values) {
   return {values.begin(), values.end()};
 }
-
-}  // namespace
 
 TEST_CASE("masses exchanged between moving bodies leave mass, momentum and kinetic energy alone", "[conservation]") {
   Check check(
@@ -272,3 +270,5 @@ TEST_CASE("energy under gravity and the drift of areas are of second order in th
     check.measure(id + ": drift of an area at the longest step", drifts.front());
   }
 }
+
+}  // namespace variable_mass_test

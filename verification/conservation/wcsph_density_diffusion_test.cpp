@@ -10,7 +10,7 @@
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace wcsph_density_diffusion_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -33,8 +33,6 @@ Particles at_rest(Particles particles) {
   for (std::size_t a = 0; a < particles.size(); ++a) particles.u[a] = particles.w[a] = 0;
   return particles;
 }
-
-}  // namespace
 
 TEST_CASE("density diffusion creates no mass and leaves linear densities alone", "[conservation]") {
   Check check("wcsph_density_diffusion", "Density diffusion: what it keeps",
@@ -99,3 +97,5 @@ TEST_CASE("density diffusion creates no mass and leaves linear densities alone",
                                   "neighbours"});
   }
 }
+
+}  // namespace wcsph_density_diffusion_test

@@ -10,7 +10,7 @@
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace wcsph_invariants_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -48,8 +48,6 @@ Particles jittered_patch(double spacing, double density) {
   }
   return patch;
 }
-
-}  // namespace
 
 TEST_CASE("momentum of a free blob is conserved to round-off with every viscosity", "[conservation]") {
   Check check("wcsph_momentum", "Momentum and mass of a free blob",
@@ -187,3 +185,5 @@ TEST_CASE("a symmetric patch does not begin to turn", "[conservation]") {
                       .reason = "independent rounding of 1257 velocities, 4 times per step"});
   CHECK(std::hypot(end.momentum[0], end.momentum[1]) / end.absolute_momentum < 1e-15);
 }
+
+}  // namespace wcsph_invariants_test

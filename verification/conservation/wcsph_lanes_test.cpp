@@ -15,7 +15,7 @@
 #include "verification/conservation/wcsph_direct_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace wcsph_lanes_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -84,8 +84,6 @@ Sums sums_by(const PairLoops& loops, const Particles& particles, const Settings&
       blob.clusters.size());
   return sums;
 }
-
-}  // namespace
 
 TEST_CASE("every width of registers gives the rates of sums over all pairs", "[conservation]") {
   Check check("wcsph_lanes", "Pair loops for every width of registers",
@@ -224,3 +222,5 @@ TEST_CASE("every width of registers shifts particles as sums over all pairs do",
     }
   }
 }
+
+}  // namespace wcsph_lanes_test

@@ -16,7 +16,7 @@
 #include "verification/conservation/wcsph_direct_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace wcsph_mixed_storage_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -40,8 +40,6 @@ std::vector<std::pair<std::string, Viscosity>> viscosities() {
           {"laminar", LaminarSps{0.01, 0, 0}},
           {"sps", LaminarSps{0.01, 0.12, 0.0066}}};
 }
-
-}  // namespace
 
 TEST_CASE("particles in single precision have the rates of sums over all pairs, to its rounding", "[conservation]") {
   Check check("wcsph_mixed_rates", "Mixed storage: rates against sums over all pairs",
@@ -168,3 +166,5 @@ TEST_CASE("the front of a dam break does not depend on how particles are held", 
   CHECK(full.front > 2.2 * width);
   CHECK(full.front < 3.9 * width);
 }
+
+}  // namespace wcsph_mixed_storage_test

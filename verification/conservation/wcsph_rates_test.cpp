@@ -11,7 +11,7 @@
 #include "verification/conservation/wcsph_direct_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace wcsph_rates_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -52,8 +52,6 @@ struct Model {
   std::string id, name;
   Viscosity viscosity;
 };
-
-}  // namespace
 
 TEST_CASE("rates equal the sums over all pairs for every viscosity, kernel and boundary", "[conservation]") {
   Check check(
@@ -174,3 +172,5 @@ TEST_CASE("the step rule is that of the sums over all pairs", "[conservation]") 
                                 "and that of rho/rho_0, which the cube of the sound speed counts three times (as 9)",
                       .expected = expected});
 }
+
+}  // namespace wcsph_rates_test

@@ -18,7 +18,7 @@
 #include "verification/conservation/wcsph_direct_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace wcsph_symmetries_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -105,8 +105,6 @@ double kinetic_energy(const Particles& p) {
 bool same_bytes(const std::vector<double>& one, const std::vector<double>& other) {
   return one.size() == other.size() && std::memcmp(one.data(), other.data(), one.size() * sizeof(double)) == 0;
 }
-
-}  // namespace
 
 TEST_CASE("a moving observer and a displaced fluid see the same flow", "[conservation]") {
   Check check(
@@ -264,3 +262,5 @@ TEST_CASE("any number of threads gives the same bytes", "[conservation]") {
                                              .reason = "equality"});
   }
 }
+
+}  // namespace wcsph_symmetries_test

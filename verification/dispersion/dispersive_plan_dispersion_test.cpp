@@ -13,7 +13,7 @@
 #include "validation/instruments/plan_standing_mode.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_plan_dispersion_test {
 
 using namespace seiche;
 using validation::PlanMode;
@@ -53,8 +53,6 @@ double condition(const PlanTank& tank) {
 double stiffness(const PlanTank& tank) {
   return 1 + tank.gamma / tank.inertia * (condition(tank) - 1);
 }
-
-}  // namespace
 
 TEST_CASE("the plan model's linearised matrices have the eigenvalues of the closed form", "[dispersion]") {
   verification::Check check("dispersion_dispersive_plan_symbol", "Dispersion of the plan model: eigenvalues",
@@ -148,3 +146,5 @@ TEST_CASE("standing waves in plan have the frequencies of the closed form", "[di
                                "hundred roundings of the rest"});
   }
 }
+
+}  // namespace dispersive_plan_dispersion_test

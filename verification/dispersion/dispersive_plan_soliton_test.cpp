@@ -10,7 +10,7 @@
 #include "validation/instruments/plan_soliton.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_plan_soliton_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -18,8 +18,6 @@ using evidence::Bound;
 
 const std::string frank = "Frank, Discrete models of incompressible fluid (1994), section 4.3";
 const std::string digits = "regression: computed once by an earlier program for the same equations";
-
-}  // namespace
 
 TEST_CASE("a solitary wave on coarse cells in plan keeps amplitude, energy and speed", "[dispersion]") {
   verification::Check check(
@@ -89,3 +87,5 @@ TEST_CASE("a solitary wave on coarse cells in plan keeps amplitude, energy and s
              evidence::observed_order(spacings, losses),
              evidence::Order{2, 0.5, "second order in h and tau; with cells of a depth higher orders are seen"});
 }
+
+}  // namespace dispersive_plan_soliton_test

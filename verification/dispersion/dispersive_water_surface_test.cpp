@@ -15,7 +15,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_water_surface_test {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using seiche::Largest;
@@ -38,8 +38,6 @@ double harmonic(const std::vector<double>& samples, int periods) {
   }
   return 2 * std::abs(sum) / static_cast<double>(samples.size());
 }
-
-}  // namespace
 
 TEST_CASE("the water's surface of a wave between equal markers has its closed form", "[dispersion]") {
   Check check("water_surface_factor", "The water's surface: factor of waves over a level bottom",
@@ -270,3 +268,5 @@ TEST_CASE("the water's surface shoals as Airy's energy flux", "[dispersion]") {
                    .expected = airy});
   check.measure("what the laws differ by", own / airy - 1);
 }
+
+}  // namespace dispersive_water_surface_test

@@ -14,7 +14,7 @@
 #include "validation/instruments/wave_statistics.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_wave_source_test {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using seiche::Largest;
@@ -26,8 +26,6 @@ using seiche::verification::Check;
 
 constexpr double pi = std::numbers::pi;
 const std::string derived = "derived in wave_source.hpp";
-
-}  // namespace
 
 TEST_CASE("the wave source makes the record it is asked for", "[dispersion]") {
   Check check(
@@ -122,3 +120,5 @@ TEST_CASE("statistics of waves have their closed forms", "[dispersion]") {
   claim("asymmetry", asymmetry.value());
   CHECK_THROWS_AS(wave_statistics(std::vector<double>{1, 2, 3}), std::invalid_argument);
 }
+
+}  // namespace dispersive_wave_source_test

@@ -10,12 +10,12 @@
 #include "validation/instruments/dispersive_standing_mode.hpp"
 #include "verification/check.hpp"
 
+namespace frank_dispersion_test {
+
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_1d;
 using validation::StandingBox;
 using verification::Role;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 /// Elevations count from rest and are rounded relative to the amplitude, whatever it is; places to 1e-16 of the box.
@@ -98,8 +98,6 @@ double progressive_frequency(const StandingBox& box, double amplitude, double di
   }
   return validation::fit_oscillation(samples, box.tau).frequency;
 }
-
-}  // namespace
 
 TEST_CASE("small waves have the frequency of the discrete law for any parameters", "[dispersion]") {
   verification::Check check(
@@ -190,3 +188,5 @@ TEST_CASE("compositions approach the law of the continuous time with the fourth 
     }
   }
 }
+
+}  // namespace frank_dispersion_test

@@ -12,7 +12,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace gauss_particles_oscillator_test {
 
 using namespace seiche::gauss_particles;
 using namespace seiche::mechanics;
@@ -83,8 +83,6 @@ class Slosh {
   double frequency_ = 0;
 };
 
-}  // namespace
-
 TEST_CASE("a mode of free particles oscillates by leapfrog's law", "[dispersion]") {
   Check check(
       "gauss_particles_oscillator", "Free particles: phase and stability of one mode",
@@ -134,3 +132,5 @@ TEST_CASE("a mode of free particles oscillates by leapfrog's law", "[dispersion]
                    .expected = std::cosh(30 * rate),
                    .relative = true});
 }
+
+}  // namespace gauss_particles_oscillator_test

@@ -12,7 +12,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace gauss_particles_surface_gravity_test {
 
 using namespace seiche::gauss_particles;
 using namespace seiche::verification;
@@ -116,8 +116,6 @@ void check_surface_and_momentum(Check& check, const Wave& wave) {
                .reason = "one rounding per step of the sum of the velocities' magnitudes, 5 times the momentum"});
 }
 
-}  // namespace
-
 TEST_CASE("with gravity on its surface a wave needs no penalty", "[dispersion]") {
   Check check(
       "gauss_particles_surface_gravity", "Free particles: gravity on the surface",
@@ -172,3 +170,5 @@ TEST_CASE("the discrete gradient of the surface's energy keeps the energy of a w
                    "the next term of the phase is (omega tau)^2/5 of the first: 1 per cent over this range, and the "
                    "lattice adds 1e-4 to differences from 5e-4"});
 }
+
+}  // namespace gauss_particles_surface_gravity_test

@@ -13,6 +13,8 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace hexahedral_dispersion_test {
+
 using namespace seiche;
 using exact::AiryDispersion;
 using exact::HexahedralDispersion;
@@ -21,8 +23,6 @@ using exact::SurfaceInertia;
 using verification::check_table;
 using verification::claim_self_test;
 using verification::Role;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), 4.1; closed form of its layers";
@@ -133,8 +133,6 @@ void draw(verification::Check& check) {
       Role::peer);
 }
 
-}  // namespace
-
 TEST_CASE("the law of the hexahedral mesh has the known digits and limits", "[dispersion]") {
   verification::Check check(
       "exact_hexahedral_dispersion", "Dispersion law of the three-dimensional Lagrangian mesh",
@@ -176,3 +174,5 @@ TEST_CASE("the law of the hexahedral mesh has the known digits and limits", "[di
   CHECK_THROWS_AS(HexahedralDispersion(1, 1, 0.5, 0.5, 2).frequency(2.001 * pi, 0), std::invalid_argument);
   CHECK_THROWS_AS(HexahedralDispersion(1, 1, 0.5, 0.5, 2).frequency(0, 0), std::invalid_argument);
 }
+
+}  // namespace hexahedral_dispersion_test

@@ -14,7 +14,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
-namespace {
+namespace lagrangian_mesh_3d_dispersion_test {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_3d;
@@ -81,8 +81,6 @@ double measured_frequency(const Tank& tank, Mode mode, double tau, int steps) {
   }
   return std::sqrt(products / squares) / tau;
 }
-
-}  // namespace
 
 TEST_CASE("standing waves in a box of hexahedra have the frequencies of the closed form", "[dispersion]") {
   verification::Check check("dispersion_lagrangian_mesh_3d", "Dispersion of the hexahedral mesh",
@@ -152,3 +150,5 @@ TEST_CASE("standing waves in a box of hexahedra have the frequencies of the clos
     error_panel.line(fmt::format("{} layers", layers), wavelengths, error, Role::exact);
   }
 }
+
+}  // namespace lagrangian_mesh_3d_dispersion_test

@@ -13,7 +13,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace lagrangian_mesh_3d_soliton_test {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_3d;
@@ -84,8 +84,6 @@ double slope(const std::vector<double>& t, const std::vector<double>& y) {
   return (n * sty - st * sy) / (n * stt - st * st);
 }
 
-}  // namespace
-
 TEST_CASE("a solitary wave on coarse hexahedra travels without change", "[dispersion]") {
   verification::Check check(
       "lagrangian_mesh_3d_soliton", "Solitary wave on coarse hexahedra",
@@ -152,3 +150,5 @@ TEST_CASE("a solitary wave on coarse hexahedra travels without change", "[disper
                   speed / exact::SolitaryWave(mean).speed() - 1);
   }
 }
+
+}  // namespace lagrangian_mesh_3d_soliton_test

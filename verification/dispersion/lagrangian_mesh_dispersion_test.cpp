@@ -12,13 +12,13 @@
 #include "validation/instruments/mesh_linear_modes.hpp"
 #include "verification/check.hpp"
 
+namespace lagrangian_mesh_dispersion_test {
+
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
 using exact::LagrangianMeshDispersion;
 using exact::SurfaceInertia;
 using verification::Role;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), ch. 2; closed form of its rows";
@@ -41,8 +41,6 @@ struct Tank {
   /// Of the wave with m half-waves in the tank.
   [[nodiscard]] double wavenumber(std::size_t m) const { return pi * static_cast<double>(m) / length; }
 };
-
-}  // namespace
 
 TEST_CASE("the linearised mesh has the frequencies of the closed form", "[dispersion]") {
   verification::Check check(
@@ -115,3 +113,5 @@ TEST_CASE("the linearised mesh has the frequencies of the closed form", "[disper
     CHECK(modes.asymmetry < 1e-11);
   }
 }
+
+}  // namespace lagrangian_mesh_dispersion_test

@@ -11,14 +11,14 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace lagrangian_mesh_law_test {
+
 using namespace seiche;
 using exact::LagrangianMeshDispersion;
 using exact::SurfaceInertia;
 using exact::TimeScheme;
 using verification::check_table;
 using verification::claim_self_test;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), ch. 2; closed form of its rows";
@@ -36,8 +36,6 @@ double error_against_airy(double wavelength, double column_width, std::size_t ro
              exact::AiryDispersion(1, 1).frequency(k) -
          1;
 }
-
-}  // namespace
 
 TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[dispersion]") {
   verification::Check check(
@@ -105,3 +103,5 @@ TEST_CASE("the law of the Lagrangian mesh has the known digits and limits", "[di
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.5, 2).frequency(2.001 * pi), std::invalid_argument);
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.5, 2).frequency(0), std::invalid_argument);
 }
+
+}  // namespace lagrangian_mesh_law_test

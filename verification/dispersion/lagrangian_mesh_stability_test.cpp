@@ -11,7 +11,7 @@
 #include "validation/instruments/mesh_linear_modes.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace lagrangian_mesh_stability_test {
 
 using namespace seiche::lagrangian_mesh_2d;
 using seiche::Largest;
@@ -76,8 +76,6 @@ std::vector<Tank> other_tanks() {
           {"stiff-hourglass", "strong hourglass potential", 6, 16, 4, {.hourglass = 0.6}}};
 }
 
-}  // namespace
-
 TEST_CASE("the one-step scheme on the Lagrangian mesh is stable up to 2/omega of the fastest mode", "[dispersion]") {
   Check check(
       "lagrangian_mesh_stability", "Longest stable step of the Lagrangian mesh",
@@ -116,3 +114,5 @@ TEST_CASE("the one-step scheme on the Lagrangian mesh is stable up to 2/omega of
                {.value = std::max(reported / limit - 1, 0.0)}, Bound{1e-6, "the search for the fastest wave's length"});
   }
 }
+
+}  // namespace lagrangian_mesh_stability_test

@@ -13,14 +13,14 @@
 #include "verification/check.hpp"
 #include "verification/dispersion/bloch_wave.hpp"
 
+namespace lattice_energies_test {
+
 using namespace seiche;
 using exact::HexahedralDispersion;
 using exact::PlanDispersion;
 using exact::SurfaceInertia;
 using verification::BlochWave;
 using verification::CellColumn;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), 4.1, 4.2; closed forms of the cells";
@@ -90,8 +90,6 @@ double by_multipliers(const CellColumn& column, double kx, double ky) {
   return std::sqrt(2 * column.gravity / h3 * potential * (1 - 2 * upright * top));
 }
 
-}  // namespace
-
 TEST_CASE("the laws of the models in three dimensions follow from their energies and volumes", "[dispersion]") {
   verification::Check check(
       "exact_lattice_energies", "Waves on lattices of cells from energies and volumes alone",
@@ -133,3 +131,5 @@ TEST_CASE("the laws of the models in three dimensions follow from their energies
                              .reason = "the problem is a difference from 1 of which the longest wave leaves 0.01, "
                                        "solved to some ten roundings times the matrix's condition, below 1e2"});
 }
+
+}  // namespace lattice_energies_test

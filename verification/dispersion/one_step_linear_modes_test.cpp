@@ -11,7 +11,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace one_step_linear_modes_test {
 
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
@@ -128,8 +128,6 @@ double growth(double share_of_limit, int steps) {
   return largest.value() / start.value();
 }
 
-}  // namespace
-
 TEST_CASE("frequencies of small oscillations and the largest stable step", "[dispersion]") {
   Check check(
       "one_step_linear_modes", "Small oscillations: phase error and stability",
@@ -175,3 +173,5 @@ TEST_CASE("frequencies of small oscillations and the largest stable step", "[dis
              seiche::evidence::Qualitative{"largest displacement >= 1000 times the initial",
                                            "it grows by cosh(100 * 2 arcosh 1.02) = 1e17"});
 }
+
+}  // namespace one_step_linear_modes_test

@@ -12,14 +12,14 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace plan_dispersion_test {
+
 using namespace seiche;
 using exact::PlanDispersion;
 using verification::check_table;
 using verification::claim_self_test;
 using verification::Printed;
 using verification::Role;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double diagonal = pi / 4;
@@ -136,8 +136,6 @@ void draw(verification::Check& check) {
   }
 }
 
-}  // namespace
-
 TEST_CASE("the law of the plan model has the known digits and limits", "[dispersion]") {
   verification::Check check("exact_plan_dispersion", "Dispersion law of dispersive shallow water in plan",
                             "The errors against the Green-Naghdi law known to two digits, formula (13) along the axes, "
@@ -164,3 +162,5 @@ TEST_CASE("the law of the plan model has the known digits and limits", "[dispers
   CHECK_THROWS_AS(square(0.5).frequency(0, 0), std::invalid_argument);
   CHECK_THROWS_AS(square(0.5).frequency(0.1, 2.001 * pi), std::invalid_argument);
 }
+
+}  // namespace plan_dispersion_test

@@ -11,7 +11,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace plan_water_surface_test {
 
 using namespace seiche;
 using dispersive_shallow_water_2d::WaterSurface;
@@ -56,8 +56,6 @@ Sheet turned(Shape shape, double h1, double h2, double angle) {
   for (double& volume : sheet.volumes) volume = h1 * h2;
   return sheet;
 }
-
-}  // namespace
 
 TEST_CASE("the water's surface of a wave over equal rectangles has its closed form", "[dispersion]") {
   Check check("plan_water_surface_factor", "The water's surface in plan: factor of waves over a level bottom",
@@ -189,3 +187,5 @@ TEST_CASE("the surface holds the markers' water, whichever way the lattice lies"
              {.value = difference.value(), .resolution = "14 x 11 cells"},
              Roundoff{.operations = 400, .scale = 1, .reason = "some twenty iterations of twenty operations"});
 }
+
+}  // namespace plan_water_surface_test

@@ -12,7 +12,7 @@
 #include "verification/reference_digits.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace wcsph_acoustics_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -115,8 +115,6 @@ double turn(double angle) {
 double amplification(double angle) {
   return 1 + 0.25 * std::pow(angle, 4);
 }
-
-}  // namespace
 
 TEST_CASE("sound has the dispersion of the lattice and grows by the law of the midpoint rule", "[dispersion]") {
   Check check(
@@ -247,3 +245,5 @@ TEST_CASE("the midpoint rule is of second order in phase and of third in energy"
   panel.points("frequency", lengths, phase);
   panel.points("energy", lengths, growth, Role::peer);
 }
+
+}  // namespace wcsph_acoustics_test

@@ -12,7 +12,7 @@
 #include "verification/lattice_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace wcsph_diffusion_decay_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -59,8 +59,6 @@ Amplitudes of(const Flow& flow, double k) {
   const double half = 0.5 * static_cast<double>(p.size());
   return {sum.density / half, sum.velocity / half};
 }
-
-}  // namespace
 
 TEST_CASE("density diffusion damps sound at the rate of the linear equations on the lattice", "[dispersion]") {
   Check check(
@@ -134,3 +132,5 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
   }
   check.table(std::move(table));
 }
+
+}  // namespace wcsph_diffusion_decay_test

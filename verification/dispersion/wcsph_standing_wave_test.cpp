@@ -11,7 +11,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace wcsph_standing_wave_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -165,8 +165,6 @@ void judge(Check& check, const std::vector<Row>& rows, const std::string& reason
   check.table(std::move(table));
 }
 
-}  // namespace
-
 TEST_CASE("a standing wave with a narrow cubic spline has the frequency of linear theory within 4 %", "[dispersion]") {
   Check check(
       "wcsph_standing_wave_narrow", "Standing wave, cubic spline with h = 1.3 dx",
@@ -195,3 +193,5 @@ TEST_CASE("a standing wave with a wide kernel has the frequency of linear theory
         "20 layers: amplitude 0.2 %, elevation of the effective bottom by a part of dx, which tanh kH hides, and the "
         "kernel's error of the first derivative of 0.1 to 0.7 %");
 }
+
+}  // namespace wcsph_standing_wave_test

@@ -11,7 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/distributed/problems.hpp"
 
-namespace {
+namespace hexahedral_flow_test {
 
 using namespace seiche;
 using namespace seiche::verification;
@@ -133,4 +133,5 @@ TEST_CASE("a flow of hexahedra in a moving window shared out among processes is 
   compare_with_one("window", " in a moving window", in_plan.what, mesh, velocity, in_plan.window);
 }
 
-}  // namespace
+
+}  // namespace hexahedral_flow_test

@@ -12,7 +12,7 @@
 #include "verification/check.hpp"
 #include "verification/distributed/problems.hpp"
 
-namespace {
+namespace plan_flow_test {
 
 using namespace seiche;
 using namespace seiche::verification;
@@ -304,4 +304,5 @@ TEST_CASE("what all processes write is read back as it was") {
              Bound{.limit = 0, .reason = "the file keeps all digits"});
 }
 
-}  // namespace
+
+}  // namespace plan_flow_test

@@ -7,7 +7,7 @@
 #include "validation/instruments/agreement.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace agreement_test {
 
 using namespace seiche::validation;
 using seiche::evidence::Bound;
@@ -36,8 +36,6 @@ Points sampled(double from, double to, int intervals, Function f) {
 Claim named(const std::string& id, const std::string& text, const std::string& quantity) {
   return {.id = id, .text = text, .quantity = quantity, .source = "definition of the measure"};
 }
-
-}  // namespace
 
 TEST_CASE("measures of agreement have their known values", "[evidence]") {
   Check check("measures_of_agreement", "Measures of agreement",
@@ -112,3 +110,5 @@ TEST_CASE("measures of agreement have their known values", "[evidence]") {
              Roundoff{.operations = 4, .scale = 10, .reason = "one interpolation", .expected = 2.5});
   CHECK(std::isnan(first_crossing(ramp.curve(), 11)));
 }
+
+}  // namespace agreement_test

@@ -10,7 +10,7 @@
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace attenuation_scores_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -72,8 +72,6 @@ Verdict verdict_of(const evidence::Record& record, const std::string& id) {
   }
   return Verdict::error;
 }
-
-}  // namespace
 
 TEST_CASE("a wave that dies away or comes late is told by how much in a wavelength", "[evidence]") {
   Check check("attenuation_scores", "Waves that lose on their way",
@@ -144,3 +142,5 @@ TEST_CASE("a wave that dies away or comes late is told by how much in a waveleng
              {.value = static_cast<double>(diagnosis(wanted, exact).size())},
              Bound{.limit = 0, .reason = "nothing differs"});
 }
+
+}  // namespace attenuation_scores_test

@@ -4,7 +4,7 @@
 #include "validation/scoring/baseline.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace baseline_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -37,8 +37,6 @@ std::string change(const Summary::Outcome& before, const Summary::Outcome& after
          : all.front().kind == Since::Kind::unexpected_pass ? "unexpected pass"
                                                             : "other";
 }
-
-}  // namespace
 
 TEST_CASE("a score is worse than its baseline where an error grew beyond both uncertainties", "[evidence]") {
   Check check(
@@ -75,3 +73,5 @@ TEST_CASE("a score is worse than its baseline where an error grew beyond both un
   is("gone", "A claim that is gone is worse.",
      gone.size() == 1 && gone.front().kind == Since::Kind::worse ? "worse" : "other", "worse");
 }
+
+}  // namespace baseline_test

@@ -15,10 +15,10 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
+namespace checkpoints_test {
+
 using namespace seiche;
 using namespace seiche::validation;
-
-namespace {
 
 struct Gauge {
   std::string name;
@@ -52,8 +52,6 @@ double eleven(const Checkpoints& checkpoints, int& computed) {
     return 11.0;
   });
 }
-
-}  // namespace
 
 TEST_CASE("what is read of a tape is what was written", "[checkpoints]") {
   std::vector<Gauge> written{{"left", 0.1, {{1, 2}, {}}}, {"", std::nullopt, {}}};
@@ -151,3 +149,5 @@ TEST_CASE("a folder that cannot be written is a note, not the end", "[checkpoint
   CHECK(eleven(checkpoints, computed) == 11);
   CHECK(checkpoints.notes().size() == 1);
 }
+
+}  // namespace checkpoints_test

@@ -4,10 +4,10 @@
 #include "validation/case/registry.hpp"
 #include "verification/check.hpp"
 
+namespace configuration_test {
+
 using namespace seiche::validation;
 using Catch::Matchers::Contains;
-
-namespace {
 
 Values configured(const std::string& text, const std::string& name = "riemann") {
   const Case& one = find_case(name);
@@ -15,8 +15,6 @@ Values configured(const std::string& text, const std::string& name = "riemann") 
   apply_configuration(text, "waves.toml", one, values);
   return values;
 }
-
-}  // namespace
 
 TEST_CASE("a configuration sets what it names, and a case's own table goes before the top", "[evidence]") {
   const Values plain = configured("");
@@ -46,3 +44,5 @@ TEST_CASE("a configuration's mistake is named by file, line and parameter, in on
   CHECK_THROWS_WITH(configured("particles = [1, 2]\n"), Contains("parameter particles must be a number"));
   CHECK_THROWS_WITH(configured("\"a\\nb\" = 1\n"), !Contains("\n"));
 }
+
+}  // namespace configuration_test

@@ -9,7 +9,7 @@
 #include "validation/scoring/conservation.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace conservation_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -52,8 +52,6 @@ std::string refusal(const std::string& text) {
   }
   return {};
 }
-
-}  // namespace
 
 TEST_CASE("histories of volume, energy and momentum are judged by what the water conserves", "[evidence]") {
   Check check(
@@ -101,3 +99,5 @@ TEST_CASE("histories of volume, energy and momentum are judged by what the water
   }
   is("zero", "A change over zero cannot be judged.", zero, "column energy: is 0 at t = 0");
 }
+
+}  // namespace conservation_test

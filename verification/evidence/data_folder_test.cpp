@@ -5,16 +5,14 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-using seiche::validation::data_folder;
+namespace data_folder_test {
 
-namespace {
+using seiche::validation::data_folder;
 
 std::filesystem::path made(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   return folder;
 }
-
-}  // namespace
 
 TEST_CASE("a program finds its data beside itself, wherever the tree is moved", "[data_folder]") {
   const seiche::verification::ScratchFolder scratch("seiche_data_folder_test");
@@ -48,3 +46,5 @@ TEST_CASE("a program without its data says which places it looked at", "[data_fo
   CHECK(message.find(prefix + "/share/seiche/render") != std::string::npos);
   CHECK(message.find(prefix + "/bin/share/seiche/render") != std::string::npos);
 }
+
+}  // namespace data_folder_test

@@ -5,9 +5,9 @@
 #include "validation/case/registry.hpp"
 #include "verification/check.hpp"
 
-using namespace seiche;
+namespace declared_claims_test {
 
-namespace {
+using namespace seiche;
 
 std::string reason_of(const evidence::Criterion& criterion) {
   return std::visit([](const auto& c) { return c.reason; }, criterion);
@@ -21,8 +21,6 @@ std::vector<validation::Values> all_runs_of(const validation::Case& one) {
   }
   return runs;
 }
-
-}  // namespace
 
 TEST_CASE("every case declares its claims for every tier before it runs", "[evidence]") {
   for (const validation::Case& one : validation::all_cases()) {
@@ -64,3 +62,5 @@ TEST_CASE("declared failures fail within their whole band", "[evidence]") {
     }
   }
 }
+
+}  // namespace declared_claims_test

@@ -3,11 +3,11 @@
 #include "reports/evidence/evidence_of_record.hpp"
 #include "verification/check.hpp"
 
+namespace evidence_of_record_test {
+
 using namespace seiche;
 using Catch::Matchers::Contains;
 using evidence::RecordedClaim;
-
-namespace {
 
 RecordedClaim bound(double measured) {
   return {.name = "bore",
@@ -34,8 +34,6 @@ RecordedClaim roundoff(double measured) {
 std::size_t changed(const RecordedClaim& before, const RecordedClaim& after) {
   return evidence::changes({before}, {after}).size();
 }
-
-}  // namespace
 
 TEST_CASE("the evidence of record is read as it was written", "[evidence]") {
   RecordedClaim lost = bound(RecordedClaim::none);
@@ -118,3 +116,5 @@ TEST_CASE("what cannot be compared has changed", "[evidence]") {
     CHECK(changed(bound(1), after) == 1);
   }
 }
+
+}  // namespace evidence_of_record_test

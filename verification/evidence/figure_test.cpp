@@ -7,10 +7,10 @@
 
 #include "verification/check.hpp"
 
+namespace figure_test {
+
 using namespace seiche;
 using namespace seiche::evidence;
-
-namespace {
 
 constexpr std::size_t columns = 60, rows = 40;
 
@@ -31,8 +31,6 @@ struct Crossing {
   }
   [[nodiscard]] Lattice lattice() const { return {columns, rows, x, y, z}; }
 };
-
-}  // namespace
 
 TEST_CASE("surfaces and plans keep the points of their lattice, holes among them", "[figure]") {
   Crossing crossing;
@@ -68,3 +66,5 @@ TEST_CASE("a lattice whose arrays do not fit its cells is refused with their num
   CHECK_THROWS_AS(panel.plan("water", Lattice{}), std::invalid_argument);
   CHECK(panel.series().empty());
 }
+
+}  // namespace figure_test

@@ -8,7 +8,7 @@
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace first_look_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -72,8 +72,6 @@ Ladder ladder_of_errors(double falling, double staying) {
   return ladder_of(wanted(evidence::Role::exact), rungs);
 }
 
-}  // namespace
-
 TEST_CASE("the first screen says where an error is, of what kind, whose it is and what to do", "[evidence]") {
   Check check("first_look", "A score at first sight",
               "A sine with errors of known kinds: two wavelengths, joined by straight lines between 201 points.");
@@ -131,3 +129,5 @@ TEST_CASE("the first screen says where an error is, of what kind, whose it is an
   says("model-next", "Then finer cells do not mend it.",
        answer(high, "next step", evidence::Role::exact, ladder_of_errors(0.001, 0.2)), "finer cells do not mend it");
 }
+
+}  // namespace first_look_test

@@ -21,7 +21,7 @@
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace foreign_flows_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -306,8 +306,6 @@ std::vector<Asked> all_asked() {
   };
 }
 
-}  // namespace
-
 TEST_CASE("foreign flows are judged in all that is asked for", "[evidence]") {
   Check check("foreign_flow_scores", "Wrong flows are told",
               "Of every case that asks others for a flow: the reference passes at the template's points and at four "
@@ -372,3 +370,5 @@ TEST_CASE("a periodic wave is not asked for where one that never moved is right"
     CHECK_THROWS_AS(find_case("wave_kinematics").submission.tables(values), std::invalid_argument);
   }
 }
+
+}  // namespace foreign_flows_test

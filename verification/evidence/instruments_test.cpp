@@ -14,7 +14,7 @@
 #include "validation/instruments/straight_line.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace instruments_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -37,8 +37,6 @@ class Exactly {
  private:
   Check& check_;
 };
-
-}  // namespace
 
 TEST_CASE("instruments for series find what is in them", "[evidence]") {
   Check check("instruments_of_series", "Instruments for series",
@@ -148,3 +146,5 @@ TEST_CASE("errors of a profile are those of their definitions", "[evidence]") {
   exactly("position", "The step that holds the same volume.", jump_position(smeared, 3, 1, 0, 5), (10.15 - 5) / 2, 10,
           10, "a sum of five cells");
 }
+
+}  // namespace instruments_test

@@ -7,10 +7,10 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
+namespace junit_test {
+
 using namespace seiche;
 using namespace seiche::evidence;
-
-namespace {
 
 /// One claim for every pair of verdict and declaration.
 Record sample(const std::string& solver) {
@@ -64,8 +64,6 @@ std::string outcome(pugi::xml_node test) {
   }
   return "passed";
 }
-
-}  // namespace
 
 TEST_CASE("JUnit shows every verdict as what it is", "[junit]") {
   Junit junit;
@@ -138,3 +136,5 @@ TEST_CASE("JUnit of a run that did not finish is an error, whatever bytes its me
   const pugi::xml_node error = find(suite, "run").child("error");
   CHECK(std::string(error.attribute("message").value()) == "diverged?[31m <at> \"t = 1\"");
 }
+
+}  // namespace junit_test

@@ -15,7 +15,7 @@
 #include "validation/laboratory/wave_basin.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace laboratory_basin_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -100,8 +100,6 @@ struct Sheet {
   static double height(Point at) { return 0.3 + 0.7 * at.x - 1.1 * at.y; }
 };
 
-}  // namespace
-
 TEST_CASE("a paddle makes the waves it should and the layer leaves none of them", "[evidence]") {
   Check check("laboratory_basin", "Waves in a laboratory basin",
               "A level channel 0.4572 m deep and 9 m long, with 6 to 18 m more in which waves are absorbed; waves of "
@@ -154,3 +152,5 @@ TEST_CASE("gauges read the surface where they stand while the lattice moves", "[
               .source = "validation/instruments/plan_gauges.hpp"},
              {.value = numbers}, Bound{.limit = 0, .reason = "none stands in the water"});
 }
+
+}  // namespace laboratory_basin_test

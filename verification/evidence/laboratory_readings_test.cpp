@@ -11,7 +11,7 @@
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace laboratory_readings_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -84,8 +84,6 @@ void is_told(Check& check, const std::string& id, const std::string& text, const
              {.value = result.missed > 0 ? 1.0 : 0.0},
              evidence::Qualitative{.detector = "one claim or more is not met", .reason = "it was planted"});
 }
-
-}  // namespace
 
 TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
   Check check("laboratory_readings", "Readings of laboratory records",
@@ -235,3 +233,5 @@ TEST_CASE("a record of a laboratory in the wrong place is told, a common shift o
   is_told(check, "clock-of-paddle", "Where the clock is the wavemaker's, two seconds late is told.", "fission_on_shelf",
           [&](Submitted& all) { each(all, shift(2)); });
 }
+
+}  // namespace laboratory_readings_test

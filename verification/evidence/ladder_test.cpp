@@ -7,7 +7,7 @@
 #include "validation/scoring/ladder.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace ladder_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -70,8 +70,6 @@ std::string refusal(std::vector<Rung> rungs) {
   }
   return {};
 }
-
-}  // namespace
 
 TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and what it costs", "[evidence]") {
   Check check("score_ladder", "How fast somebody else's solver converges",
@@ -145,3 +143,5 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
   untimed.back().seconds = 3;
   is("times", "And times for some sizes alone.", refusal(untimed).find("1 times for 3 sizes") != std::string::npos);
 }
+
+}  // namespace ladder_test

@@ -8,7 +8,7 @@
 #include "validation/scoring/misreading.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace misreading_test {
 
 using namespace seiche::validation;
 using seiche::evidence::Bound;
@@ -42,8 +42,6 @@ Points sampled(Function f, double last = 20) {
 Claim named(const std::string& id, const std::string& text, const std::string& quantity) {
   return {.id = id, .text = text, .quantity = quantity, .source = "definition of the change"};
 }
-
-}  // namespace
 
 TEST_CASE("what a curve was misread as is found, with its number", "[evidence]") {
   Check check(
@@ -156,3 +154,5 @@ TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says 
   says("number", {{"numbers", {{.value = 0, .abscissa = {}, .values = {{"runup", {25}}}}}}}, 1,
        "centimetres for metres");
 }
+
+}  // namespace misreading_test

@@ -8,9 +8,9 @@
 #include "reports/evidence/verdict.hpp"
 #include "verification/check.hpp"
 
-using namespace seiche::evidence;
+namespace observed_order_test {
 
-namespace {
+using namespace seiche::evidence;
 
 const std::vector<double> sizes{0.1, 0.05, 0.025, 0.0125, 0.00625};
 
@@ -19,8 +19,6 @@ std::vector<double> errors_of_order(double p) {
   for (const double h : sizes) errors.push_back(3 * std::pow(h, p));
   return errors;
 }
-
-}  // namespace
 
 TEST_CASE("an exact power law gives its order with no scatter", "[order]") {
   const ObservedOrder observed = observed_order(sizes, errors_of_order(2));
@@ -144,3 +142,5 @@ TEST_CASE("an order that cannot be trusted widens the uncertainty", "[grid-conve
   CHECK_THROWS_AS(grid_convergence({1, 2}, {1, 1}, 2), std::invalid_argument);
   CHECK_THROWS_AS(grid_convergence({1, 1, 1}, {1, 1, 1}, 2), std::invalid_argument);
 }
+
+}  // namespace observed_order_test

@@ -13,7 +13,7 @@
 #include "validation/instruments/sph_steep_wave.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace particle_measures_test {
 
 using namespace seiche::validation;
 using seiche::Worst;
@@ -37,8 +37,6 @@ Polyline circle(double radius, int points) {
   }
   return curve;
 }
-
-}  // namespace
 
 TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") {
   Check check("shifted_front", "The shift of a front",
@@ -161,3 +159,5 @@ TEST_CASE("the steep wave starts with the velocities and accelerations of potent
   CHECK_THROWS_AS(SteepWaveStart(0.08, 1, 0.13, gravity), std::invalid_argument);
   CHECK_THROWS_AS(SteepWaveStart(0.05, 1, 0.04, gravity), std::invalid_argument);
 }
+
+}  // namespace particle_measures_test

@@ -6,11 +6,11 @@
 #include "validation/case/registry.hpp"
 #include "verification/check.hpp"
 
+namespace published_sets_test {
+
 using namespace seiche;
 using namespace seiche::validation;
 using Catch::Matchers::Contains;
-
-namespace {
 
 const NamedValues theirs{{"particles", 10}, {"time_step", 1}, {"scheme", "H2"}};
 
@@ -46,8 +46,6 @@ std::vector<std::string> tiles_of_atlas() {
 
 /// Tiles that no case fills: of models that the suite has not, and a sketch that a verification draws.
 const std::set<std::string> without_case{"frank-fig-4"};
-
-}  // namespace
 
 TEST_CASE("every tile of the atlas has the parameters of its source", "[evidence]") {
   std::map<std::string, std::vector<std::string>> cases;
@@ -123,3 +121,5 @@ TEST_CASE("a published set that cannot be run is refused", "[evidence]") {
   refused({{.tiles = {"a"}, .values = {{"scheme", "X"}}}}, "one of H2, M2");
   refused({{.tiles = {"a"}, .values = {{"particles", 10.5}}}}, "particles");
 }
+
+}  // namespace published_sets_test

@@ -10,10 +10,10 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
+namespace record_files_test {
+
 using namespace seiche;
 using namespace seiche::evidence;
-
-namespace {
 
 Record sample() {
   Record record;
@@ -31,8 +31,6 @@ Record sample() {
   record.snapshot({.time = 1, .x = x, .z = x, .fields = {{"depth", "m", x}}});
   return record;
 }
-
-}  // namespace
 
 TEST_CASE("a record is read back as it was written", "[record]") {
   const seiche::verification::ScratchFolder scratch("seiche_record_files_test");
@@ -106,3 +104,5 @@ TEST_CASE("SHA-256 of known texts", "[record]") {
   CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
+
+}  // namespace record_files_test

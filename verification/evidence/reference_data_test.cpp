@@ -9,10 +9,10 @@
 #include "validation/case/reference_source.hpp"
 #include "verification/check.hpp"
 
+namespace reference_data_test {
+
 using namespace seiche;
 using validation::ReferenceSource;
-
-namespace {
 
 const std::set<std::string> known_units = {"1", "m", "cm", "s", "1/s", "m/s", "m^2", "m^2/s", "deg", "rad", "Pa"};
 
@@ -132,8 +132,6 @@ class Faults {
   std::vector<std::string> list_;
 };
 
-}  // namespace
-
 TEST_CASE("every reference table says where it comes from and how well it is known", "[evidence]") {
   verification::Check check(
       "reference_data", "The reference tables",
@@ -175,3 +173,5 @@ TEST_CASE("every reference table says where it comes from and how well it is kno
 TEST_CASE("an unknown reference table is refused by name", "[evidence]") {
   CHECK_THROWS_AS(validation::reference_source("nobody_1900"), std::invalid_argument);
 }
+
+}  // namespace reference_data_test

@@ -14,13 +14,13 @@
 #include "verification/check.hpp"
 #include "verification/evidence/reflection_problems.hpp"
 
+namespace reflection_pattern_test {
+
 using namespace seiche;
 using namespace seiche::validation;
 using exact::KadomtsevPetviashvili;
 using verification::Role;
 using verification::SampledReflection;
-
-namespace {
 
 const std::string source = "Kodama and Yeh, The KP theory and Mach reflection, J. Fluid Mech. 800 (2016) 766";
 
@@ -166,8 +166,6 @@ void draw(verification::Check& check) {
   panel.points("end of the stem, y_T", std::vector<double>{pattern.wall.x - origin}, stem_end, Role::data);
 }
 
-}  // namespace
-
 TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its surface", "[evidence]") {
   verification::Check check(
       "reflection_measures", "Measuring Mach reflection",
@@ -253,3 +251,5 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
   z[7] = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(measured_reflection({4, 4, x, y, z}, a), std::invalid_argument);
 }
+
+}  // namespace reflection_pattern_test

@@ -4,7 +4,7 @@
 #include "validation/scoring/repeats.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace repeats_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -20,8 +20,6 @@ Submitted line(double above, double step) {
   }
   return {{"wave", {group}}};
 }
-
-}  // namespace
 
 TEST_CASE("of several runs the mean is judged, and the scatter is known", "[evidence]") {
   Check check("repeats", "Runs of one set-up",
@@ -57,3 +55,5 @@ TEST_CASE("of several runs the mean is judged, and the scatter is known", "[evid
   CHECK_THROWS_WITH(repeats_of({line(0, 0.5), elsewhere}),
                     "--repeats: the runs have 0 points of table wave in common, needed: 2");
 }
+
+}  // namespace repeats_test

@@ -7,13 +7,11 @@
 
 #include "verification/check.hpp"
 
+namespace samples_test {
+
 using namespace seiche;
 
-namespace {
-
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 TEST_CASE("a NaN first, in the middle or last makes every measure NaN", "[samples]") {
   for (std::size_t place = 0; place < 5; ++place) {
@@ -89,3 +87,5 @@ TEST_CASE("extremes of parts are those of the whole, and a part without samples 
   whole.add(first);
   CHECK(std::isnan(whole.value()));
 }
+
+}  // namespace samples_test

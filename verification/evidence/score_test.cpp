@@ -11,7 +11,7 @@
 #include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace score_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -97,8 +97,6 @@ std::string refusal(const std::string& text) {
   }
   return {};
 }
-
-}  // namespace
 
 TEST_CASE("a declared submission is measured and judged in every group", "[evidence]") {
   Check check("declared_submission", "Scoring by declaration",
@@ -188,3 +186,5 @@ TEST_CASE("an arrival is measured where something arrives", "[evidence]") {
              {.value = static_cast<double>(measured(0.5 * pi).count("eta_arrival_error"))},
              Qualitative{"a measurement eta_arrival_error", "nothing arrives", false});
 }
+
+}  // namespace score_test

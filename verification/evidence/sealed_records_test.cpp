@@ -13,7 +13,7 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace {
+namespace sealed_records_test {
 
 using namespace seiche;
 using namespace seiche::evidence;
@@ -53,8 +53,6 @@ struct Written {
   ScratchFolder scratch{"seiche_sealed_records"};
   std::filesystem::path json;
 };
-
-}  // namespace
 
 TEST_CASE("a record that nobody touched is whole", "[record]") {
   const Written written;
@@ -141,3 +139,5 @@ TEST_CASE("a record has one writer, and its lock goes with it", "[record]") {
   CHECK(files() == 4);  // the record's three, and what is not its own
   CHECK_NOTHROW(RecordLock(scratch.path(), "sample"));
 }
+
+}  // namespace sealed_records_test

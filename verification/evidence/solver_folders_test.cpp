@@ -11,7 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace {
+namespace solver_folders_test {
 
 using namespace seiche;
 using validation::Reading;
@@ -78,8 +78,6 @@ class Folder {
   Check& check_;
 };
 
-}  // namespace
-
 TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "[evidence]") {
   Check check("solver_folders", "Results that are spread over files",
               "OpenFOAM's folders of times and of restarts, GeoClaw's refined patches, gauges beside each other.");
@@ -142,3 +140,5 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.write("points.txt", "# 1:t 2:x 3:T\n0 1 0.5\n");
   folder.is("gerris", "So does one of Gerris.", "points.txt", "t,x,T|0,1,0.5");
 }
+
+}  // namespace solver_folders_test

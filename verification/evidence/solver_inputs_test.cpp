@@ -10,7 +10,7 @@
 #include "seiche/io/solver_inputs.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace solver_inputs_test {
 
 using namespace seiche;
 using evidence::Bound;
@@ -49,8 +49,6 @@ std::string refusal(const std::string& text) {
   }
   return {};
 }
-
-}  // namespace
 
 TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
   Check check(
@@ -109,3 +107,5 @@ TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
      "DIMENSIONS 2 1 1\nPOINTS 2 double\n0 0 0\n1 0 0\nPOINT_DATA 2\nSCALARS eta double 1\nLOOKUP_TABLE "
      "default\n0.5\nnan\n");
 }
+
+}  // namespace solver_inputs_test

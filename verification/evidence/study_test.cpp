@@ -10,11 +10,11 @@
 
 #include "verification/check.hpp"
 
+namespace study_test {
+
 using namespace seiche;
 using namespace seiche::evidence;
 using namespace seiche::validation;
-
-namespace {
 
 struct Results {
   std::string what;
@@ -90,8 +90,6 @@ Verdict verdict(const Record& record, const std::string& id) {
   REQUIRE(std::count_if(judged.begin(), judged.end(), [&](const auto& c) { return c.claim.id == id; }) == 1);
   return std::find_if(judged.begin(), judged.end(), [&](const auto& c) { return c.claim.id == id; })->judgement.verdict;
 }
-
-}  // namespace
 
 TEST_CASE("every declared claim is judged exactly once, in the order of its declaration", "[study]") {
   const Record record = record_of("fine");
@@ -180,3 +178,5 @@ TEST_CASE("what cannot be shown keeps its verdicts and does not pass for finishe
   CHECK_FALSE(record.error.empty());
   CHECK_FALSE(record.as_declared());
 }
+
+}  // namespace study_test

@@ -9,7 +9,7 @@
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace submissions_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -53,8 +53,6 @@ long passed(const Case& one, const Values& values, double factor, long& claims) 
   return passes;
 }
 
-}  // namespace
-
 TEST_CASE("every case that scores others passes its own reference and fails one that is half too large", "[evidence]") {
   verification::Check check(
       "submissions", "The references score perfectly, wrong results do not",
@@ -81,3 +79,5 @@ TEST_CASE("every case that scores others passes its own reference and fails one 
                                      .reason = "half too large is outside every tolerance asked for"});
   }
 }
+
+}  // namespace submissions_test

@@ -14,7 +14,7 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace {
+namespace table_readers_test {
 
 using namespace seiche;
 using verification::Check;
@@ -67,8 +67,6 @@ class ReaderClaims {
   static constexpr const char* source = "interface of the readers";
   Check& check_;
 };
-
-}  // namespace
 
 TEST_CASE("a table has every number where the file has it", "[evidence]") {
   Check check("table_readers", "Tables as they are read",
@@ -160,3 +158,5 @@ TEST_CASE("a submission is read by the names and units of its columns", "[eviden
   claims.is_refused("order", "Positions that go back are not put into order.",
                     not_accepted("u,depth,x,t\n5,1,10,1\n6,2,0,1\n7,3,0,2\n8,4,10,2\n"));
 }
+
+}  // namespace table_readers_test

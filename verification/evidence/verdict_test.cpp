@@ -8,15 +8,13 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-using namespace seiche::evidence;
+namespace verdict_test {
 
-namespace {
+using namespace seiche::evidence;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const Claim claim{.id = "depth", .text = "The depth is right.", .quantity = "depth", .unit = "m", .source = "none"};
-
-}  // namespace
 
 TEST_CASE("a bound passes inside, fails outside, and is inconclusive when the uncertainty straddles it", "[verdict]") {
   const Bound bound{.limit = 0.1, .reason = "test", .expected = 2.0};
@@ -222,3 +220,5 @@ TEST_CASE("a run that broke down is never as declared", "[record]") {
   record.error = "depth became negative";
   CHECK_FALSE(record.as_declared());
 }
+
+}  // namespace verdict_test

@@ -13,12 +13,12 @@
 #include "verification/check.hpp"
 #include "verification/evidence/reflection_problems.hpp"
 
+namespace wall_history_test {
+
 using namespace seiche;
 using namespace seiche::validation;
 using exact::KadomtsevPetviashvili;
 using verification::Role;
-
-namespace {
 
 const std::string source = "Kodama and Yeh, The KP theory and Mach reflection, J. Fluid Mech. 800 (2016) 766";
 
@@ -90,8 +90,6 @@ void claim_coverage(verification::Check& check) {
                              .reason = "exp(-8) by the law of the rate, and the fits may differ from each other by "
                                        "twice that: the slowest exponential is all that is left"});
 }
-
-}  // namespace
 
 TEST_CASE("the limit of a growing wall amplitude is known within its stated uncertainty", "[evidence]") {
   verification::Check check(
@@ -207,3 +205,5 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
   CHECK(stem_angle(std::vector<double>{0, 10}, std::vector<double>{1, 2}).value == std::atan(0.1));
   CHECK(stem_angle(std::vector<double>{0, 10}, std::vector<double>{2, 1}).value == std::atan(-0.1));
 }
+
+}  // namespace wall_history_test

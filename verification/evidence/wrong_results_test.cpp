@@ -13,7 +13,7 @@
 #include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace wrong_results_test {
 
 using namespace seiche;
 using namespace seiche::validation;
@@ -59,8 +59,6 @@ evidence::Record scored_riemann(int points, double cell, const Changed& changed)
   }
   return scored(one, values, {{"profile", {profile}}}, {.cell = cell});
 }
-
-}  // namespace
 
 TEST_CASE("a dam break is judged by the solver's cells, in depth and in discharge", "[evidence]") {
   Check check("riemann_scores", "Wrong dam breaks are told",
@@ -204,3 +202,5 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
                   }()},
              Bound{.limit = 1, .reason = "a bound of errors of every sign, to first order"});
 }
+
+}  // namespace wrong_results_test

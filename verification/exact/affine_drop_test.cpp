@@ -9,6 +9,8 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace affine_drop_test {
+
 using namespace seiche;
 using exact::AffineDrop;
 using exact::DropInstant;
@@ -16,8 +18,6 @@ using exact::OutsideFluid;
 using exact::StretchingDrop;
 using verification::check_table;
 using verification::Role;
-
-namespace {
 
 const std::string source = "Dirichlet (1860); Longuet-Higgins, J. Fluid Mech. 55 (1972) 529";
 
@@ -62,8 +62,6 @@ void draw_outline(evidence::Panel& panel, const std::string& label, const DropIn
   }
   panel.line(label, x, y, role);
 }
-
-}  // namespace
 
 TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "[exact]") {
   verification::Check check(
@@ -181,3 +179,5 @@ TEST_CASE("points outside the drop and impossible drops are refused", "[exact]")
   CHECK_THROWS_AS(AffineDrop(Eigen::Matrix2d::Identity(), growing), std::invalid_argument);
   CHECK_THROWS_AS(AffineDrop(Eigen::Vector2d(1, -1).asDiagonal(), Eigen::Matrix2d::Zero()), std::invalid_argument);
 }
+
+}  // namespace affine_drop_test

@@ -8,12 +8,12 @@
 #include "seiche/samples.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace affine_ellipsoid_test {
+
 using namespace seiche;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using exact::AffineEllipsoid;
-
-namespace {
 
 const std::string source = "Dirichlet, J. reine angew. Math. 58 (1861) 181; Dedekind, ibid. 217";
 
@@ -46,8 +46,6 @@ double momentum_residual(const AffineEllipsoid& drop, double time, double span) 
   }
   return largest.value();
 }
-
-}  // namespace
 
 TEST_CASE("a free liquid ellipsoid moves as the Euler equations demand", "[exact]") {
   verification::Check check("exact_affine_ellipsoid", "Free liquid ellipsoid",
@@ -89,3 +87,5 @@ TEST_CASE("a free liquid ellipsoid moves as the Euler equations demand", "[exact
   CHECK_THROWS_AS(AffineEllipsoid(turning_gradient(), 0), std::invalid_argument);
   CHECK_THROWS_AS(turning.at(std::nan("")), std::invalid_argument);
 }
+
+}  // namespace affine_ellipsoid_test

@@ -5,19 +5,17 @@
 #include "seiche/samples.hpp"
 #include "verification/reference_digits.hpp"
 
+namespace bore_test {
+
 using namespace seiche;
 using exact::Bore;
 using exact::BoreReflection;
 using exact::StationaryJump;
 using verification::check_digits;
 
-namespace {
-
 constexpr double g = 9.81;
 const std::string source =
     "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, formula (11)";
-
-}  // namespace
 
 TEST_CASE("bore and stationary jump satisfy the jump conditions", "[exact]") {
   verification::Check check(
@@ -110,3 +108,5 @@ TEST_CASE("a bore reflected from a wall leaves water at rest", "[exact]") {
   const auto same = BoreReflection::from_depths(g, reflection.incident().ahead().depth, 1, 5, 10);
   CHECK(std::abs(same.reflected_depth() - reflection.reflected_depth()) < 1e-14);
 }
+
+}  // namespace bore_test

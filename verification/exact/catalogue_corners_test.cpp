@@ -16,7 +16,7 @@
 #include "verification/check.hpp"
 #include "verification/robustness/fuzzing.hpp"
 
-namespace {
+namespace catalogue_corners_test {
 
 using namespace seiche;
 using exact::ExactSolution;
@@ -121,8 +121,6 @@ Outcome outcome(const ExactSolution& solution, const std::map<std::string, doubl
   return {};
 }
 
-}  // namespace
-
 TEST_CASE("exact solutions keep their identities all over their ranges, or say which parameter to change", "[exact]") {
   verification::Check check(
       "exact_corners", "Exact solutions at the corners of their ranges",
@@ -172,3 +170,5 @@ TEST_CASE("exact solutions keep their identities all over their ranges, or say w
              {.value = refused.value() / members, .resolution = resolution},
              evidence::Bound{.limit = 0.45, .reason = "between 5 % and 95 %", .expected = 0.5});
 }
+
+}  // namespace catalogue_corners_test

@@ -6,6 +6,8 @@
 #include "seiche/exact/catalogue.hpp"
 #include "verification/check.hpp"
 
+namespace catalogue_test {
+
 using namespace seiche;
 
 TEST_CASE("every entry of the catalogue is complete and evaluates at its defaults", "[exact]") {
@@ -77,3 +79,5 @@ TEST_CASE("the shallow-water entries answer like their classes", "[exact]") {
   CHECK(std::abs(value("macdonald", 500, 0) - 1.112299103123052) < 1e-14);
   CHECK(value("thacker", 1.5, 0) == 0.5);
 }
+
+}  // namespace catalogue_test

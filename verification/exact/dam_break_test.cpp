@@ -7,17 +7,15 @@
 #include "verification/exact/shallow_water_residual.hpp"
 #include "verification/reference_digits.hpp"
 
+namespace dam_break_test {
+
 using namespace seiche;
 using exact::Ritter;
 using exact::Stoker;
 using verification::check_digits;
 
-namespace {
-
 constexpr double g = 9.81;
 const std::string source = "Stoker, Water Waves (1957), section 10.8; 30-digit arithmetic";
-
-}  // namespace
 
 TEST_CASE("plateau and bore of the dam break have every digit", "[exact]") {
   verification::Check check("exact_dam_break_digits", "Dam break: plateau, bore speed and discharge",
@@ -143,3 +141,5 @@ TEST_CASE("dam-break mass and momentum follow from the integral laws", "[exact]"
                                 "discharge 2 (4 c1^3 - 3 c1 xi^2 + xi^3)/(27 g), xi = (x - dam)/t, is d^4/30 times its "
                                 "fifth derivative, 9.2e-10 for d = 0.01, t = 3, xi = -2.6; round-off 1e-13"});
 }
+
+}  // namespace dam_break_test

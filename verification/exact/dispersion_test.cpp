@@ -7,6 +7,8 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace dispersion_test {
+
 using namespace seiche;
 using exact::AiryDispersion;
 using exact::FrankDispersion;
@@ -14,8 +16,6 @@ using exact::RationalDispersion;
 using exact::TimeScheme;
 using verification::check_table;
 using verification::Role;
-
-namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const std::string laws_source = "Airy (1845); Green and Naghdi (1976); Madsen and Sorensen (1992); Nwogu (1993)";
@@ -91,8 +91,6 @@ void draw_formula_13(verification::Check& check) {
                }));
   error.line("(s/H)^2/48", spacings, map(spacings, [](double s) { return s * s / 48; }), Role::guide);
 }
-
-}  // namespace
 
 TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[exact]") {
   verification::Check check(
@@ -274,3 +272,5 @@ TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tune
   CHECK_NOTHROW(exact::discrete_frequency(5, 1, TimeScheme::conservative));
   CHECK(std::abs(FrankDispersion(9.81, 2, 0.2).frequency(0.5) / (std::sqrt(9.81 / 2) * fine.frequency(1)) - 1) < 2e-15);
 }
+
+}  // namespace dispersion_test

@@ -9,12 +9,12 @@
 #include "seiche/samples.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace dispersive_manufactured_test {
+
 using namespace seiche;
 using exact::DispersiveManufactured;
 using verification::Role;
 using Parameters = DispersiveManufactured::Parameters;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 const std::string source =
@@ -160,8 +160,6 @@ void draw(verification::Check& check, const DispersiveManufactured& flow) {
   }
 }
 
-}  // namespace
-
 TEST_CASE("the manufactured motion over an uneven bottom satisfies the forced dispersive equations", "[exact]") {
   verification::Check check(
       "exact_dispersive_manufactured", "Manufactured solution of dispersive shallow water over an uneven bottom",
@@ -255,3 +253,5 @@ TEST_CASE("the manufactured motion over an uneven bottom satisfies the forced di
   CHECK_THROWS_AS(DispersiveManufactured(dimensional), std::invalid_argument);
   CHECK_THROWS_AS(frank.at(std::nan(""), 0), std::invalid_argument);
 }
+
+}  // namespace dispersive_manufactured_test

@@ -10,13 +10,13 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace dispersive_standing_wave_test {
+
 using namespace seiche;
 using exact::DispersiveStandingWave;
 using exact::StandingWave;
 using verification::Role;
 using Parameters = DispersiveStandingWave::Parameters;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3; averaged Lagrangian";
@@ -127,8 +127,6 @@ void draw(verification::Check& check, double exponent) {
   line("gamma = 1/15, s = 0.71", Role::data, model(weighted(exponent)));
 }
 
-}  // namespace
-
 TEST_CASE("the frequency of a standing wave of the dispersive model follows from harmonic balance", "[exact]") {
   verification::Check check(
       "exact_dispersive_standing_wave", "Standing wave of the dispersive shallow-water model",
@@ -205,3 +203,5 @@ TEST_CASE("the frequency of a standing wave of the dispersive model follows from
   CHECK_THROWS_AS(DispersiveStandingWave(0.1, 6, 1, 1, {.alpha = 0.3, .gamma = 0.3}), std::invalid_argument);
   CHECK_THROWS_AS(correction(-1, {}), std::invalid_argument);
 }
+
+}  // namespace dispersive_standing_wave_test

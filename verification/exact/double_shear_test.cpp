@@ -5,11 +5,11 @@
 #include "seiche/exact/double_shear.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace double_shear_test {
+
 using namespace seiche;
 using exact::DoubleShear;
 using verification::Role;
-
-namespace {
 
 const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";
 
@@ -35,8 +35,6 @@ void draw(verification::Check& check, const DoubleShear& motion) {
   }
 }
 
-}  // namespace
-
 TEST_CASE("the manufactured double shear keeps areas and obeys the forced equations of motion", "[exact]") {
   verification::Check check("exact_double_shear", "Manufactured motion of a free square: two shears",
                             "Areas, velocities and the equations of motion by finite differences of the values that "
@@ -55,3 +53,5 @@ TEST_CASE("the manufactured double shear keeps areas and obeys the forced equati
   CHECK_THROWS_AS(DoubleShear({.pressure = std::nan("")}), std::invalid_argument);
   CHECK_THROWS_AS(motion.at(0, std::nan(""), 0), std::invalid_argument);
 }
+
+}  // namespace double_shear_test

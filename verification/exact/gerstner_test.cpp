@@ -7,11 +7,11 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace gerstner_test {
+
 using namespace seiche;
 using exact::GerstnerWave;
 using verification::Role;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Gerstner, Theorie der Wellen (1804); Lamb, Hydrodynamics (1932), section 251";
@@ -69,8 +69,6 @@ void draw(verification::Check& check) {
   }
   panel.line("orbit for k b0 = -0.7", orbit_x, orbit_y, Role::guide);
 }
-
-}  // namespace
 
 TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
   verification::Check check(
@@ -185,3 +183,5 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
   CHECK_THROWS_AS(GerstnerWave(3, std::nan("")), std::invalid_argument);
   draw(check);
 }
+
+}  // namespace gerstner_test

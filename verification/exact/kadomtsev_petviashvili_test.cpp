@@ -12,11 +12,11 @@
 #include "seiche/samples.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace kadomtsev_petviashvili_test {
+
 using namespace seiche;
 using exact::KadomtsevPetviashvili;
 using exact::MachReflection;
-
-namespace {
 
 const std::string source = "Kodama and Yeh, The KP theory and Mach reflection, J. Fluid Mech. 800 (2016) 766";
 const std::string miles_source = "Miles, Resonantly interacting solitary waves, J. Fluid Mech. 79 (1977) 171";
@@ -54,8 +54,6 @@ double differenced_defect(const KadomtsevPetviashvili& waves, double x, double y
   const double largest = std::max({std::abs(change), std::abs(steepening), std::abs(dispersion), std::abs(spreading)});
   return (change + steepening + dispersion + spreading) / largest;
 }
-
-}  // namespace
 
 TEST_CASE("reflected solitary waves solve the Kadomtsev-Petviashvili equation", "[exact]") {
   verification::Check check(
@@ -219,3 +217,5 @@ TEST_CASE("reflected solitary waves solve the Kadomtsev-Petviashvili equation", 
   CHECK_THROWS_AS(KadomtsevPetviashvili(0.1, with_kappa(1.2, 0.1)).triple_point(1), std::logic_error);
   CHECK_THROWS_AS(mach.elevation(std::nan(""), 0, 0), std::invalid_argument);
 }
+
+}  // namespace kadomtsev_petviashvili_test

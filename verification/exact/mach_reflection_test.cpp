@@ -6,11 +6,11 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace mach_reflection_test {
+
 using namespace seiche;
 using exact::MachReflection;
 using verification::Role;
-
-namespace {
 
 const std::string miles_source = "Miles, J. Fluid Mech. 79 (1977) 171";
 const std::string kodama_yeh_source = "Li, Yeh and Kodama, J. Fluid Mech. 672 (2011) 326";
@@ -30,8 +30,6 @@ double two_soliton_peak(double kappa, double span) {
 double degrees(double angle) {
   return angle * std::numbers::pi / 180;
 }
-
-}  // namespace
 
 TEST_CASE("amplitudes of Mach and regular reflection have the digits known", "[exact]") {
   verification::Check check(
@@ -139,3 +137,5 @@ TEST_CASE("amplitudes of Mach and regular reflection have the digits known", "[e
     }
   }
 }
+
+}  // namespace mach_reflection_test

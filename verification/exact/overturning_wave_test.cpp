@@ -14,12 +14,12 @@
 #include "validation/case/reference_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace overturning_wave_test {
+
 using namespace seiche;
 using exact::OverturningWave;
 using exact::overturning::PeriodicCurve;
 using verification::Role;
-
-namespace {
 
 const std::string source =
     "Baker, Meiron & Orszag, J. Fluid Mech. 123 (1982) 477; Longuet-Higgins & Cokelet, Proc. R. Soc. Lond. A 350 "
@@ -169,8 +169,6 @@ void draw(verification::Check& check, const OverturningWave& wave, const std::ma
     shift += 0.5;
   }
 }
-
-}  // namespace
 
 TEST_CASE("a steep wave over a bottom overturns and touches down as the reference does", "[exact]") {
   verification::Check check(
@@ -324,3 +322,5 @@ TEST_CASE("an overturning wave scales with wavelength and gravity and refuses wh
   CHECK_THROWS_AS(OverturningWave({.amplitude = 0.5, .depth = std::nan("")}), std::invalid_argument);
   CHECK_THROWS_AS(OverturningWave({.markers = 65}), std::invalid_argument);
 }
+
+}  // namespace overturning_wave_test

@@ -11,12 +11,12 @@
 #include "seiche/samples.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace plan_manufactured_test {
+
 using namespace seiche;
 using exact::PlanManufactured;
 using verification::Role;
 using Field = Eigen::ArrayXXd;  // labels: X along rows, Y along columns
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr Eigen::Index period_points = 48;  // over [0, 2 L) either way, where the motion has period 2 L
@@ -162,8 +162,6 @@ void draw(verification::Check& check, const PlanManufactured& flow) {
   }
 }
 
-}  // namespace
-
 TEST_CASE("the manufactured motion in plan satisfies the forced Green-Naghdi equations", "[exact]") {
   verification::Check check(
       "exact_plan_manufactured", "Manufactured solution of the Green-Naghdi equations in plan",
@@ -201,3 +199,5 @@ TEST_CASE("the manufactured motion in plan satisfies the forced Green-Naghdi equ
   CHECK_THROWS_AS(flow.at(1, 1, std::nan("")), std::invalid_argument);
   CHECK_THROWS_AS(flow.label(1, 4, 0), std::invalid_argument);
 }
+
+}  // namespace plan_manufactured_test

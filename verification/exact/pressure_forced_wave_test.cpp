@@ -16,11 +16,11 @@
 #include "seiche/samples.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace pressure_forced_wave_test {
+
 using namespace seiche;
 using exact::PressureForcedWave;
 using verification::Role;
-
-namespace {
 
 using Complex = std::complex<double>;
 
@@ -274,8 +274,6 @@ void claim_convergence(verification::Check& check, const PressureForcedWave& wav
   check.measure("vertical_tangent_time", tangent);
 }
 
-}  // namespace
-
 TEST_CASE("a pressure moves water as linear theory says and without one the Stokes wave stays itself", "[exact]") {
   verification::Check check(
       "exact_pressure_response", "Water at rest and a Stokes wave under a small pressure, or none",
@@ -350,3 +348,5 @@ TEST_CASE("a wave pushed by a pressure scales with wavelength and gravity and re
   CHECK_THROWS_AS(PressureForcedWave({.markers = 65}), std::invalid_argument);
   CHECK_THROWS_AS(unit.action(4), std::invalid_argument);
 }
+
+}  // namespace pressure_forced_wave_test

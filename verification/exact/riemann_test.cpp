@@ -7,10 +7,10 @@
 #include "seiche/samples.hpp"
 #include "verification/reference_digits.hpp"
 
+namespace riemann_test {
+
 using namespace seiche;
 using exact::Riemann;
-
-namespace {
 
 constexpr double g = 9.81;
 const std::string source = "Toro, Shock-capturing methods for free-surface shallow flows (2001), ch. 5-6";
@@ -18,8 +18,6 @@ const std::string source = "Toro, Shock-capturing methods for free-surface shall
 double flux(shallow_water::State s) {
   return s.depth * s.velocity * s.velocity + shallow_water::thrust(g, s.depth);
 }
-
-}  // namespace
 
 TEST_CASE("Riemann solutions obey the integral laws for random states, dry beds included", "[exact]") {
   verification::Check check(
@@ -135,3 +133,5 @@ TEST_CASE("colliding bores meet and pass", "[exact]") {
              {.value = defect.value()},
              evidence::Roundoff{.operations = 100, .scale = 200, .reason = "sums of 50 points up to 200 m^2"});
 }
+
+}  // namespace riemann_test

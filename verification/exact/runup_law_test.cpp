@@ -8,11 +8,11 @@
 #include "seiche/exact/solitary_runup.hpp"
 #include "verification/digits_table.hpp"
 
+namespace runup_law_test {
+
 using namespace seiche;
 using exact::HallWatts;
 using exact::SolitaryRunup;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Synolakis, J. Fluid Mech. 185 (1987) 523";
@@ -36,8 +36,6 @@ double largest_before_crest(const Function& f) {
 double factor() {
   return 8.0 / 3 * std::sqrt(pi) * std::pow(2 / pi, 2.5) * std::pow(0.75, 1.25) * 2 * std::tgamma(2.5);
 }
-
-}  // namespace
 
 TEST_CASE("the coefficients of the run-up laws follow from the integral", "[exact]") {
   verification::Check check(
@@ -78,3 +76,5 @@ TEST_CASE("the coefficients of the run-up laws follow from the integral", "[exac
                              {HallWatts(1, 0.1).runup(0.2), "0.60003649246490262"}},
                             "Hall and Watts (1953)");
 }
+
+}  // namespace runup_law_test

@@ -8,11 +8,11 @@
 #include "seiche/samples.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace serre_cnoidal_test {
+
 using namespace seiche;
 using exact::SerreCnoidal;
 using verification::Role;
-
-namespace {
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Serre, Houille Blanche 8 (1953) 374; El, Grimshaw and Smyth, Phys. Fluids 18 (2006) 027104";
@@ -74,8 +74,6 @@ void draw(verification::Check& check) {
     panel.line("height " + std::to_string(height).substr(0, 4), x, y, Role::exact);
   }
 }
-
-}  // namespace
 
 TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary ones", "[exact]") {
   verification::Check check("exact_serre_cnoidal", "Periodic waves of Serre's equations",
@@ -157,3 +155,5 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
   CHECK_THROWS_AS(SerreCnoidal(std::nan(""), 2 * pi, 1, 1), std::invalid_argument);
   draw(check);
 }
+
+}  // namespace serre_cnoidal_test

@@ -6,6 +6,8 @@
 #include "verification/check.hpp"
 #include "verification/exact/shallow_water_residual.hpp"
 
+namespace simple_wave_test {
+
 using namespace seiche;
 
 TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") {
@@ -84,3 +86,5 @@ TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") 
   CHECK_THROWS_AS(wave.at(6, wave.breaking_time()), std::invalid_argument);
   CHECK_NOTHROW(wave.at(6, 0.999 * wave.breaking_time()));
 }
+
+}  // namespace simple_wave_test

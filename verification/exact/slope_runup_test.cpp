@@ -12,13 +12,13 @@
 #include "validation/case/reference_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace slope_runup_test {
+
 using namespace seiche;
 using exact::SlopeRunup;
 using exact::slope_climb::WedgeFlow;
 using verification::Role;
 using Complex = std::complex<double>;
-
-namespace {
 
 /// Poles of sixth order above the surface and, mirrored, below the bottom, in the plane where bottom and slope are one
 /// line: no water crosses them.
@@ -74,8 +74,6 @@ double error_of_velocity(std::size_t intervals, double cotangent) {
   }
   return error.value() / largest.value();
 }
-
-}  // namespace
 
 TEST_CASE("velocities of water over a slope are those of a potential with poles outside of it", "[exact]") {
   const std::string source = "Cauchy's integral formula";
@@ -167,3 +165,5 @@ TEST_CASE("solitary waves run up slopes as high as the reference says", "[exact]
   CHECK_THROWS_AS(SlopeRunup(0.3, 1, 1, 158), std::invalid_argument);
   CHECK_THROWS_AS(SlopeRunup(0.3, 1, 1, 161), std::invalid_argument);
 }
+
+}  // namespace slope_runup_test

@@ -7,6 +7,8 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace solitary_asymptotic_test {
+
 using namespace seiche;
 using exact::AsymptoticSolitary;
 using exact::BoussinesqSolitary;
@@ -15,8 +17,6 @@ using exact::LaitoneSolitary;
 using exact::SerreSolitary;
 using exact::SolitaryWave;
 using verification::Role;
-
-namespace {
 
 const std::string series_source =
     "Boussinesq (1872); Rayleigh (1876); Laitone, J. Fluid Mech. 9 (1960) 430; Grimshaw, J. Fluid Mech. 46 (1971) 611";
@@ -106,8 +106,6 @@ void draw(verification::Check& check, const std::vector<std::pair<std::string, E
     panel.line("slope " + std::to_string(order), amplitudes, slope, Role::guide);
   }
 }
-
-}  // namespace
 
 TEST_CASE("the series for the solitary wave have the speeds and identities known", "[exact]") {
   verification::Check check(
@@ -209,3 +207,5 @@ TEST_CASE("the series leave the exact solitary wave with their orders in amplitu
                             series_source, {.relative = 1e-14, .reason = "1e-14 of it; computed once by an " + known});
   draw(check, {{"Boussinesq", boussinesq}, {"Rayleigh, Serre", serre}, {"Laitone", laitone}, {"Grimshaw", grimshaw}});
 }
+
+}  // namespace solitary_asymptotic_test

@@ -13,14 +13,14 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace solitary_runup_test {
+
 using namespace seiche;
 using exact::HallWatts;
 using exact::SolitaryRunup;
 using verification::check_table;
 using verification::Printed;
 using verification::Role;
-
-namespace {
 
 const std::string source = "Synolakis, J. Fluid Mech. 185 (1987) 523";
 const std::string frank = "Frank, Discrete models of incompressible fluid (1994), table of ch. 3";
@@ -128,8 +128,6 @@ void draw_runup(verification::Check& check) {
     }
   }
 }
-
-}  // namespace
 
 TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[exact]") {
   verification::Check check(
@@ -333,3 +331,5 @@ TEST_CASE("waves and beaches outside the theory are refused", "[exact]") {
   CHECK_THROWS_AS(HallWatts(1, 1.1), Bad);
   CHECK_THROWS_AS(HallWatts(1, 0.5).runup(0), Bad);
 }
+
+}  // namespace solitary_runup_test

@@ -11,11 +11,11 @@
 #include "verification/check.hpp"
 #include "verification/exact/wave_extremum.hpp"
 
+namespace solitary_wave_test {
+
 using namespace seiche;
 using exact::Resolution;
 using exact::SolitaryWave;
-
-namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 const std::string source =
@@ -34,8 +34,6 @@ struct Column {
   std::function<double(const SolitaryWave&)> computed;
   std::string printed;  ///< column of the reference
 };
-
-}  // namespace
 
 TEST_CASE("solitary waves have every digit of the reference table", "[exact]") {
   verification::Check check(
@@ -306,3 +304,5 @@ TEST_CASE("speed, mass and energy of solitary waves are largest below the limiti
     profiles.line("a = " + std::to_string(amplitude).substr(0, 5), x, y, evidence::Role::exact);
   }
 }
+
+}  // namespace solitary_wave_test

@@ -6,13 +6,11 @@
 #include "seiche/exact/soliton_fission.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace soliton_fission_test {
 
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
 using seiche::exact::SolitonFission;
-
-}  // namespace
 
 TEST_CASE("a solitary wave falls apart into whole numbers of waves at the depths that are known", "[exact]") {
   seiche::verification::Check check(
@@ -76,3 +74,5 @@ TEST_CASE("depths that are no shelf's are refused by name", "[exact]") {
   }
   CHECK_THROWS_AS(SolitonFission(0.5).amplitude(0), std::invalid_argument);
 }
+
+}  // namespace soliton_fission_test

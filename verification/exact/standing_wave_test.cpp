@@ -7,11 +7,11 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace standing_wave_test {
+
 using namespace seiche;
 using exact::StandingWave;
 using verification::Role;
-
-namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double pi = std::numbers::pi;
@@ -99,8 +99,6 @@ void draw(verification::Check& check) {
     surface.line("t = " + std::to_string(j) + " T/8", x, eta, Role::exact);
   }
 }
-
-}  // namespace
 
 TEST_CASE("the standing wave of Tadjbakhsh and Keller has the digits and frequencies known", "[exact]") {
   verification::Check check(
@@ -202,3 +200,5 @@ TEST_CASE("the standing wave of Tadjbakhsh and Keller has the digits and frequen
   CHECK_THROWS_AS(wave(0.1, 1).velocity(0, -1.01, 0), exact::OutsideFluid);
   CHECK_THROWS_AS(wave(0.1, 1).potential(0, 0.3, 0), exact::OutsideFluid);
 }
+
+}  // namespace standing_wave_test

@@ -6,17 +6,15 @@
 #include "verification/exact/bed_primitive.hpp"
 #include "verification/reference_digits.hpp"
 
+namespace steady_flow_test {
+
 using namespace seiche;
 using exact::MacDonald;
 using exact::SteadyBump;
 using verification::check_digits;
 
-namespace {
-
 constexpr double g = 9.81;
 const std::string source = "Delestre et al., SWASHES, Int. J. Numer. Meth. Fluids 72 (2013) 269; 30-digit arithmetic";
-
-}  // namespace
 
 TEST_CASE("steady flow over a bump has every digit in its three regimes", "[exact]") {
   verification::Check check(
@@ -127,3 +125,5 @@ TEST_CASE("the MacDonald channel carries its depth", "[exact]") {
                                        "2e-10/30; round-off 10 eps g 7 < 2e-13"});
   verification::claim_bed_primitive(check, "bed", channel.bed(), 0, 1000, 7, source);
 }
+
+}  // namespace steady_flow_test

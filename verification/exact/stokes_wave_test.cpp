@@ -11,11 +11,11 @@
 #include "verification/check.hpp"
 #include "verification/exact/wave_extremum.hpp"
 
+namespace stokes_wave_test {
+
 using namespace seiche;
 using exact::Resolution;
 using exact::StokesWave;
-
-namespace {
 
 constexpr double wavelength = 2 * std::numbers::pi;
 const std::string source =
@@ -27,8 +27,6 @@ struct Column {
   std::function<double(const StokesWave&)> computed;
   std::string printed;  ///< column of the reference
 };
-
-}  // namespace
 
 TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
   verification::Check check(
@@ -290,3 +288,5 @@ TEST_CASE("deep Stokes waves are fastest below the limiting steepness", "[exact]
     profiles.line("k a = " + std::to_string(a).substr(0, 6), x, y, evidence::Role::exact);
   }
 }
+
+}  // namespace stokes_wave_test

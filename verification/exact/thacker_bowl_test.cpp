@@ -6,13 +6,13 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace thacker_bowl_test {
+
 using namespace seiche;
 using exact::BowlState;
 using exact::ThackerPlanarBowl;
 using exact::ThackerRadialBowl;
 using verification::Role;
-
-namespace {
 
 const std::string source = "Thacker, J. Fluid Mech. 107 (1981) 499; Delestre et al., SWASHES (2013), section 4.2.2";
 
@@ -127,8 +127,6 @@ void draw(evidence::Figure& figure, const Bowl& bowl, const std::string& title, 
   }
 }
 
-}  // namespace
-
 TEST_CASE("water oscillates in a bowl in plan, radially and as a rotating disc", "[exact]") {
   verification::Check check(
       "exact_thacker_bowl", "Oscillations in a paraboloidal bowl",
@@ -167,3 +165,5 @@ TEST_CASE("water oscillates in a bowl in plan, radially and as a rotating disc",
   draw(figure, radial, "radial, r0 = 0.8 a", 5);
   draw(figure, planar, "planar, s = a/2", 5);
 }
+
+}  // namespace thacker_bowl_test

@@ -8,16 +8,14 @@
 #include "verification/exact/shallow_water_residual.hpp"
 #include "verification/reference_digits.hpp"
 
+namespace thacker_test {
+
 using namespace seiche;
 using exact::LagrangianManufactured;
 using exact::Thacker;
 using verification::check_digits;
 
-namespace {
-
 constexpr double g = 9.81;
-
-}  // namespace
 
 TEST_CASE("water oscillates in a parabolic bowl at any amplitude", "[exact]") {
   const std::string source = "Thacker, J. Fluid Mech. 107 (1981) 499; Delestre et al., SWASHES (2013), section 4.2.1";
@@ -131,3 +129,5 @@ TEST_CASE("the Lagrangian manufactured solution satisfies the forced equations",
   CHECK(std::abs(flow.at(0, 0.4).velocity) < 1e-16);
   CHECK(std::abs(flow.at(1, 0.4).velocity) < 1e-15);
 }
+
+}  // namespace thacker_test

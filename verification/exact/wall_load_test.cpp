@@ -8,11 +8,11 @@
 #include "validation/case/reference_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace wall_load_test {
+
 using namespace seiche;
 using exact::WallLoad;
 using verification::Role;
-
-namespace {
 
 const std::string source =
     "Bernoulli's equation at the wall; Su & Mirie, J. Fluid Mech. 98 (1980) 509; Cooker, Weidman & Bale, J. Fluid "
@@ -85,8 +85,6 @@ void claim_series(verification::Check& check) {
                       .expected = WallLoad::still_series(0.05)});
 }
 
-}  // namespace
-
 TEST_CASE("solitary waves load a vertical wall as the reference says", "[exact]") {
   verification::Check check(
       "exact_wall_load", "Pressure and force of solitary waves on a vertical wall",
@@ -136,3 +134,5 @@ TEST_CASE("loads scale with the depth, and what the method cannot do is refused"
   CHECK_THROWS_AS(WallLoad(0.2, 1, 100), std::invalid_argument);
   CHECK_THROWS_AS(WallLoad(0.2, 1, 128, 0), std::invalid_argument);
 }
+
+}  // namespace wall_load_test

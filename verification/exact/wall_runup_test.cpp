@@ -8,6 +8,8 @@
 #include "validation/case/reference_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace wall_runup_test {
+
 using namespace seiche;
 using exact::WallRunup;
 using verification::Role;
@@ -111,3 +113,5 @@ TEST_CASE("solitary waves run up a vertical wall as high as the reference says",
   CHECK_THROWS_AS(WallRunup(0.2, -1), std::invalid_argument);
   CHECK_THROWS_AS(WallRunup(0.2, 1, 100), std::invalid_argument);
 }
+
+}  // namespace wall_runup_test

@@ -9,13 +9,13 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace wavemaker_test {
+
 using namespace seiche;
 using exact::Paddle;
 using exact::Wavemaker;
 using verification::check_table;
 using verification::Role;
-
-namespace {
 
 const std::string source = "Havelock (1929); Dean and Dalrymple, Water Wave Mechanics (1991), ch. 6";
 const std::string sph_source = "Plunging breaking waves by SPH, sections 4.2 and 4.3";
@@ -90,8 +90,6 @@ double water(const Wavemaker& maker, double far, double t) {
   }
   return sum;
 }
-
-}  // namespace
 
 TEST_CASE("piston and flap make the waves of linear theory", "[exact]") {
   verification::Check check(
@@ -230,3 +228,5 @@ TEST_CASE("wavemakers that cannot be are refused", "[exact]") {
   CHECK_THROWS_AS(Wavemaker(Paddle::flap, 1, 1, 1).coefficient(0), Bad);
   CHECK_THROWS_AS(Wavemaker(Paddle::flap, 1, 1, 1).elevation(-0.1, 0), exact::OutsideFluid);
 }
+
+}  // namespace wavemaker_test

@@ -9,12 +9,12 @@
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
+namespace wavemaker_transient_test {
+
 using namespace seiche;
 using exact::Paddle;
 using exact::WavemakerTransient;
 using verification::Role;
-
-namespace {
 
 const std::string source = "Kennard, Quart. Appl. Math. 7 (1949) 303; Joo, Schultz and Messiter (1990)";
 
@@ -84,8 +84,6 @@ void claim_volume(verification::Check& check, const WavemakerTransient& wave, do
                                        "beyond, of six radians with 20 points, to round-off",
                              .expected = displaced});
 }
-
-}  // namespace
 
 TEST_CASE("a wavemaker starts from rest as linear theory says", "[exact]") {
   verification::Check check(
@@ -209,3 +207,5 @@ TEST_CASE("times and places without a wave are refused", "[exact]") {
   CHECK_THROWS_AS(wave.initial_rate_of_piston(1), std::invalid_argument);
   CHECK_THROWS_AS(WavemakerTransient(Paddle::piston, 1, 1, 100), std::invalid_argument);
 }
+
+}  // namespace wavemaker_transient_test

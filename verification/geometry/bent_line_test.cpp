@@ -9,7 +9,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace bent_line_test {
 
 using namespace seiche;
 using seiche::evidence::Roundoff;
@@ -28,8 +28,6 @@ double moment_between(const BentLine& line, double from, double to) {
                     },
                     -1, 1);
 }
-
-}  // namespace
 
 TEST_CASE("a bent line's chords, places and moments agree to round-off", "[geometry]") {
   Check check("bent_line", "Two lines joined by an arc",
@@ -80,3 +78,5 @@ TEST_CASE("a bent line's chords, places and moments agree to round-off", "[geome
   CHECK_THROWS_AS(BentLine({0, 0}, {1, 0}, {0, 1}, 0.1), std::invalid_argument);
   CHECK_THROWS_AS(BentLine({0, 0}, {1, 0}, {1, 1}, 0), std::invalid_argument);
 }
+
+}  // namespace bent_line_test

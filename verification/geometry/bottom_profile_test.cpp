@@ -13,7 +13,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace bottom_profile_test {
 
 using namespace seiche;
 using seiche::evidence::Roundoff;
@@ -91,8 +91,6 @@ std::vector<Interval> intervals(const Profile& profile, int count) {
   }
   return result;
 }
-
-}  // namespace
 
 TEST_CASE("means of a bottom and of its square are exact over any interval", "[geometry]") {
   Check check("bottom_profile", "Means of a bottom over an interval",
@@ -238,3 +236,5 @@ TEST_CASE("outside of its extent a bottom refuses to answer, naming the place an
     CHECK(std::string(outside.what()).find("[-10, 10]") != std::string::npos);
   }
 }
+
+}  // namespace bottom_profile_test

@@ -5,6 +5,8 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
+namespace curve_test {
+
 using namespace seiche;
 
 TEST_CASE("a point of a graph and its arc length belong together", "[geometry]") {
@@ -49,3 +51,5 @@ TEST_CASE("a point of a graph and its arc length belong together", "[geometry]")
       evidence::Roundoff{
           .operations = most, .scale = 6, .reason = "a sum over the panels, of places up to 6 m from the origin"});
 }
+
+}  // namespace curve_test

@@ -10,7 +10,7 @@
 #include "verification/check.hpp"
 #include "verification/geometry/moving_mesh.hpp"
 
-namespace {
+namespace dirichlet_cells_test {
 
 using namespace seiche;
 using namespace seiche::verification;
@@ -60,8 +60,6 @@ Triangulation triangulated(const Mesh& mesh) {
 std::size_t index(int k) {
   return static_cast<std::size_t>(k);
 }
-
-}  // namespace
 
 TEST_CASE("cells are Voronoi's, cut by the outline", "[geometry]") {
   Check check("dirichlet_cells", "Areas of Dirichlet cells against clipping",
@@ -245,3 +243,5 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
              {.value = jump.value()},
              Roundoff{.operations = 50, .scale = 1, .reason = "some ten terms of each of five triangles"});
 }
+
+}  // namespace dirichlet_cells_test

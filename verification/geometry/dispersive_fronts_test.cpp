@@ -7,7 +7,7 @@
 #include "seiche/shallow_water/breaking_bore.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_fronts_test {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
@@ -36,8 +36,6 @@ struct Front {
 long breaking_cells(const BreakingFronts& fronts) {
   return std::ranges::count_if(fronts.damping(), [](double d) { return d > 0; });
 }
-
-}  // namespace
 
 TEST_CASE("fronts break when they are steep and go on while they are bores", "[geometry]") {
   Check check(
@@ -85,3 +83,5 @@ TEST_CASE("fronts break when they are steep and go on while they are bores", "[g
   CHECK(std::isinf(bore_froude(0, 1)));
   CHECK(bore_damping(0, 1) == 1);
 }
+
+}  // namespace dispersive_fronts_test

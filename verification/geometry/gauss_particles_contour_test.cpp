@@ -8,7 +8,7 @@
 #include "seiche/models/gauss_particles/surface_contour.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace gauss_particles_contour_test {
 
 using namespace seiche::gauss_particles;
 using namespace seiche::verification;
@@ -26,8 +26,6 @@ double area(const std::vector<Point>& line) {
   }
   return sum;
 }
-
-}  // namespace
 
 TEST_CASE("the outline of particles encloses their water", "[geometry]") {
   Check check(
@@ -95,3 +93,5 @@ TEST_CASE("a disc of particles has the mass and the moments of inertia of a disc
   claim("moment-y", "second moment along y", up, expected);
   claim("moment-xy", "mixed second moment", mixed, 0);
 }
+
+}  // namespace gauss_particles_contour_test

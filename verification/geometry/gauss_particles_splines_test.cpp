@@ -11,7 +11,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace gauss_particles_splines_test {
 
 using namespace seiche::gauss_particles;
 using namespace seiche::verification;
@@ -88,8 +88,6 @@ Defects defects(int degree, Ends ends) {
   return {reproduced.value(), ends == Ends::periodic ? 0 : continued.value()};
 }
 
-}  // namespace
-
 TEST_CASE("splines reproduce and continue polynomials to round-off", "[geometry]") {
   Check check(
       "gauss_particles_splines", "Splines of free particles: polynomials",
@@ -119,3 +117,5 @@ TEST_CASE("splines reproduce and continue polynomials to round-off", "[geometry]
     }
   }
 }
+
+}  // namespace gauss_particles_splines_test

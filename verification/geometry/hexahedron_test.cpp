@@ -13,7 +13,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
-namespace {
+namespace hexahedron_test {
 
 using namespace seiche::lagrangian_mesh_3d;
 using namespace seiche::verification;
@@ -78,8 +78,6 @@ double largest_of(std::span<const double> values) {
   for (const double value : values) largest.add(value);
   return largest.value();
 }
-
-}  // namespace
 
 TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean of the cuts of its faces",
           "[geometry]") {
@@ -246,3 +244,5 @@ TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix"
              {.value = worst.value()},
              Roundoff{.operations = 27 * 24, .scale = scale.value(), .reason = "27 coefficients of 24 products each"});
 }
+
+}  // namespace hexahedron_test

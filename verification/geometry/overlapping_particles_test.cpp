@@ -11,7 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/noise.hpp"
 
-namespace {
+namespace overlapping_particles_test {
 
 using namespace seiche;
 using namespace seiche::overlapping_particles;
@@ -87,8 +87,6 @@ std::vector<Variant> variants() {
        {.stabilisation = 0.1, .walls = oblique.walls}},
   };
 }
-
-}  // namespace
 
 TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of their lens", "[geometry]") {
   Check check("overlapping_kernel", "Overlaps of particles and control volumes",
@@ -309,3 +307,5 @@ TEST_CASE("masses in control volumes do not change by translation and rotation",
   Model beside(oblique.particles, {.walls = {oblique.walls[0]}});
   rigid("along-wall", "Along a wall.", beside, [&](Point) { return Point{-std::sin(0.4), std::cos(0.4)}; });
 }
+
+}  // namespace overlapping_particles_test

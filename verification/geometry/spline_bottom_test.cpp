@@ -12,7 +12,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace spline_bottom_test {
 
 using namespace seiche::verification;
 using seiche::OutsidePlanBottom;
@@ -40,8 +40,6 @@ void over_places(const Work& work) {
     for (double y = -0.98; y <= 11; y += 0.191) work(x, y);
   }
 }
-
-}  // namespace
 
 TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[geometry]") {
   Check check("spline_bottom", "Bottom through elevations on a grid",
@@ -224,3 +222,5 @@ TEST_CASE("the integral of a bottom grows over a way by what the way says, howev
                    .reason = "half the way times second derivatives below 4; a difference of two values would have "
                              "their round-off over the way, 4e-6"});
 }
+
+}  // namespace spline_bottom_test

@@ -8,7 +8,7 @@
 #include "verification/check.hpp"
 #include "verification/geometry/moving_mesh.hpp"
 
-namespace {
+namespace triangulation_test {
 
 using namespace seiche;
 using namespace seiche::verification;
@@ -45,8 +45,6 @@ cpp_rational rational_in_circle(Point a, Point b, Point c, Point d) {
   return ra.square * (rb.x * rc.y - rc.x * rb.y) + rb.square * (rc.x * ra.y - ra.x * rc.y) +
          rc.square * (ra.x * rb.y - rb.x * ra.y);
 }
-
-}  // namespace
 
 TEST_CASE("signs of orientation and in-circle are exact where rounding would decide", "[geometry]") {
   Check check("predicates", "Signs of orientation and in-circle",
@@ -179,3 +177,5 @@ TEST_CASE("an outline that is not convex keeps its edges", "[geometry]") {
       evidence::Roundoff{.operations = 300, .scale = 4, .reason = "a sum of 300 triangles that ends at the area of 4"});
   check.measure("flips", static_cast<double>(moving.flips()));
 }
+
+}  // namespace triangulation_test

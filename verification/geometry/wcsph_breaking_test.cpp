@@ -10,7 +10,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace wcsph_breaking_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
@@ -75,8 +75,6 @@ std::vector<Contour> contours_of(const ShearedWave& wave, double spacing) {
 std::vector<Contour> contours_of(const Tongue& tongue, double spacing) {
   return contours_of([tongue](double x, double z) { return tongue.inside(x, z); }, {-0.8, 0.8, -0.4, 0.6}, spacing);
 }
-
-}  // namespace
 
 TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") {
   Check check("wcsph_overturning", "Detector of overturning",
@@ -232,3 +230,5 @@ TEST_CASE("a jet touches down when it shuts off air", "[geometry]") {
   CHECK_FALSE(overturns({}, spacing));
   CHECK(main_surface({}) == nullptr);
 }
+
+}  // namespace wcsph_breaking_test

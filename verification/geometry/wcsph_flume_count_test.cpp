@@ -9,7 +9,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace wcsph_flume_count_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
@@ -53,8 +53,6 @@ long solutions(Lattice lattice, const Walls& walls) {
   }
   return found;
 }
-
-}  // namespace
 
 TEST_CASE("the published flume cannot be decoded from its number of particles", "[geometry]") {
   Check check("wcsph_flume_count", "Particle count of the plunging wave",
@@ -125,3 +123,5 @@ TEST_CASE("the published flume cannot be decoded from its number of particles", 
   check.measure("flumes with the published number, paddle of three rows or corner once, fewer of both",
                 otherwise.value());
 }
+
+}  // namespace wcsph_flume_count_test

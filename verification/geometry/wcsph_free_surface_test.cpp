@@ -11,7 +11,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace wcsph_free_surface_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
@@ -84,8 +84,6 @@ DiscErrors disc_errors(double spacing) {
   errors.centre = std::sqrt(errors.centre);
   return errors;
 }
-
-}  // namespace
 
 TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[geometry]") {
   Check check("wcsph_elevation", "Elevation from the volume fraction",
@@ -292,3 +290,5 @@ TEST_CASE("front and height of a column are those of its particles, not of spray
   CHECK(front_position(particles, h) == Approx(1.24).epsilon(1e-12));
   CHECK(std::isnan(front_position(Particles{}, h)));
 }
+
+}  // namespace wcsph_free_surface_test

@@ -10,7 +10,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace wcsph_layer_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
@@ -37,8 +37,6 @@ double mass_defect(Fitting fitting) {
   }
   return mass.value() / (1000 * depth) - 1;
 }
-
-}  // namespace
 
 TEST_CASE("layers follow their surface and patches their circle", "[geometry]") {
   Check check("wcsph_layers_patches", "Layers with an uneven surface and round patches",
@@ -124,3 +122,5 @@ TEST_CASE("layers follow their surface and patches their circle", "[geometry]") 
                                 .reason = "B = 28000 Pa times the rounding of "
                                           "a power"});
 }
+
+}  // namespace wcsph_layer_test

@@ -9,7 +9,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace wcsph_paddle_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
@@ -22,8 +22,6 @@ constexpr double stroke = 0.0305;
 PointMotion at(const Paddle& paddle, double t, double x, double z) {
   return carried(paddle.pose(t), paddle.rate(t), paddle.hinge_x, paddle.hinge_z, x, z);
 }
-
-}  // namespace
 
 TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]") {
   const std::string source = "kinematics of a rigid body; Dean and Dalrymple (1991), ch. 6, for the motion X_w";
@@ -103,3 +101,5 @@ TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]"
   CHECK(start.x == -0.0005);
   CHECK(start.z == 0.0005);
 }
+
+}  // namespace wcsph_paddle_test

@@ -13,7 +13,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace wcsph_scene_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
@@ -93,8 +93,6 @@ Distances distances(const Scene& scene) {
   }
   return result;
 }
-
-}  // namespace
 
 TEST_CASE("dam breaks have the published numbers of particles", "[geometry]") {
   Check check(
@@ -269,3 +267,5 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
   CHECK(rounded.warnings[0].find("0.05700") == std::string::npos);
   CHECK(rounded.particles.count(Kind::fluid) == 5000);
 }
+
+}  // namespace wcsph_scene_test

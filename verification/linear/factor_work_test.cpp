@@ -9,7 +9,7 @@
 #include "seiche/linear/sparse_cholesky.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace factor_work_test {
 
 using namespace seiche;
 using linear::FactorWork;
@@ -41,8 +41,6 @@ double difference(FactorWork a, FactorWork b) {
   return std::abs(a.entries - b.entries) + std::abs(a.operations - b.operations);
 }
 
-}  // namespace
-
 TEST_CASE("factors tell what they cost", "[linear]") {
   verification::Check check(
       "factor_work", "What a factor costs",
@@ -64,3 +62,5 @@ TEST_CASE("factors tell what they cost", "[linear]") {
   // Inverse, division and update of the first block, inverse of the second.
   same("two-blocks", linear::NinePointCholesky(8, 2).work(), {3 * 64, 4 * product});
 }
+
+}  // namespace factor_work_test

@@ -10,7 +10,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace fourier_test {
 
 using Complex = std::complex<double>;
 using seiche::linear::Fourier;
@@ -24,8 +24,6 @@ Complex coefficient(const std::vector<Complex>& samples, double k) {
   }
   return sum / n;
 }
-
-}  // namespace
 
 TEST_CASE("Fourier coefficients are their sums, in the order of their wavenumbers", "[linear]") {
   seiche::verification::Check check(
@@ -88,3 +86,5 @@ TEST_CASE("Fourier coefficients are their sums, in the order of their wavenumber
              {.value = even.is_sawtooth(4) ? sawtooths.value() * even.wavenumber(4) : 0},
              seiche::evidence::Bound{.limit = 0, .reason = "small whole numbers", .expected = 4});
 }
+
+}  // namespace fourier_test

@@ -12,7 +12,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace gauss_particles_iteration_test {
 
 using namespace seiche::gauss_particles;
 using namespace seiche::verification;
@@ -58,8 +58,6 @@ Projection projection(int cells, bool walls, std::size_t iterate_above) {
   u.insert(u.end(), v.begin(), v.end());
   return {u, space.facts().residual, space.facts().unknowns, space.iterations()};
 }
-
-}  // namespace
 
 TEST_CASE("conjugate gradients and factors give one projection", "[linear]") {
   Check check("gauss_particles_iteration", "Free particles: conjugate gradients against factors",
@@ -110,3 +108,5 @@ TEST_CASE("conjugate gradients and factors give one projection", "[linear]") {
     }
   }
 }
+
+}  // namespace gauss_particles_iteration_test

@@ -8,7 +8,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace gmres_test {
 
 using seiche::linear::Gmres;
 
@@ -32,8 +32,6 @@ double least_residual(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, Eigen:
   const Eigen::VectorXd part = image.colPivHouseholderQr().solve(b);
   return (b - image * part).norm();
 }
-
-}  // namespace
 
 TEST_CASE("GMRES solves systems of the second kind and stops when it has", "[linear]") {
   seiche::verification::Check check(
@@ -111,3 +109,5 @@ TEST_CASE("GMRES of a right-hand side of zeros is zero without an iteration", "[
   CHECK(Gmres().solve([](const Eigen::VectorXd& in, Eigen::VectorXd& out) { out = in; }, zero, x, 1e-10) == 0);
   CHECK(x.norm() == 0);
 }
+
+}  // namespace gmres_test

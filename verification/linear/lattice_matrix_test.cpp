@@ -15,7 +15,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace lattice_matrix_test {
 
 using namespace seiche::linear;
 using seiche::Worst;
@@ -141,8 +141,6 @@ double largest_residual(const Shape& shape, Matrix (*matrix_of)(const Shape&, co
   return residual.value();
 }
 
-}  // namespace
-
 TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[linear]") {
   Check check("lattice_matrices", "Matrices of lattices against dense ones",
               "Random couplings of all neighbours, filled in by their place in the lattice: products, scalar products "
@@ -233,3 +231,5 @@ TEST_CASE("conjugate gradients need as many iterations as there are eigenvalues"
              Bound{.limit = 1e-12 * 7 * std::sqrt(9000.0),
                    .reason = "the tolerance times the norm of the right-hand side, over its smallest entry"});
 }
+
+}  // namespace lattice_matrix_test

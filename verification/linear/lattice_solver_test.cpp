@@ -18,7 +18,7 @@
 #include "verification/check.hpp"
 #include "verification/linear/mesh_matrix.hpp"
 
-namespace {
+namespace lattice_solver_test {
 
 using namespace seiche::linear;
 using seiche::Largest;
@@ -135,8 +135,6 @@ struct Problem {
     return solve(random_array(a.columns, a.rows), x, {tolerance}).iterations;
   }
 };
-
-}  // namespace
 
 TEST_CASE("the cosine lattice inverts undeformed lattices to single precision", "[linear]") {
   Check check(
@@ -352,3 +350,5 @@ TEST_CASE("lattices that have no inverse are refused", "[linear]") {
   CHECK_THROWS_AS(LayeredLattice(1, {1.0, -1.0}), std::invalid_argument);
   CHECK_THROWS_AS(LayeredLattice(1, {1.0}, 0), std::invalid_argument);
 }
+
+}  // namespace lattice_solver_test

@@ -16,7 +16,7 @@
 #include "verification/check.hpp"
 #include "verification/linear/mesh_matrix.hpp"
 
-namespace {
+namespace nine_point_cholesky_test {
 
 using namespace seiche::linear;
 using seiche::Worst;
@@ -74,8 +74,6 @@ double backward_error(const Eigen::MatrixXd& a, const Eigen::VectorXd& x, const 
   const double scale = worst(a.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs());
   return worst(b - a * x) / scale;
 }
-
-}  // namespace
 
 TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[linear]") {
   seiche::verification::Check check(
@@ -212,3 +210,5 @@ TEST_CASE("sparse Cholesky refuses what is not a lower triangle and a wrong numb
   CHECK_THROWS_AS(SparseCholesky(Eigen::SparseMatrix<double>(2, 3)), std::invalid_argument);
   CHECK_THROWS_AS(SparseCholesky(Eigen::SparseMatrix<double>(2, 2)), std::invalid_argument);
 }
+
+}  // namespace nine_point_cholesky_test

@@ -14,7 +14,7 @@
 #include "verification/noise.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace {
+namespace ring_solver_test {
 
 using namespace seiche;
 using namespace seiche::verification;
@@ -62,8 +62,6 @@ struct Rings {
     }
   }
 };
-
-}  // namespace
 
 TEST_CASE("matrices of rings are the sums of their blocks, and are solved", "[linear]") {
   Check check("ring_solver", "Systems whose pattern changes",
@@ -142,3 +140,5 @@ TEST_CASE("matrices of rings are the sums of their blocks, and are solved", "[li
     matrix.set_rings(begin, member, 3);
   });
 }
+
+}  // namespace ring_solver_test

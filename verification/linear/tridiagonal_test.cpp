@@ -10,7 +10,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace tridiagonal_test {
 
 using namespace seiche::linear;
 using seiche::Largest;
@@ -96,8 +96,6 @@ double largest_error(bool periodic) {
   return largest.value();
 }
 
-}  // namespace
-
 TEST_CASE("tridiagonal solvers agree with dense elimination", "[linear]") {
   seiche::verification::Check check("tridiagonal_solvers", "Tridiagonal solvers against dense Cholesky",
                                     "Random symmetric positive definite systems of 1 to 257 rows, from barely to "
@@ -148,3 +146,5 @@ TEMPLATE_TEST_CASE("a matrix that is not positive definite is refused with its r
   CHECK_THROWS_AS(periodic.factor({std::span(diagonal).first(2), off_diagonal}), std::invalid_argument);
   CHECK_THROWS_AS(periodic.factor({std::vector<double>(9, 1.9), off_diagonal}), NotPositiveDefinite);
 }
+
+}  // namespace tridiagonal_test

@@ -11,7 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace {
+namespace constraint_parts_test {
 
 using namespace seiche;
 using evidence::Bound;
@@ -25,8 +25,6 @@ std::vector<double> random_rates(std::size_t count, unsigned seed) {
   for (double& u : rates) u = uniform(random);
   return rates;
 }
-
-}  // namespace
 
 TEST_CASE("the curvature of a chain's links is bilinear in two velocities", "[mechanics]") {
   Check check("chain_curvature", "Curvature of the constraints of a chain",
@@ -149,3 +147,5 @@ TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
   claim("wall", "Along the wall the part along it is left.", slid.value());
   claim("inside", "Inside nothing is taken.", free.value());
 }
+
+}  // namespace constraint_parts_test

@@ -13,7 +13,7 @@
 #include "validation/case/reference_table.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_composition_test {
 
 using namespace seiche::mechanics;
 using Model = seiche::dispersive_shallow_water_1d::Model;
@@ -98,8 +98,6 @@ double half_unit(double value) {
   return 0.5 * std::pow(10, std::floor(std::log10(value)) - 1);
 }
 
-}  // namespace
-
 TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[manufactured]") {
   Check check("dispersive_composition", "Dispersive shallow water: compositions to fourth order in time",
               "Solitary wave of amplitude 0.3 in a periodic level channel of length 60, cells of 0.25, $t = 20$. The "
@@ -168,3 +166,5 @@ TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[
     check.measure("volume_defect", volume.value() / (length / cells));
   }
 }
+
+}  // namespace dispersive_composition_test

@@ -11,7 +11,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_friction_test {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
@@ -90,8 +90,6 @@ double manufactured_error(Kinetics kinetics, const Friction& friction, std::size
   for (std::size_t i = 0; i < n; ++i) error.add(flow.p()[i] - exact.at(labels[i], end).p);
   return error.rms();
 }
-
-}  // namespace
 
 TEST_CASE("friction at the bottom slows a uniform current as its law says", "[manufactured]") {
   Check check(
@@ -209,3 +207,5 @@ TEST_CASE("what friction takes is booked to round-off", "[manufactured]") {
       seiche::evidence::Bound{
           .limit = 0.2, .reason = "the wave decays by less than a fifth of its height meanwhile", .expected = 1});
 }
+
+}  // namespace dispersive_friction_test

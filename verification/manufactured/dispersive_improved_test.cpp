@@ -14,7 +14,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_improved_test {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
@@ -75,8 +75,6 @@ std::array<double, unknowns> errors_at_end(Kinetics kinetics, Stepping stepping,
   return result;
 }
 
-}  // namespace
-
 TEST_CASE("improved dispersion over an uneven bottom is of second order", "[manufactured]") {
   Check check(
       "dispersive_improved_manufactured", "Improved dispersion: manufactured motion over an uneven bottom",
@@ -114,3 +112,5 @@ TEST_CASE("improved dispersion over an uneven bottom is of second order", "[manu
     }
   }
 }
+
+}  // namespace dispersive_improved_test

@@ -8,7 +8,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_parts_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_1d;
@@ -42,8 +42,6 @@ std::vector<double> forces(const Channel& channel, const Markers& markers, const
   }
   return kick;
 }
-
-}  // namespace
 
 TEST_CASE("both shores have the mass of their tip", "[manufactured]") {
   Check check("dispersive_tips", "Masses of shoreline markers",
@@ -140,3 +138,5 @@ TEST_CASE("pressure on the surface acts as its integral with linear weights", "[
                                   "operations, as impulses over masses and back"});
   }
 }
+
+}  // namespace dispersive_parts_test

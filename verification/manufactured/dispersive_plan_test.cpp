@@ -9,7 +9,7 @@
 #include "validation/instruments/plan_manufactured_flow.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_plan_test {
 
 using namespace seiche::verification;
 using seiche::evidence::observed_order;
@@ -32,8 +32,6 @@ const std::vector<Quantity> quantities = {{"position", "places", &PlanManufactur
 std::string scheme_id(Stepping stepping) {
   return stepping == Stepping::one_step ? "one-step" : "conservative";
 }
-
-}  // namespace
 
 TEST_CASE("the plan model is of second order against a manufactured motion", "[manufactured]") {
   Check check("manufactured_dispersive_plan", "Manufactured motion of a basin: orders in space and time",
@@ -91,3 +89,5 @@ TEST_CASE("the plan model is of second order in time alone", "[manufactured]") {
     }
   }
 }
+
+}  // namespace dispersive_plan_test

@@ -17,7 +17,7 @@
 #include "validation/case/reference_table.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_shallow_water_test {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
@@ -162,8 +162,6 @@ void check_table(Check& check, const std::string& id, const Frames& frame, const
   }
 }
 
-}  // namespace
-
 TEST_CASE("all unknowns of dispersive shallow water converge with second order over an uneven bottom",
           "[manufactured]") {
   Check check("dispersive_manufactured", "Dispersive shallow water: manufactured motion over an uneven bottom",
@@ -275,3 +273,5 @@ TEST_CASE("the step alone is of second order over an uneven bottom", "[manufactu
         Bound{.limit = last_digit[i] / 2, .reason = "half a unit of the last printed digit", .expected = expected[i]});
   }
 }
+
+}  // namespace dispersive_shallow_water_test

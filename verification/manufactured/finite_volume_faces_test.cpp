@@ -5,13 +5,13 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
+namespace finite_volume_faces_test {
+
 using namespace seiche;
 using shallow_water::State;
 using shallow_water_finite_volume::End;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
-
-namespace {
 
 constexpr double g = 9.81;
 constexpr std::size_t cells = 40;
@@ -34,8 +34,6 @@ FiniteVolumeFlow stationary_jump(State upstream, State downstream) {
   return two_states({.scheme = Scheme::roe, .left = End::inflow(upstream), .right = End::inflow(downstream)}, upstream,
                     downstream);
 }
-
-}  // namespace
 
 TEST_CASE("fluxes through a face are those of the schemes in closed form", "[manufactured]") {
   verification::Check check(
@@ -159,3 +157,5 @@ TEST_CASE("friction and bed act as the ledger says", "[manufactured]") {
                  .scale = 0.005,
                  .reason = "three roundings per cell and step of thrusts up to g (0.7 m)^2/2 = 2.4 m^3/s^2 times tau"});
 }
+
+}  // namespace finite_volume_faces_test

@@ -7,11 +7,11 @@
 #include "validation/case/reference_table.hpp"
 #include "verification/check.hpp"
 
+namespace finite_volume_smooth_wave_test {
+
 using namespace seiche;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
-
-namespace {
 
 constexpr double length = 20;
 
@@ -40,8 +40,6 @@ struct Expectation {
   double order;
   std::size_t coarsest;  // of the four grids that the order is fitted on
 };
-
-}  // namespace
 
 TEST_CASE("finite-volume schemes converge with their orders on a smooth simple wave", "[manufactured]") {
   verification::Check check(
@@ -108,3 +106,5 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
     panel.line(id, widths, errors, verification::Role::computed);
   }
 }
+
+}  // namespace finite_volume_smooth_wave_test

@@ -16,7 +16,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace gauss_particles_drop_test {
 
 using namespace seiche::gauss_particles;
 using namespace seiche::mechanics;
@@ -66,8 +66,6 @@ Particles four() {
   }
   return particles;
 }
-
-}  // namespace
 
 TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however few", "[manufactured]") {
   Check check(
@@ -183,3 +181,5 @@ TEST_CASE("the pressure at the middle of a stretched disc", "[manufactured]") {
               "particles"});
   }
 }
+
+}  // namespace gauss_particles_drop_test

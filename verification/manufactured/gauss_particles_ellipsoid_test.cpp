@@ -13,7 +13,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace gauss_particles_ellipsoid_test {
 
 using namespace seiche::gauss_particles;
 using namespace seiche::mechanics;
@@ -81,8 +81,6 @@ Matrix3d motion(const SpatialModel& model, const State& state) {
   }
   return to * from.inverse();
 }
-
-}  // namespace
 
 TEST_CASE("particles with all linear fields in space follow the ellipsoids of Dirichlet and Dedekind",
           "[manufactured]") {
@@ -174,3 +172,5 @@ TEST_CASE("energy and momenta of a drop in space are kept to round-off", "[manuf
     if (gravity == 0) kept("angular-momentum", watch.ledger().largest_defect("angular_momentum"));
   }
 }
+
+}  // namespace gauss_particles_ellipsoid_test

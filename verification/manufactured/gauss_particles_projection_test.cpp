@@ -12,7 +12,7 @@
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace gauss_particles_projection_test {
 
 using namespace seiche::gauss_particles;
 using namespace seiche::verification;
@@ -88,8 +88,6 @@ double difference(const Particles& at, const Velocities& a, const Velocities& b)
   }
   return norm(at, d) / norm(at, b);
 }
-
-}  // namespace
 
 TEST_CASE("the projection finds a smooth field to the order of its splines", "[manufactured]") {
   Check check(
@@ -226,3 +224,5 @@ TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactur
     }
   }
 }
+
+}  // namespace gauss_particles_projection_test

@@ -9,7 +9,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace gauss_particles_vortical_test {
 
 using namespace seiche::gauss_particles;
 using namespace seiche::verification;
@@ -77,8 +77,6 @@ Result run(double h) {
   return {squares.rms(), flow.ledger().largest_defect("energy")};
 }
 
-}  // namespace
-
 TEST_CASE("an unsteady vortical flow with a free surface is met to second order", "[manufactured]") {
   Check check(
       "gauss_particles_vortical", "Free particles: a manufactured vortical flow",
@@ -112,3 +110,5 @@ TEST_CASE("an unsteady vortical flow with a free surface is met to second order"
       {.value = defect, .resolution = "h = 0.2, tau = 0.05, 20 steps"},
       Roundoff{.operations = 20, .scale = 3, .reason = "one rounding per step of the kinetic energy, at most 3"});
 }
+
+}  // namespace gauss_particles_vortical_test

@@ -11,7 +11,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace integrator_parts_test {
 
 using namespace seiche;
 using namespace seiche::mechanics;
@@ -47,8 +47,6 @@ double oscillator_error(AdaptiveMethod method, double tolerance) {
   const double steps = static_cast<double>(evaluations) / static_cast<double>(in_a_step);
   return std::hypot(x[0] - std::cos(20.0), x[1] + std::sin(20.0)) / (tolerance * steps);
 }
-
-}  // namespace
 
 TEST_CASE("weights of compositions meet the conditions of order four", "[mechanics]") {
   Check check(
@@ -176,3 +174,5 @@ TEST_CASE("velocities are reprojected every so many steps, and not otherwise", "
   claim("restored", "Three of ten steps are followed by a reprojection.", restored.value());
   claim("in-turn", "They are the third, the sixth and the ninth.", in_turn.value());
 }
+
+}  // namespace integrator_parts_test

@@ -11,7 +11,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace lagrangian_mesh_3d_impulse_test {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_3d;
@@ -50,8 +50,6 @@ Errors errors_of(const exact::SolitaryWave& wave, std::size_t layers) {
   return errors;
 }
 
-}  // namespace
-
 TEST_CASE("an impulsive pressure sets hexahedra into the potential flow of its wave", "[manufactured]") {
   verification::Check check(
       "lagrangian_mesh_3d_impulse", "Impulsive start of the hexahedral mesh",
@@ -87,3 +85,5 @@ TEST_CASE("an impulsive pressure sets hexahedra into the potential flow of its w
                       "the solver leaves 1e-13 of the norm of the rates before the projection, 256 in each of 1280 "
                       "cells at the surface of the finest mesh"});
 }
+
+}  // namespace lagrangian_mesh_3d_impulse_test

@@ -12,7 +12,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace lagrangian_mesh_3d_section_test {
 
 using namespace seiche;
 using mechanics::Stepping;
@@ -78,8 +78,6 @@ double difference(const Slope& slope, Stepping stepping, double tau) {
   return off.value();
 }
 
-}  // namespace
-
 TEST_CASE("hexahedra without motion across are the mesh in the plane, over slopes too", "[manufactured]") {
   Check check(
       "lagrangian_mesh_3d_section", "Hexahedra beside the mesh in the plane, over a slope",
@@ -109,3 +107,5 @@ TEST_CASE("hexahedra without motion across are the mesh in the plane, over slope
              evidence::observed_order(taus, differences),
              evidence::Order{.theory = 2, .tolerance = 0.3, .reason = "both schemes are symmetric, of second order"});
 }
+
+}  // namespace lagrangian_mesh_3d_section_test

@@ -14,7 +14,7 @@
 #include "verification/check.hpp"
 #include "verification/manufactured/hexahedral_motion.hpp"
 
-namespace {
+namespace lagrangian_mesh_3d_test {
 
 using namespace seiche;
 using namespace seiche::verification;
@@ -163,8 +163,6 @@ const std::vector<Quantity> quantities = {
      &Errors::on_bottom,
      {1, 0.15, "a node feels the pressure gradient half a cell inside; the next term is of second order"}},
 };
-
-}  // namespace
 
 TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from its force", "[manufactured]") {
   Check check("hexahedral_motion", "The manufactured motion over an uneven bottom: identities",
@@ -315,3 +313,5 @@ TEST_CASE("hexahedra over an uneven bottom are of second order in time alone", "
                observed_order(taus, velocities), second);
   }
 }
+
+}  // namespace lagrangian_mesh_3d_test

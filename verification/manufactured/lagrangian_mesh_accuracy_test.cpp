@@ -9,7 +9,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace {
+namespace lagrangian_mesh_accuracy_test {
 
 using namespace seiche::mechanics;
 using namespace seiche::verification;
@@ -131,8 +131,6 @@ class Judge {
 
 const std::vector<int> second_order_steps{50, 100, 200, 400};
 
-}  // namespace
-
 TEST_CASE("a free patch of fluid: errors of the integrators", "[manufactured]") {
   Check check("lagrangian_mesh_patch_accuracy", "Free patch of fluid: errors of the integrators",
               "The sheared and bent patch at t = 1; the error is the largest of a coordinate against RK4 with 8192 "
@@ -181,3 +179,5 @@ TEST_CASE("sloshing water: errors of the integrators", "[manufactured]") {
   const MeshProblem problem = sloshing();
   judge.energy(Integrator::one_step, 160, {9.2e-5, 2}, problem.model.potential_energy(problem.start.q));
 }
+
+}  // namespace lagrangian_mesh_accuracy_test

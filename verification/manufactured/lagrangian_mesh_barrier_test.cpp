@@ -6,6 +6,8 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
+namespace lagrangian_mesh_barrier_test {
+
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
 
@@ -53,3 +55,5 @@ TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
              evidence::observed_order(widths, errors, 1e-9),
              evidence::Order{4, 0.3, "fourth-order differences of a smooth energy"});
 }
+
+}  // namespace lagrangian_mesh_barrier_test

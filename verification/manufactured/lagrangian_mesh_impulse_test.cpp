@@ -9,7 +9,7 @@
 #include "validation/instruments/mesh_solitary_wave.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace lagrangian_mesh_impulse_test {
 
 using namespace seiche;
 using evidence::Order;
@@ -58,8 +58,6 @@ Errors errors_of(const exact::SolitaryWave& wave, long rows) {
   return errors;
 }
 
-}  // namespace
-
 TEST_CASE("an impulse on the surface starts the potential flow of an exact wave", "[manufactured]") {
   Check check(
       "lagrangian_mesh_impulse", "A mesh set into potential flow by an impulse on its surface",
@@ -107,3 +105,5 @@ TEST_CASE("an impulse on the surface starts the potential flow of an exact wave"
               "ten rounded terms; the impulse alone gives surface nodes speeds 2 phi/h2, up to 40, which the cells' "
               "reactions take back, and a rate over its area is a difference of speeds over h2 = 1/32"});
 }
+
+}  // namespace lagrangian_mesh_impulse_test

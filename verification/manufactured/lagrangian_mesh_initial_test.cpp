@@ -15,7 +15,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace lagrangian_mesh_initial_test {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
@@ -183,8 +183,6 @@ void check_piece(Check& check, const std::string& id, const std::string& name, c
   order("projection-below", "so it does in the largest norm in the lower half.", interior, 0.2, smooth);
 }
 
-}  // namespace
-
 TEST_CASE("first data of a mesh are those of the exact wave, to second order", "[manufactured]") {
   Check check("lagrangian_mesh_initial", "First data of the two-dimensional mesh",
               "Surface and velocities of an exact solitary wave and of a wavelength of an exact Stokes wave between "
@@ -196,3 +194,5 @@ TEST_CASE("first data of a mesh are those of the exact wave, to second order", "
   const exact::StokesWave stokes(0.1, 4, 1, 1);
   check_piece(check, "stokes", "Stokes wave, a = 0.1, wavelength 4", stokes_piece(stokes), 1, 2);
 }
+
+}  // namespace lagrangian_mesh_initial_test

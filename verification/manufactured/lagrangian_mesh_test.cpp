@@ -9,7 +9,7 @@
 #include "validation/instruments/mesh_double_shear.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace lagrangian_mesh_test {
 
 using namespace seiche::verification;
 using seiche::evidence::observed_order;
@@ -86,8 +86,6 @@ void check_orders(Check& check, const Variant& variant) {
   seiche::validation::slope_guide(panel, -2, cells, errors[0].back() / 1.5);
 }
 
-}  // namespace
-
 TEST_CASE("the Lagrangian mesh is of second order in the interior, in pressure and in the surface's shape",
           "[manufactured]") {
   Check check("lagrangian_mesh_manufactured", "Two-dimensional Lagrangian mesh: manufactured motion of a free square",
@@ -101,3 +99,5 @@ TEST_CASE("the Lagrangian mesh is of second order in the interior, in pressure a
   check_orders(check, {"one-step-distorted", "one-step scheme, distorted mesh", Stepping::one_step, 0.12});
   check_orders(check, {"conservative-distorted", "conservative scheme, distorted mesh", Stepping::conservative, 0.12});
 }
+
+}  // namespace lagrangian_mesh_test

@@ -8,7 +8,7 @@
 #include "seiche/models/lagrangian_mesh_2d/remap.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace mesh_remap_test {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
@@ -43,8 +43,6 @@ double error(std::size_t n) {
   return std::sqrt(squares / static_cast<double>(mesh.nodes()));
 }
 
-}  // namespace
-
 TEST_CASE("a remap of the mesh in the vertical plane is of third order", "[manufactured]") {
   verification::Check check("mesh_remap_order", "Remap of the two-dimensional mesh: order",
                             "A patch of sides $\\pi$ with smooth velocities, whose n x n equal cells are exchanged for "
@@ -68,3 +66,5 @@ TEST_CASE("a remap of the mesh in the vertical plane is of third order", "[manuf
                              "cubics err by the fourth power; the bilinear cell's own error h^2, which conservation "
                              "carries along, by h^2 times the change of the cell's size, h"});
 }
+
+}  // namespace mesh_remap_test

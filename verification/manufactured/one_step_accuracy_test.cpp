@@ -9,7 +9,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace one_step_accuracy_test {
 
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
@@ -33,8 +33,6 @@ State integrated(Integrator integrator, int steps, Worst* energy = nullptr) {
   if (energy != nullptr) energy->add(watch.ledger().largest_defect("energy"));
   return state;
 }
-
-}  // namespace
 
 TEST_CASE("integrators of constrained systems have their orders", "[manufactured]") {
   Check check("integrator_orders", "Orders of the integrators of constrained systems",
@@ -79,3 +77,5 @@ TEST_CASE("integrators of constrained systems have their orders", "[manufactured
       Roundoff{
           .operations = 16000, .scale = 3, .reason = "one rounded energy of order 3 in each of at most 16000 stages"});
 }
+
+}  // namespace one_step_accuracy_test

@@ -6,14 +6,12 @@
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "verification/check.hpp"
 
+namespace particles_ends_test {
+
 using namespace seiche;
 using namespace seiche::shallow_water_particles;
 
-namespace {
-
 constexpr double g = 9.81;
-
-}  // namespace
 
 TEST_CASE("friction slows a uniform stream as Manning's law says", "[manufactured]") {
   verification::Check check(
@@ -75,3 +73,5 @@ TEST_CASE("an accelerated piston bears the thrust of its simple wave", "[manufac
              evidence::observed_order(widths, errors, 1e-12),
              evidence::Order{2, 0.3, "second order in width and step"});
 }
+
+}  // namespace particles_ends_test

@@ -16,7 +16,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace particles_orders_test {
 
 using namespace seiche::shallow_water_particles;
 using seiche::Largest;
@@ -29,8 +29,6 @@ using seiche::evidence::Order;
 using seiche::verification::Check;
 
 constexpr double gravity = 9.81;
-
-}  // namespace
 
 TEST_CASE("a smooth simple wave converges with first (G1) and second order (M2, H2)", "[manufactured]") {
   Check check("particles_simple_wave", "Smooth simple wave",
@@ -267,3 +265,5 @@ TEST_CASE("dam breaks with the exact waves of the first moments", "[manufactured
                Bound{.limit = 1e-5, .reason = "a hand-over may round a mean beside a fan by its second difference"});
   }
 }
+
+}  // namespace particles_orders_test

@@ -13,7 +13,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace particles_parts_test {
 
 using namespace seiche;
 using namespace seiche::shallow_water_particles;
@@ -58,8 +58,6 @@ Outflow fan_through_section(std::size_t count, bool mirrored) {
   return {-(mirrored ? ledger.left_mass : ledger.right_mass).value(),
           -sign * (mirrored ? ledger.left_impulse : ledger.right_impulse).value()};
 }
-
-}  // namespace
 
 TEST_CASE("a wall is a mirror", "[manufactured]") {
   Check check("particles_mirror", "A wall and its mirror image",
@@ -254,3 +252,5 @@ TEST_CASE("the profile of a front has the mass and momentum of its particle", "[
   claim("mass", "The mass is the particle's.", masses.value());
   claim("momentum", "So is the momentum.", momenta.value());
 }
+
+}  // namespace particles_parts_test

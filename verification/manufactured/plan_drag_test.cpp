@@ -12,7 +12,7 @@
 #include "validation/instruments/plan_standing_mode.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace plan_drag_test {
 
 using namespace seiche::dispersive_shallow_water_2d;
 using namespace seiche::verification;
@@ -62,8 +62,6 @@ double power(const Flow& flow) {
   }
   return sum;
 }
-
-}  // namespace
 
 TEST_CASE("friction at the bottom takes the energy of Manning's law", "[manufactured]") {
   Check check(
@@ -378,3 +376,5 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
               .source = source},
              {.value = others.value()}, Roundoff{.operations = 1, .scale = 1, .reason = "nothing is computed"});
 }
+
+}  // namespace plan_drag_test

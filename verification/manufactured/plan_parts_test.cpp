@@ -15,7 +15,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 
-namespace {
+namespace plan_parts_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_2d;
@@ -86,8 +86,6 @@ double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
 std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-
-}  // namespace
 
 TEST_CASE("cells of the plan model hold the water between surface and bottom", "[manufactured]") {
   Check check("plan_volumes", "Plan model: volumes over a bottom of degree four",
@@ -335,3 +333,5 @@ TEST_CASE("a moving window appends still water of its own depth", "[manufactured
     claim("mass", "The masses of the nodes are the water of the cells.", model.mass() - water);
   }
 }
+
+}  // namespace plan_parts_test

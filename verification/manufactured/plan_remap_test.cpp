@@ -8,7 +8,7 @@
 #include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace plan_remap_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_2d;
@@ -58,8 +58,6 @@ Errors errors(std::size_t n) {
   return {std::sqrt(sums.elevation / nodes), std::sqrt(sums.velocity / nodes)};
 }
 
-}  // namespace
-
 TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
   verification::Check check("plan_remap_order", "Remap of the plan model: order",
                             "A basin of sides $\\pi$ with smooth waves and velocities, whose n x n equal cells are "
@@ -91,3 +89,5 @@ TEST_CASE("a remap of the plan model is of third order", "[manufactured]") {
               .source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266"},
              evidence::observed_order(sizes, of_velocity), third);
 }
+
+}  // namespace plan_remap_test

@@ -12,7 +12,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace shared_lattice_test {
 
 using namespace seiche;
 using namespace seiche::verification;
@@ -239,8 +239,6 @@ void shift_blocks(Check& check, const std::string& id, const std::string& text, 
   claim("masses", "masses of the nodes around a block's own cells, which their coefficients need, likewise.", mass);
 }
 
-}  // namespace
-
 TEST_CASE("blocks of a lattice are shifted by a window as the whole is", "[manufactured]") {
   Check check("shared_lattice_window", "A window that shifts the blocks of a lattice",
               "A lattice of 8 x 6 cells in four blocks, each with a ring of its neighbours' cells, is shifted by three "
@@ -295,3 +293,5 @@ TEST_CASE("the potential energies of blocks add up to that of the whole", "[manu
                       .scale = 1,
                       .reason = "some hundred operations in each of 48 cells, whose sum is below one"});
 }
+
+}  // namespace shared_lattice_test

@@ -11,7 +11,7 @@
 #include "verification/conservation/wcsph_direct_sums.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace wcsph_density_filter_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -39,8 +39,6 @@ Particles disturbed_layer() {
   }
   return particles;
 }
-
-}  // namespace
 
 TEST_CASE("the density filter is moving least squares, which reproduces linear fields", "[manufactured]") {
   Check check(
@@ -103,3 +101,5 @@ TEST_CASE("the density filter is moving least squares, which reproduces linear f
     CHECK(change.value() > 1e-3);
   }
 }
+
+}  // namespace wcsph_density_filter_test

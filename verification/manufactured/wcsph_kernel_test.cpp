@@ -12,7 +12,7 @@
 #include "verification/lattice_sums.hpp"
 #include "verification/reference_digits.hpp"
 
-namespace {
+namespace wcsph_kernel_test {
 
 using namespace seiche::wcsph;
 using seiche::Worst;
@@ -75,8 +75,6 @@ struct LatticeRow {
   double zeroth, first;
   int neighbours;
 };
-
-}  // namespace
 
 TEST_CASE("kernels have their moments, and their sums over lattices", "[manufactured]") {
   const std::string cubic_source = "Monaghan and Lattanzio, Astron. Astrophys. 149 (1985) 135; integration by hand";
@@ -208,3 +206,5 @@ TEST_CASE("pressure, sound speed and elastic energy of Tait's fluid belong toget
   CHECK_THROWS_AS(TaitFluid(1000, 0), std::invalid_argument);
   CHECK_THROWS_AS(TaitFluid(1000, 10, 0.9), std::invalid_argument);
 }
+
+}  // namespace wcsph_kernel_test

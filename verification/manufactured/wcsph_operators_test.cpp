@@ -10,7 +10,7 @@
 #include "verification/lattice_sums.hpp"
 #include "verification/manufactured/particle_operators.hpp"
 
-namespace {
+namespace wcsph_operators_test {
 
 using namespace seiche::verification;
 using seiche::evidence::Bound;
@@ -136,8 +136,6 @@ void check_order(Check& check, const std::string& id, const std::string& text, c
              observed_order(spacings(), error), order);
 }
 
-}  // namespace
-
 TEST_CASE("on a square lattice operators tend to their lattice sums with second order", "[manufactured]") {
   Check check(
       "wcsph_operators_lattice", "Operators of particles on a square lattice",
@@ -231,3 +229,5 @@ TEST_CASE("operators converge on disordered particles when the number of neighbo
       check, table,
       {{"difference", "difference gradient", &Errors::difference, {8.1e-2, 4.4e-2, 2.2e-2}, {5e-4, 5e-4, 5e-4}}}, true);
 }
+
+}  // namespace wcsph_operators_test

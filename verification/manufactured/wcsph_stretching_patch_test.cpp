@@ -11,7 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace wcsph_stretching_patch_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -143,8 +143,6 @@ const std::string article =
     "the "
     "cubic spline without viscosity tears.";
 
-}  // namespace
-
 TEST_CASE("a stretching patch of cubic splines follows the exact drop", "[manufactured]") {
   Check check("wcsph_stretching_patch", "Free patch that is stretched, cubic spline", article);
   const std::vector<Errors> found = judge(check, {{"coarse",
@@ -193,3 +191,5 @@ TEST_CASE("the Wendland kernel follows the exact drop more closely", "[manufactu
              {.value = found.front().axis},
              Bound{.limit = 0.5 * 6.3e-3, .reason = "half of the cubic spline's 6.3e-3"});
 }
+
+}  // namespace wcsph_stretching_patch_test

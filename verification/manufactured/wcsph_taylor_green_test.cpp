@@ -11,7 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace wcsph_taylor_green_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -171,8 +171,6 @@ void judge_trace(Check& check, const Vortices& vortices, const Decay& coarse, co
              Bound{.limit = 0.5, .reason = "what names the cause takes more than half of it away"});
 }
 
-}  // namespace
-
 TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufactured]") {
   Check check(
       "wcsph_taylor_green", "Taylor-Green vortices at Reynolds number 10",
@@ -266,3 +264,5 @@ TEST_CASE("particle shifting keeps vortices at a Reynolds number where the plain
   draw(check, "Reynolds number 100: kinetic energy of particles.", vortices,
        {{"cubic spline, plain", narrow}, {"Wendland, plain", plain}, {"Wendland with shifting", shifted}});
 }
+
+}  // namespace wcsph_taylor_green_test

@@ -11,7 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace wcsph_wall_gauge_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -41,8 +41,6 @@ Flow with_pressure(double spacing, const Settings& settings, double along, doubl
   }
   return {p, spacing, settings};
 }
-
-}  // namespace
 
 TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the water beside it", "[manufactured]") {
   Check check("wcsph_wall_gauge", "Pressure on a gauge in a wall",
@@ -104,3 +102,5 @@ TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the
              {.value = errors[1] / errors[0]},
              Bound{.limit = 0.01, .reason = "volumes m/rho differ by up to 5000 Pa over 1.6e6 Pa", .expected = 0.5});
 }
+
+}  // namespace wcsph_wall_gauge_test

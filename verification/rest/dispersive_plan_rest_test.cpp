@@ -9,7 +9,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_plan_problems.hpp"
 
-namespace {
+namespace dispersive_plan_rest_test {
 
 using namespace seiche::dispersive_shallow_water_2d;
 using namespace seiche::mechanics;
@@ -79,8 +79,6 @@ double largest_speed(const State& state) {
   return largest.value();
 }
 
-}  // namespace
-
 TEST_CASE("a lake at rest in plan stays at rest bit by bit", "[rest]") {
   Check check(
       "dispersive_plan_rest", "Still water in plan",
@@ -136,3 +134,5 @@ TEST_CASE("raised water at rest in plan stays at rest to round-off", "[rest]") {
               "and are amplified by its near null modes"});
   }
 }
+
+}  // namespace dispersive_plan_rest_test

@@ -6,6 +6,8 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
+namespace finite_volume_lake_at_rest_test {
+
 using namespace seiche;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 
@@ -57,3 +59,5 @@ TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and witho
         evidence::Roundoff{.operations = 1e4 * cells, .scale = dx, .reason = "one rounding per cell and step"});
   }
 }
+
+}  // namespace finite_volume_lake_at_rest_test

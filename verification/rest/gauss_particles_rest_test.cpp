@@ -12,7 +12,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace gauss_particles_rest_test {
 
 using namespace seiche::gauss_particles;
 using namespace seiche::verification;
@@ -50,8 +50,6 @@ double highest_marker(const Flow& flow) {
   for (const Point& marker : flow.markers()) highest.add(std::abs(marker.y));
   return highest.value();
 }
-
-}  // namespace
 
 TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
   Check check(
@@ -122,3 +120,5 @@ TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
                .reason = "one rounding per step of potential energies m g (y - y0), which are sums of terms below "
                          "1e-2"});
 }
+
+}  // namespace gauss_particles_rest_test

@@ -8,7 +8,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
-namespace {
+namespace lagrangian_mesh_3d_rest_test {
 
 using namespace seiche::lagrangian_mesh_3d;
 using namespace seiche::mechanics;
@@ -39,8 +39,6 @@ std::vector<Lake> lakes() {
           {"window", "a held and a driven side", layer_mesh(window)}};
 }
 
-}  // namespace
-
 TEST_CASE("a lake at rest on a random hexahedral mesh stays at rest bit by bit", "[rest]") {
   Check check(
       "lagrangian_mesh_3d_rest", "Still water on random hexahedral meshes",
@@ -62,3 +60,5 @@ TEST_CASE("a lake at rest on a random hexahedral mesh stays at rest bit by bit",
     }
   }
 }
+
+}  // namespace lagrangian_mesh_3d_rest_test

@@ -11,7 +11,7 @@
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 
-namespace {
+namespace lagrangian_mesh_rest_test {
 
 using namespace seiche::lagrangian_mesh_2d;
 using namespace seiche::mechanics;
@@ -67,8 +67,6 @@ std::vector<Lake> lakes() {
           {"bump", "a bump on the bottom", layer_mesh_over(bump(), 0, 6, 12, 5)}};
 }
 
-}  // namespace
-
 TEST_CASE("a lake at rest on a random mesh stays at rest bit by bit", "[rest]") {
   Check check(
       "lagrangian_mesh_rest", "Still water on random meshes",
@@ -107,3 +105,5 @@ TEST_CASE("a lake at rest on a random mesh stays at rest bit by bit", "[rest]") 
     }
   }
 }
+
+}  // namespace lagrangian_mesh_rest_test

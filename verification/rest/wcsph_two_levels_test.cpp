@@ -9,7 +9,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace wcsph_two_levels_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -60,8 +60,6 @@ double rms_velocity(const Particles& p) {
   }
   return std::sqrt(mean.value() / (gravity * high));
 }
-
-}  // namespace
 
 TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
   Check check("wcsph_two_levels", "Two levels of water in SPH",
@@ -159,3 +157,5 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
              Bound{.limit = dx / high * 0.1,
                    .reason = "sound of pressure rho c u as high as that of one spacing of water: dx/H sqrt(g H)/c"});
 }
+
+}  // namespace wcsph_two_levels_test

@@ -13,7 +13,7 @@
 #include "verification/robustness/breakdown.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace {
+namespace dirichlet_mesh_test {
 
 using namespace seiche;
 using namespace seiche::dirichlet_mesh;
@@ -73,8 +73,6 @@ Rank rank_of(const Mesh& mesh) {
   rank.null_vectors = svd.matrixV().rightCols(rank.cells - rank.rank);
   return rank;
 }
-
-}  // namespace
 
 TEST_CASE("regular lattices of Dirichlet cells are singular, staggered and jittered ones are not", "[robustness]") {
   Check check(
@@ -243,3 +241,5 @@ TEST_CASE("Dirichlet cells that tangle stop with time, step and place", "[robust
             {.gravity = 0, .stabilisation = 0.1});
   claim_breakdown(check, "jet", run_until_breakdown(flow, 20, [](Flow& f) { f.advance(0.02); }), "turns over", -20, 20);
 }
+
+}  // namespace dirichlet_mesh_test

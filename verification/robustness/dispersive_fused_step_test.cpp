@@ -17,7 +17,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace dispersive_fused_step_test {
 
 using namespace seiche::dispersive_shallow_water_1d;
 using namespace seiche::verification;
@@ -115,8 +115,6 @@ Roundoff fed_back(double scale) {
 
 /// Around the blocks of 256 markers, in which the passes go.
 const std::vector<std::size_t> sizes{60, 255, 256, 257, 511, 512, 700, 1024, 1300};
-
-}  // namespace
 
 TEST_CASE("fused one-step steps do what the separate calls do", "[robustness]") {
   Check check(
@@ -221,3 +219,5 @@ TEST_CASE("fused steps agree with separate calls in long channels", "[robustness
                limit(steps, 0.25 * static_cast<double>(cells)));
   }
 }
+
+}  // namespace dispersive_fused_step_test

@@ -8,7 +8,7 @@
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "verification/robustness/breakdown.hpp"
 
-namespace {
+namespace dispersive_plan_breakdown_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_2d;
@@ -60,8 +60,6 @@ std::string name_of(Stepping stepping) {
   return stepping == Stepping::one_step ? "one-step" : "conservative";
 }
 
-}  // namespace
-
 TEST_CASE("lattices that fold, touch their bottom or leave it stop with time, step and place", "[robustness]") {
   Check check(
       "dispersive_plan_breakdown", "Breakdown of the plan model",
@@ -99,3 +97,5 @@ TEST_CASE("lattices that fold, touch their bottom or leave it stop with time, st
     claim_breakdown(check, name_of(stepping) + "-side", broken(bad_side, 0.1), "not finite", 0, 10);
   }
 }
+
+}  // namespace dispersive_plan_breakdown_test

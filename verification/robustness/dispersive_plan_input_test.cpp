@@ -9,7 +9,7 @@
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace {
+namespace dispersive_plan_input_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_2d;
@@ -40,8 +40,6 @@ class ShortBottom final : public PlanBottom {
     if (!(x < 3)) throw OutsidePlanBottom(x, y, "x", -infinite, 3);
   }
 };
-
-}  // namespace
 
 TEST_CASE("bad lattices and settings of the plan model are refused with name, value and range", "[robustness]") {
   Check check("dispersive_plan_input", "Bad input of the plan model",
@@ -175,3 +173,5 @@ TEST_CASE("steps of the plan model beyond stability are counted", "[robustness]"
              {.value = static_cast<double>(flow.steps_beyond_stability())},
              evidence::Bound{.limit = 0, .reason = "one of two", .expected = 1});
 }
+
+}  // namespace dispersive_plan_input_test

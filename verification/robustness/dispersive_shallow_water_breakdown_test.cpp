@@ -10,7 +10,7 @@
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "verification/robustness/breakdown.hpp"
 
-namespace {
+namespace dispersive_shallow_water_breakdown_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_1d;
@@ -42,8 +42,6 @@ Channel beach(double cotangent, double wall, double table_end) {
 
 constexpr std::array all_steppings{Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative};
 constexpr std::array stepping_names{"one-step", "feedback", "conservative"};
-
-}  // namespace
 
 TEST_CASE("a backwash that a conservative model cannot carry stops with time, step and place", "[robustness]") {
   Check check("dispersive_backwash", "A backwash bore stops the run where it forms",
@@ -128,3 +126,5 @@ TEST_CASE("steps beyond the stability limit are counted, and too long ones stop"
         Qualitative{"seiche::Divergence within 100 steps, coordinates and rates as before", "as for any failure"});
   }
 }
+
+}  // namespace dispersive_shallow_water_breakdown_test

@@ -6,7 +6,7 @@
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace {
+namespace dispersive_shallow_water_input_test {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_1d;
@@ -27,8 +27,6 @@ Channel channel_over(std::vector<double> x, std::vector<double> elevation, End r
 Markers still_water() {
   return still_markers(level_channel(), {0, 1, 2, 3, 4, 5});
 }
-
-}  // namespace
 
 TEST_CASE("bad constants of a channel are refused with name, value and range", "[robustness]") {
   Check check("dispersive_bad_channel", "Bad channels of the dispersive model",
@@ -215,3 +213,5 @@ TEST_CASE("bad starts, schemes and steps are refused with name, value and range"
   CHECK(flow.steps() == 1);
   CHECK(flow.time() == 0.1);
 }
+
+}  // namespace dispersive_shallow_water_input_test

@@ -11,6 +11,8 @@
 #include "seiche/exact/thacker.hpp"
 #include "verification/check.hpp"
 
+namespace exact_solutions_test {
+
 using namespace seiche::exact;
 
 TEST_CASE("exact solutions refuse parameters that have no solution", "[robustness]") {
@@ -71,3 +73,5 @@ TEST_CASE("exact solutions refuse parameters that have no solution", "[robustnes
   CHECK_THROWS_AS(LagrangianManufactured(g, 1, 1, 0.2), Bad);
   CHECK_THROWS_AS(LagrangianManufactured().at(1.1, 0), Bad);
 }
+
+}  // namespace exact_solutions_test

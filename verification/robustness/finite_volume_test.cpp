@@ -5,6 +5,8 @@
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "verification/check.hpp"
 
+namespace finite_volume_test {
+
 using namespace seiche;
 using shallow_water_finite_volume::End;
 using shallow_water_finite_volume::FiniteVolumeFlow;
@@ -84,3 +86,5 @@ TEST_CASE("on a dry bed MacCormack's scheme breaks down and the others do not", 
     for (const double depth : flow.depth()) CHECK((diverged || depth >= 0));
   }
 }
+
+}  // namespace finite_volume_test

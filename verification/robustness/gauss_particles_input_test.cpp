@@ -14,7 +14,7 @@
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace {
+namespace gauss_particles_input_test {
 
 using namespace seiche::gauss_particles;
 using seiche::Point;
@@ -49,8 +49,6 @@ std::string breakdown(const std::function<void()>& action) {
   }
   return {};
 }
-
-}  // namespace
 
 TEST_CASE("bad particles, lattices and settings of free particles are refused", "[robustness]") {
   Check check("gauss_particles_bad_input", "Bad input of the free-particle model",
@@ -211,3 +209,5 @@ TEST_CASE("free particles that leave their lattice are a divergence with time an
                                      .reason = "one step; the outermost ring's radius is sqrt((11^2 + 12^2)/2)/12",
                                      .expected = 1.5 - std::sqrt((121.0 + 144.0) / 2) / 12});
 }
+
+}  // namespace gauss_particles_input_test

@@ -16,7 +16,7 @@
 #include "verification/robustness/breakdown.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace {
+namespace lagrangian_mesh_3d_test {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_3d;
@@ -34,8 +34,6 @@ Layer still_layer() {
 std::shared_ptr<const PlanBottom> plane_bottom(double slope) {
   return std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{-1, 0, 0}, {slope, 1, 0}});
 }
-
-}  // namespace
 
 TEST_CASE("bad hexahedral meshes and settings are refused with name, value and range", "[robustness]") {
   Check check(
@@ -232,3 +230,5 @@ TEST_CASE("threads change no bit of the motion of hexahedra", "[robustness]") {
                evidence::Qualitative{"all numbers compare equal", "results must not depend on the machine's load"});
   }
 }
+
+}  // namespace lagrangian_mesh_3d_test

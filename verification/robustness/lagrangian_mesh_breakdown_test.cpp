@@ -10,7 +10,7 @@
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "verification/robustness/breakdown.hpp"
 
-namespace {
+namespace lagrangian_mesh_breakdown_test {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
@@ -24,8 +24,6 @@ const std::string source = "interface of the model";
 Breakdown run_until_breakdown(Flow& flow, double tau, double end) {
   return seiche::verification::run_until_breakdown(flow, end, [tau](Flow& f) { f.advance(tau); });
 }
-
-}  // namespace
 
 TEST_CASE("a wave that folds the mesh at a wall stops with time, step and place", "[robustness]") {
   Check check("lagrangian_mesh_fold", "A high wave folds the mesh at a wall",
@@ -86,3 +84,5 @@ TEST_CASE("implicit steps that do not converge stop, and long steps are counted"
   Flow flow(layer_mesh(layer), {}, {.stepping = Stepping::conservative});
   claim_breakdown(check, "implicit", run_until_breakdown(flow, 1.05 * flow.stable_step(), 100), "not converged", 0, 6);
 }
+
+}  // namespace lagrangian_mesh_breakdown_test

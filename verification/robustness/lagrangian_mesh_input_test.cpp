@@ -9,7 +9,7 @@
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace {
+namespace lagrangian_mesh_input_test {
 
 using namespace seiche;
 using namespace seiche::lagrangian_mesh_2d;
@@ -26,8 +26,6 @@ Mesh still_water() {
 GraphCurve::Function constant(double value) {
   return [value](double) { return value; };
 }
-
-}  // namespace
 
 TEST_CASE("bad meshes are refused with name, value and range", "[robustness]") {
   Check check("lagrangian_mesh_bad_mesh", "Bad meshes of the Lagrangian mesh",
@@ -189,3 +187,5 @@ TEST_CASE("meshes that cannot be rezoned are refused with the reason", "[robustn
              return Point{0, 0};
            }});
 }
+
+}  // namespace lagrangian_mesh_input_test

@@ -15,7 +15,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace lagrangian_mesh_solvers_test {
 
 using namespace seiche::lagrangian_mesh_2d;
 using seiche::Worst;
@@ -52,8 +52,6 @@ double largest_difference(const Flow& a, const Flow& b) {
 
 const std::vector<std::pair<std::string, Stepping>> steppings{{"one-step", Stepping::one_step},
                                                               {"conservative", Stepping::conservative}};
-
-}  // namespace
 
 TEST_CASE("banded, sparse and iterative solvers give one motion", "[robustness]") {
   Check check(
@@ -124,3 +122,5 @@ TEST_CASE("threads change no bit of the motion", "[robustness]") {
     }
   }
 }
+
+}  // namespace lagrangian_mesh_solvers_test

@@ -9,12 +9,12 @@
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "verification/check.hpp"
 
+namespace mechanics_input_test {
+
 using namespace seiche::mechanics;
 using namespace seiche::rigid_chain;
 using namespace seiche::verification;
 using Catch::Matchers::Contains;
-
-namespace {
 
 template <class Stepper>
 void refuses_bad_steps(Stepper&& stepper, State state) {
@@ -25,8 +25,6 @@ void refuses_bad_steps(Stepper&& stepper, State state) {
     CHECK(state.steps == 0);
   }
 }
-
-}  // namespace
 
 TEST_CASE("integrators refuse bad steps", "[robustness]") {
   auto chain = double_pendulum();
@@ -100,3 +98,5 @@ TEST_CASE("the ledger counts what is booked and refuses wrong numbers of values"
   CHECK(std::isnan(ledger.entry("mass").largest_defect));
   CHECK(std::isnan(ledger.largest_defect("mass")));
 }
+
+}  // namespace mechanics_input_test

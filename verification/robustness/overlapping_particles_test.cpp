@@ -9,7 +9,7 @@
 #include "verification/robustness/breakdown.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace {
+namespace overlapping_particles_test {
 
 using namespace seiche;
 using namespace seiche::overlapping_particles;
@@ -45,8 +45,6 @@ Particles full_box() {
 }
 
 const std::vector<Wall> four_walls{{{0, 0}, {1, 0}}, {{0, 0}, {0, 1}}, {{1, 1}, {-1, 0}}, {{1, 1}, {0, -1}}};
-
-}  // namespace
 
 TEST_CASE("bad particles, walls and settings are refused by name", "[robustness]") {
   Check check(
@@ -160,3 +158,5 @@ TEST_CASE("overlapping particles that go through a wall stop with time, step and
   claim_breakdown(check, "floor", run_until_breakdown(flow, 2, [](Flow& f) { f.advance(0.4); }), "goes through wall 0",
                   -0.01, 0.81);
 }
+
+}  // namespace overlapping_particles_test

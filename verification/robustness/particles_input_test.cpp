@@ -10,7 +10,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace particles_input_test {
 
 using namespace seiche::shallow_water_particles;
 using seiche::evidence::Qualitative;
@@ -32,8 +32,6 @@ std::string refusal(Action action) {
   }
   return {};
 }
-
-}  // namespace
 
 TEST_CASE("bad particles, ends and steps are refused with their name", "[robustness]") {
   Check check("particles_bad_input", "Bad input of the particle method",
@@ -166,3 +164,5 @@ TEST_CASE("a breakdown stops with time, step and place", "[robustness]") {
              {.value = place >= 5 && place <= 10 ? 1.0 : 0.0},
              Qualitative{"place within the stencil of x > 7", "the message must lead to the cause"});
 }
+
+}  // namespace particles_input_test

@@ -23,7 +23,7 @@
 #include "verification/robustness/fuzzing.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace {
+namespace reader_fuzz_test {
 
 using namespace seiche;
 using evidence::Bound;
@@ -135,8 +135,6 @@ Tally fuzz_file(const std::filesystem::path& path, const std::vector<std::string
   });
 }
 
-}  // namespace
-
 TEST_CASE("readers survive damaged files: they read or refuse in one line", "[robustness]") {
   Check check(
       "reader_fuzz", "Damaged files",
@@ -230,3 +228,5 @@ TEST_CASE("what crashes or spins in a child process is a refusal in the parent",
             return {};
           });
 }
+
+}  // namespace reader_fuzz_test

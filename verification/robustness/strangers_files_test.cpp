@@ -17,7 +17,7 @@
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace {
+namespace strangers_files_test {
 
 using namespace seiche;
 using verification::ScratchFolder;
@@ -51,8 +51,6 @@ std::string reason_of(const std::filesystem::path& path) {
   const auto found = table.unusable.find("h");
   return found == table.unusable.end() ? "none" : found->second;
 }
-
-}  // namespace
 
 TEST_CASE("numbers of an HDF5 file that lie in another file are not read", "[robustness]") {
   using Catch::Matchers::Contains;
@@ -152,3 +150,5 @@ TEST_CASE("a stranger's text is shown in printable characters", "[robustness]") 
   CHECK(printable("\x9B|\xC0\xAF|\xED\xA0\x80|\xE2\x82") == "?|??|???|??");  // no UTF-8
   CHECK(printable("").empty());
 }
+
+}  // namespace strangers_files_test

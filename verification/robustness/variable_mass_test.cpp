@@ -9,7 +9,7 @@
 #include "verification/robustness/breakdown.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace {
+namespace variable_mass_test {
 
 using namespace seiche;
 using namespace seiche::free_lagrangian;
@@ -49,8 +49,6 @@ std::string infeasible(Action action) {
   }
   return {};
 }
-
-}  // namespace
 
 TEST_CASE("bad input of variable masses is refused by name", "[robustness]") {
   Check check("variable_mass_bad_input", "Bad input of particles of variable mass",
@@ -159,3 +157,5 @@ TEST_CASE("variable masses that cannot go on stop with time, step and place", "[
   Flow high(layer_mesh({.begin = 0, .end = 1, .columns = 16, .rows = 8}), wave(0.45), {ControlKind::mapped, 1, 1});
   claim_breakdown(check, "high-wave", run_until_break(high, 20, [](Flow& f) { f.advance(0.01); }), "", 0, 1);
 }
+
+}  // namespace variable_mass_test

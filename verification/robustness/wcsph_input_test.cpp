@@ -10,7 +10,7 @@
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace wcsph_input_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -29,8 +29,6 @@ Settings with(const std::function<void(Settings&)>& change) {
   change(settings);
   return settings;
 }
-
-}  // namespace
 
 TEST_CASE("settings out of range are refused by name", "[robustness]") {
   const Particles water = lattice(12, 12, spacing, 1000);
@@ -126,3 +124,5 @@ TEST_CASE("a particle that flies farther than mixed storage tells places is repo
   CHECK_THROWS_WITH(fly(), Catch::Contains("storage = mixed") && Catch::Contains("after"));
   CHECK(flow.time() > 0);
 }
+
+}  // namespace wcsph_input_test

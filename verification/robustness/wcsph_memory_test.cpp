@@ -9,7 +9,7 @@
 #include "verification/check.hpp"
 #include "verification/live_memory.hpp"
 
-namespace {
+namespace wcsph_memory_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
@@ -25,8 +25,6 @@ double memory_of(Settings settings, double& particles) {
   for (int step = 0; step < 3; ++step) flow.advance();
   return (verification::live_bytes() - before) / particles;
 }
-
-}  // namespace
 
 TEST_CASE("the memory that SPH needs is that of its arrays", "[robustness]") {
   verification::Check check(
@@ -59,3 +57,5 @@ TEST_CASE("the memory that SPH needs is that of its arrays", "[robustness]") {
     }
   }
 }
+
+}  // namespace wcsph_memory_test

@@ -15,7 +15,7 @@
 #include "verification/robustness/refusals.hpp"
 #include "verification/scratch_folder.hpp"
 
-namespace {
+namespace wcsph_particle_file_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
@@ -75,8 +75,6 @@ std::string dimensions(const Dataset& set) {
   for (const hsize_t extent : set.shape) text += (text.empty() ? "" : " ") + std::to_string(extent);
   return text;
 }
-
-}  // namespace
 
 TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
   Check check(
@@ -201,3 +199,5 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
                    [&] { file.frame(2, particles, std::vector<double>(1)); });
   CHECK_THROWS_AS(ParticleFile("/proc/nowhere/file"), std::runtime_error);
 }
+
+}  // namespace wcsph_particle_file_test

@@ -12,7 +12,7 @@
 #include "seiche/models/wcsph/scene.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace wcsph_resume_test {
 
 using namespace seiche::wcsph;
 using seiche::verification::Check;
@@ -72,8 +72,6 @@ bool same(const Flow& a, const Flow& b) {
          e.highest_density == f.highest_density && e.rebuilds == f.rebuilds && e.interactions == f.interactions;
 }
 
-}  // namespace
-
 TEST_CASE("a flow resumed from a kept state gives the same bytes", "[robustness]") {
   constexpr int steps = 300;
   constexpr int apart = 13;
@@ -109,3 +107,5 @@ TEST_CASE("a flow resumed from a kept state gives the same bytes", "[robustness]
   Flow other = problems().front().flow();
   CHECK_THROWS_WITH(other.resume(problems()[2].flow().state()), Catch::Contains("particles"));
 }
+
+}  // namespace wcsph_resume_test

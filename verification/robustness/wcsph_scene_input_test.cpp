@@ -8,7 +8,7 @@
 #include "seiche/models/wcsph/scene.hpp"
 #include "verification/robustness/refusals.hpp"
 
-namespace {
+namespace wcsph_scene_input_test {
 
 using namespace seiche;
 using namespace seiche::wcsph;
@@ -31,8 +31,6 @@ PeriodicLayer layer() {
 }
 
 const Settings water{.sound_speed = 50};
-
-}  // namespace
 
 TEST_CASE("bad scenes are refused with name, value and range", "[robustness]") {
   Check check("wcsph_bad_scenes", "Bad scenes of WCSPH",
@@ -174,3 +172,5 @@ TEST_CASE("the reading of surfaces refuses what has no answer", "[robustness]") 
   CHECK_FALSE(fraction.mean_elevation(7, 8).has_value());
   CHECK(VolumeFraction(Particles{}, 0.1).at(0, 0) == 0);
 }
+
+}  // namespace wcsph_scene_input_test

@@ -10,7 +10,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace wcsph_still_tank_test {
 
 using namespace seiche::wcsph;
 using namespace seiche::verification;
@@ -119,8 +119,6 @@ std::vector<Rest> settle_all(Check& check, const std::vector<Option>& options, d
   return results;
 }
 
-}  // namespace
-
 TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness]") {
   Check check(
       "wcsph_still_tank", "Tank at rest: plain scheme, clamped walls, density filter",
@@ -221,3 +219,5 @@ TEST_CASE("walls with extrapolated pressure need no pressure of their own", "[ro
   claim("better", "Dynamic walls err more.", "L2 error over that of dynamic walls", rest[1].all / rest[0].all, 0.5,
         "more than half of the error is that of the walls");
 }
+
+}  // namespace wcsph_still_tank_test

@@ -26,9 +26,9 @@ using Part = Eigen::Map<Matrix3d>;
 using ConstPart = Eigen::Map<const Matrix3d>;
 constexpr std::size_t entries = 9;
 
-constexpr double tolerance = 1e-14;
+constexpr double step_tolerance = 1e-14;
 
-double lambda(const Matrix3d& deformation, const Matrix3d& rate) {
+double pressure_factor(const Matrix3d& deformation, const Matrix3d& rate) {
   const Matrix3d inverse = deformation.inverse();
   const Matrix3d gradient = rate * inverse;
   return (gradient * gradient).trace() / inverse.squaredNorm();
@@ -57,15 +57,16 @@ AffineEllipsoid::Instant AffineEllipsoid::from(const Matrix3d& deformation, cons
     const Matrix3d a = ConstPart(now.data());
     const Matrix3d v = ConstPart(now.data() + entries);
     Part(change.data()) = v;
-    Part(change.data() + entries) = lambda(a, v) * a.inverse().transpose();
+    Part(change.data() + entries) = pressure_factor(a, v) * a.inverse().transpose();
   };
   const double end = t * strength_;
   if (end != 0) {
-    odeint::integrate_adaptive(odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_fehlberg78<Phase>()),
-                               motion, phase, 0.0, end, std::copysign(std::min(0.02, std::abs(end)), end));
+    odeint::integrate_adaptive(
+        odeint::make_controlled(step_tolerance, step_tolerance, odeint::runge_kutta_fehlberg78<Phase>()), motion, phase,
+        0.0, end, std::copysign(std::min(0.02, std::abs(end)), end));
   }
   Instant instant{.deformation = Part(phase.data()), .rate = strength_ * Part(phase.data() + entries)};
-  instant.central_pressure = 0.5 * radius_ * radius_ * lambda(instant.deformation, instant.rate);
+  instant.central_pressure = 0.5 * radius_ * radius_ * pressure_factor(instant.deformation, instant.rate);
   return instant;
 }
 
@@ -80,7 +81,8 @@ Eigen::Vector3d AffineEllipsoid::semi_axes(const Instant& instant) const {
 
 Provenance AffineEllipsoid::provenance() {
   return {"Dirichlet, J. reine angew. Math. 58 (1861) 181; Dedekind, ibid. 217",
-          "x = A(t) X, A'' = lambda A^-T, lambda = tr[(A' A^-1)^2]/tr[A^-1 A^-T], p = (lambda/2) rho (1 - |X|^2)"};
+          "x = A(t) X, A'' = pressure_factor A^-T, pressure_factor = tr[(A' A^-1)^2]/tr[A^-1 A^-T], p = "
+          "(pressure_factor/2) rho (1 - |X|^2)"};
 }
 
 double AffineEllipsoid::uncertainty() const {
@@ -95,7 +97,7 @@ SelfTest AffineEllipsoid::self_test() const {
   const std::string reason =
       "steps that keep their errors of seventh order at 1e-14, which last 2 all together; rounded in about 30 steps; "
       "growing at most as the deformation, threefold";
-  const double limit = 3 * (2 * tolerance + 4 * std::numeric_limits<double>::epsilon() * std::sqrt(30));
+  const double limit = 3 * (2 * step_tolerance + 4 * std::numeric_limits<double>::epsilon() * std::sqrt(30));
   const Instant turned = AffineEllipsoid(gradient_.transpose(), radius_).at(end);
   const Instant back = from(a, v, -end);
   return {

@@ -8,7 +8,7 @@
 namespace seiche::exact {
 namespace {
 
-constexpr long double pi = std::numbers::pi_v<long double>;
+constexpr long double long_pi = std::numbers::pi_v<long double>;
 
 /// asinh(width sinh s) for s >= 0 without overflow.
 long double line_map(double s, double width) {
@@ -42,7 +42,7 @@ PeriodicNodes::PeriodicNodes(double width) : width_(width) {
     b = std::sqrt(a * b);
     a = mean;
   }
-  quarter_period_ = pi / (a + b);
+  quarter_period_ = long_pi / (a + b);
 }
 
 PeriodicNodes::Jacobi PeriodicNodes::jacobi(long double u) const {
@@ -67,8 +67,8 @@ PeriodicNodes::Jacobi PeriodicNodes::jacobi(long double u) const {
 }
 
 PeriodicNodes::Node PeriodicNodes::at(double s) const {
-  const long double u = static_cast<long double>(s) / pi * quarter_period_;
-  const long double scale = 2 * quarter_period_ / pi;
+  const long double u = static_cast<long double>(s) / long_pi * quarter_period_;
+  const long double scale = 2 * quarter_period_ / long_pi;
   if (2 * u < quarter_period_) {
     const auto [sn, cn, dn] = jacobi(u);
     return {2 * std::atan2(width_ * sn, cn), static_cast<double>(scale * width_ / dn)};

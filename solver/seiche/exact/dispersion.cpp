@@ -16,14 +16,14 @@ static_assert(ReferenceSolution<RationalDispersion>);
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double ten_roundings = 10 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
 AiryDispersion::AiryDispersion(double gravity, double depth) : gravity_(gravity), depth_(depth) {
   require_positive("gravity", gravity);
-  if (depth != infinite) require_positive("depth", depth);
+  if (depth != endless) require_positive("depth", depth);
 }
 
 double AiryDispersion::frequency(double k) const {
@@ -45,7 +45,7 @@ double AiryDispersion::group_speed(double k) const {
 double AiryDispersion::wavenumber(double omega) const {
   require_positive("frequency", omega);
   const double deep = omega * omega / gravity_;
-  if (depth_ == infinite) return deep;
+  if (depth_ == endless) return deep;
   const double nu = deep * depth_;
   double kappa = nu / std::sqrt(std::tanh(nu));  // within 5 %: four steps square that below round-off
   for (int step = 0; step < 4; ++step) {
@@ -64,10 +64,10 @@ double AiryDispersion::uncertainty() const {
 }
 
 SelfTest AiryDispersion::self_test() const {
-  const double scale = depth_ == infinite ? 1 : depth_;
+  const double scale = depth_ == endless ? 1 : depth_;
   SelfTest identities{wavenumber_identity(*this, 1e-4 / scale, 1e3 / scale)};
-  // Over infinite depth the group speed is singular at k = 0, out of reach of quadrature: there c_g = c/2.
-  if (depth_ == infinite) {
+  // Over endless depth the group speed is singular at k = 0, out of reach of quadrature: there c_g = c/2.
+  if (depth_ == endless) {
     identities.push_back({"group speed = half the phase speed", std::abs(2 * group_speed(1) / phase_speed(1) - 1),
                           1e-15, "four roundings"});
   } else {
@@ -117,7 +117,7 @@ double RationalDispersion::group_speed(double k) const {
 }
 
 double RationalDispersion::highest_frequency() const {
-  return numerator_ > 0 ? infinite : std::sqrt(gravity_ / (denominator_ * depth_));
+  return numerator_ > 0 ? endless : std::sqrt(gravity_ / (denominator_ * depth_));
 }
 
 double RationalDispersion::wavenumber(double omega) const {

@@ -15,7 +15,7 @@ static_assert(ReferenceSolution<DoubleShear>);
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 /// Derivative by central differences of eighth order.
 template <class Function>
@@ -74,7 +74,7 @@ Provenance DoubleShear::provenance() {
 }
 
 double DoubleShear::uncertainty() const {
-  return 20 * epsilon;
+  return 20 * rounding;
 }
 
 SelfTest DoubleShear::self_test() const {
@@ -114,7 +114,7 @@ SelfTest DoubleShear::self_test() const {
   const double shear = 1 + std::abs(e1) * k + std::abs(e2) * l * (1 + std::abs(e1));
   const double steepness = std::pow(std::max({1.0, k, l}), 9);
   const double scale = 1 + std::abs(e1) + std::abs(e2) + std::abs(top_pressure);
-  const double limit = 4 * epsilon * 2.1 / 0.037 * scale * shear * shear * steepness;
+  const double limit = 4 * rounding * 2.1 / 0.037 * scale * shear * shear * steepness;
   const std::string reason =
       "values rounded four times over the spacing 0.037 of eighth-order differences, whose truncation is as large: the "
       "ninth power of the wavenumbers";

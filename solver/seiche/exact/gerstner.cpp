@@ -17,7 +17,7 @@ static_assert(ReferenceSolution<GerstnerWave>);
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int newton_digits = 53;
 

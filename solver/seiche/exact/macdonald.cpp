@@ -19,7 +19,7 @@ namespace quadrature = boost::math::quadrature;
 namespace {
 
 constexpr std::size_t panels = 64;
-using Rule = quadrature::gauss<double, 15>;
+using GaussRule = quadrature::gauss<double, 15>;
 
 }  // namespace
 
@@ -49,8 +49,8 @@ MacDonald::MacDonald(double gravity, std::function<double(double)> depth, std::f
   for (std::size_t k = 0; k < panels; ++k) {
     const double a = width * static_cast<double>(k);
     const double b = a + width;
-    rise[k] = Rule::integrate(z_prime, a, b);
-    moment[k] = Rule::integrate([&](double x) { return (b - x) * bed_slope(x); }, a, b);
+    rise[k] = GaussRule::integrate(z_prime, a, b);
+    moment[k] = GaussRule::integrate([&](double x) { return (b - x) * bed_slope(x); }, a, b);
     double estimate = 0;
     const double reference = quadrature::gauss_kronrod<double, 31>::integrate(z_prime, a, b, 5, 1e-14, &estimate);
     defect += std::abs(reference - rise[k]);
@@ -104,7 +104,7 @@ double MacDonald::elevation(double x) const {
   if (x == a) return table_->elevation[k];
   const auto z_prime = [this](double s) { return bed_slope(s); };
   // boost integrates from the lower to the upper limit only; left of the channel the sign is turned by hand.
-  const double rise = x > a ? Rule::integrate(z_prime, a, x) : -Rule::integrate(z_prime, x, a);
+  const double rise = x > a ? GaussRule::integrate(z_prime, a, x) : -GaussRule::integrate(z_prime, x, a);
   return table_->elevation[k] + rise;
 }
 
@@ -113,7 +113,7 @@ double MacDonald::primitive(double x) const {
   const double a = length_ / static_cast<double>(panels) * static_cast<double>(k);
   if (x == a) return table_->primitive[k];
   const auto arm = [&](double s) { return (x - s) * bed_slope(s); };
-  const double moment = x > a ? Rule::integrate(arm, a, x) : -Rule::integrate(arm, x, a);
+  const double moment = x > a ? GaussRule::integrate(arm, a, x) : -GaussRule::integrate(arm, x, a);
   return table_->primitive[k] + table_->elevation[k] * (x - a) + moment;
 }
 

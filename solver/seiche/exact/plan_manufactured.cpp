@@ -34,7 +34,7 @@ Harmonic cosine(double rate, double s, double phase = 0) {
 }
 
 /// Orders of differentiation by X, Y and t.
-struct Order {
+struct Derivatives {
   unsigned x, y, t;
 };
 
@@ -43,13 +43,13 @@ struct Swing {
   double amplitude;
   Harmonic x, y, t;
 
-  [[nodiscard]] double derivative(Order n) const { return amplitude * x[n.x] * y[n.y] * t[n.t]; }
+  [[nodiscard]] double derivative(Derivatives n) const { return amplitude * x[n.x] * y[n.y] * t[n.t]; }
 };
 
 /// The displacements x - X and y - Y with all their derivatives at one label and time.
-class Motion {
+class Displacements {
  public:
-  Motion(const PlanManufactured::Parameters& p, double label_x, double label_y, double time)
+  Displacements(const PlanManufactured::Parameters& p, double label_x, double label_y, double time)
       : along_{p.amplitude, sine(wavenumber(p), label_x), cosine(wavenumber(p), label_y),
                cosine(p.frequency, time, 0.5)},
         across_{0.7 * p.amplitude, cosine(wavenumber(p), label_x), sine(wavenumber(p), label_y),
@@ -57,23 +57,23 @@ class Motion {
         double_{0.3 * p.amplitude, cosine(2 * wavenumber(p), label_x), sine(2 * wavenumber(p), label_y),
                 sine(p.frequency, time)} {}
 
-  [[nodiscard]] double x(Order n) const { return along_.derivative(n); }
-  [[nodiscard]] double y(Order n) const { return across_.derivative(n) + double_.derivative(n); }
+  [[nodiscard]] double x(Derivatives n) const { return along_.derivative(n); }
+  [[nodiscard]] double y(Derivatives n) const { return across_.derivative(n) + double_.derivative(n); }
   /// Derivative of the gradient's components x_X, y_Y of the place.
-  [[nodiscard]] double x_x(Order n) const { return x({n.x + 1, n.y, n.t}) + (n.x + n.y + n.t == 0 ? 1 : 0); }
-  [[nodiscard]] double y_y(Order n) const { return y({n.x, n.y + 1, n.t}) + (n.x + n.y + n.t == 0 ? 1 : 0); }
-  [[nodiscard]] double x_y(Order n) const { return x({n.x, n.y + 1, n.t}); }
-  [[nodiscard]] double y_x(Order n) const { return y({n.x + 1, n.y, n.t}); }
+  [[nodiscard]] double x_x(Derivatives n) const { return x({n.x + 1, n.y, n.t}) + (n.x + n.y + n.t == 0 ? 1 : 0); }
+  [[nodiscard]] double y_y(Derivatives n) const { return y({n.x, n.y + 1, n.t}) + (n.x + n.y + n.t == 0 ? 1 : 0); }
+  [[nodiscard]] double x_y(Derivatives n) const { return x({n.x, n.y + 1, n.t}); }
+  [[nodiscard]] double y_x(Derivatives n) const { return y({n.x + 1, n.y, n.t}); }
 
   /// Derivative of J = x_X y_Y - x_Y y_X: Leibniz's rule, orders by X and Y at most 1 together, by t at most 2.
-  [[nodiscard]] double jacobian(Order n) const {
+  [[nodiscard]] double jacobian(Derivatives n) const {
     constexpr std::array<std::array<double, 3>, 3> binomial{{{1, 0, 0}, {1, 1, 0}, {1, 2, 1}}};
     double sum = 0;
     for (unsigned i = 0; i <= n.x; ++i) {
       for (unsigned j = 0; j <= n.y; ++j) {
         for (unsigned l = 0; l <= n.t; ++l) {
-          const Order one{i, j, l};
-          const Order other{n.x - i, n.y - j, n.t - l};
+          const Derivatives one{i, j, l};
+          const Derivatives other{n.x - i, n.y - j, n.t - l};
           sum += binomial[n.t][l] * (x_x(one) * y_y(other) - x_y(one) * y_x(other));
         }
       }
@@ -89,7 +89,7 @@ class Motion {
 
 /// Derivative at 0 by central differences of eighth order.
 template <class Function>
-double difference(const Function& f) {
+double rate_at_zero(const Function& f) {
   return boost::math::differentiation::finite_difference_derivative<Function, double, 8>(f, 0.0);
 }
 
@@ -109,7 +109,7 @@ PlanManufactured::Sample PlanManufactured::at(double label_x, double label_y, do
   require_within("label_x", label_x, 0, parameters_.length);
   require_within("label_y", label_y, 0, parameters_.length);
   require_finite("t", t);
-  const Motion motion(parameters_, label_x, label_y, t);
+  const Displacements motion(parameters_, label_x, label_y, t);
   const double d = parameters_.depth;
   const double j = motion.jacobian({0, 0, 0});
   const double j_t = motion.jacobian({0, 0, 1});
@@ -119,7 +119,7 @@ PlanManufactured::Sample PlanManufactured::at(double label_x, double label_y, do
   const double alpha = parameters_.alpha;
   const double dynamic = alpha * d * d * (2 * j_t * j_t / j - j_tt) / (j * j * j);  // alpha H D^2 H
   // g grad H + (alpha/H) grad(H^2 D^2 H) by a label, from derivatives of J by it.
-  const auto slope = [&](Order by) {
+  const auto slope = [&](Derivatives by) {
     const double j_s = motion.jacobian(by);
     const double j_st = motion.jacobian({by.x, by.y, 1});
     const double j_stt = motion.jacobian({by.x, by.y, 2});
@@ -128,9 +128,9 @@ PlanManufactured::Sample PlanManufactured::at(double label_x, double label_y, do
   };
   const double by_x = slope({1, 0, 0});
   const double by_y = slope({0, 1, 0});
-  constexpr Order none{0, 0, 0};
-  constexpr Order rate{0, 0, 1};
-  constexpr Order acceleration{0, 0, 2};
+  constexpr Derivatives none{0, 0, 0};
+  constexpr Derivatives rate{0, 0, 1};
+  constexpr Derivatives acceleration{0, 0, 2};
   return {label_x + motion.x(none),
           label_y + motion.y(none),
           motion.x(rate),
@@ -147,10 +147,10 @@ PlanManufactured::Label PlanManufactured::label(double x, double y, double t) co
   require_within("y", y, 0, parameters_.length);
   require_finite("t", t);
   constexpr int iterations = 50;  // Newton's method: six or seven suffice where J is near 1
-  constexpr Order none{0, 0, 0};
+  constexpr Derivatives none{0, 0, 0};
   Label at{x, y};
   for (int i = 0; i < iterations; ++i) {
-    const Motion motion(parameters_, at.x, at.y, t);
+    const Displacements motion(parameters_, at.x, at.y, t);
     const double miss_x = at.x + motion.x(none) - x;
     const double miss_y = at.y + motion.y(none) - y;
     const double j = motion.jacobian(none);
@@ -204,13 +204,13 @@ SelfTest PlanManufactured::self_test() const {
   };
   const auto check_inside = [&](double a, double b, double t) {
     const auto by_x = [&](auto value) {
-      return difference([&](double z) { return value(at(a + label_scale * z, b, t)); }) / label_scale;
+      return rate_at_zero([&](double z) { return value(at(a + label_scale * z, b, t)); }) / label_scale;
     };
     const auto by_y = [&](auto value) {
-      return difference([&](double z) { return value(at(a, b + label_scale * z, t)); }) / label_scale;
+      return rate_at_zero([&](double z) { return value(at(a, b + label_scale * z, t)); }) / label_scale;
     };
     const auto rate = [&](auto value) {
-      return difference([&](double z) { return value(at(a, b, t + time_scale * z)); }) / time_scale;
+      return rate_at_zero([&](double z) { return value(at(a, b, t + time_scale * z)); }) / time_scale;
     };
     const double x_x = by_x([](const Sample& s) { return s.x; });
     const double x_y = by_y([](const Sample& s) { return s.x; });

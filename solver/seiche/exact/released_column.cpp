@@ -14,7 +14,7 @@ namespace seiche::exact {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int most_terms = 20000;
 
 /// Terms until exp(-(n + 1/2) pi decay) is below rounding.

@@ -21,11 +21,11 @@ static_assert(ReferenceSolution<SerreCnoidal>);
 namespace {
 
 /// The parameter m of the elliptic functions, and 1 - m: each to all its digits.
-struct Parameter {
+struct EllipticParameter {
   double m, complement;
 
-  static Parameter of(double m) { return {m, 1 - m}; }
-  static Parameter without(double complement) { return {1 - complement, complement}; }
+  static EllipticParameter of(double m) { return {m, 1 - m}; }
+  static EllipticParameter without(double complement) { return {1 - complement, complement}; }
 };
 
 /// K and E/K, by the arithmetic-geometric mean, which keeps the digits as m -> 1.
@@ -34,7 +34,7 @@ struct CompleteIntegrals {
   double ratio;
 };
 
-CompleteIntegrals complete_integrals(Parameter parameter) {
+CompleteIntegrals complete_integrals(EllipticParameter parameter) {
   double a = 1;
   double b = std::sqrt(parameter.complement);
   double weight = 0.5;
@@ -55,7 +55,7 @@ struct Roots {
   double crest, trough, lowest, kappa, first;
 };
 
-Roots roots_of(double height, double depth, Parameter parameter) {
+Roots roots_of(double height, double depth, EllipticParameter parameter) {
   const CompleteIntegrals complete = complete_integrals(parameter);
   const double span = height / parameter.m;  // h_c - h_0
   const double lowest = depth - span * complete.ratio;
@@ -75,12 +75,12 @@ constexpr double least_wavelength = 0.01;
 constexpr double least_height = 1e-9;
 
 /// Throws std::invalid_argument.
-Parameter parameter_of(double height, double wavelength, double depth) {
-  const auto longer = [&](Parameter parameter) {
+EllipticParameter parameter_of(double height, double wavelength, double depth) {
+  const auto longer = [&](EllipticParameter parameter) {
     const Roots r = roots_of(height, depth, parameter);
     return r.lowest > 0 ? 2 * r.first / r.kappa - wavelength : -wavelength;
   };
-  const double longest = longer(Parameter::without(least_complement));
+  const double longest = longer(EllipticParameter::without(least_complement));
   if (!(longest > 0)) {
     throw std::invalid_argument(fmt::format(
         "wavelength = {:g} is out of range: must be below {:g}, where the crests of waves of this height and "
@@ -89,18 +89,18 @@ Parameter parameter_of(double height, double wavelength, double depth) {
   }
   std::uintmax_t evaluations = 200;
   const auto close = [](double a, double b) { return std::abs(a - b) <= 4e-16 * a; };
-  const double middle = longer(Parameter::of(0.5));
+  const double middle = longer(EllipticParameter::of(0.5));
   if (middle > 0) {
     // The third root is below 0 where m is half the height over the depth.
     const auto [low, high] =
-        boost::math::tools::toms748_solve([&](double m) { return longer(Parameter::of(m)); }, 0.5 * height / depth, 0.5,
-                                          -wavelength, middle, close, evaluations);
-    return Parameter::of(0.5 * (low + high));
+        boost::math::tools::toms748_solve([&](double m) { return longer(EllipticParameter::of(m)); },
+                                          0.5 * height / depth, 0.5, -wavelength, middle, close, evaluations);
+    return EllipticParameter::of(0.5 * (low + high));
   }
-  const auto [low, high] =
-      boost::math::tools::toms748_solve([&](double complement) { return longer(Parameter::without(complement)); },
-                                        least_complement, 0.5, longest, middle, close, evaluations);
-  return Parameter::without(0.5 * (low + high));
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      [&](double complement) { return longer(EllipticParameter::without(complement)); }, least_complement, 0.5, longest,
+      middle, close, evaluations);
+  return EllipticParameter::without(0.5 * (low + high));
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ SerreCnoidal::SerreCnoidal(double height, double wavelength, double depth, doubl
                     "depth, {:g}; these equations are of long waves",
                     wavelength, least_wavelength * depth));
   }
-  const Parameter parameter = parameter_of(height, wavelength, depth);
+  const EllipticParameter parameter = parameter_of(height, wavelength, depth);
   const Roots roots = roots_of(height, depth, parameter);
   modulus_ = std::sqrt(parameter.m);
   crest_ = roots.crest;

@@ -17,7 +17,7 @@
 namespace seiche::exact {
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double ulp = std::numeric_limits<double>::epsilon();
 /// e^{-40} = 4e-18: what lies below it does not show.
 constexpr double invisible = 40;
 /// The zeros of J0 - i J1 nearest the real axis are +-2.98 - 1.28 i: a beach rings down as e^{-0.64 t/X0}.
@@ -200,7 +200,7 @@ SelfTest SolitaryRunup::self_test() const {
       const double turns = static_cast<double>(j) * wavenumber_step_ * tau * depth_ / crest;
       square += (real_[j] * real_[j] + imaginary_[j] * imaginary_[j]) * turns * turns;
     }
-    return 4 * eps * std::sqrt(2 * square);
+    return 4 * ulp * std::sqrt(2 * square);
   };
   return {
       {"a finer and longer rule gives the same elevation", change.value() / crest, rounding(end_),

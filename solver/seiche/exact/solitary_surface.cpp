@@ -16,7 +16,7 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::VectorXd;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The kernel 1/sinh(pi z/p) is below round-off at 12.5 p.
 constexpr double kernel_reach = 12.5;

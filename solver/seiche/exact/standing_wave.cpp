@@ -18,10 +18,10 @@ static_assert(ReferenceSolution<StandingWave>);
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 void require_depth(std::string_view name, double depth) {
-  if (depth != infinite) require_positive(name, depth);
+  if (depth != unbounded) require_positive(name, depth);
 }
 
 // Coefficients of the second-order potential.
@@ -164,12 +164,13 @@ SelfTest StandingWave::self_test() const {
   const double risen = integral([&](double x) { return velocity(x, 0, t).v; }, 0, quarter);
   const double level = integral([&](double x) { return elevation(x, t); }, 0, 2 * quarter) / (2 * quarter);
   const double crest = steepness_ / wavenumber_;
-  return {{"flux through x = L/4 and through y = 0", std::abs(passed + risen) / std::abs(risen), 1e-14,
-           "quadrature exact to round-off; 45 ulp for 30 roundings"},
-          {"mean level = 0", std::abs(level) / crest, 1e-14, "quadrature exact to round-off; 45 ulp"},
-          {"omega_2 = 0 at the critical depth", std::abs(frequency_correction(critical_depth())), 4e-15,
-           "terms up to 1.3 rounded five times; slope 1 of omega_2 in k h"},
-          {"omega_2 = -1/4 over infinite depth", std::abs(frequency_correction(infinite) + 0.25), 1e-16, "exact sums"}};
+  return {
+      {"flux through x = L/4 and through y = 0", std::abs(passed + risen) / std::abs(risen), 1e-14,
+       "quadrature exact to round-off; 45 ulp for 30 roundings"},
+      {"mean level = 0", std::abs(level) / crest, 1e-14, "quadrature exact to round-off; 45 ulp"},
+      {"omega_2 = 0 at the critical depth", std::abs(frequency_correction(critical_depth())), 4e-15,
+       "terms up to 1.3 rounded five times; slope 1 of omega_2 in k h"},
+      {"omega_2 = -1/4 over unbounded depth", std::abs(frequency_correction(unbounded) + 0.25), 1e-16, "exact sums"}};
 }
 
 }  // namespace seiche::exact

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double round_off_exponent = 38;  // e^-38 = 3e-17
 
 /// d/ds of an even function on s_j = pi j/m, folded onto 0 <= j <= m; rows 1..m-1.
@@ -73,7 +73,7 @@ class PeriodicKernel {
   int images_ = 0;
 };
 
-struct Grid {
+struct PeriodicGrid {
   PeriodicNodes nodes{1};
   double depth = 0;
   std::vector<long double> exact_potential;
@@ -81,10 +81,10 @@ struct Grid {
   VectorXd stretch;
 };
 
-Grid make_grid(double speed_squared, double crest_speed, double depth, Resolution resolution) {
+PeriodicGrid make_grid(double speed_squared, double crest_speed, double depth, Resolution resolution) {
   // The nearest singularity lies q^3 c^2 above the crest.
   const double width = std::min(1.0, resolution.clustering * std::pow(crest_speed, 3) * speed_squared);
-  Grid grid{PeriodicNodes(width), depth, {}, {}, {}};
+  PeriodicGrid grid{PeriodicNodes(width), depth, {}, {}, {}};
   const double quarter = grid.nodes.quarter_period();
   // Half the number of nodes: resolution of the surface, and steps below 0.15 depth for the kernel.
   const double half_count = std::max(56 * quarter / pi + 20, 2 * quarter / (0.15 * depth));
@@ -101,7 +101,7 @@ Grid make_grid(double speed_squared, double crest_speed, double depth, Resolutio
 }
 
 /// theta = T tau by the trapezoidal rule on alternate points; rows 1..m-1, theta vanishes at crest and trough.
-MatrixXd periodic_conjugate(const Grid& grid) {
+MatrixXd periodic_conjugate(const PeriodicGrid& grid) {
   const Index count = grid.stretch.size();
   const Index last = count - 1;
   const double weight = 2 * pi / static_cast<double>(last);
@@ -124,7 +124,7 @@ MatrixXd periodic_conjugate(const Grid& grid) {
 /// Unknowns tau_0..tau_m, c^2; equations: the crest, the surface at j = 1..m-1, the wavelength, no sawtooth.
 class StokesEquations {
  public:
-  StokesEquations(const Grid& grid, StokesCrest crest)
+  StokesEquations(const PeriodicGrid& grid, StokesCrest crest)
       : stretch_(grid.stretch),
         derivative_(even_periodic_derivative(grid.stretch.size())),
         conjugate_(periodic_conjugate(grid)),
@@ -211,7 +211,7 @@ class StokesEquations {
   StokesCrest crest_;
 };
 
-StokesSolution solve_on(const Grid& grid, StokesCrest crest, const VectorXd& log_speed, double speed_squared) {
+StokesSolution solve_on(const PeriodicGrid& grid, StokesCrest crest, const VectorXd& log_speed, double speed_squared) {
   const Index count = grid.stretch.size();
   VectorXd unknowns(count + 1);
   unknowns << log_speed, speed_squared;
@@ -225,7 +225,7 @@ StokesSolution solve_on(const Grid& grid, StokesCrest crest, const VectorXd& log
 }
 
 /// tau of a solution at the nodes of another grid, scaled to another crest.
-VectorXd transfer(const StokesSolution& from, const Grid& to, double crest_log_speed) {
+VectorXd transfer(const StokesSolution& from, const PeriodicGrid& to, double crest_log_speed) {
   const VectorXd none = VectorXd::Zero(from.log_speed.size());
   const TrigonometricInterpolation interpolation(from.log_speed, none, none);
   VectorXd result(to.potential.size());
@@ -243,7 +243,7 @@ StokesSolution approach(StokesCrest crest, double depth, Resolution resolution) 
   const double wanted = crest.amplitude ? *crest.amplitude / linear_speed_squared : -std::log(*crest.speed);
   const double start = std::min({0.05, 0.5 * depth * depth, 0.8 * wanted});
   const Resolution coarse{0.5 * resolution.refinement, resolution.clustering};
-  Grid grid = make_grid(linear_speed_squared, std::exp(-start), depth, coarse);
+  PeriodicGrid grid = make_grid(linear_speed_squared, std::exp(-start), depth, coarse);
   StokesSolution wave =
       solve_on(grid, {{}, std::exp(-start)}, -start * grid.potential.array().cos(), linear_speed_squared);
   const auto reached = [&] {
@@ -284,7 +284,7 @@ double StokesSolution::amplitude() const {
 StokesSolution solve_stokes_wave(StokesCrest crest, double conformal_depth, Resolution resolution,
                                  const StokesSolution* nearby) {
   const StokesSolution close = nearby ? *nearby : approach(crest, conformal_depth, resolution);
-  const Grid grid = make_grid(close.speed_squared, std::exp(close.log_speed[0]), conformal_depth, resolution);
+  const PeriodicGrid grid = make_grid(close.speed_squared, std::exp(close.log_speed[0]), conformal_depth, resolution);
   StokesSolution wave = solve_on(grid, crest, transfer(close, grid, close.log_speed[0]), close.speed_squared);
   if (!(wave.correction < 1e-8)) {
     throw std::invalid_argument(fmt::format(

@@ -15,10 +15,10 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::VectorXd;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// 1 - q exp(-i theta) without cancellation in gentle waves.
-Complex defect(double log_speed, double inclination) {
+Complex velocity_defect(double log_speed, double inclination) {
   const double half = std::sin(0.5 * inclination);
   const double speed = std::exp(log_speed);
   return {-std::expm1(log_speed) + 2 * speed * half * half, speed * std::sin(inclination)};
@@ -109,7 +109,7 @@ void StokesSurface::place_contour() {
   const Index last = tau.size() - 1;
   for (Index j = 0; j <= last; ++j) {
     const Complex tangent = stretch[j] * std::polar(std::exp(-tau[j]), theta[j]);
-    const Complex value = speed_ * defect(tau[j], theta[j]);
+    const Complex value = speed_ * velocity_defect(tau[j], theta[j]);
     const double fold = j == 0 || j == last ? 0.5 : 1;
     const Complex z(position_[j], elevation_[j]);
     if (bottom_matters()) {

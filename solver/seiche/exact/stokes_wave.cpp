@@ -17,7 +17,7 @@ static_assert(ReferenceSolution<StokesWave>);
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Wavenumber of a medium in which the wave exists.
 double checked_wavenumber(double wavelength, double depth, const char* depth_name, double gravity,

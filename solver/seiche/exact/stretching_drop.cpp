@@ -12,7 +12,7 @@
 namespace seiche::exact {
 namespace {
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
+constexpr double round_off = std::numeric_limits<double>::epsilon();
 
 /// sqrt(2 (1 + 2 s^2)/(1 + s^2)), between sqrt 2 and 2; the division last keeps it finite for any s.
 double slowness(double s) {
@@ -61,7 +61,7 @@ double StretchingDrop::elongation(double t) const {
   for (int iteration = 0; iteration < 50; ++iteration) {
     const double step = (t - time_between(start_, sigma)) * speed / slowness(sigma);
     sigma += step;
-    if (std::abs(step) <= 4 * eps * (std::abs(sigma) + std::abs(start_))) break;
+    if (std::abs(step) <= 4 * round_off * (std::abs(sigma) + std::abs(start_))) break;
   }
   return sigma;
 }
@@ -126,13 +126,14 @@ SelfTest StretchingDrop::self_test() const {
   const AffineDrop general(start.deformation, Eigen::Vector2d(strain_rate(0), -strain_rate(0)).asDiagonal(), density_);
   const DropInstant end = general.at(t);
   return {
-      {"a b = c^2", std::abs(a * b / (mean_axis_ * mean_axis_) - 1), 8 * eps, "8 roundings"},
-      {"alpha^2 (a^2 + b^2) = C", std::abs(alpha * alpha * (a * a + b * b) / invariant_ - 1), 16 * eps, "16 roundings"},
-      {"time of the axis at time t is t", std::abs(time_of(a) / t - 1), 64 * eps,
+      {"a b = c^2", std::abs(a * b / (mean_axis_ * mean_axis_) - 1), 8 * round_off, "8 roundings"},
+      {"alpha^2 (a^2 + b^2) = C", std::abs(alpha * alpha * (a * a + b * b) / invariant_ - 1), 16 * round_off,
+       "16 roundings"},
+      {"time of the axis at time t is t", std::abs(time_of(a) / t - 1), 64 * round_off,
        "two quadratures of 30 points a panel, axis rounded"},
       {"the ellipse is that of the integrated equation of motion",
        (end.deformation - at(t).deformation).norm() / at(t).deformation.norm(),
-       3 * (1.7 * 1e-14 + 4 * eps * std::sqrt(30)),
+       3 * (1.7 * 1e-14 + 4 * round_off * std::sqrt(30)),
        "steps that keep their errors of seventh order at 1e-14; the solution of eighth order that is carried on errs "
        "less by the step, and all steps together last at most 1.7 in units of the strain; rounded in about 30 steps; "
        "growing at most as the deformation, threefold"}};

@@ -19,7 +19,7 @@ static_assert(ReferenceSolution<ThackerPlanarBowl>);
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int instants = 12;
 constexpr double smallest_start = 1e-6;  // of the radius: 1 - A is then 2e-12, and known to 1e-4
 

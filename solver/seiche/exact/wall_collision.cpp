@@ -17,7 +17,7 @@ namespace {
 
 /// Of one wave under the crest of the other at the start, relative to its amplitude. Superposition errs by products of
 /// the two elevations, which are nowhere larger.
-constexpr double tail = 1e-13;
+constexpr double negligible = 1e-13;
 
 std::size_t checked(std::size_t markers, double tolerance) {
   require_at_least("markers", static_cast<long>(markers), 128);
@@ -53,7 +53,7 @@ WallCollision::WallCollision(double amplitude, double depth, std::size_t markers
 
 WallCollision::WallCollision(const SolitaryWave& wave, double depth, std::size_t markers, double tolerance)
     : depth_(depth),
-      separation_(-0.5 * std::log(tail) / wave.decay_rate()),
+      separation_(-0.5 * std::log(negligible) / wave.decay_rate()),
       k_(2 * std::numbers::pi / (4 * separation_)),
       crossing_(std::sqrt(k_) * separation_ / wave.speed()),
       wall_(markers / 2),

@@ -24,7 +24,7 @@ using Complex = std::complex<double>;
 constexpr Complex i_unit{0, 1};
 const Complex rising = std::polar(1.0, 0.25 * pi);
 /// Exponents below it do not show: e^{-40} = 4e-18.
-constexpr double invisible = 40;
+constexpr double unseen = 40;
 /// A tail beyond this many units of an integrand that falls as s^-2 does not show either.
 constexpr double far_away = 1e17;
 
@@ -45,10 +45,10 @@ Complex along_ray(Function f, double scale, double length) {
       1e-13);
 }
 
-/// s at which linear s + square s^2 = invisible.
+/// s at which linear s + square s^2 = unseen.
 double visible_length(double linear, double square) {
-  const double root = std::sqrt(linear * linear + 4 * square * invisible);
-  return root + linear > 0 ? 2 * invisible / (root + linear) : far_away;
+  const double root = std::sqrt(linear * linear + 4 * square * unseen);
+  return root + linear > 0 ? 2 * unseen / (root + linear) : far_away;
 }
 
 /// int amplitude(p) exp(i (p^2 x + p t)) dp from p0 along p0 + s direction, s > 0, where it must decay. The phase at
@@ -73,7 +73,7 @@ Complex approaching(Amplitude amplitude, double p0, double x, double t) {
   if (x == 0) return ray(amplitude, p0, x, -t, std::conj(rising));
   // Down the valley on the left, then from its far end over the saddle: no pole of the amplitude lies in between.
   const double saddle = t / (2 * x);
-  const double reach = std::sqrt(invisible / x);
+  const double reach = std::sqrt(unseen / x);
   const Complex over = boost::math::quadrature::gauss_kronrod<double, 61>::integrate(
       [&](double s) { return amplitude(saddle + s * rising) * std::exp(-x * s * s); }, -reach, reach, 12, 1e-13);
   return ray(amplitude, p0, x, -t, -rising) + rising * std::polar(1.0, -0.5 * saddle * t) * over;
@@ -125,7 +125,7 @@ double WavemakerTransient::beyond(double split, double x, double t) const {
         const Complex k{split, s};
         return q(k) / (nu - k) * std::exp(-s * x);
       },
-      split, x > 0 ? std::min(invisible / x, far_away * split) : far_away * split);
+      split, x > 0 ? std::min(unseen / x, far_away * split) : far_away * split);
   const auto amplitude = [&](Complex p) { return 2.0 * p * p * q(p * p) / (nu - p * p); };
   const double p0 = std::sqrt(split);
   const Complex free = ray(amplitude, p0, x, t, rising) - approaching(amplitude, p0, x, t);

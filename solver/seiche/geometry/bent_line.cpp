@@ -13,10 +13,6 @@ namespace seiche {
 
 namespace {
 
-double dot(Point a, Point b) {
-  return a.x * b.x + a.y * b.y;
-}
-
 Point unit(Point direction) {
   return Line({0, 0}, direction).tangent(0);
 }

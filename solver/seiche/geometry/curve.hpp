@@ -19,6 +19,13 @@ struct Point {
   double y = 0;
 };
 
+inline double dot(Point a, Point b) {
+  return a.x * b.x + a.y * b.y;
+}
+inline double cross(Point a, Point b) {
+  return a.x * b.y - a.y * b.x;
+}
+
 /// An arc length beyond the ends of a curve.
 class OutsideCurve : public std::runtime_error {
  public:

@@ -12,13 +12,6 @@ namespace {
 Point operator-(Point a, Point b) {
   return {a.x - b.x, a.y - b.y};
 }
-double dot(Point a, Point b) {
-  return a.x * b.x + a.y * b.y;
-}
-double cross(Point a, Point b) {
-  return a.x * b.y - a.y * b.x;
-}
-
 /// A triangle by the sides that face its vertices, counter-clockwise, and the cotangents of its angles.
 struct Shape {
   std::array<Point, 3> side;

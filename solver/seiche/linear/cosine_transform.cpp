@@ -2,23 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <new>
 #include <numbers>
 
 #include <fftw3.h>
 
+#include "seiche/linear/fftw_planner.hpp"
 #include "seiche/require.hpp"
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::linear {
 namespace {
-
-/// FFTW's planner is the one part of it that two threads must not enter together.
-std::mutex& planner() {
-  static std::mutex mutex;
-  return mutex;
-}
 
 fftwf_complex* fftw(std::complex<float>* data) {
   return reinterpret_cast<fftwf_complex*>(data);

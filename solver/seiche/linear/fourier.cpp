@@ -1,21 +1,15 @@
 #include "seiche/linear/fourier.hpp"
 
 #include <algorithm>
-#include <mutex>
 #include <new>
 
 #include <fftw3.h>
 
+#include "seiche/linear/fftw_planner.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::linear {
 namespace {
-
-/// FFTW's planner is the one part of it that two threads must not enter together.
-std::mutex& planner() {
-  static std::mutex mutex;
-  return mutex;
-}
 
 fftw_plan_s* plan(std::size_t size, std::complex<double>* buffer, int sign) {
   const std::scoped_lock lock(planner());

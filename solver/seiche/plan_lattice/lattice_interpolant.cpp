@@ -16,9 +16,9 @@ namespace seiche::plan_lattice {
 
 namespace {
 
-constexpr double beyond = 0.5;     // of a cell
-constexpr double lost = 1;         // of a cell: a place as far as that from all of them
-constexpr double settled = 1e-12;  // of a cell: Newton's last step
+constexpr double beyond = 0.5;          // of a cell
+constexpr double lost = 1;              // of a cell: a place as far as that from all of them
+constexpr double settled_step = 1e-12;  // of a cell: Newton's last step
 
 }  // namespace
 
@@ -96,7 +96,7 @@ bool LatticeInterpolant::refine(Point place, LatticePlace& at) const {
     at.i += std::clamp(step_i, -0.5, 0.5);
     at.j += std::clamp(step_j, -0.5, 0.5);
     if (!(at.i > -beyond && at.i < columns + beyond && at.j > -beyond && at.j < rows + beyond)) return false;
-    if (std::abs(step_i) + std::abs(step_j) < settled) return true;
+    if (std::abs(step_i) + std::abs(step_j) < settled_step) return true;
   }
   return false;
 }

@@ -18,10 +18,6 @@ struct Edge {
   [[nodiscard]] Point normal() const { return {direction.y, -direction.x}; }
 };
 
-double cross(Point a, Point b) {
-  return a.x * b.y - a.y * b.x;
-}
-
 Edge edge_between(std::size_t from, std::size_t to, std::span<const double> x, std::span<const double> y) {
   const Point way{x[to] - x[from], y[to] - y[from]};
   const double length = std::hypot(way.x, way.y);

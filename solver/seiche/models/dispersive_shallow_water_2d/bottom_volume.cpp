@@ -4,24 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "seiche/models/dispersive_shallow_water_2d/gauss_points.hpp"
+
 namespace seiche::dispersive_shallow_water_2d {
-
-namespace {
-
-struct GaussPoint {
-  double t;
-  double weight;
-};
-
-/// On [0, 1].
-const std::array<GaussPoint, 3>& gauss_points() {
-  static const double half = 0.5 * std::sqrt(0.6);
-  static const std::array points{GaussPoint{0.5 - half, 5.0 / 18}, GaussPoint{0.5, 8.0 / 18},
-                                 GaussPoint{0.5 + half, 5.0 / 18}};
-  return points;
-}
-
-}  // namespace
 
 BottomVolume::BottomVolume(plan_lattice::Shape shape, std::shared_ptr<const PlanBottom> bottom)
     : shape_(shape),

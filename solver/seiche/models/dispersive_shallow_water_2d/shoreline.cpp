@@ -5,22 +5,11 @@
 #include <limits>
 #include <utility>
 
+#include "seiche/models/dispersive_shallow_water_2d/gauss_points.hpp"
+
 namespace seiche::dispersive_shallow_water_2d {
 
 namespace {
-
-struct GaussPoint {
-  double s;
-  double weight;
-};
-
-/// On [0, 1].
-const std::array<GaussPoint, 3>& gauss_points() {
-  static const double half = 0.5 * std::sqrt(0.6);
-  static const std::array points{GaussPoint{0.5 - half, 5.0 / 18}, GaussPoint{0.5, 8.0 / 18},
-                                 GaussPoint{0.5 + half, 5.0 / 18}};
-  return points;
-}
 
 /// Relative round-off of a difference of two values. What is lacking to a discrete gradient beyond it is added; less,
 /// divided by a short way, would become a force.
@@ -29,12 +18,6 @@ constexpr double noise = 8 * std::numeric_limits<double>::epsilon();
 /// How much of a quantity with this gradient the rounding of a place is worth, over the relative rounding.
 double rise(Point gradient, Point place) {
   return std::abs(gradient.x * place.x) + std::abs(gradient.y * place.y);
-}
-double cross(Point a, Point b) {
-  return a.x * b.y - a.y * b.x;
-}
-double dot(Point a, Point b) {
-  return a.x * b.x + a.y * b.y;
 }
 Point along(Point from, double s, Point way) {
   return {from.x + s * way.x, from.y + s * way.y};

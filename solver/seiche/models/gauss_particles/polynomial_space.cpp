@@ -10,16 +10,6 @@
 
 namespace seiche::gauss_particles {
 
-namespace {
-
-double power(double z, int exponent) {
-  double value = 1;
-  for (int k = 0; k < exponent; ++k) value *= z;
-  return value;
-}
-
-}  // namespace
-
 std::vector<StreamFunction> linear_fields() {
   return {{{1, 0, 1}}, {{-1, 1, 0}}, {{-0.5, 2, 0}, {-0.5, 0, 2}}, {{1, 1, 1}}, {{-0.5, 2, 0}, {0.5, 0, 2}}};
 }

@@ -25,6 +25,12 @@ struct Monomial {
 };
 using StreamFunction = std::vector<Monomial>;
 
+inline double power(double z, int exponent) {
+  double value = 1;
+  for (int k = 0; k < exponent; ++k) value *= z;
+  return value;
+}
+
 /// Stream functions of the translations, the rotation and the two strains, in this order: y, -x, -(x^2 + y^2)/2, x y,
 /// (y^2 - x^2)/2.
 std::vector<StreamFunction> linear_fields();

@@ -6,6 +6,7 @@
 
 #include <Eigen/QR>
 
+#include "seiche/models/gauss_particles/polynomial_space.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::gauss_particles {
@@ -19,12 +20,6 @@ void each_power(int degree, Visit&& visit) {
   for (int i = 0; i <= degree; ++i) {
     for (int j = 0; i + j <= degree; ++j) visit(number++, i, j);
   }
-}
-
-double power(double z, int exponent) {
-  double value = 1;
-  for (int k = 0; k < exponent; ++k) value *= z;
-  return value;
 }
 
 }  // namespace

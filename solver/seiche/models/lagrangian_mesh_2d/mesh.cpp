@@ -14,10 +14,6 @@ namespace seiche::lagrangian_mesh_2d {
 
 namespace {
 
-double cross(Point a, Point b) {
-  return a.x * b.y - a.y * b.x;
-}
-
 /// Twice the areas of the triangles at the four corners.
 std::array<double, 4> corner_triangles(const std::array<Point, 4>& r) {
   const auto along = [&](std::size_t from, std::size_t to) { return Point{r[to].x - r[from].x, r[to].y - r[from].y}; };

@@ -26,10 +26,6 @@ std::vector<double> areas_of(const Mesh& mesh) {
   return areas;
 }
 
-double dot(Point a, Point b) {
-  return a.x * b.x + a.y * b.y;
-}
-
 /// Speed along the curve of the velocity (u, v) = d s'.
 double speed_along(Point direction, double u, double v) {
   return dot(direction, {u, v}) / dot(direction, direction);

@@ -23,10 +23,6 @@ constexpr int whole_passes = 3;
 constexpr int most_iterations = 20;
 constexpr double settled = 1e-13;  // of the column's height
 
-double cross(Point a, Point b) {
-  return a.x * b.y - a.y * b.x;
-}
-
 void require_straight_wall(std::string_view name, const Side& side) {
   const auto* wall = std::get_if<Wall>(&side);
   if (wall != nullptr && std::dynamic_pointer_cast<const Line>(wall->curve)) return;

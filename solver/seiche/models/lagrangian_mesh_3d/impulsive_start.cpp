@@ -9,10 +9,6 @@ namespace seiche::lagrangian_mesh_3d {
 
 namespace {
 
-Vector between(const Vector& from, const Vector& to) {
-  return {to.x - from.x, to.y - from.y, to.z - from.z};
-}
-
 Vector cross(const Vector& a, const Vector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }

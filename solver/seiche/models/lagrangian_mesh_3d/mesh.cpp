@@ -13,10 +13,6 @@ namespace seiche::lagrangian_mesh_3d {
 
 namespace {
 
-Vector between(const Vector& from, const Vector& to) {
-  return {to.x - from.x, to.y - from.y, to.z - from.z};
-}
-
 double determinant(const Vector& a, const Vector& b, const Vector& c) {
   return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
 }

@@ -58,6 +58,9 @@ struct Vector {
   double y = 0;
   double z = 0;
 };
+inline Vector between(const Vector& from, const Vector& to) {
+  return {to.x - from.x, to.y - from.y, to.z - from.z};
+}
 using CellCorners = std::array<Vector, 8>;
 
 /// Volume of the trilinear hexahedron.

@@ -12,8 +12,8 @@
 namespace seiche::shallow_water_particles {
 namespace {
 
-constexpr std::size_t stretch = 2048;  // particles
-constexpr std::size_t block = 64;      // that are searched for jumps together
+constexpr std::size_t stretch = 2048;          // particles
+constexpr std::size_t searched_together = 64;  // particles, for jumps
 
 /// Calls work(k, thread) for 0, ..., count - 1.
 template <class Work>
@@ -144,19 +144,20 @@ RowLimits ParticleFlow::move_and_measure(double tau) {
 
 void ParticleFlow::find_suspects() {
   const std::size_t inner = now_.size() - 2;  // from particle 1 on
-  const std::size_t blocks = (inner + block - 1) / block;
+  const std::size_t blocks = (inner + searched_together - 1) / searched_together;
   suspicious_.resize(blocks);
   share(blocks, threads(), [&](std::size_t b, std::size_t /*thread*/) {
-    const std::size_t first = 1 + b * block;
+    const std::size_t first = 1 + b * searched_together;
     suspicious_[b] = may_hold_jump(&depth_[first], &now_.velocity[first], forcing_.gravity, scheme_.jump_threshold,
-                                   std::min(block, inner - b * block))
+                                   std::min(searched_together, inner - b * searched_together))
                          ? 1
                          : 0;
   });
   suspects_.clear();
   for (std::size_t b = 0; b < blocks; ++b) {
     if (suspicious_[b] == 0) continue;
-    for (std::size_t k = b * block; k < std::min(inner, (b + 1) * block); ++k) suspects_.push_back(1 + k);
+    for (std::size_t k = b * searched_together; k < std::min(inner, (b + 1) * searched_together); ++k)
+      suspects_.push_back(1 + k);
   }
 }
 

@@ -13,14 +13,6 @@
 
 namespace seiche::variable_mass {
 
-namespace {
-
-std::size_t index(int k) {
-  return static_cast<std::size_t>(k);
-}
-
-}  // namespace
-
 Flow::Flow(const Mesh& rest, const Start& start, Control control, Settings settings, double drift_feedback)
     : control_(rest, control),
       water_(std::make_unique<CellWater>(control_.raised(start.elevation), settings)),

@@ -21,10 +21,6 @@ using free_lagrangian::Mesh;
 constexpr std::size_t stencil = 5;  // nodes of a slope
 constexpr double flat = 1e-10;      // standard deviation of the height over the depth below which no beta is sought
 
-std::size_t index(int k) {
-  return static_cast<std::size_t>(k);
-}
-
 /// dy/dx at entry `here` of the polynomial through the nodes first, ..., first + count - 1.
 double slope(Places at, std::span<const int> nodes, std::size_t first, std::size_t count, std::size_t here) {
   const auto x = [&](std::size_t i) { return at[nodes[first + i]].x; };

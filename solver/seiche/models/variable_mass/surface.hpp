@@ -10,12 +10,17 @@
 /// with Omega the area within the outline and H the level at rest. Without them the energy of a solitary wave grows.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "seiche/free_lagrangian/mesh.hpp"
 
 namespace seiche::variable_mass {
+
+inline std::size_t index(int k) {
+  return static_cast<std::size_t>(k);
+}
 
 class Surface {
  public:

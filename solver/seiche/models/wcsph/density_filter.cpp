@@ -8,7 +8,7 @@ namespace seiche::wcsph {
 namespace {
 
 /// The determinant of A over h_0^4 A_00^3 is about 0.1 inside the fluid.
-constexpr double least_determinant = 2e-5;
+constexpr double least_filter_determinant = 2e-5;
 constexpr int least_neighbours = 5;
 constexpr int least_neighbours_of_mean = 3;
 /// Largest change that is believed.
@@ -22,7 +22,7 @@ double filtered(const FilterMoments& m, double smoothing) {
   const double c0z = ax * axz - axx * az;
   const double determinant = a00 * c00 + ax * c0x + az * c0z;
   const double scale = std::pow(smoothing, 4) * a00 * a00 * a00;
-  if (neighbours >= least_neighbours && std::abs(determinant) >= least_determinant * scale) {
+  if (neighbours >= least_neighbours && std::abs(determinant) >= least_filter_determinant * scale) {
     return (c00 * m0 + c0x * mx + c0z * mz) / determinant;
   }
   return neighbours >= least_neighbours_of_mean ? m0 / a00 : NAN;

@@ -12,7 +12,7 @@ namespace seiche::wcsph {
 namespace {
 
 /// Lengths are whole numbers of dx to this part of themselves.
-constexpr double tolerance = 1e-9;
+constexpr double whole_number_tolerance = 1e-9;
 
 /// A number of cells that fits no memory is a mistake in a length.
 constexpr double most_cells = 1e9;
@@ -40,7 +40,7 @@ long SceneBuilder::whole(std::string_view name, double length, long least) {
     throw std::invalid_argument(fmt::format("{} = {:g} is {:g} spacings of {:g}: must be at least {} and at most {:g}",
                                             name, length, steps, scene.spacing, least, most_cells));
   }
-  if (std::abs(steps - rounded) > tolerance * rounded) {
+  if (std::abs(steps - rounded) > whole_number_tolerance * rounded) {
     scene.warnings.push_back(fmt::format("{} = {:.12g} is {:.12g} spacings: rounded to {:.12g}", name, length, steps,
                                          rounded * scene.spacing));
   }
