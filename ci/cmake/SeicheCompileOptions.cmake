@@ -52,6 +52,10 @@ endif()
 string(STRIP "${outsiders}" outsiders)  # the cache keeps a space at an end in quotes
 set(SEICHE_OUTSIDERS_FLAGS "${outsiders}" CACHE INTERNAL "Flags of programs that link to the installed library")
 
+# Cases, tests and the command hold no inner loops: half the time of compiling.
+add_library(seiche_light_options INTERFACE)
+target_compile_options(seiche_light_options INTERFACE $<$<CONFIG:Release>:-O1>)
+
 # seiche_precompiled(target header...): precompiled headers, the standard ones and more, for every target that says
 # REUSE_FROM target. That target has no macros but the common ones: the compiler refuses a precompiled header where one
 # of its macros is missing.

@@ -122,8 +122,8 @@ class Limit {
                     .gamma = parameters.gamma,
                     .depth_power = parameters.weight_exponent};
     box.tau = 0.4 * box.spacing();
-    const double high = validation::cases::coefficient(box, 0.02, periods_);
-    const double low = validation::cases::coefficient(box, 0.01, periods_);
+    const double high = validation::cases::standing_1d::coefficient(box, 0.02, periods_);
+    const double low = validation::cases::standing_1d::coefficient(box, 0.01, periods_);
     return low + (low - high) / 3;
   }
 
