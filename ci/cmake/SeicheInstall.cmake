@@ -56,9 +56,9 @@ function(seiche_manual target component template)
   cmake_path(GET template STEM LAST_ONLY page)
   set(page ${PROJECT_BINARY_DIR}/manual/${page}.gz)
   add_custom_command(OUTPUT ${page} VERBATIM
-    COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/ci/manual.py $<TARGET_FILE:${target}>
+    COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/ci/cmake/manual.py $<TARGET_FILE:${target}>
             ${PROJECT_SOURCE_DIR}/${template} ${page} --version ${PROJECT_VERSION}
-    DEPENDS ${target} ${PROJECT_SOURCE_DIR}/ci/manual.py ${PROJECT_SOURCE_DIR}/${template}
+    DEPENDS ${target} ${PROJECT_SOURCE_DIR}/ci/cmake/manual.py ${PROJECT_SOURCE_DIR}/${template}
     COMMENT "Writing the manual of ${target}")
   add_custom_target(${target}_manual ALL DEPENDS ${page})
   install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})

@@ -1,4 +1,4 @@
-"""What ci/benchmarks writes: every benchmark beside the limit of the machine that it is near."""
+"""What ci/checks/benchmarks writes: every benchmark beside the limit of the machine that it is near."""
 
 import csv
 import importlib.machinery
@@ -8,7 +8,7 @@ import pathlib
 import tempfile
 import unittest
 
-SCRIPT = pathlib.Path(os.environ["SEICHE_SOURCE"]) / "ci/benchmarks"
+SCRIPT = pathlib.Path(os.environ["SEICHE_SOURCE"]) / "ci/checks/benchmarks"
 loader = importlib.machinery.SourceFileLoader("benchmarks", str(SCRIPT))
 benchmarks = importlib.util.module_from_spec(importlib.util.spec_from_loader("benchmarks", loader))
 loader.exec_module(benchmarks)

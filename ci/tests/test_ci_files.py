@@ -114,7 +114,7 @@ class Form(unittest.TestCase):
     def test_what_a_step_calls_is_there(self):
         called = [word.replace("/usr/share/seiche/", "") for _, text in shell_steps() for line in text.splitlines()
                   for word in shlex.split(line, comments=True) if re.search(r"(^|/)\.?ci/", word)]
-        self.assertLessEqual({".ci/run", "ci/report", "ci/sanitize", "ci/coverage", "ci/score-files"}, set(called))
+        self.assertLessEqual({".ci/run", "ci/report", "ci/checks/sanitize", "ci/checks/coverage", "ci/score-files"}, set(called))
         for word in called:
             self.assertTrue(os.access(SOURCE / word, os.X_OK), word)
 

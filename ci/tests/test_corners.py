@@ -1,4 +1,4 @@
-"""What ci/corners makes of a run: a crash, an error of the program and an empty record are told from a breakdown."""
+"""What ci/checks/corners makes of a run: a crash, an error of the program and an empty record are told from a breakdown."""
 
 import importlib.machinery
 import importlib.util
@@ -10,7 +10,7 @@ import time
 import types
 import unittest
 
-SCRIPT = pathlib.Path(os.environ["SEICHE_SOURCE"]) / "ci/corners"
+SCRIPT = pathlib.Path(os.environ["SEICHE_SOURCE"]) / "ci/checks/corners"
 loader = importlib.machinery.SourceFileLoader("corners", str(SCRIPT))
 corners = importlib.util.module_from_spec(importlib.util.spec_from_loader("corners", loader))
 loader.exec_module(corners)

@@ -7,7 +7,7 @@ import subprocess
 import tomllib
 import unittest
 
-SIZES = pathlib.Path(os.environ["SEICHE_SOURCE"]) / "ci/sanitize_sizes.toml"
+SIZES = pathlib.Path(os.environ["SEICHE_SOURCE"]) / "ci/checks/sanitize_sizes.toml"
 
 
 class Sizes(unittest.TestCase):

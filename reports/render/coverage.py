@@ -1,4 +1,4 @@
-"""Which lines the quick tier runs, as the last run of ci/coverage left it: by room, and the files behind the others."""
+"""Which lines the quick tier runs, as the last run of ci/checks/coverage left it: by room, and the files behind the others."""
 import csv
 import dataclasses
 import pathlib

@@ -1,4 +1,4 @@
-"""Planted defects: what was broken on purpose, and which claim noticed, as the last run of ci/defects left it."""
+"""Planted defects: what was broken on purpose, and which claim noticed, as the last run of ci/checks/defects left it."""
 import collections
 import csv
 import dataclasses

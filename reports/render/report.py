@@ -52,7 +52,7 @@ def build(evidence, stage, out, options):
              "counts_in_words": atlas.in_words(counts), "has_junit": files.is_regular(evidence / "junit.xml"),
              "sharpness": sharpness.survey([record for case in cases for record in case.records if record.own]),
              "defects": defects.survey(defects.read(), loaded), "experiments": experiments.survey(loaded),
-             "models": side_by_side.survey(cases, drawn), "speed": speed.survey(speed.read()),
+             "models": side_by_side.survey(cases, drawn), "speed": speed.survey(speed.read(), speed.build_time()),
              "rooms": coverage.survey(coverage.read()), "wanted_lines": coverage.WANTED,
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
     whole["trust"] = trust.survey(cases, whole["models"]["problems"], others)

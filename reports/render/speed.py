@@ -1,10 +1,11 @@
-"""How fast the models are, beside what the machine can do, as the last run of ci/benchmarks --table left it."""
+"""How fast the models are, beside what the machine can do, as the last run of ci/checks/benchmarks --table left it."""
 import collections
 import csv
 import pathlib
 import re
 
 RECORD = pathlib.Path(__file__).resolve().parent.parent / "record" / "speed.csv"
+BUILD_TIME = RECORD.with_name("build_time.csv")     # written by ci/checks/time-build
 MACHINE = "machine"     # the program that measures the limits
 
 
@@ -36,10 +37,18 @@ def read(path=RECORD):
         return [_numbers(row) for row in csv.DictReader(file)]
 
 
-def survey(rows):
-    """What the page shows: the benchmarks by program, the machine's own apart."""
+def build_time(path=BUILD_TIME):
+    """How long building and running take, step by step with the aim; none where there is no such file."""
+    if not path.is_file():
+        return []
+    with path.open(encoding="utf-8", newline="") as file:
+        return [row | {"seconds": _number(row["seconds"]), "aim": _number(row["aim"])} for row in csv.DictReader(file)]
+
+
+def survey(rows, build=()):
+    """What the page shows: the benchmarks by program, the machine's own apart; the time of building."""
     programs = collections.defaultdict(list)
     for row in rows:
         programs[row["program"]].append(row)
-    return {"machine": programs.pop(MACHINE, []), "programs": dict(programs), "count": len(rows),
+    return {"machine": programs.pop(MACHINE, []), "build": list(build), "programs": dict(programs), "count": len(rows),
             "processors": sorted({row["processor"] for row in rows}), "dates": sorted({row["date"] for row in rows})}

@@ -113,7 +113,7 @@ int compare_with_record(const CompareOptions& options) {
   fmt::print("{} claims, {} changed from {}\n", now.size(), changed.size(), file.string());
   if (left_out > 0) fmt::print("{} claims of other runs not compared; --whole asks for them\n", left_out);
   if (!changed.empty())
-    fmt::print("where the changes are meant, 'ci/record {}' makes them the new record\n", options.tier);
+    fmt::print("where the changes are meant, 'ci/checks/record {}' makes them the new record\n", options.tier);
   return changed.empty() ? 0 : 1;
 }
 

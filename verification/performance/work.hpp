@@ -33,7 +33,7 @@ constexpr Work pass(double arrays, double operations) {
   return {8 * arrays, operations};
 }
 
-/// The counters that ci/benchmarks sets beside what the machine can do.
+/// The counters that ci/checks/benchmarks sets beside what the machine can do.
 inline void show(benchmark::State& state, Work per_step) {
   state.counters["bytes_per_step"] = per_step.bytes;
   state.counters["operations_per_step"] = per_step.operations;

@@ -109,14 +109,14 @@ struct Tally {
   std::string example;
 };
 
-/// How many times the inputs of a usual run: SEICHE_FUZZ, as `ci/fuzz` sets it.
+/// How many times the inputs of a usual run: SEICHE_FUZZ, as `ci/checks/fuzz` sets it.
 inline long fuzz_factor() {
   const char* chosen = std::getenv("SEICHE_FUZZ");  // NOLINT(concurrency-mt-unsafe): tests are single-threaded
   const long factor = chosen == nullptr ? 1 : std::atol(chosen);
   return std::max(factor, 1L);
 }
 
-/// Other inputs than those of a usual run where SEICHE_FUZZ_SEED is not 0, as `ci/fuzz` sets it.
+/// Other inputs than those of a usual run where SEICHE_FUZZ_SEED is not 0, as `ci/checks/fuzz` sets it.
 inline std::uint64_t fuzz_seed(std::uint64_t usual) {
   const char* chosen = std::getenv("SEICHE_FUZZ_SEED");  // NOLINT(concurrency-mt-unsafe): tests are single-threaded
   const std::uint64_t other = chosen == nullptr ? 0 : std::strtoull(chosen, nullptr, 10);

@@ -143,7 +143,7 @@ TEST_CASE("readers survive damaged files: they read or refuse in one line", "[ro
       "one to six such changes each, the same in every run. Every input must be read, or refused with a message "
       "of one line; a crash or a hang would end the test. HDF5 is read in a child process, because the library "
       "itself crashes on some of these files: the number of such crashes is measured, and each must come out "
-      "as a refusal like any other. `ci/fuzz` does the same with ten times the inputs.");
+      "as a refusal like any other. `ci/checks/fuzz` does the same with ten times the inputs.");
   const std::vector<std::string> tables{
       "# a result\nx [m],h [m],u [m/s]\n0.5,1,0\n1.5,0.9,0.1\n2.5,1e-3,-2.5e+00\n",
       "t,eta\r\n0,0\r\n1,0.25\r\n2,-0.125\r\n",

@@ -48,7 +48,7 @@ class Coverage(unittest.TestCase):
         self.assertEqual(page.count("too few"), 1)
 
     def test_without_a_table_the_page_says_how_to_make_one(self):
-        self.assertIn("ci/coverage", page_of(coverage.survey(coverage.read(self.folder / "none.csv")), self.folder))
+        self.assertIn("ci/checks/coverage", page_of(coverage.survey(coverage.read(self.folder / "none.csv")), self.folder))
 
 
 if __name__ == "__main__":

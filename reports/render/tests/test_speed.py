@@ -20,10 +20,10 @@ wcsph,steps/2,36,8.5e9,0.43,4e9,0.12,321,A processor,2026-01-02
 """
 
 
-def page_of(rows, folder):
+def page_of(rows, folder, build=()):
     memo = Store(folder / "cache").memo
     return pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("speed.html.j2").render(
-        root="", page="speed.html", title="T", fonts=False, speed=speed.survey(rows))
+        root="", page="speed.html", title="T", fonts=False, speed=speed.survey(rows, build))
 
 
 class Speed(unittest.TestCase):
@@ -45,8 +45,16 @@ class Speed(unittest.TestCase):
         self.assertEqual(page.count("bytes per item"), 1)
         self.assertNotIn("triad", page[page.index('id="particles"'):])
 
+    def test_time_of_building_stands_beside_its_aim(self):
+        table = self.folder / "build_time.csv"
+        table.write_text("step,seconds,aim,cores,processor,commit,date\ncold build,612.3,600,2,A processor,1a2b3c4,2026-01-02\n")
+        page = page_of([], self.folder, speed.build_time(table))
+        self.assertIn("on 2 cores (A processor) without a compiler cache, commit 1a2b3c4, 2026-01-02", page)
+        row = page[page.index("<td>cold build"):]
+        self.assertLess(row.index(">612</span>"), row.index(">600</span>"))
+
     def test_without_a_table_the_page_says_how_to_make_one(self):
-        self.assertIn("ci/benchmarks --table", page_of(speed.read(self.folder / "none.csv"), self.folder))
+        self.assertIn("ci/checks/benchmarks --table", page_of(speed.read(self.folder / "none.csv"), self.folder))
 
 
 if __name__ == "__main__":

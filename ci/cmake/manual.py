@@ -1,6 +1,6 @@
 """A manual page from a template and from what the program's own --help prints.
 
-    python3 ci/manual.py build/release/seiche validation/command/seiche.1.in seiche.1.gz --version 0.1.0
+    python3 ci/cmake/manual.py build/release/seiche validation/command/seiche.1.in seiche.1.gz --version 0.1.0
 
 The template is roff; @NAME@, @SYNOPSIS@, @OPTIONS@, @COMMANDS@, @EXIT_STATUS@ and @VERSION@ are filled in. Nothing
 depends on the day or the machine: the same program gives the same bytes.
