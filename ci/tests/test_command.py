@@ -332,9 +332,20 @@ class Command(unittest.TestCase):
         self.assertEqual(same.returncode, 0, same.stdout)
         other = seiche("compare", self.out / "a", self.out / "b")
         self.assertIn("riemann", other.stdout)
+        seiche("run", "moving_bore", "--out", self.out / "b")
         (self.out / "b" / "riemann.json").unlink()
         self.assertEqual(seiche("compare", self.out / "a", self.out / "b").returncode, 1)
-        self.assertEqual(seiche("compare", self.out / "a", self.out / "none").returncode, 2)
+        # Without a record there is nothing that could be worse.
+        (self.out / "empty").mkdir()
+        for name in ("empty", "none"):
+            folder = self.out / name
+            for words in (["report", folder], ["compare", folder], ["compare", folder, "--record"],
+                          ["compare", self.out / "a", folder], ["compare", folder, self.out / "a"]):
+                result = seiche(*words)
+                self.assertEqual((result.returncode, result.stdout), (2, ""), words)
+                self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+                self.assertIn(str(folder), result.stderr)
+            self.assertEqual(list(folder.glob("*")), [])
 
     def test_compare_names_an_error_that_grew_within_its_limit(self):
         seiche("run", "riemann", "--set", "particles=40", "--out", self.out)
