@@ -84,6 +84,15 @@ class Files(unittest.TestCase):
             for folder in (SOURCE, BUILD, FIRST_PREFIX):
                 self.assertNotIn(bytes(folder), content, path)
 
+    def test_an_install_is_whole_or_does_not_begin(self):
+        """Of a build without the manual, which is one of the last things copied, nothing is installed."""
+        script, prefix = SCRATCH / "cmake_install.cmake", SCRATCH / "not begun"
+        script.write_text((BUILD / "cmake_install.cmake").read_text().replace("/manual/seiche.1", "/manual/none.1"))
+        result = subprocess.run(["cmake", f"-DCMAKE_INSTALL_PREFIX={prefix}", "-P", script], capture_output=True, text=True)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("none.1.gz is not built", " ".join(result.stderr.split()))
+        self.assertFalse(prefix.exists())
+
     def test_nothing_of_the_tests_is_installed(self):
         for path in files():
             self.assertFalse({"tests", "__pycache__"} & set(path.relative_to(PREFIX).parts), path)
