@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "reports/evidence/record.hpp"
+#include "validation/case/lazy.hpp"
 #include "validation/case/measure.hpp"
 #include "validation/case/parameter.hpp"
 
@@ -66,7 +67,7 @@ struct WantedTable {
   std::optional<Column> group = {};     ///< the column that tells several profiles or gauges apart
   std::optional<Column> abscissa = {};  ///< not for scalars
   std::vector<WantedQuantity> quantities;
-  std::vector<double> groups = {};  ///< those that are required, where there is a group column
+  Lazy<std::vector<double>> groups = {};  ///< those that are required, where there is a group column
   /// The reference points of a group, strictly increasing: where the measures are taken and a template asks for values.
   std::function<std::vector<double>(double group)> points = {};
   /// Smallest share of the reference points that must lie within the submitted ones. A result at the centres of N cells
