@@ -15,6 +15,7 @@ PYTHON = os.environ["PYTHON"]
 SCRATCH = pathlib.Path(tempfile.mkdtemp(prefix="seiche-test-"))
 FIRST_PREFIX = SCRATCH / "first"
 PREFIX = SCRATCH / "moved"
+LIBRARY = SCRATCH / "library"  # the component development alone
 
 
 def setUpModule():
@@ -23,6 +24,9 @@ def setUpModule():
     subprocess.run(["cmake", "--install", BUILD, "--prefix", FIRST_PREFIX], check=True, stdout=subprocess.DEVNULL,
                    umask=0o022)
     FIRST_PREFIX.rename(PREFIX)
+    for component in ("development", "distributed"):
+        subprocess.run(["cmake", "--install", BUILD, "--prefix", LIBRARY, "--component", component], check=True,
+                       stdout=subprocess.DEVNULL, umask=0o022)
 
 
 def files():
@@ -141,10 +145,10 @@ class Manual(InstalledTest):
 
 
 class FindPackage(InstalledTest):
-    """Projects of users, with the checkout out of sight. More of them: ci.find_package.*"""
+    """Projects of users, with the checkout out of sight. More of them: ci.front_door"""
 
     def build(self, source, *options):
-        configured = self.somebody.run("cmake", "-S", source, "-B", "build", f"-DCMAKE_PREFIX_PATH={PREFIX}", *options,
+        configured = self.somebody.run("cmake", "-S", source, "-B", "build", f"-DCMAKE_PREFIX_PATH={LIBRARY}", *options,
                                        CXXFLAGS=cache("SEICHE_OUTSIDERS_FLAGS"))
         if configured.returncode != 0:
             return configured
