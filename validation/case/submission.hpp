@@ -73,7 +73,7 @@ struct WantedTable {
   /// Smallest share of the reference points that must lie within the submitted ones. A result at the centres of N cells
   /// leaves half a cell out at either end: 1/N of the points.
   double least_coverage = 0.9;
-  std::vector<std::string> exact = {};                    ///< commands that print the reference; a template shows them
+  Lazy<std::vector<std::string>> exact = {};              ///< commands that print the reference; a template shows them
   double arrival_fraction = 0.1;                          ///< see Arrival in validation/instruments/agreement.hpp
   evidence::Role reference_role = evidence::Role::exact;  ///< Role::data where it was measured
 };

@@ -146,8 +146,9 @@ std::vector<WantedTable> wanted(const Experiment& experiment, const Values& valu
       for (const Measured& curve : *curves) groups.push_back(curve.group);
       table.groups = groups;
     }
-    table.exact.push_back(fmt::format("reference_data/{}/table.csv", part.table));
-    for (const std::string& file : experiment.files) table.exact.push_back("reference_data/" + file);
+    std::vector<std::string> files{fmt::format("reference_data/{}/table.csv", part.table)};
+    for (const std::string& file : experiment.files) files.push_back("reference_data/" + file);
+    table.exact = files;
     tables.push_back(std::move(table));
   }
   return tables;

@@ -180,7 +180,7 @@ std::string template_of(const WantedTable& wanted, const std::string& opening) {
     text += fmt::format("# {}: {} [{}]\n", column.name, column.meaning, column.unit);
     header.push_back(fmt::format("{} [{}]", column.name, column.unit));
   }
-  for (const std::string& command : wanted.exact) text += fmt::format("# the reference: {}\n", command);
+  for (const std::string& command : *wanted.exact) text += fmt::format("# the reference: {}\n", command);
   text += fmt::format("{}\n", fmt::join(header, ","));
   const std::string blanks(wanted.quantities.size() - (wanted.abscissa ? 0 : 1), ',');
   for (const double g : wanted.group ? *wanted.groups : std::vector<double>{0}) {
