@@ -302,7 +302,7 @@ class Command(unittest.TestCase):
         self.assertEqual([p.name for p in self.out.glob(".*")], [])
         return resumed.stdout
 
-    SWEEP = ["mach_reflection_curves", "--set", "h=1.2", "--set", "time=500"]
+    SWEEP = ["mach_reflection_curves", "--set", "h=1.2", "--set", "time=250"]
     BREAKER = ["overturning_sph", "--set", "columns=60"]
 
     def test_a_sweep_goes_on_after_the_parts_that_were_finished(self):
