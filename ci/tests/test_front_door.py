@@ -1,5 +1,5 @@
-"""Every command that the READMEs show is run as it stands there, in its order, by a newcomer: in a copy of the files that
-git knows, beside the finished build, with nothing in the environment that the text does not put there.
+"""Every command that the READMEs show is run as it stands there, in its order, by a newcomer: in a copy of the files
+that git knows, beside the finished build, with nothing in the environment that the text does not put there.
 
 What is not run is named in NOT_RUN with the reason; nothing else is left out, and nothing is named that is not there.
 ci/time-build runs this after a cold ci/report alone.
