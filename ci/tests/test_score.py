@@ -9,7 +9,7 @@ import unittest
 import h5py
 import numpy as np
 
-from submitting import SEICHE, SOURCE, Scoring, rows_of, printed, seiche
+from submitting import SEICHE, SOURCE, Scoring, printed, rows_of, seiche
 
 
 class Score(Scoring):

@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 
-from submitting import SOURCE, Scoring, rows_of, printed, seiche
+from submitting import SOURCE, Scoring, printed, rows_of, seiche
 
 WRITTEN = SOURCE / "ci/tests/solver_output"  # by real solvers, see its README.md
 

@@ -4,7 +4,7 @@ import unittest
 
 import numpy as np
 
-from submitting import SOURCE, Scoring, rows_of, printed, seiche
+from submitting import SOURCE, Scoring, printed, rows_of, seiche
 
 
 def exact(name, *words):
