@@ -8,6 +8,26 @@
 #
 # Nothing installed holds a path of the source, the build or the prefix.
 
+# seiche_install_needs(component file...): before anything is copied, so that an install is whole or does not begin.
+function(seiche_install_needs component)
+  foreach(file IN LISTS ARGN)
+    install(CODE "if(NOT EXISTS \"${file}\")
+      message(FATAL_ERROR \"${file} is not built: cmake --build ${PROJECT_BINARY_DIR} makes it\")
+    endif()" COMPONENT ${component})
+  endforeach()
+endfunction()
+seiche_install_needs(development $<TARGET_FILE:seiche>)
+if(PROJECT_IS_TOP_LEVEL)
+  seiche_install_needs(command $<TARGET_FILE:seiche_command> ${PROJECT_BINARY_DIR}/manual/seiche.1.gz)
+  if(SEICHE_PYTHON_MODULE)
+    seiche_install_needs(python $<TARGET_FILE:seiche_python>)
+  endif()
+  if(SEICHE_WITH_PETSC)
+    seiche_install_needs(parallel $<TARGET_FILE:seiche_parallel> ${PROJECT_BINARY_DIR}/manual/seiche-parallel.1.gz)
+    seiche_install_needs(distributed $<TARGET_FILE:seiche_distributed>)
+  endif()
+endif()
+
 # Libraries, for projects that find_package(seiche) or that contain this one.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/seiche)

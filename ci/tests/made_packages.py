@@ -20,7 +20,8 @@ def packages(folder):
         config = BUILD / "CPackConfig.cmake"
         if not config.exists():
             raise unittest.SkipTest("this build makes no packages: configured for another Python than the system's")
-        made = subprocess.run(["cpack", "--config", config, "-B", folder], capture_output=True, text=True, umask=0o022)
+        made = subprocess.run(["cpack", "--config", config, "-B", folder, "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=gzip"],
+                              capture_output=True, text=True, umask=0o022)
         if made.returncode != 0:
             raise RuntimeError(f"cpack: {made.stdout}{made.stderr}")
     files = pathlib.Path(given or folder).glob("*.deb")

@@ -1,5 +1,6 @@
 """Submitting a result to `seiche score`: what its tests share."""
 
+import functools
 import json
 import os
 import pathlib
@@ -16,6 +17,12 @@ SOURCE = pathlib.Path(os.environ["SEICHE_SOURCE"])
 
 def seiche(*words, **options):
     return subprocess.run([SEICHE, *map(str, words)], capture_output=True, text=True, timeout=120, **options)
+
+
+@functools.cache
+def printed(*words):
+    """What a command prints that prints the same each time."""
+    return seiche(*words).stdout
 
 
 def rows_of(csv):
@@ -73,7 +80,7 @@ class Scoring(unittest.TestCase):
 
     def gauges(self, late=0.0, factor=1.0):
         """The template of the gauges in the parabolic bowl, filled in with the exact depth, late by some seconds."""
-        names, rows = rows_of(seiche("score", "thacker", "--template", "--table", "gauges").stdout)
+        names, rows = rows_of(printed("score", "thacker", "--template", "--table", "gauges"))
         self.assertEqual(names, ["x [m]", "t [s]", "h [m]"])
         x, t = (np.array([float(row[k]) for row in rows]) for k in (0, 1))
         radius, depth, displacement, gravity = 1.0, 0.5, 0.5, 9.81

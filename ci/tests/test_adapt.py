@@ -36,7 +36,7 @@ class Adapt(Scoring):
         return names, np.array([[float(word) for word in row] for row in rows])
 
     def refuses(self, made, *words):
-        self.assertEqual((made.returncode, made.stdout), (1, ""))
+        self.assertEqual((made.returncode, made.stdout), (2, ""))
         self.assertEqual(len(made.stderr.strip().splitlines()), 1, made.stderr)
         for word in words:
             self.assertIn(word, made.stderr)
@@ -84,6 +84,18 @@ class Adapt(Scoring):
             file["particles/fluid/arrays/y"] = np.append(y.ravel(), 0.0)
         _, front = self.rows("front", folder, "--near", 0.1)
         np.testing.assert_allclose(front, [[0.5, 0.4]])
+
+    def test_pickled_objects_are_not_read(self):
+        """A stranger's .npz runs what it wants where it is unpickled."""
+        class Bait:
+            def __reduce__(self):
+                return os.mkdir, (str(bait),)
+
+        bait = self.folder / "bait"
+        np.savez(self.folder / "a.npz", particles=np.array(Bait()), solver_data=np.array({"t": 0}))
+        made = self.adapt("front", self.folder / "a.npz", "--near", 0.1)
+        self.assertFalse(bait.exists())
+        self.refuses(made, "a.npz", "pickled")
 
     def test_what_is_missing_is_named(self):
         self.refuses(self.adapt("front", self.folder / "nothing.vtu"), "is not there")

@@ -182,8 +182,11 @@ class Steps(unittest.TestCase):
         (cls.folder / "mine.csv").write_text(exact)
         (cls.folder / "bad.csv").write_text("x,h,u\n" + "".join(f"{row[0]},0.5,0\n" for row in rows))
 
-    def run_steps(self, texts, variables):
-        """Runs shell texts one after the other until one fails; the status, and what they said."""
+    def run_steps(self, texts, variables, report):
+        """Runs shell texts one after the other until one fails; the status, and what they said. A report is drawn where
+        it is looked at."""
+        if not report:
+            variables = {**variables, "SEICHE_PYTHON": "true"}
         work = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
         said = ""
         for text, of_step in texts:
@@ -197,7 +200,7 @@ class Steps(unittest.TestCase):
                 break
         return result.returncode, said, work
 
-    def github(self, summary="", **given):
+    def github(self, summary="", report=False, **given):
         action = read(ACTION)
         inputs = {name: entry.get("default", "") for name, entry in action["inputs"].items()}
         self.assertLessEqual(set(given), set(inputs))
@@ -205,13 +208,13 @@ class Steps(unittest.TestCase):
         fill = lambda text: re.sub(r"\$\{\{ inputs\.([a-z-]+) \}\}", lambda match: inputs[match[1]], text)
         texts = [(step["run"], {name: fill(value) for name, value in step["env"].items()})
                  for step in action["runs"]["steps"] if "run" in step]
-        return self.run_steps(texts, {"GITHUB_STEP_SUMMARY": summary} if summary else {})
+        return self.run_steps(texts, {"GITHUB_STEP_SUMMARY": summary} if summary else {}, report)
 
-    def gitlab(self, **given):
+    def gitlab(self, report=False, **given):
         job = read(GITLAB[1])[".seiche-score"]
         variables = {**job["variables"], **{f"SEICHE_{name.upper()}": value for name, value in given.items()}}
         return self.run_steps([("\n".join(job["before_script"] + job["script"]), {})],
-                              {**variables, "SEICHE_PACKAGE": self.package})
+                              {**variables, "SEICHE_PACKAGE": self.package}, report)
 
     def published(self, work, color):
         """What a CI system would take: JUnit without faults, the report, the badge."""
@@ -223,7 +226,8 @@ class Steps(unittest.TestCase):
 
     def test_a_good_result(self):
         for steps in (self.github, self.gitlab):
-            status, said, work = steps(case="riemann", data=str(self.folder / "mine.csv"), solver="mine")
+            status, said, work = steps(case="riemann", data=str(self.folder / "mine.csv"), solver="mine",
+                                       report=True)
             self.assertEqual(status, 0, said)
             self.published(work, "brightgreen")
             self.assertEqual((work / "seiche.deb").read_text(), "a package\n")
@@ -232,7 +236,7 @@ class Steps(unittest.TestCase):
 
     def test_a_wrong_result_fails_and_is_published(self):
         for steps in (self.github, self.gitlab):
-            status, said, work = steps(case="riemann", data=str(self.folder / "bad.csv"), solver="bad")
+            status, said, work = steps(case="riemann", data=str(self.folder / "bad.csv"), solver="bad", report=True)
             self.assertEqual(status, 1, said)
             self.published(work, "red")
 
@@ -262,7 +266,7 @@ class Steps(unittest.TestCase):
         files = [self.too_deep(0.02 * size, f"{size}.csv") for size in (4, 2, 1)]
         for steps in (self.github, self.gitlab):
             status, said, work = steps(case="riemann", data="\n".join(files), solver="mine", sizes="4,2,1", seconds="1,2,4",
-                                       threads="2")
+                                       threads="2", report=True)
             self.assertIn("h: your order is 1 ", said)
             self.assertIn(status, (0, 1), said)
             record = json.loads((work / "seiche/riemann.mine.json").read_text())
@@ -282,7 +286,7 @@ class Steps(unittest.TestCase):
             status, said, _ = steps(**given, data=good, bless="true")
             self.assertEqual(status, 0, said)
             first = (kept / "riemann.mine.json").read_bytes()
-            status, said, work = steps(**given, data=worse)
+            status, said, work = steps(**given, data=worse, report=True)
             self.assertEqual(status, 1, said)
             self.assertIn("WORSE", said)
             self.assertTrue((work / "seiche/report/index.html").is_file())

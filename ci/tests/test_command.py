@@ -4,6 +4,7 @@ import datetime
 import json
 import os
 import pathlib
+import resource
 import shutil
 import signal
 import subprocess
@@ -66,11 +67,12 @@ class Command(unittest.TestCase):
         names = [case["name"] for case in cases]
         self.assertIn("riemann", names)
         self.assertEqual(len(names), len(set(names)))
+        listed = seiche("list").stdout
         for case in cases:
             self.assertTrue(case["title"] and case["source"] and case["tiers"], case["name"])
             for parameter in case["parameters"]:
                 self.assertTrue(parameter["meaning"] and parameter["unit"] and parameter["range"], case["name"])
-            self.assertIn(case["name"], seiche("list").stdout)
+            self.assertIn(case["name"], listed)
 
     def test_run_writes_a_record_that_fits_the_schema(self):
         result = seiche("run", "riemann", "--set", "particles=40", "--out", self.out)
@@ -300,7 +302,7 @@ class Command(unittest.TestCase):
         self.assertEqual([p.name for p in self.out.glob(".*")], [])
         return resumed.stdout
 
-    SWEEP = ["mach_reflection_curves", "--set", "h=1.2", "--set", "time=500"]
+    SWEEP = ["mach_reflection_curves", "--set", "h=1.2", "--set", "time=250"]
     BREAKER = ["overturning_sph", "--set", "columns=60"]
 
     def test_a_sweep_goes_on_after_the_parts_that_were_finished(self):
@@ -332,9 +334,20 @@ class Command(unittest.TestCase):
         self.assertEqual(same.returncode, 0, same.stdout)
         other = seiche("compare", self.out / "a", self.out / "b")
         self.assertIn("riemann", other.stdout)
+        seiche("run", "moving_bore", "--out", self.out / "b")
         (self.out / "b" / "riemann.json").unlink()
         self.assertEqual(seiche("compare", self.out / "a", self.out / "b").returncode, 1)
-        self.assertEqual(seiche("compare", self.out / "a", self.out / "none").returncode, 2)
+        # Without a record there is nothing that could be worse.
+        (self.out / "empty").mkdir()
+        for name in ("empty", "none"):
+            folder = self.out / name
+            for words in (["report", folder], ["compare", folder], ["compare", folder, "--record"],
+                          ["compare", self.out / "a", folder], ["compare", folder, self.out / "a"]):
+                result = seiche(*words)
+                self.assertEqual((result.returncode, result.stdout), (2, ""), words)
+                self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+                self.assertIn(str(folder), result.stderr)
+            self.assertEqual(list(folder.glob("*")), [])
 
     def test_compare_names_an_error_that_grew_within_its_limit(self):
         seiche("run", "riemann", "--set", "particles=40", "--out", self.out)
@@ -432,6 +445,20 @@ class Command(unittest.TestCase):
         self.assertEqual([line.split(":")[0] for line in listed.splitlines() if not line.startswith(" ")], scores)
         self.assertIn("x [m], h [m], u [m/s]", listed)
         self.assertIn("seiche score thacker --template --table gauges", listed)
+
+    def test_lists_solve_nothing(self):
+        def least(*words):
+            spent = []
+            for _ in range(3):
+                before = resource.getrusage(resource.RUSAGE_CHILDREN)
+                self.assertEqual(seiche(*words).returncode, 0)
+                after = resource.getrusage(resource.RUSAGE_CHILDREN)
+                spent.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+            return min(spent)
+
+        plain = least("list")
+        for words in (["list", "--scores"], ["score", "riemann", "--template"], ["--help"]):
+            self.assertLess(least(*words), 2 * plain, words)
 
     def test_a_python_without_h5py_is_named(self):
         self.assertEqual(seiche("run", "riemann", "--out", self.out).returncode, 0)

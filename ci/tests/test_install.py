@@ -15,6 +15,7 @@ PYTHON = os.environ["PYTHON"]
 SCRATCH = pathlib.Path(tempfile.mkdtemp(prefix="seiche-test-"))
 FIRST_PREFIX = SCRATCH / "first"
 PREFIX = SCRATCH / "moved"
+LIBRARY = SCRATCH / "library"  # the component development alone
 
 
 def setUpModule():
@@ -23,6 +24,9 @@ def setUpModule():
     subprocess.run(["cmake", "--install", BUILD, "--prefix", FIRST_PREFIX], check=True, stdout=subprocess.DEVNULL,
                    umask=0o022)
     FIRST_PREFIX.rename(PREFIX)
+    for component in ("development", "distributed"):
+        subprocess.run(["cmake", "--install", BUILD, "--prefix", LIBRARY, "--component", component], check=True,
+                       stdout=subprocess.DEVNULL, umask=0o022)
 
 
 def files():
@@ -84,6 +88,15 @@ class Files(unittest.TestCase):
             for folder in (SOURCE, BUILD, FIRST_PREFIX):
                 self.assertNotIn(bytes(folder), content, path)
 
+    def test_an_install_is_whole_or_does_not_begin(self):
+        """Of a build without the manual, which is one of the last things copied, nothing is installed."""
+        script, prefix = SCRATCH / "cmake_install.cmake", SCRATCH / "not begun"
+        script.write_text((BUILD / "cmake_install.cmake").read_text().replace("/manual/seiche.1", "/manual/none.1"))
+        result = subprocess.run(["cmake", f"-DCMAKE_INSTALL_PREFIX={prefix}", "-P", script], capture_output=True, text=True)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertIn("none.1.gz is not built", " ".join(result.stderr.split()))
+        self.assertFalse(prefix.exists())
+
     def test_nothing_of_the_tests_is_installed(self):
         for path in files():
             self.assertFalse({"tests", "__pycache__"} & set(path.relative_to(PREFIX).parts), path)
@@ -132,10 +145,10 @@ class Manual(InstalledTest):
 
 
 class FindPackage(InstalledTest):
-    """Projects of users, with the checkout out of sight. More of them: ci.find_package.*"""
+    """Projects of users, with the checkout out of sight. More of them: ci.front_door"""
 
     def build(self, source, *options):
-        configured = self.somebody.run("cmake", "-S", source, "-B", "build", f"-DCMAKE_PREFIX_PATH={PREFIX}", *options,
+        configured = self.somebody.run("cmake", "-S", source, "-B", "build", f"-DCMAKE_PREFIX_PATH={LIBRARY}", *options,
                                        CXXFLAGS=cache("SEICHE_OUTSIDERS_FLAGS"))
         if configured.returncode != 0:
             return configured

@@ -9,16 +9,15 @@ import unittest
 import h5py
 import numpy as np
 
-from submitting import SEICHE, SOURCE, Scoring, rows_of, seiche
+from submitting import SEICHE, SOURCE, Scoring, printed, rows_of, seiche
 
 
 class Score(Scoring):
     def riemann(self):
         """x, h, u of the exact solution of the case's standard problem."""
-        _, rows = rows_of(seiche("score", "riemann", "--template").stdout)
+        _, rows = rows_of(printed("score", "riemann", "--template"))
         points = [word for row in rows for word in ("--at", f"x={row[0]},t=6")]
-        names, values = rows_of(seiche("exact", "riemann", "--set", "jump=20", "--set", "right_depth=0.1",
-                                       *points).stdout)
+        names, values = rows_of(printed("exact", "riemann", "--set", "jump=20", "--set", "right_depth=0.1", *points))
         names = [name.split("[")[0].strip() for name in names]
         columns = {name: np.array([float(row[k]) for row in values]) for k, name in enumerate(names)}
         depth = columns.get("h", columns.get("depth"))

@@ -5,15 +5,15 @@ import unittest
 
 import numpy as np
 
-from submitting import Scoring, seiche
+from submitting import Scoring, printed, seiche
 
 
 class Sines(Scoring):
     def wave(self, error=0.0, name="mine.csv"):
         """The standing wave's elevation at the wall, by theory, too high by a share; and its frequency."""
-        template = seiche("score", "standing_wave", "--template", "--table", "wall").stdout
+        template = printed("score", "standing_wave", "--template", "--table", "wall")
         command = next(line for line in template.splitlines() if "the reference: seiche " in line)
-        exact = seiche(*command.split("the reference: seiche ")[1].split()).stdout
+        exact = printed(*command.split("the reference: seiche ")[1].split())
         rows = [line.split(",") for line in exact.splitlines() if line and not line.startswith("#")]
         names = [entry.split(" ")[0] for entry in rows[0]]
         t, eta = (np.array([float(row[names.index(column)]) for row in rows[1:]]) for column in ("t", "eta"))

@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 
-from submitting import SOURCE, Scoring, rows_of, seiche
+from submitting import SOURCE, Scoring, printed, rows_of, seiche
 
 WRITTEN = SOURCE / "ci/tests/solver_output"  # by real solvers, see its README.md
 
@@ -20,9 +20,9 @@ class SolverFiles(Scoring):
 
     def wave(self):
         """t and eta of the case with a single gauge."""
-        template = seiche("score", "wavemaker_start", "--template").stdout
+        template = printed("score", "wavemaker_start", "--template")
         command = next(line for line in template.splitlines() if "the reference: seiche " in line)
-        names, rows = rows_of(seiche(*command.split("the reference: seiche ")[1].split()).stdout)
+        names, rows = rows_of(printed(*command.split("the reference: seiche ")[1].split()))
         values = np.array([[float(word) for word in row] for row in rows])
         columns = {name.split("[")[0].strip(): values[:, k] for k, name in enumerate(names)}
         return columns["t"], columns["eta"]

@@ -4,12 +4,12 @@ import unittest
 
 import numpy as np
 
-from submitting import SOURCE, Scoring, rows_of, seiche
+from submitting import SOURCE, Scoring, printed, rows_of, seiche
 
 
 def exact(name, *words):
     """Columns of an exact solution, by name without unit."""
-    names, rows = rows_of(seiche("exact", name, *words).stdout)
+    names, rows = rows_of(printed("exact", name, *words))
     values = np.array([[float(word) for word in row] for row in rows])
     return {name.split("[")[0].strip(): values[:, k] for k, name in enumerate(names)}
 
@@ -96,7 +96,7 @@ class Standing(Scoring):
 
     def wave(self, depth=1.0, gravity=9.81, amplitude=0.05):
         words = ("--set", f"depth={depth},gravity={gravity},amplitude={amplitude}")
-        times, _ = rows_of(seiche("score", "standing_wave", "--template", "--table", "wall").stdout)[::-1]
+        times, _ = rows_of(printed("score", "standing_wave", "--template", "--table", "wall"))[::-1]
         end = float(times[-1][0])
         wall = exact("standing", *words, "--grid", f"x=0,t=0:{end}:{len(times)}")
         return {"t": wall["t"], "eta": wall["eta"]}, exact("standing", *words, "--integrals")["omega"][0]

@@ -137,7 +137,7 @@ Summary read_summary(const std::filesystem::path& json_file, Reading reading) {
 
 std::vector<Summary> read_summaries(const std::filesystem::path& directory, Reading reading) {
   if (!std::filesystem::is_directory(directory)) {
-    throw std::runtime_error(fmt::format("{} is not a folder", directory.string()));
+    throw std::invalid_argument(fmt::format("{} is not a folder", directory.string()));
   }
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(directory)) {

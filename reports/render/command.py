@@ -13,8 +13,8 @@ def main(arguments=None):
     options = _options(arguments)
     evidence = pathlib.Path(options.evidence)
     out = pathlib.Path(options.out or evidence / "report")
-    if not evidence.is_dir():
-        return _refuse(f"evidence directory {evidence} does not exist")
+    if not any(evidence.glob("*.json")):
+        return _refuse(f"folder {evidence} holds no record: 'seiche run --tier quick --out {evidence}' makes them")
     if out.exists() and not out.is_dir():
         return _refuse(f"--out {out} is a file; give a directory")
     if out.is_dir() and any(out.iterdir()) and not (out / MARKER).exists():

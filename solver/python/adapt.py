@@ -5,7 +5,7 @@
     python3 -m seiche.adapt gauge   run.nc --field eta --at x=2.5 > gauge.csv
 
 Read are: VTK, VTU, VTP and PVD (python3-vtk9; or meshio, without times), netCDF (xarray), MATLAB's .mat (scipy), the
-particles of PySPH (.hdf5, .npz), OpenFOAM's sampled sets (.xy) and surfaces (.raw), and the folders of their times,
+particles of PySPH (.hdf5), OpenFOAM's sampled sets (.xy) and surfaces (.raw), and the folders of their times,
 Gerris' OutputLocation, and CSV with columns t and x. A time is the file's own, or its folder's name; `--step 0.01`
 counts the files instead.
 
@@ -142,15 +142,13 @@ def read_matlab(path):
 
 def read_particles(path):
     if path.suffix == ".npz":
-        data = np.load(path, allow_pickle=True)
-        time = data["solver_data"].item()["t"]
-        fields = data["particles"].item()["fluid"]["arrays"]
-    else:
-        with package("h5py", "python3-h5py").File(path) as file:
-            if "particles/fluid/arrays" not in file:
-                raise Unusable(f"{path}: no particles/fluid/arrays: is not of PySPH, or its fluid has another name")
-            time = float(file["solver_data"].attrs["t"])
-            fields = {name: values[:] for name, values in file["particles/fluid/arrays"].items()}
+        raise Unusable(f"{path}: PySPH's .npz hold pickled objects, which run commands of whoever wrote them when they are "
+                       "read: with h5py installed PySPH writes .hdf5")
+    with package("h5py", "python3-h5py").File(path) as file:
+        if "particles/fluid/arrays" not in file:
+            raise Unusable(f"{path}: no particles/fluid/arrays: is not of PySPH, or its fluid has another name")
+        time = float(file["solver_data"].attrs["t"])
+        fields = {name: values[:] for name, values in file["particles/fluid/arrays"].items()}
     flat = {name: values for name, values in fields.items() if np.ndim(values) == 1}
     yield Snapshot(float(time), flat["x"], flat["y"], flat)
 
@@ -333,10 +331,11 @@ def main(words=None):
     options = parser.parse_args(words)
     try:
         header, rows = rows_for(options, read(options.paths, options.step))
-    except (Unusable, OSError, ValueError) as wrong:
-        sys.exit(f"seiche.adapt: {wrong}".splitlines()[0])
-    if not rows:
-        sys.exit(f"seiche.adapt: {options.paths[0]}: no {options.what} was found: is --level {options.level:g} met?")
+        if not rows:
+            raise Unusable(f"{options.paths[0]}: no {options.what} was found: is --level {options.level:g} met?")
+    except (Unusable, OSError, ValueError, KeyError) as wrong:
+        print(f"seiche.adapt: {wrong}".splitlines()[0], file=sys.stderr)
+        sys.exit(2)
     writer = csv.writer(sys.stdout, lineterminator="\n")
     writer.writerow(header)
     writer.writerows([f"{value:.10g}" for value in row] for row in rows)

@@ -17,7 +17,6 @@ throws a thick jet near the crest.
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -121,17 +120,22 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
-  const auto wave = std::make_shared<const OverturningWave>(wave_of(values));
+  const Lazy<OverturningWave> wave([values] { return wave_of(values); });
   constexpr std::size_t points = 2001;
   // Surfaces at equal arc length, joined by straight lines.
-  auto surfaces = std::make_shared<std::map<double, OverturningWave::Profile>>();
-  const std::vector<double> instants = instants_of(*wave);
-  for (const double t : instants) surfaces->emplace(t, wave->profile(t, points));
+  const Lazy<std::map<double, OverturningWave::Profile>> surfaces([wave] {
+    std::map<double, OverturningWave::Profile> profiles;
+    for (const double t : instants_of(*wave)) profiles.emplace(t, wave->profile(t, points));
+    return profiles;
+  });
   const std::vector<double> fractions = evenly(0, 1, points);
   const auto along = [surfaces, fractions](std::vector<double> OverturningWave::Profile::*coordinate) {
     return [surfaces, fractions, coordinate](Place p) {
       return linear_at({fractions, surfaces->at(p.group).*coordinate}, p.abscissa);
     };
+  };
+  const std::function<double()> vertical = [wave] {
+    return wave->vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN());
   };
   const std::vector<Requirement> close{
       {.measure = Measure::largest_error,
@@ -141,23 +145,21 @@ std::vector<WantedTable> wanted(const Values& values) {
                                      "default a twentieth, less than the jet grows between the instants asked for"},
        .text = "The surface is that of potential flow.",
        .source = source}};
-  return {
-      {.name = "surface",
-       .kind = WantedTable::Kind::profile,
-       .group = Column{"t", "s", "time"},
-       .abscissa = Column{"s", "1", "arc length from the point that starts at the crest, over the whole"},
-       .quantities = {{.column = {"x", "m", "position"},
-                       .reference = along(&OverturningWave::Profile::x),
-                       .requirements = close},
-                      {.column = {"y", "m", "elevation"},
-                       .reference = along(&OverturningWave::Profile::y),
-                       .requirements = close}},
-       .groups = instants,
-       .points = [](double) { return evenly(0, 1, 201); }},
-      {.name = "numbers",
-       .quantities = {wanted_number({"vertical_time", "s", "when the front is first vertical"},
-                                    wave->vertical_tangent_time().value_or(std::numeric_limits<double>::quiet_NaN()),
-                                    values, "The front is vertical when it is in potential flow.", source)}}};
+  return {{.name = "surface",
+           .kind = WantedTable::Kind::profile,
+           .group = Column{"t", "s", "time"},
+           .abscissa = Column{"s", "1", "arc length from the point that starts at the crest, over the whole"},
+           .quantities = {{.column = {"x", "m", "position"},
+                           .reference = along(&OverturningWave::Profile::x),
+                           .requirements = close},
+                          {.column = {"y", "m", "elevation"},
+                           .reference = along(&OverturningWave::Profile::y),
+                           .requirements = close}},
+           .groups = [wave] { return instants_of(*wave); },
+           .points = [](double) { return evenly(0, 1, 201); }},
+          {.name = "numbers",
+           .quantities = {wanted_number({"vertical_time", "s", "when the front is first vertical"}, vertical, values,
+                                        "The front is vertical when it is in potential flow.", source)}}};
 }
 
 }  // namespace

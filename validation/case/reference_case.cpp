@@ -1,8 +1,6 @@
 #include "validation/case/reference_case.hpp"
 
 #include <limits>
-#include <memory>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -31,6 +29,10 @@ void claim_identities(const Claims<exact::SelfTest>& claims, const exact::SelfTe
   }
 }
 
+evidence::Amount to_be_told() {
+  return evidence::Amount::told_by_run(std::numeric_limits<double>::infinity());
+}
+
 Parameter tolerance_parameter() {
   return real("tolerance", 0.05, "1", {1e-12, 1}, "relative error that still passes a submitted result");
 }
@@ -55,16 +57,10 @@ WantedQuantity wanted_number(const Column& column, double reference, const Value
 
 WantedQuantity wanted_number(const Column& column, std::function<double()> reference, const Values& values,
                              const std::string& text, const std::string& source) {
-  const auto kept = std::make_shared<std::optional<double>>();
   Requirement close = within_tolerance(Measure::value, values, text, source, 1);
-  std::get<evidence::Bound>(close.criterion).expected =
-      evidence::Amount::told_by_run(std::numeric_limits<double>::infinity());
+  std::get<evidence::Bound>(close.criterion).expected = to_be_told();
   return {.column = column,
-          .reference =
-              [kept, reference = std::move(reference)](Place) {
-                if (!*kept) *kept = reference();
-                return **kept;
-              },
+          .reference = [kept = Lazy<double>(std::move(reference))](Place) { return *kept; },
           .requirements = {close}};
 }
 

@@ -18,6 +18,9 @@ namespace seiche::validation {
 void claim_identities(const Claims<exact::SelfTest>& claims, const exact::SelfTest& declared,
                       const std::string& source);
 
+/// What is expected of a number whose reference is computed when it is first asked for.
+evidence::Amount to_be_told();
+
 /// "tolerance": the relative error that still passes a submitted result.
 Parameter tolerance_parameter();
 

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "reports/evidence/record.hpp"
+#include "validation/case/lazy.hpp"
 #include "validation/case/measure.hpp"
 #include "validation/case/parameter.hpp"
 
@@ -66,13 +67,13 @@ struct WantedTable {
   std::optional<Column> group = {};     ///< the column that tells several profiles or gauges apart
   std::optional<Column> abscissa = {};  ///< not for scalars
   std::vector<WantedQuantity> quantities;
-  std::vector<double> groups = {};  ///< those that are required, where there is a group column
+  Lazy<std::vector<double>> groups = {};  ///< those that are required, where there is a group column
   /// The reference points of a group, strictly increasing: where the measures are taken and a template asks for values.
   std::function<std::vector<double>(double group)> points = {};
   /// Smallest share of the reference points that must lie within the submitted ones. A result at the centres of N cells
   /// leaves half a cell out at either end: 1/N of the points.
   double least_coverage = 0.9;
-  std::vector<std::string> exact = {};                    ///< commands that print the reference; a template shows them
+  Lazy<std::vector<std::string>> exact = {};              ///< commands that print the reference; a template shows them
   double arrival_fraction = 0.1;                          ///< see Arrival in validation/instruments/agreement.hpp
   evidence::Role reference_role = evidence::Role::exact;  ///< Role::data where it was measured
 };

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -19,10 +20,8 @@ using validation::degraded;
 using validation::error_of;
 
 std::vector<Summary> records_in(const std::string& directory) {
-  if (!std::filesystem::is_directory(directory)) {
-    throw std::invalid_argument(fmt::format("compare: folder {} does not exist", directory));
-  }
   std::vector<Summary> records = evidence::read_summaries(directory, evidence::Reading::all_files);
+  if (records.empty()) throw std::invalid_argument(fmt::format("compare: folder {} holds no record", directory));
   const auto unsealed = std::count_if(records.begin(), records.end(), [](const Summary& s) { return !s.sealed; });
   if (unsealed > 0) {
     complain(fmt::format("{}: {} of {} records carry no digest: a change after they were written would not be seen",

@@ -24,6 +24,9 @@ std::vector<Summary> records_of(Tier tier, const std::string& directory) {
     if (one.tier == name(tier) && one.solver == "seiche" && one.group != "distributed")
       chosen.push_back(std::move(one));
   }
+  if (chosen.empty()) {
+    throw std::invalid_argument(fmt::format("folder {} holds no record of tier {}", directory, name(tier)));
+  }
   return chosen;
 }
 

@@ -34,11 +34,6 @@ std::string scorable() {
 }  // namespace
 
 int report(const ReportOptions& options) {
-  if (!std::filesystem::is_directory(options.evidence)) {
-    throw std::invalid_argument(
-        fmt::format("report: folder {} does not exist: 'seiche run --tier quick --out {}' makes it", options.evidence,
-                    options.evidence));
-  }
   const std::string out =
       options.out.empty() ? (std::filesystem::path(options.evidence) / "report").string() : options.out;
   std::vector<std::string> words{python(),

@@ -142,10 +142,13 @@ std::vector<WantedTable> wanted(const Experiment& experiment, const Values& valu
                       .reference_role = evidence::Role::data};
     if (!scalar) table.points = [find](double group) { return find(group).x; };
     if (part.group) {
-      for (const Measured& curve : *curves) table.groups.push_back(curve.group);
+      std::vector<double> groups;
+      for (const Measured& curve : *curves) groups.push_back(curve.group);
+      table.groups = groups;
     }
-    table.exact.push_back(fmt::format("reference_data/{}/table.csv", part.table));
-    for (const std::string& file : experiment.files) table.exact.push_back("reference_data/" + file);
+    std::vector<std::string> files{fmt::format("reference_data/{}/table.csv", part.table)};
+    for (const std::string& file : experiment.files) files.push_back("reference_data/" + file);
+    table.exact = files;
     tables.push_back(std::move(table));
   }
   return tables;

@@ -167,13 +167,17 @@ std::vector<WantedTable> wanted(const Values& values) {
                       .reference = [=](Place p) { return wave.velocity(from_crest(p.group), p.abscissa).v; },
                       .requirements = {close}}},
       .points = [=](double x) { return heights(wave, from_crest(x)); }};
+  std::vector<double> places;
+  std::vector<std::string> exact;
   for (const double section : wave.sections) {
     const double x = place(section);
     const std::vector<double> y = heights(wave, section);
-    table.groups.push_back(x);
-    table.exact.push_back(fmt::format("{} --grid x={:.17g},y={:.17g}:{:.17g}:{},t={:.17g}", wave.command, x, y.front(),
-                                      y.back(), y.size(), time));
+    places.push_back(x);
+    exact.push_back(fmt::format("{} --grid x={:.17g},y={:.17g}:{:.17g}:{},t={:.17g}", wave.command, x, y.front(),
+                                y.back(), y.size(), time));
   }
+  table.groups = places;
+  table.exact = exact;
   return {table};
 }
 

@@ -49,7 +49,7 @@ double size_of(const Points& reference) {
 std::optional<Finding> neighbour(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group,
                                  Curve submitted, double before) {
   std::optional<Finding> found;
-  for (const double other : table.groups) {
+  for (const double other : *table.groups) {
     if (other == group.value) continue;
     const double left = misfit(submitted, reference_of(table, quantity, other).curve()) / before;
     if (!(left < (found ? found->left : explained_below))) continue;

@@ -129,7 +129,7 @@ class QuantityScore {
   [[nodiscard]] double value(Measure measure) const { return measures_.at(measure).value; }
 
   [[nodiscard]] std::string suffix() const {
-    return table_.group && table_.groups.size() > 1 ? fmt::format("_{}_{:g}", table_.group->name, group_.value) : "";
+    return table_.group && table_.groups->size() > 1 ? fmt::format("_{}_{:g}", table_.group->name, group_.value) : "";
   }
 
   /// Standard uncertainty stated of a column, with what a relative one refers to.

@@ -41,8 +41,8 @@ class Reader {
       return result;
     }
     const std::vector<double>& given = values(*wanted_.group);
-    const double scale = worst(wanted_.groups);
-    for (const double g : wanted_.groups) {
+    const double scale = worst(*wanted_.groups);
+    for (const double g : *wanted_.groups) {
       const auto belongs = [&](std::size_t row) { return std::abs(given[row] - g) <= 1e-6 * scale; };
       result.push_back(group(g, belongs));
     }
@@ -180,10 +180,10 @@ std::string template_of(const WantedTable& wanted, const std::string& opening) {
     text += fmt::format("# {}: {} [{}]\n", column.name, column.meaning, column.unit);
     header.push_back(fmt::format("{} [{}]", column.name, column.unit));
   }
-  for (const std::string& command : wanted.exact) text += fmt::format("# the reference: {}\n", command);
+  for (const std::string& command : *wanted.exact) text += fmt::format("# the reference: {}\n", command);
   text += fmt::format("{}\n", fmt::join(header, ","));
   const std::string blanks(wanted.quantities.size() - (wanted.abscissa ? 0 : 1), ',');
-  for (const double g : wanted.group ? wanted.groups : std::vector<double>{0}) {
+  for (const double g : wanted.group ? *wanted.groups : std::vector<double>{0}) {
     const std::string group = wanted.group ? fmt::format("{:.17g}{}", g, wanted.abscissa ? "," : "") : "";
     if (!wanted.abscissa) {
       text += fmt::format("{}{}{}\n", group, wanted.group ? "," : "", blanks);

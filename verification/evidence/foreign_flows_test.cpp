@@ -79,7 +79,7 @@ Answer state_at(const std::function<shallow_water::State(double)>& state) {
 Submitted submitted(const std::vector<WantedTable>& wanted, const Answer& answer, int finer = 1) {
   Submitted all;
   for (const WantedTable& table : wanted) {
-    for (const double value : table.group ? table.groups : std::vector<double>{0}) {
+    for (const double value : table.group ? *table.groups : std::vector<double>{0}) {
       SubmittedGroup group{.value = value};
       if (table.kind == WantedTable::Kind::scalars) {
         for (std::size_t q = 0; q < table.quantities.size(); ++q)
@@ -143,8 +143,8 @@ double mirrored(const WantedTable& table, std::size_t quantity, Place place) {
 /// Every curve but the last is that of the next group.
 double of_the_next(const WantedTable& table, std::size_t quantity, Place place) {
   if (table.kind == WantedTable::Kind::scalars) return right(table, quantity, place);
-  const auto here = std::find(table.groups.begin(), table.groups.end(), place.group);
-  if (here + 1 == table.groups.end()) return right(table, quantity, place);
+  const auto here = std::find(table.groups->begin(), table.groups->end(), place.group);
+  if (here + 1 == table.groups->end()) return right(table, quantity, place);
   const std::vector<double> points = table.points(here[1]);
   return right(table, quantity, {here[1], std::clamp(place.abscissa, points.front(), points.back())});
 }

@@ -58,7 +58,7 @@ Scored scored(const std::string& name, const std::function<void(Submitted&)>& ch
     const WantedQuantity& quantity = table.quantities.front();
     facts.uncertainty[quantity.column.name] = {};
     if (table.abscissa) facts.uncertainty[table.abscissa->name] = {};
-    for (const double group : table.groups.empty() ? std::vector<double>{0} : table.groups) {
+    for (const double group : table.groups->empty() ? std::vector<double>{0} : *table.groups) {
       SubmittedGroup record{.value = group, .abscissa = table.points(group), .values = {}};
       for (const double x : record.abscissa) {
         record.values[quantity.column.name].push_back(quantity.reference({group, x}));

@@ -18,7 +18,7 @@ using namespace seiche::validation;
 Submitted submission(const std::vector<WantedTable>& wanted, double factor) {
   Submitted submitted;
   for (const WantedTable& table : wanted) {
-    for (const double group : table.groups.empty() ? std::vector<double>{0} : table.groups) {
+    for (const double group : table.groups->empty() ? std::vector<double>{0} : *table.groups) {
       SubmittedGroup one{.value = group, .abscissa = {}, .values = {}};
       if (table.points) one.abscissa = table.points(group);
       for (const WantedQuantity& quantity : table.quantities) {

@@ -423,10 +423,6 @@ class Report(unittest.TestCase):
         self.assertFalse((out / "cases/nulls.html").exists())
         self.assertEqual([path.name for path in self.folder.iterdir() if path.name.startswith(".")], [])
 
-    def test_no_evidence_still_makes_a_report(self):
-        (self.folder / "empty").mkdir()
-        self.assertEqual(render(self.folder / "empty", self.folder / "empty_report")[0], 0)
-
     def test_what_is_not_a_report_is_never_replaced(self):
         precious = self.folder / "precious"
         precious.mkdir()
@@ -436,10 +432,13 @@ class Report(unittest.TestCase):
         self.assertIn("not a report", said)
         self.assertTrue((precious / "thesis.tex").exists())
 
-    def test_missing_evidence_is_named(self):
-        status, said = render(self.folder / "nowhere", self.folder / "x")
-        self.assertEqual(status, 2)
-        self.assertIn("nowhere", said)
+    def test_a_folder_without_records_is_named(self):
+        (self.folder / "empty").mkdir()
+        for name in ("empty", "nowhere"):
+            status, said = render(self.folder / name, self.folder / "x")
+            self.assertEqual((status, len(said.splitlines())), (2, 1), said)
+            self.assertIn(str(self.folder / name), said)
+            self.assertFalse((self.folder / "x").exists())
 
     def test_missing_browser_is_named(self):
         before = os.environ["PATH"]

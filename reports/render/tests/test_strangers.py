@@ -10,6 +10,7 @@ import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from test_report import figure, record, render  # noqa: E402
@@ -131,7 +132,8 @@ class Strangers(unittest.TestCase):
         self.write("ticks", record("ticks", article=" ".join("`" * n for n in range(1, 300))))
         self.write("surrogate", record("surrogate", article="half a pair: \ud800"))
         (self.evidence / "deep.json").write_text("[" * 200000)
-        page = self.report()
+        with unittest.mock.patch("render.text.LONGEST", 0.5):
+            page = self.report()
         for name in ("surrogate.json", "deep.json"):
             self.assertIn(name, page)
         for name in ("brackets", "ticks"):

@@ -1,6 +1,8 @@
-"""Every command that the READMEs show is run as it stands there, in its order, in a copy of the place it speaks of.
+"""Every command that the READMEs show is run as it stands there, in its order, by a newcomer: in a copy of the files
+that git knows, beside the finished build, with nothing in the environment that the text does not put there.
 
 What is not run is named in NOT_RUN with the reason; nothing else is left out, and nothing is named that is not there.
+ci/checks/time-build runs this after a cold ci/report alone.
 """
 
 import csv
@@ -22,7 +24,7 @@ DOCUMENTS = [path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md",
                                *sorted(SOURCE.glob("examples/*/README.md"))] if path.exists()]
 
 DOCS = "ctest ci.docs runs it"
-WHOLE_BUILD = "sets up and builds everything; CI runs it (.ci/run, .github/workflows)"
+WHOLE_BUILD = "sets up and builds everything; ci/checks/time-build and CI run it (.ci/run, .github/workflows)"
 LONG = "a tier of an hour or more"
 DEFECTS = "builds first; ctest ci.defects does the same"
 PETSC = "needs PETSc and MPI"
@@ -46,7 +48,6 @@ NOT_RUN = {
         "ctest -L paper": LONG,
         "seiche report DIR --pdf report.pdf": PATTERN,
         "ci/docs": DOCS,
-        "seiche list; man seiche": "needs man; ctest ci.install has both",
         "seiche report": "the name of a subcommand",
         "ci/package": PACKAGES,
         "ci/package --test": PACKAGES,
@@ -98,7 +99,7 @@ NOT_RUN = {
         "ci/checks/solvers": SOLVERS,
     },
     "examples/score_your_solver/README.md": {
-        "./run.sh": "ctest ci.score_walkthrough runs it",
+        "./run.sh": "ctest ci.install runs it",
         "ci/build release": WHOLE_BUILD,
         "seiche score CASE --data coarse.csv --data medium.csv --data fine.csv --sizes 0.1,0.05,0.025 --seconds 2,15,130":
             PATTERN,
@@ -157,6 +158,11 @@ BEFORE = {
     "seiche score riemann --data mine.csv --solver mine --out evidence": fill_in_template,
 }
 
+# What a text says in passing, as somebody does it who follows it.
+PYTHON_LINES = ["python3 -c \"import seiche; print(seiche.exact('solitary', amplitude=0.3, gravity=9.81).scalars)\"",
+                "python3 -m seiche.adapt --help"]
+IN_PASSING = {"README.md": PYTHON_LINES + [f"PYTHONPATH=build/release/python {line}" for line in PYTHON_LINES]}
+
 SHELL_STATE = ("cd ", "export ")
 PROGRAMS = ("seiche", "./seiche", "build/release/seiche", "./run.sh", "cmake", "ctest", "mpirun", "clang-format",
             "sha256sum", "apt")
@@ -207,8 +213,12 @@ def snippets(path):
             yield kind_of(block), block
 
 
+# For systems without manuals: finds a page where man would, beside the folders of programs.
+MAN = '#!/bin/sh\nIFS=:\nfor at in $PATH; do test -f "$at/../share/man/man1/$1.1.gz" && exit; done\nexit 16\n'
+
+
 class Place:
-    """A checkout with its build as the text speaks of them, made of links; what commands write stays in it."""
+    """A clean checkout and its build as the text speaks of them; what commands write stays in it."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -216,20 +226,21 @@ class Place:
         self.directory = self.checkout
         release = self.checkout / "build/release"
         release.mkdir(parents=True)
-        self.link(SOURCE, self.checkout, besides={"build", ".git"})
-        self.link(BUILD, release, besides={"evidence", "Testing"})
+        known = subprocess.run(["git", "-c", "safe.directory=*", "ls-files", "-z"], cwd=SOURCE, check=True,
+                               capture_output=True).stdout
+        subprocess.run(["xargs", "-0", "cp", "--parents", "-t", self.checkout], cwd=SOURCE, check=True, input=known)
+        for entry in BUILD.iterdir():
+            if entry.name not in ("evidence", "Testing"):
+                (release / entry.name).symlink_to(entry)
         for name in ("home", "tmp", "bin"):
             (folder / name).mkdir()
         (folder / "bin/seiche").symlink_to(SEICHE)
         (folder / "bin/python3").symlink_to(sys.executable)
-        self.environment = {**os.environ, "HOME": str(folder / "home"), "PATH": f"{folder}/bin:{os.environ['PATH']}",
-                            "PYTHONPATH": str(release / "python")}
-
-    @staticmethod
-    def link(source, target, besides):
-        for entry in source.iterdir():
-            if entry.name not in besides:
-                (target / entry.name).symlink_to(entry)
+        if not shutil.which("man"):
+            (folder / "bin/man").write_text(MAN)
+            (folder / "bin/man").chmod(0o755)
+        self.environment = {**os.environ, "HOME": str(folder / "home"), "PATH": f"{folder}/bin:{os.environ['PATH']}"}
+        self.environment.pop("PYTHONPATH", None)
 
     def run(self, *words, **options):
         return subprocess.run(words, cwd=self.directory, env=self.environment, capture_output=True, text=True,
@@ -271,7 +282,8 @@ class Readme(unittest.TestCase):
             elif first in not_run:
                 left_out.add(first)
             elif kind == "python":
-                self.succeed(text, self.place.run(sys.executable, "-", input=text))
+                program = f"export PYTHONPATH={self.place.checkout}/build/release/python\npython3 - <<'END'\n{text}\nEND"
+                self.succeed(text, self.place.run("bash", "-c", program))
             elif kind == "c++":
                 self.succeed(text, self.compile(text))
             elif kind == "layout":
@@ -279,6 +291,9 @@ class Readme(unittest.TestCase):
                     self.assertTrue((SOURCE / entry).is_dir(), entry)
             else:
                 self.fail(f"{path}: neither run nor left out:\n{text}")
+        self.place.directory = self.place.checkout
+        for command in IN_PASSING.get(str(path.relative_to(SOURCE)), []):
+            self.succeed(command, self.place.shell(command))
         return left_out
 
     def is_said(self, text):
