@@ -73,6 +73,17 @@ class Scoring(unittest.TestCase):
     def verdicts(self, stem):
         return {claim["id"]: claim["verdict"] for claim in self.record(stem)["claims"]}
 
+    def reference(self, case, table, *words):
+        """What the commands that a template prints give, in the template's columns."""
+        template = seiche("score", case, "--template", "--table", table, *words).stdout
+        commands = [line.split("the reference: seiche ")[1].split() for line in template.splitlines()
+                    if "the reference: seiche " in line]
+        self.assertTrue(commands, template)
+        parts = [rows_of(seiche(*command).stdout) for command in commands]
+        named = [name.split(" ")[0] for name in parts[0][0]]
+        return {name: np.array([float(row[named.index(name)]) for _, rows in parts for row in rows])
+                for name in (wanted.split(" ")[0] for wanted in rows_of(template)[0])}
+
     def table(self, columns, name="mine.csv"):
         """A CSV file of named columns, to the last digit."""
         rows = zip(*(list(map(float, values)) for values in columns.values()))

@@ -1,87 +1,197 @@
 """`seiche score` as somebody with a solver of their own meets it: templates, CSV and HDF5, units, mistakes."""
 
 import json
+import math
 import pathlib
+import re
 import resource
+import shutil
 import time
 import unittest
 
 import h5py
 import numpy as np
 
-from submitting import SEICHE, SOURCE, Scoring, printed, rows_of, seiche
+from sealing import sealed
+from submitting import SEICHE, SOURCE, Scoring, rows_of, seiche
+
+
+def rows(columns):
+    return zip(*(values.tolist() for values in columns.values()))
+
+
+def denser(columns, group):
+    """Points in the midst between those of each group, on the straight lines."""
+    ends = np.ones(len(next(iter(columns.values()))) - 1)
+    if group:
+        ends = np.diff(columns[group]) == 0
+    between = np.flatnonzero(ends) + 1
+    return {name: np.insert(values, between, ((values[1:] + values[:-1]) / 2)[between - 1])
+            for name, values in columns.items()}
+
+
+class Metamorphic(Scoring):
+    """The same result in other words gets the same score; with L times the lengths and T times the times, the same
+    claims.
+
+    Results are the references of several cases, spoilt by per cents, so that no measure is zero and some claims fail.
+    """
+
+    # Table, the column of its groups, words that go with it; and settings for other units with L and T, factors of two:
+    # no number loses a bit by them.
+    CASES = {"riemann": ("profile", None, ["--dx", "1"],
+                         ["left_depth=4,right_depth=0.4,end=200,jump=80,time=12"], 4, 2),
+             "moving_bore": ("profile", None, ["--dx", "0.5"], ["gravity=39.24,time_step=0.04"], 1, 0.5),
+             "standing_wave": ("wall", None, [], [f"amplitude=0.2,depth=4,wavelength={8 * math.pi!r}"], 4, 2),
+             "thacker": ("gauges", "x", ["--uncertainty", "h=1%,t=0.01"], ["radius=4,depth=2,displacement=2"], 4, 2),
+             "wall_run_up_exact": ("numbers", None, [], ["amplitude=1.2,depth=4"], 4, 2)}
+    # What one is told in other words by, and the largest difference that it may make, relative to the number. Points on
+    # the straight lines between others are rounded, each by half of 2^-52, and sums run over twice as many.
+    RELATIONS = {"again": 0, "columns in another order": 0, "rows of several gauges in another order": 0,
+                 "on twice as many points": 1e-13, "HDF5": 0, "HDF5 with the name of CSV": 0,
+                 "HDF5 in groups with other names": 0, "other names": 0, "blanks, and a unit after its name": 0,
+                 "line ends, quotes, signs and a byte order mark": 0, "four equal runs": 0, "beside another solver": 0}
+
+    def result(self, case, *words):
+        columns = self.reference(case, self.CASES[case][0], *words)
+        return {name: values if name in "xyzt" else values * (1.01 + 0.02 * np.cos(np.arange(len(values))))
+                for name, values in columns.items()}
+
+    def told(self, relation, columns, group):
+        """The words by which a result is given in that way."""
+        names, body = list(columns), list(rows(columns))
+        if relation == "columns in another order":
+            return ["--data", self.table({name: columns[name] for name in reversed(names)})]
+        if relation == "rows of several gauges in another order":
+            order = np.lexsort([-columns[group], columns["t"]]) if group else slice(None)
+            return ["--data", self.table({name: values[order] for name, values in columns.items()})]
+        if relation == "on twice as many points":
+            return ["--data", self.table(denser(columns, group) if len(body) > 1 else columns)]
+        if relation.startswith("HDF5"):
+            other = relation.endswith("other names")
+            data = self.hdf5("mine.csv" if relation.endswith("CSV") else "mine.h5", picture=np.zeros((3, 3)),
+                             **{f"run/my_{name}" if other else name: values for name, values in columns.items()})
+            return ["--data", data, *(["--map", ",".join(f"run/my_{name}={name}" for name in names)] if other else [])]
+        if relation == "other names":
+            data = self.table({**{f"my_{name}": values for name, values in columns.items()}, "extra": np.arange(len(body))})
+            return ["--data", data, *(word for name in names for word in ("--map", f"my_{name}={name}"))]
+        if relation.startswith("blanks"):
+            units = {"x": "[m]", "h": "[m]", "eta": "[m]", "t": "[s]", "u": "[m/s]"}
+            return ["--data", self.write(" ".join(f"{name} {units.get(name, '')}" for name in names) + "\n"
+                                         + "".join(" ".join(map(repr, row)) + "\n" for row in body), "mine.txt")]
+        if relation.startswith("line ends"):
+            end = {1: "\n", 2: "\r"}.get(len(names), "\r\n")
+            text = "\ufeff# mine" + end + ",".join(f'"{name}"' for name in names) + end
+            return ["--data", self.write(text + "".join(",".join(f"{value:+}" for value in row) + end for row in body))]
+        if relation == "four equal runs":
+            return [*(word for _ in range(4) for word in ("--data", self.table(columns))), "--repeats", "4"]
+        if relation == "beside another solver":
+            self.score(self.case, "--data", self.table(columns), *self.words, solver="other")
+        return ["--data", self.table(columns)]
+
+    def judged(self, *words):
+        """Numbers of the score by name, and the verdicts."""
+        self.assertIn(self.score(self.case, *words, *self.words).returncode, (0, 1))
+        record = self.record(f"{self.case}.mine")
+        numbers = {name: value for name, value in record["measurements"].items() if not name.startswith("repeats")}
+        for claim in record["claims"]:
+            for key in ("measured", "uncertainty", "expected"):
+                numbers[claim["id"], key, claim["unit"]] = claim[key]
+            numbers[claim["id"], "limit", claim["unit"]] = claim["criterion"]["limit"]
+        return numbers, self.verdicts(f"{self.case}.mine")
+
+    def alike(self, got, expected, allowed):
+        self.assertEqual(got[1], expected[1])
+        self.assertEqual(set(got[0]), set(expected[0]))
+        for name, number in expected[0].items():
+            if number is None or got[0][name] is None:
+                self.assertIs(got[0][name], number, name)
+            else:
+                self.assertLessEqual(abs(got[0][name] - number), allowed * abs(number), f"{name}: {got[0][name]}, not {number}")
+
+    def test_the_same_result_in_other_words_gets_the_same_score(self):
+        for self.case, (table, group, words, settings, length, time) in self.CASES.items():
+            self.words = [*words, "--table", table]
+            columns = self.result(self.case)
+            first = self.judged("--data", self.table(columns))
+            self.assertTrue(all(value for name, value in first[0].items() if "error" in name and "largest" in name))
+            for relation, allowed in self.RELATIONS.items():
+                with self.subTest(self.case, relation=relation):
+                    self.alike(self.judged(*self.told(relation, columns, group)), first, allowed)
+            with self.subTest(self.case, relation="other units"):
+                factors = {"m": length, "s": time, "m/s": length / time, "m^2": length**2, "m^2/s": length**2 / time, "1": 1}
+                self.words = ["--set", *settings, "--table", table]
+                for option, value in zip(words[::2], words[1::2]):
+                    self.words += [option, value if option != "--dx" else repr(float(value) * length)]
+                numbers, verdicts = self.judged("--data", self.table(self.result(self.case, "--set", *settings)))
+                scaled = {name: value and value / factors[name[2]] for name, value in numbers.items()
+                          if isinstance(name, tuple)}
+                self.alike((scaled, verdicts), ({name: first[0][name] for name in scaled}, first[1]), 0)
+
+    def test_comparison_is_of_two_and_of_the_same_records(self):
+        data = {solver: self.table(self.reference("riemann", "profile"), f"{solver}.csv") for solver in "ab"}
+        worse = self.reference("riemann", "profile")
+        data["b"] = self.table({**worse, "h": 1.02 * worse["h"]}, "b.csv")
+        folders = {solver: self.folder / solver for solver in "ab"}
+        for solver, folder in folders.items():
+            seiche("score", "riemann", "--data", data[solver], "--solver", "mine", "--out", folder)
+
+        def compared(before, after):
+            ended = seiche("compare", before, after)
+            return ended.returncode, ended.stdout.splitlines()[1:]
+
+        for folder in folders.values():     # a result and itself
+            self.assertEqual(compared(folder, folder), (0, ["nothing got worse"]))
+        status, there = compared(folders["a"], folders["b"])
+        self.assertEqual((status, compared(folders["b"], folders["a"])[0]), (1, 0))
+        turned = [re.sub(r"(\S+) -> (\S+)$", r"\2 -> \1", re.sub(", worse|, not as declared", "", line)) for line in there]
+        self.assertEqual(compared(folders["b"], folders["a"])[1][:-1], turned[:-1])
+        # Solvers beside each other, whoever came first.
+        for order in ("ab", "ba"):
+            for solver in order:
+                seiche("score", "riemann", "--data", data[solver], "--solver", solver, "--out", self.folder / order)
+        self.assertEqual(*(seiche("compare", self.folder / order).stdout for order in ("ab", "ba")))
+        # Quick and quick beside full: what is the same is not touched by what is new.
+        record = json.loads((folders["a"] / "riemann.mine.json").read_text())
+        both = self.folder / "both"
+        shutil.copytree(folders["a"], both)
+        (both / "riemann@full.mine.json").write_text(sealed({**record, "tier": "full"}))
+        status, lines = compared(folders["a"], both)
+        self.assertEqual((status, [line.split()[:2] for line in lines]), (0, [["riemann@full.mine", "new,"], ["nothing", "got"]]))
+        status, lines = compared(both, folders["a"])
+        self.assertEqual((status, [line.split()[:2] for line in lines]),
+                         (1, [["riemann@full.mine", "no"], ["something", "got"]]))
 
 
 class Score(Scoring):
     def riemann(self):
         """x, h, u of the exact solution of the case's standard problem."""
-        _, rows = rows_of(printed("score", "riemann", "--template"))
-        points = [word for row in rows for word in ("--at", f"x={row[0]},t=6")]
-        names, values = rows_of(printed("exact", "riemann", "--set", "jump=20", "--set", "right_depth=0.1", *points))
-        names = [name.split("[")[0].strip() for name in names]
-        columns = {name: np.array([float(row[k]) for row in values]) for k, name in enumerate(names)}
-        depth = columns.get("h", columns.get("depth"))
-        velocity = columns.get("u", columns.get("velocity"))
-        return columns["x"], depth, velocity
+        return tuple(self.reference("riemann", "profile").values())
 
     # What is taken.
 
-    def test_csv_and_hdf5_of_the_same_numbers_get_the_same_score(self):
+    def test_measures_of_an_exact_result_and_their_record(self):
         x, h, u = self.riemann()
-        csv = self.write("x [m],h [m],u [m/s]\n" + "".join(f"{a!r},{b!r},{c!r}\n" for a, b, c in
-                                                           zip(x.tolist(), h.tolist(), u.tolist())))
-        h5 = self.hdf5(x=x, h=h, u=u, units={"x": "m", "h": "m", "u": "m/s"})
-        self.accepted(self.score("riemann", "--data", csv, solver="csv"))
-        self.accepted(self.score("riemann", "--data", h5, solver="hdf5"))
-        first, second = self.record("riemann.csv"), self.record("riemann.hdf5")
-        self.assertEqual(first["measurements"], second["measurements"])
+        self.accepted(self.score("riemann", "--data", self.hdf5(x=x, h=h, u=u, units={"x": "m", "h": "m", "u": "m/s"})))
+        record = self.record("riemann.mine")
         for name in ["h_relative_l1", "h_relative_l2", "h_relative_linf", "h_shift", "h_amplitude_ratio", "h_skill",
                      "h_coverage", "u_relative_l2", "front_position"]:
-            self.assertIn(name, first["measurements"])
-        self.assertLess(first["measurements"]["h_relative_linf"], 1e-12)
-        self.assertAlmostEqual(first["measurements"]["h_skill"], 1, 12)
+            self.assertIn(name, record["measurements"])
+        self.assertLess(record["measurements"]["h_relative_linf"], 1e-12)
+        self.assertAlmostEqual(record["measurements"]["h_skill"], 1, 12)
         import jsonschema
 
-        jsonschema.validate(first, json.loads((SOURCE / "reports/schema/record.schema.json").read_text()))
-
-    def test_content_decides_not_the_name(self):
-        x, h, u = self.riemann()
-        self.accepted(self.score("riemann", "--data", self.hdf5(name="mine.csv", x=x, h=h, u=u)))
-
-    def test_blanks_part_a_unit_from_its_name_as_well(self):
-        x, h, u = self.riemann()
-        data = self.write("x [m] h [m] u [m/s]\n" + "".join(f"{a} {b} {c}\n" for a, b, c in zip(x, h, u)), "blanks.txt")
-        self.accepted(self.score("riemann", "--data", data))
-        template = seiche("score", "wall_run_up_exact", "--template").stdout
-        _, [[run_up, *_]] = rows_of(seiche("exact", "wall_runup", "--set", "amplitude=0.3,depth=1").stdout)
-        self.accepted(self.score("wall_run_up_exact", "--data", self.write(f"{template}{run_up}\n", "one.csv")))
+        jsonschema.validate(record, json.loads((SOURCE / "reports/schema/record.schema.json").read_text()))
 
     def test_a_unit_without_the_name_of_its_column_is_refused(self):
         data = self.write("[m]\n0.66\n", "unit.csv")
         self.refused(self.score("wall_run_up_exact", "--data", data), "[m]", "without the name")
-
-    def test_columns_may_have_other_names(self):
-        x, h, u = self.riemann()
-        data = self.write("pos,depth,velocity,extra\n" + "".join(f"{a},{b},{c},7\n" for a, b, c in zip(x, h, u)))
-        self.accepted(self.score("riemann", "--data", data, "--map", "pos=x,depth=h", "--map", "velocity=u"))
-        nested = self.folder / "nested.h5"
-        with h5py.File(nested, "w") as file:
-            file["run/x"], file["run/depth"], file["run/u"] = x, h, u
-            file["picture"] = np.zeros((3, 3))
-        self.accepted(self.score("riemann", "--data", nested, "--map", "run/x=x,run/depth=h,run/u=u"))
 
     def test_several_parameters_in_one_option(self):
         template = seiche("score", "riemann", "--template", "--set", "particles=7,start=-1,time=1", "--set", "end=30").stdout
         _, rows = rows_of(template)
         self.assertEqual(len(rows), 7)
         self.assertAlmostEqual(float(rows[0][0]), -1 + 31 / 14)
-
-    def test_other_line_ends_quotes_and_byte_order_mark(self):
-        x, h, u = self.riemann()
-        for end in ("\n", "\r\n", "\r"):
-            text = "\ufeff# mine" + end + '"x [m]","h [m]","u [m/s]"' + end
-            text += "".join(f"{a},{b},+{c}{end}" for a, b, c in zip(x, h, np.abs(u)))
-            self.accepted(self.score("riemann", "--data", self.write(text)))
 
     def test_a_result_on_other_points_is_interpolated_and_nothing_is_extrapolated(self):
         x, h, u = self.riemann()

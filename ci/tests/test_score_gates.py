@@ -5,19 +5,14 @@ import unittest
 
 import numpy as np
 
-from submitting import Scoring, printed, seiche
+from submitting import Scoring, seiche
 
 
 class Sines(Scoring):
     def wave(self, error=0.0, name="mine.csv"):
-        """The standing wave's elevation at the wall, by theory, too high by a share; and its frequency."""
-        template = printed("score", "standing_wave", "--template", "--table", "wall")
-        command = next(line for line in template.splitlines() if "the reference: seiche " in line)
-        exact = printed(*command.split("the reference: seiche ")[1].split())
-        rows = [line.split(",") for line in exact.splitlines() if line and not line.startswith("#")]
-        names = [entry.split(" ")[0] for entry in rows[0]]
-        t, eta = (np.array([float(row[names.index(column)]) for row in rows[1:]]) for column in ("t", "eta"))
-        return self.table({"t": t, "eta": (1 + error) * eta}, name)
+        """The standing wave's elevation at the wall, by theory, too high by a share."""
+        wave = self.reference("standing_wave", "wall")
+        return self.table({"t": wave["t"], "eta": (1 + error) * wave["eta"]}, name)
 
     def judged(self, *words, status=0):
         scored = self.score("standing_wave", *words, "--table", "wall")
@@ -93,6 +88,8 @@ class Histories(Sines):
         kept = self.table({"t": t, "volume": 3 + 0 * t, "energy": 2 - 0.001 * t}, "kept.csv")
         self.judged("--data", self.wave(), "--data", kept)
         self.assertEqual(self.verdicts("standing_wave.mine")["conserved-energy"], "pass")
+        rest = self.table({"t": t, "volume": 1000 * (3 + 0 * t), "momentum": 0 * t}, "rest.csv")
+        self.judged("--data", self.wave(), "--data", rest)      # in litres, and from rest between walls
         lost = self.table({"t": t, "volume": 3 - 0.001 * t}, "lost.csv")
         said = self.judged("--data", self.wave(), "--data", lost, status=1)
         self.assertEqual(self.verdicts("standing_wave.mine")["conserved-volume"], "fail")
@@ -126,6 +123,28 @@ class Baselines(Sines):
         self.assertIn("nothing got worse", self.kept(0.2))   # a failure that is known
         self.assertIn("unexpected pass", self.kept(0.01))
         self.assertTrue((self.folder / "kept/standing_wave.mine.h5").is_file())
+
+    def test_what_is_no_baseline_is_refused_before_anything_is_written(self):
+        self.kept(0.01, "--bless")
+        words = ("standing_wave", "--data", self.wave(0.03), "--table", "wall")
+        before = {path: path.read_bytes() for folder in (self.out, self.folder / "kept") for path in folder.iterdir()}
+        for kept, settings, said in [(self.out, (), "is --out"), (f"{self.out}/../evidence/", ("--bless",), "is --out"),
+                                     (self.folder / "kept", ("--set", "depth=1.5"), "depth = 1, not 1.5")]:
+            with self.subTest(said, settings=settings):
+                result = self.score(*words, "--baseline", kept, *settings)
+                self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+                self.assertIn(said, result.stderr)
+        record = self.folder / "kept/standing_wave.mine.json"
+        record.write_text(record.read_text().replace('"solver": "mine"', '"solver": "mimd"'))
+        self.assertEqual(self.score(*words, "--baseline", self.folder / "kept").returncode, 2)
+        record.write_bytes(before[record])
+        self.assertEqual({path: path.read_bytes() for path in before}, before)
+
+    def test_a_foreign_file_beside_the_records_takes_no_verdict(self):
+        self.out.mkdir()
+        (self.out / "package.json").write_text('{"name": "somebody"}')
+        self.assertIn("every claim is met", self.judged("--data", self.wave()))
+        self.assertIn("broken.package", (self.out / "junit.xml").read_text())
 
     def test_bless_without_baseline_is_refused(self):
         self.refused(self.score("standing_wave", "--data", self.wave(), "--bless"), "--baseline")

@@ -62,7 +62,7 @@ void set_totals(pugi::xml_node node, const Totals& totals) {
   set(node, "time", seconds(totals.time));
 }
 
-/// A test case of a suite. The suite's name qualifies it: claims of several solvers of one case share their ids.
+/// A test case of a suite. The suite's name qualifies it: claims of several records of one case share their ids.
 pugi::xml_node add_case(pugi::xml_node suite, const std::string& id, double time) {
   pugi::xml_node test = suite.append_child("testcase");
   set(test, "classname", suite.attribute("name").value());
@@ -116,8 +116,7 @@ void add_claim(pugi::xml_node suite, const Summary::Outcome& claim, Totals& tota
 
 Totals add_suite(pugi::xml_node root, const Summary& record) {
   pugi::xml_node suite = root.append_child("testsuite");
-  set(suite, "name",
-      fmt::format("{}.{}{}", record.group, record.name, record.solver == "seiche" ? "" : "." + record.solver));
+  set(suite, "name", record.group + "." + record.stem());
   set(suite, "timestamp", record.date.substr(0, std::string_view("2026-01-02T03:04:05").size()));
   add_properties(suite, {{"wall_time", fmt::format("{}", record.wall_time)},
                          {"kind", record.kind},
@@ -135,6 +134,20 @@ Totals add_suite(pugi::xml_node root, const Summary& record) {
   return totals;
 }
 
+Summary summary_or_error(const std::filesystem::path& file) {
+  try {
+    return read_summary(file);
+  } catch (const std::runtime_error& no_record) {
+    Summary broken;
+    broken.group = "broken";
+    broken.name = file.stem().string();
+    broken.tier = "quick";
+    broken.solver = "seiche";
+    broken.error = no_record.what();
+    return broken;
+  }
+}
+
 }  // namespace
 
 void write_junit(const std::filesystem::path& directory) {
@@ -143,7 +156,7 @@ void write_junit(const std::filesystem::path& directory) {
   pugi::xml_node root = document.append_child("testsuites");
   set(root, "name", "seiche");
   Totals totals;
-  for (const Summary& record : read_summaries(directory)) totals += add_suite(root, record);
+  for (const std::filesystem::path& file : record_files(directory)) totals += add_suite(root, summary_or_error(file));
   set_totals(root, totals);
   std::ostringstream text;
   document.save(text, "  ");

@@ -98,7 +98,8 @@ bool Record::as_declared() const {
          std::all_of(claims_.begin(), claims_.end(), [](const JudgedClaim& c) { return c.as_declared(); });
 }
 
-std::string Record::stem() const {
+std::string stem_of(const std::string& name, const std::string& set, const std::string& tier,
+                    const std::string& solver) {
   return name +
          (!set.empty()      ? "@" + set
           : tier == "quick" ? ""

@@ -19,6 +19,12 @@ namespace seiche::evidence {
 
 using Scalar = std::variant<double, long, bool, std::string>;
 
+/// The name without extension of a record's files: the case's name, the published set ("bore@bzz-fig-6") or else the
+/// tier where it is not the quick one ("bore@full"), and the solver's where it is not ours ("bore.mine"). What one of
+/// them found does not overwrite what another did.
+std::string stem_of(const std::string& name, const std::string& set, const std::string& tier,
+                    const std::string& solver);
+
 /// A parameter as it was used.
 struct ParameterValue {
   Scalar value;
@@ -82,6 +88,7 @@ struct Snapshot {
   double time = 0;
   std::vector<double> x;
   std::vector<double> z;  ///< height at which the points are shown: the surface elevation
+  std::string unit;       ///< of x and z
   std::vector<Field> fields;
   bool joined = true;  ///< by a line in the order of the points; false: particles
 };
@@ -149,10 +156,7 @@ class Record : public Exhibit {
 
   /// The run finished and every claim came out as declared.
   [[nodiscard]] bool as_declared() const;
-  /// The name without extension of the record's files: the name, the published set ("bore@bzz-fig-6") or else the tier
-  /// where it is not the quick one ("bore@full"), and the solver's where it is not ours ("bore.mine"). What one of them
-  /// found does not overwrite what another did.
-  [[nodiscard]] std::string stem() const;
+  [[nodiscard]] std::string stem() const { return stem_of(name, set, tier, solver); }
 
  private:
   std::vector<JudgedClaim> claims_;

@@ -96,7 +96,7 @@ std::vector<io::XdmfFrame> write_snapshots(io::Hdf5File& file, const Record& rec
       points[3 * i + 2] = snapshot.z.at(i);
     }
     const std::array<std::size_t, 2> shape{n, 3};
-    file.array(path + "/points", points, shape, "points", "m", "coordinates x, y, z");
+    file.array(path + "/points", points, shape, "points", snapshot.unit, "coordinates x, y, z");
     using Topology = io::XdmfFrame::Topology;
     io::XdmfFrame frame{.time = snapshot.time,
                         .points = n,

@@ -49,12 +49,14 @@ struct Summary {
   std::string commit;  ///< of the program that wrote the record; "-dirty" after it for uncommitted changes
   std::string date;    ///< ISO 8601
   double wall_time = 0;
+  std::map<std::string, Scalar> parameters;
   std::vector<Outcome> claims;
   std::map<std::string, double> measurements;
   std::map<std::string, std::string> reference_data;
   std::map<std::string, std::string> files;  ///< digests of those beside it
 
   [[nodiscard]] bool as_declared() const;
+  [[nodiscard]] std::string stem() const { return stem_of(name, set, tier, solver); }
 };
 
 /// Gives a written record another article, where it has not this one: the text decides no number.
@@ -66,12 +68,14 @@ enum class Reading { json, all_files };
 /// Words of the record are printable.
 /// @throws std::runtime_error naming the file when it is not a record.
 Summary read_summary(const std::filesystem::path& json_file, Reading reading = Reading::json);
-/// All records of a directory, sorted by file name. A file that is not a record is an error naming it.
+/// All JSON files of a directory, sorted by name.
+std::vector<std::filesystem::path> record_files(const std::filesystem::path& directory);
+/// All records of a directory, in that order. A file that is not a record is an error naming it.
 std::vector<Summary> read_summaries(const std::filesystem::path& directory, Reading reading = Reading::json);
 
 /// Writes junit.xml over all records of a directory, in the form that CI systems read: a test suite per record with
 /// totals, in it a test case `run` (did it finish, in what time) and one per claim with what was measured as
-/// properties.
+/// properties. A JSON file that is no record is a suite whose `run` is an error.
 ///
 /// | verdict                                | test case                                        |
 /// |----------------------------------------|--------------------------------------------------|

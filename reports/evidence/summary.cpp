@@ -55,6 +55,13 @@ double number(const nlohmann::json& value) {
   return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
+Scalar scalar(const nlohmann::json& value) {
+  if (value.is_boolean()) return value.get<bool>();
+  if (value.is_number_integer()) return value.get<long>();
+  if (value.is_string()) return word(value);
+  return number(value);
+}
+
 Summary::Outcome outcome_from(const nlohmann::json& claim) {
   return {.id = word(claim.at("id")),
           .text = word(claim.at("text")),
@@ -115,6 +122,9 @@ Summary read_summary(const std::filesystem::path& json_file, Reading reading) {
     s.commit = word(provenance.at("commit")) + (provenance.at("dirty").get<bool>() ? "-dirty" : "");
     s.date = word(provenance.at("date"));
     s.wall_time = number(json.at("wall_time"));
+    for (const auto& [name, parameter] : json.at("parameters").items()) {
+      s.parameters[printable(name)] = scalar(parameter.at("value"));
+    }
     for (const auto& claim : json.at("claims")) s.claims.push_back(outcome_from(claim));
     for (const auto& [quantity, value] : json.at("measurements").items())
       s.measurements[printable(quantity)] = number(value);
@@ -135,7 +145,7 @@ Summary read_summary(const std::filesystem::path& json_file, Reading reading) {
   }
 }
 
-std::vector<Summary> read_summaries(const std::filesystem::path& directory, Reading reading) {
+std::vector<std::filesystem::path> record_files(const std::filesystem::path& directory) {
   if (!std::filesystem::is_directory(directory)) {
     throw std::invalid_argument(fmt::format("{} is not a folder", directory.string()));
   }
@@ -144,9 +154,12 @@ std::vector<Summary> read_summaries(const std::filesystem::path& directory, Read
     if (entry.path().extension() == ".json") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<Summary> read_summaries(const std::filesystem::path& directory, Reading reading) {
   std::vector<Summary> summaries;
-  summaries.reserve(files.size());
-  for (const auto& file : files) summaries.push_back(read_summary(file, reading));
+  for (const auto& file : record_files(directory)) summaries.push_back(read_summary(file, reading));
   return summaries;
 }
 

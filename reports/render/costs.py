@@ -27,13 +27,11 @@ class Costs:
 
 
 def of(record, what):
-    """wall_time [s], cell_size [m], threads or order of a record; None where it does not say."""
+    """wall_time [s], threads or a measurement of a record; None where it does not say."""
     if what == "wall_time":
         return record.wall_time or None
     if what == "threads" and record.own:
         return record.provenance["threads"]
-    if what == "order":
-        return next((value for name, value in record.measurements.items() if name.startswith("ladder_order_")), None)
     return record.measurements.get(what)
 
 

@@ -36,8 +36,11 @@ def read(path=RECORD):
 
 
 def survey(rows, records):
-    """What the page shows: the defects by room and by what is broken, each with its claim."""
-    by_name = {record.case: record for record in records}
+    """What the page shows: the defects by room and by what is broken, each with its claim in our own record.
+
+    @param records  sorted by file: the first of a case is that of its shortest tier
+    """
+    by_name = {record.case: record for record in reversed(records) if record.own}
     rooms = collections.defaultdict(lambda: collections.defaultdict(list))
     for row in rows:
         name, _, claim_id = row["claim"].partition(": ")

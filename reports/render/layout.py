@@ -30,10 +30,15 @@ def share_limits(shown):
 
 
 def span_of(panel, axis):
-    """Smallest and largest finite coordinate of a panel's series."""
-    values = numpy.concatenate([series[axis].ravel() for series in panel["series"]
-                                if axis in series and not (axis == "y" and series.get("style") == "vertical")]
-                               or [numpy.empty(0)])
+    """Smallest and largest finite coordinate of a panel's series, with their error bars."""
+    values = [numpy.empty(0)]
+    for series in panel["series"]:
+        if axis not in series or (axis == "y" and series.get("style") == "vertical"):
+            continue
+        values.append(series[axis].ravel())
+        if axis == "y" and len(series.get("y_error", ())) == len(series["y"]):
+            values += [series["y"] - series["y_error"], series["y"] + series["y_error"]]
+    values = numpy.concatenate(values)
     values = values[numpy.isfinite(values)]
     return values.min(initial=math.inf), values.max(initial=-math.inf)
 

@@ -58,7 +58,8 @@ def value(anything):
 
 
 def with_uncertainty(measured, uncertainty):
-    """measured ± uncertainty with a common power of ten, to two digits of the uncertainty."""
+    """measured ± uncertainty with a common power of ten, to two digits of the uncertainty; to one where that is 3 or
+    more and the measured value has four digits without the other."""
     if measured is None or uncertainty is None or uncertainty <= 0 or not math.isfinite(uncertainty):
         return number(measured)
     title = escape(f"{measured!r} ± {uncertainty!r}")
@@ -66,12 +67,11 @@ def with_uncertainty(measured, uncertainty):
     scaled = exponent if not -4 < exponent < 5 else 0
     a, u = measured / 10.0**scaled, uncertainty / 10.0**scaled
     decimals = 1 - _exponent(float(f"{u:.1e}"))
-    if decimals > 3 - _exponent(a if a else u):       # more digits than a reader can use: one digit of u at most
-        decimals = min(-_exponent(float(f"{u:.0e}")), 5)
-    u_text = _fixed(u, decimals)
-    if not re.search("[1-9]", u_text):
+    if decimals > 3 - _exponent(a if a else u) and f"{u:.1e}" >= "3":     # a 1 or 2 alone is up to a third off
+        decimals = -_exponent(float(f"{u:.0e}"))
+    if decimals > 6:
         return Markup(f'<span class="n" title="{title}">{plain(measured)}{THIN}±{THIN}{plain(uncertainty, 2)}</span>')
-    pair = f"{_fixed(a, decimals)}{THIN}±{THIN}{u_text}"
+    pair = f"{_fixed(a, decimals)}{THIN}±{THIN}{_fixed(u, decimals)}"
     if scaled:
         pair = f"({pair}){THIN}×{THIN}{_power(scaled)}"
     return Markup(f'<span class="n" title="{title}">{pair}</span>')
@@ -82,7 +82,7 @@ def unit(text):
     if text in ("", "1", "-"):
         return Markup("")
     html = str(escape(text))
-    html = re.sub(r"\^\{?(-?\d+(?:[./]\d+)?)\}?", lambda m: f"<sup>{m[1].replace('-', MINUS)}</sup>", html)
+    html = re.sub(r"\^[{(]?(-?\d+(?:[./]\d+)?)[})]?", lambda m: f"<sup>{m[1].replace('-', MINUS)}</sup>", html)
     html = re.sub(r"(?<=\w)\s*[*·]\s*(?=\w)", f"{THIN}", html)
     return Markup(f'<span class="unit">{html}</span>')
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 namespace seiche::validation {
 namespace {
 
-/// First lines of a file; the bytes follow.
+/// First lines of a file; the bytes follow: the seconds that the run had taken, in a line, and what was kept.
 std::string heading(const std::string& fingerprint, const std::string& name, std::string_view bytes) {
   return fmt::format("seiche checkpoint\n{}\n{}\n{}\n", fingerprint, name, evidence::sha256(bytes));
 }
@@ -57,7 +58,13 @@ std::optional<std::string> Checkpoints::read(const std::string& name) const {
     const std::string text = io::read_file(file(name));
     const std::string_view bytes = after_lines(text, 4);
     const std::string expected = heading(fingerprint_, name, bytes);
-    if (text.compare(0, text.size() - bytes.size(), expected) == 0) return std::string(bytes);
+    if (text.compare(0, text.size() - bytes.size(), expected) == 0) {
+      double taken = 0;
+      std::from_chars(bytes.data(), bytes.data() + bytes.size(), taken);
+      const std::scoped_lock lock(mutex_);
+      before_ = std::max(before_, taken);
+      return std::string(after_lines(bytes, 1));
+    }
     const bool foreign = after_lines(text, 1).substr(0, fingerprint_.size()) != fingerprint_;
     note(foreign ? "checkpoints of another program or of other parameters are not used"
                  : "damaged checkpoints are not used");
@@ -70,7 +77,8 @@ std::optional<std::string> Checkpoints::read(const std::string& name) const {
 void Checkpoints::write(const std::string& name, std::string_view bytes) const {
   if (!active()) return;
   try {
-    io::write_file(file(name), heading(fingerprint_, name, bytes).append(bytes));
+    const std::string content = fmt::format("{}\n", seconds()).append(bytes);
+    io::write_file(file(name), heading(fingerprint_, name, content).append(content));
   } catch (const std::exception& failure) {
     note(failure.what());
   }
@@ -88,6 +96,12 @@ void Checkpoints::remove_all() const {
   std::filesystem::remove_all(folder_, failure);
   // The folder of all runs goes with the last one.
   std::filesystem::remove(folder_.parent_path(), failure);
+}
+
+double Checkpoints::seconds() const {
+  const std::chrono::duration<double> own = std::chrono::steady_clock::now() - begin_;
+  const std::scoped_lock lock(mutex_);
+  return before_ + own.count();
 }
 
 std::vector<std::string> Checkpoints::notes() const {

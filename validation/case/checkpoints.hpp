@@ -52,6 +52,8 @@ class Checkpoints {
   /// Whether anything is kept.
   [[nodiscard]] bool active() const { return !folder_.empty(); }
   [[nodiscard]] std::chrono::seconds every() const { return every_; }
+  /// What the run has taken so far [s], with what an interrupted one had taken for what was read of it.
+  [[nodiscard]] double seconds() const;
   /// What the user should know, once for each kind.
   [[nodiscard]] std::vector<std::string> notes() const;
 
@@ -62,8 +64,10 @@ class Checkpoints {
   std::filesystem::path folder_;
   std::string fingerprint_;
   std::chrono::seconds every_{};
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   mutable std::mutex mutex_;
   mutable std::vector<std::string> notes_;
+  mutable double before_ = 0;  ///< seconds of an interrupted run
 };
 
 /// A part of a run that is computed by itself; parts of one run may be computed by several threads.

@@ -1,6 +1,5 @@
 #include "validation/case/job.hpp"
 
-#include <chrono>
 #include <set>
 #include <stdexcept>
 
@@ -125,7 +124,6 @@ Ending run_job(const Job& job, const std::filesystem::path& directory, const Kee
   const auto checkpoints =
       std::make_shared<Checkpoints>(directory / ".checkpoints" / record.stem(), record.fingerprint, keeping);
   const Run run(job.values, progress, checkpoints);
-  const auto begin = std::chrono::steady_clock::now();
   try {
     job.definition->study.run(run, record);
     check_tiles(record);
@@ -140,7 +138,7 @@ Ending run_job(const Job& job, const std::filesystem::path& directory, const Kee
     record.error = failure.what();
   }
   record.reference_data.merge(std::map(run.tables_read()));
-  record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  record.wall_time = checkpoints->seconds();
   try {
     evidence::write(record, directory);
   } catch (const std::exception& failure) {

@@ -16,6 +16,7 @@
 ///     c.submission = {.tables = wanted};
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
@@ -94,9 +95,10 @@ struct StatedUncertainty {
   /// Of the largest absolute value of the reference (for an abscissa: of the range of the reference points), instead of
   /// in the wanted unit.
   bool relative = false;
+  double scatter = 0;  ///< of the mean of several runs, beside the value; in the wanted unit whatever that is in
 
   /// In the wanted unit. @param size  what a relative one refers to
-  [[nodiscard]] double of(double size) const { return relative ? value * size : value; }
+  [[nodiscard]] double of(double size) const { return std::hypot(relative ? value * size : value, scatter); }
 };
 
 /// What the submitter says of the solver.

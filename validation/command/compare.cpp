@@ -30,17 +30,10 @@ std::vector<Summary> records_in(const std::string& directory) {
   return records;
 }
 
-/// By case and solver, and by published set or tier where a folder has several of them of one case.
-std::map<std::string, Summary> by_name(const std::string& directory) {
-  std::vector<Summary> all = records_in(directory);
-  std::map<std::string, int> found;
-  const auto name_of = [](const Summary& s) { return s.solver == "seiche" ? s.name : s.name + "." + s.solver; };
-  for (const Summary& s : all) ++found[name_of(s)];
+/// By case, published set or tier, and solver.
+std::map<std::string, Summary> by_stem(const std::string& directory) {
   std::map<std::string, Summary> records;
-  for (Summary& s : all) {
-    const std::string key = found[name_of(s)] > 1 ? name_of(s) + "@" + (s.set.empty() ? s.tier : s.set) : name_of(s);
-    records[key] = std::move(s);
-  }
+  for (Summary& s : records_in(directory)) records.emplace(s.stem(), std::move(s));
   return records;
 }
 
@@ -94,8 +87,8 @@ bool compare_record(const std::string& key, const Summary& before, const Summary
 
 int compare(const CompareOptions& options) {
   if (options.after.empty()) return print_side_by_side(records_in(options.before)) ? 0 : 1;
-  const auto before = by_name(options.before);
-  const auto after = by_name(options.after);
+  const auto before = by_stem(options.before);
+  const auto after = by_stem(options.after);
   bool worse = false;
   fmt::print("{} -> {}\n", options.before, options.after);
   for (const auto& [key, record] : before) {

@@ -210,9 +210,9 @@ void add_score(CLI::App& app, Action& action) {
                       "where a case takes several: which one --template shall print, or which one alone is judged");
   CLI::Option* baseline = command->add_option(
       "--baseline", options->baseline,
-      "folder with an earlier record of the same case and solver: status 1 where an error grew beyond the "
-      "uncertainties "
-      "of both, and 0 otherwise, whatever the verdicts; claims that pass now and did not are shown");
+      "folder, not that of --out, with an earlier record of the same case, parameters and solver: status 1 where an "
+      "error grew beyond the uncertainties of both, and 0 otherwise, whatever the verdicts; claims that pass now and "
+      "did not are shown");
   command->add_flag("--bless", options->bless, "make this score the baseline, whatever changed")->needs(baseline);
   command->footer(
       "Between its points a result is joined by straight lines and taken at the reference's points; nothing is\n"

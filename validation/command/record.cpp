@@ -30,15 +30,11 @@ std::vector<Summary> records_of(Tier tier, const std::string& directory) {
   return chosen;
 }
 
-std::string stem(const Summary& record) {
-  return record.set.empty() ? record.name : record.name + "@" + record.set;
-}
-
 /// Sentences about what the tier needs and the folder has not, or has with other parameters.
 std::vector<std::string> gaps(Tier tier, const std::string& directory, const std::vector<Summary>& records) {
   std::vector<std::string> found;
   for (const Summary& one : records) {
-    if (!one.standard) found.push_back(fmt::format("{}: ran with parameters that are not the tier's", stem(one)));
+    if (!one.standard) found.push_back(fmt::format("{}: ran with parameters that are not the tier's", one.stem()));
   }
   for (const validation::Case& one : validation::all_cases()) {
     for (const validation::Values& values : one.runs_of(tier)) {
@@ -55,12 +51,9 @@ std::vector<std::string> gaps(Tier tier, const std::string& directory, const std
 std::vector<Summary> current(Tier tier, std::vector<Summary> records) {
   std::set<std::string> stems;
   for (const validation::Case& one : validation::all_cases()) {
-    for (const validation::Values& values : one.runs_of(tier)) {
-      const std::string set = values.set_name();
-      stems.insert(set.empty() ? one.name : one.name + "@" + set);
-    }
+    for (const validation::Values& values : one.runs_of(tier)) stems.insert(validation::Job{&one, values}.stem());
   }
-  std::erase_if(records, [&](const Summary& one) { return one.kind == "validation" && stems.count(stem(one)) == 0; });
+  std::erase_if(records, [&](const Summary& one) { return one.kind == "validation" && stems.count(one.stem()) == 0; });
   return records;
 }
 
@@ -102,9 +95,13 @@ int compare_with_record(const CompareOptions& options) {
     throw std::invalid_argument(fmt::format("compare: there is no evidence of record {}", file.string()));
   }
   const std::vector<Summary> records = records_of(tier, options.before);
+  if (records.empty()) {
+    throw std::invalid_argument(
+        fmt::format("compare: folder {} holds no record of the tier {}", options.before, options.tier));
+  }
   std::vector<std::string> changed;
   for (const Summary& one : records) {
-    if (!one.standard) changed.push_back(fmt::format("{}: ran with parameters that are not the tier's", stem(one)));
+    if (!one.standard) changed.push_back(fmt::format("{}: ran with parameters that are not the tier's", one.stem()));
   }
   const auto now = evidence::recorded_claims(records);
   std::vector<evidence::RecordedClaim> before = evidence::read_recorded_claims(file);

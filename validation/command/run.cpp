@@ -16,7 +16,10 @@ using validation::Tier;
 
 std::vector<const Case*> named(const RunOptions& options) {
   std::vector<const Case*> cases;
-  for (const std::string& name_of : options.cases) cases.push_back(&validation::find_case(name_of));
+  for (const std::string& name_of : options.cases) {
+    const Case* one = &validation::find_case(name_of);
+    if (std::find(cases.begin(), cases.end(), one) == cases.end()) cases.push_back(one);
+  }
   return cases;
 }
 

@@ -266,28 +266,49 @@ std::optional<validation::Repeats> repeats_of(const ScoreOptions& options, std::
   return repeats;
 }
 
-void require_baseline(const ScoreOptions& options, const std::string& stem) {
-  if (options.baseline.empty() || options.bless) return;
-  const std::filesystem::path kept = std::filesystem::path(options.baseline) / (stem + ".json");
-  if (!std::filesystem::is_regular_file(kept)) {
-    throw std::invalid_argument(fmt::format("--baseline {}: has no {}: --bless makes this score the first",
-                                            options.baseline, kept.filename().string()));
+/// Why the numbers of a baseline are none to compare with: empty where they are.
+std::string unlike(const evidence::Summary& before, const evidence::Record& record) {
+  if (!before.error.empty()) return before.error;
+  for (const auto& [name, p] : record.parameters) {
+    const auto was = before.parameters.find(name);
+    if (was != before.parameters.end() && was->second == p.value) continue;
+    const auto in_words = [](const auto& value) { return fmt::format("{}", value); };
+    return fmt::format("scored with {} = {}, not {}", name,
+                       was == before.parameters.end() ? "none" : std::visit(in_words, was->second),
+                       std::visit(in_words, p.value));
   }
+  return {};
+}
+
+/// The baseline, read before this score is written; none where this is to be the first.
+std::optional<evidence::Summary> read_baseline(const ScoreOptions& options, const evidence::Record& record) {
+  namespace fs = std::filesystem;
+  if (options.baseline.empty()) return std::nullopt;
+  if (fs::weakly_canonical(fs::path(options.baseline) / "") == fs::weakly_canonical(fs::path(options.out) / "")) {
+    throw std::invalid_argument(fmt::format("--baseline {}: is --out, must be another folder", options.baseline));
+  }
+  const fs::path kept = fs::path(options.baseline) / (record.stem() + ".json");
+  std::string why = fmt::format("has no {}", kept.filename().string());
+  if (fs::is_regular_file(kept)) {
+    evidence::Summary before = evidence::read_summary(kept);
+    why = unlike(before, record);
+    if (why.empty()) return before;
+  }
+  if (options.bless) return std::nullopt;
+  throw std::invalid_argument(
+      fmt::format("--baseline {}: {}: --bless makes this score the baseline", options.baseline, why));
 }
 
 /// Says what changed since the baseline; with --bless, makes the record the baseline. Returns whether anything is
 /// worse.
-bool compare_with_baseline(const ScoreOptions& options, const std::string& stem) {
+bool compare_with_baseline(const ScoreOptions& options, const std::string& stem,
+                           const std::optional<evidence::Summary>& before) {
   namespace fs = std::filesystem;
   const fs::path written = fs::path(options.out) / (stem + ".json");
   const fs::path kept = fs::path(options.baseline) / (stem + ".json");
   bool worse = false;
-  if (fs::is_regular_file(kept)) {
-    const evidence::Summary before = evidence::read_summary(kept);
-    if (!before.error.empty() && !options.bless) {
-      throw std::runtime_error(fmt::format("baseline {}: {}", kept.string(), before.error));
-    }
-    for (const validation::Since& one : validation::changes_since(before, evidence::read_summary(written))) {
+  if (before) {
+    for (const validation::Since& one : validation::changes_since(*before, evidence::read_summary(written))) {
       using Kind = validation::Since::Kind;
       const char* kind = one.kind == Kind::worse             ? "WORSE"
                          : one.kind == Kind::unexpected_pass ? "unexpected pass"
@@ -302,8 +323,7 @@ bool compare_with_baseline(const ScoreOptions& options, const std::string& stem)
   for (const char* extension : {".h5", ".xdmf", ".json"}) {
     const fs::path from = fs::path(options.out) / (stem + extension);
     const fs::path to = fs::path(options.baseline) / (stem + extension);
-    if (fs::is_regular_file(from) && !fs::equivalent(options.out, options.baseline))
-      io::write_file(to, io::read_file(from));
+    if (fs::is_regular_file(from)) io::write_file(to, io::read_file(from));
   }
   fmt::print("baseline {}: is this score now\n", kept.string());
   return false;
@@ -354,7 +374,7 @@ int score(const ScoreOptions& options) {
 
   evidence::Record record = validation::Job{&one, values}.blank_record();
   record.solver = options.solver;
-  require_baseline(options, record.stem());
+  const std::optional<evidence::Summary> baseline = read_baseline(options, record);
   if (!options.table.empty()) {
     const WantedTable alone = table_named(wanted, options.table);
     for (const WantedTable& table : wanted) {
@@ -395,11 +415,11 @@ int score(const ScoreOptions& options) {
     const evidence::RecordLock alone(options.out, record.stem());
     evidence::write(record, options.out);
   }
-  evidence::write_junit(options.out);
   for (const Read& read : all) print_reading(read.files);
   print(record, findings, look);
+  evidence::write_junit(options.out);
   fmt::print("record: {}\n", (std::filesystem::path(options.out) / (record.stem() + ".json")).string());
-  if (!options.baseline.empty()) return compare_with_baseline(options, record.stem()) ? 1 : 0;
+  if (!options.baseline.empty()) return compare_with_baseline(options, record.stem(), baseline) ? 1 : 0;
   return record.as_declared() ? 0 : 1;
 }
 

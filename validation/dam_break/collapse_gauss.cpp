@@ -366,6 +366,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     exhibit.snapshot({.time = frame.T / r.column.unit(),
                       .x = frame.x,
                       .z = frame.y,
+                      .unit = "a",
                       .fields = {{"u", "sqrt(g a)", frame.u}, {"w", "sqrt(g a)", frame.v}},
                       .joined = false});
   }

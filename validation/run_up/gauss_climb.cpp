@@ -162,6 +162,7 @@ void add_frame(evidence::Exhibit& exhibit, const GaussFrame& frame) {
   exhibit.snapshot({.time = frame.time,
                     .x = frame.x,
                     .z = frame.y,
+                    .unit = "depth",
                     .fields = {{"u", "sqrt(g depth)", frame.u}, {"w", "sqrt(g depth)", frame.v}},
                     .joined = false});
 }

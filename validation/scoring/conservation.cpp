@@ -70,13 +70,8 @@ struct Change {
   double at = 0;
 };
 
-Change change_of(const std::string& name, const std::vector<double>& t, const std::vector<double>& values,
-                 bool growth_alone) {
+Change change_of(const std::vector<double>& t, const std::vector<double>& values, bool growth_alone) {
   const double first = values.front();
-  if (first == 0) {
-    throw std::invalid_argument(fmt::format(
-        "column {}: is 0 at t = {:g}, must not be: changes are judged over the first value", name, t.front()));
-  }
   Largest largest;
   for (std::size_t k = 0; k < t.size(); ++k) {
     const double change = (values[k] - first) / std::abs(first);
@@ -86,13 +81,15 @@ Change change_of(const std::string& name, const std::vector<double>& t, const st
 }
 
 void draw(const History& history, evidence::Record& record) {
+  const auto shown = [&](const std::string& name) { return history.contains(name) && history.at(name).front() != 0; };
+  if (std::none_of(conserved_names().begin(), conserved_names().end(), shown)) return;
   auto& panel = record
                     .figure("conservation", "Volume, energy and momentum",
                             "Change since the first row, over the first value, as submitted.")
                     .panel({.x = "t [s]", .y = "relative change"});
   const std::vector<double>& t = history.at("t");
   for (const std::string& name : conserved_names()) {
-    if (!history.contains(name)) continue;
+    if (!shown(name)) continue;
     std::vector<double> change;
     for (const double value : history.at(name)) change.push_back(value / history.at(name).front() - 1);
     panel.line(name, t, change);
@@ -161,10 +158,15 @@ void judge_history(const std::string& phenomenon, const History& history, eviden
   const std::vector<double>& t = history.at("t");
   for (const std::string& name : conserved_names()) {
     if (!history.contains(name)) continue;
+    const std::vector<double>& values = history.at(name);
     const auto verdict = allowed(phenomenon, name);
-    const Change change = change_of(name, t, history.at(name), false);
-    record.measure(name + "_change", change.largest);
     const auto* limits = std::get_if<Allowed>(&verdict);
+    if (values.front() != 0) {
+      record.measure(name + "_change", change_of(t, values, false).largest);
+    } else if (limits != nullptr) {
+      throw std::invalid_argument(fmt::format(
+          "column {}: is 0 at t = {:g}, must not be: changes are judged over the first value", name, t.front()));
+    }
     evidence::Claim claim{
         .id = "conserved-" + name,
         .text = limits != nullptr ? limits->text : fmt::format("The {} is kept.", name),
@@ -175,7 +177,7 @@ void judge_history(const std::string& phenomenon, const History& history, eviden
       record.leave_out({claim, std::get<std::string>(verdict)});
       continue;
     }
-    const Change judged = change_of(name, t, history.at(name), limits->growth_alone);
+    const Change judged = change_of(t, values, limits->growth_alone);
     record.check(claim,
                  {.value = judged.largest,
                   .resolution = fmt::format("{} rows", t.size()),

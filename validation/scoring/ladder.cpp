@@ -167,7 +167,8 @@ std::optional<Reach> Ladder::reach(const LadderQuantity& q, double target) const
   const double order = q.order.order;
   if (!q.relative || !(order > 0) || stays(q)) return std::nullopt;
   const double error = q.converging().back();
-  const auto with = [&](double p) { return p > 0 ? size.back() * std::pow(target / error, 1 / p) : 0.0; };
+  const double open = target > error ? std::numeric_limits<double>::infinity() : 0.0;
+  const auto with = [&](double p) { return p > 0 ? size.back() * std::pow(target / error, 1 / p) : open; };
   const auto [least, most] = std::minmax({with(order - q.order.half_width), with(order + q.order.half_width)});
   Reach reached{.size = with(order), .least = least, .most = most, .seconds = {}};
   if (seconds.empty()) return reached;
@@ -195,7 +196,8 @@ std::string Ladder::line(const LadderQuantity& q) const {
   text +=
       fmt::format("; {:g} %{} needs dx = {:.2g}", 100 * ladder_target, q.exact ? "" : " numerically", reached->size);
   if (reached->seconds) text += fmt::format(" and {:.2g} s", *reached->seconds);
-  if (reached->least == 0) text += fmt::format(", but {} sizes hardly tell the order", size.size());
+  if (reached->least == 0 || std::isinf(reached->most))
+    text += fmt::format(", but {} sizes hardly tell the order", size.size());
   return text;
 }
 

@@ -49,7 +49,7 @@ struct LadderQuantity {
 };
 
 struct Reach {
-  double size = 0, least = 0, most = 0;  ///< the range is that of the order's interval; from 0 where that has no order
+  double size = 0, least = 0, most = 0;  ///< range by the order's interval; where that goes to 0, open: 0 or infinity
   std::optional<double> seconds;
 };
 

@@ -36,7 +36,6 @@ std::vector<double> common_points(const std::vector<const SubmittedGroup*>& grou
 struct Spread {
   double squares = 0;
   double points = 0;
-  Worst largest;
 };
 
 SubmittedGroup mean_of(const std::vector<const SubmittedGroup*>& groups, const std::string& table,
@@ -59,7 +58,6 @@ SubmittedGroup mean_of(const std::vector<const SubmittedGroup*>& groups, const s
       mean.values[quantity].push_back(middle);
       spreads[quantity].squares += squares / (runs - 1);
       spreads[quantity].points += 1;
-      spreads[quantity].largest.add(middle);
     }
   }
   return mean;
@@ -103,7 +101,6 @@ Repeats repeats_of(const std::vector<Submitted>& runs) {
   }
   for (const auto& [quantity, spread] : spreads) {
     repeats.scatter[quantity] = std::sqrt(spread.squares / spread.points);
-    repeats.largest[quantity] = spread.largest.value();
   }
   return repeats;
 }
@@ -112,9 +109,7 @@ void add_scatter(const Repeats& repeats, std::map<std::string, StatedUncertainty
   for (const auto& [quantity, scatter] : repeats.scatter) {
     const auto stated = uncertainty.find(quantity);
     if (stated == uncertainty.end()) continue;
-    const double of_mean = scatter / std::sqrt(static_cast<double>(repeats.runs));
-    const double unit = stated->second.relative ? repeats.largest.at(quantity) : 1;
-    if (unit > 0) stated->second.value = std::hypot(stated->second.value, of_mean / unit);
+    stated->second.scatter = scatter / std::sqrt(static_cast<double>(repeats.runs));
   }
 }
 

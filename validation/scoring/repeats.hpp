@@ -21,7 +21,6 @@ struct Repeats {
   std::size_t runs = 0;
   Submitted mean;
   std::map<std::string, double> scatter;  ///< by the quantity's name, in its unit
-  std::map<std::string, double> largest;  ///< absolute value of the mean, likewise
 };
 
 /// @param runs  two or more

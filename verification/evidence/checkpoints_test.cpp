@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -139,6 +140,23 @@ TEST_CASE("a part goes on from the state it was in", "[checkpoints]") {
   const auto [sum, first] = sum_to(Part(*folder.open(resuming), "sum"), 100, -1);
   CHECK(first == 60);
   CHECK(sum == whole);
+}
+
+TEST_CASE("a run that was interrupted has taken what all its processes took", "[checkpoints]") {
+  Folder folder;
+  const auto wait = [&](const Checkpoints& checkpoints, const std::string& part) {
+    return Part(checkpoints, part).result<double>([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(30));
+      return checkpoints.seconds();
+    });
+  };
+  const double first = wait(*folder.open(afresh), "one");
+  CHECK(first >= 0.03);
+  CHECK(wait(*folder.open(resuming), "one") == first);
+  const Checkpoints* third = folder.open(resuming);
+  wait(*third, "one");
+  CHECK(wait(*third, "two") >= 0.06);
+  CHECK(folder.open(resuming, "g")->seconds() < 0.03);
 }
 
 TEST_CASE("a folder that cannot be written is a note, not the end", "[checkpoints]") {

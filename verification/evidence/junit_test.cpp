@@ -4,6 +4,7 @@
 #include <pugixml.hpp>
 
 #include "reports/evidence/record_files.hpp"
+#include "seiche/io/atomic_file.hpp"
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
@@ -13,8 +14,10 @@ using namespace seiche;
 using namespace seiche::evidence;
 
 /// One claim for every pair of verdict and declaration.
-Record sample(const std::string& solver) {
+Record sample(const std::string& solver, const std::string& tier = "quick", const std::string& set = "") {
   Record record;
+  record.tier = tier;
+  record.set = set;
   record.name = "sample";
   record.group = "evidence";
   record.title = "Sample";
@@ -104,15 +107,18 @@ TEST_CASE("JUnit carries the numbers of a claim and the facts of its run as prop
   CHECK(property(test, "declared") == "pass");
 }
 
-TEST_CASE("JUnit totals are those of the suites, and of two solvers of one case no test shares its name", "[junit]") {
+TEST_CASE("JUnit totals are those of the suites, and of several records of one case no test shares its name",
+          "[junit]") {
   Junit junit;
-  write(sample("seiche"), junit.scratch.path());
-  write(sample("other"), junit.scratch.path());
+  for (const Record& record : {sample("seiche"), sample("other"), sample("seiche", "full"),
+                               sample("seiche", "full", "a"), sample("other", "full")}) {
+    write(record, junit.scratch.path());
+  }
   const pugi::xml_node root = junit.read();
-  CHECK(std::string(root.attribute("time").value()) == "3.000");
-  CHECK(root.attribute("tests").as_int() == 12);
-  CHECK(root.attribute("failures").as_int() == 6);
-  CHECK(root.attribute("skipped").as_int() == 2);
+  CHECK(std::string(root.attribute("time").value()) == "7.500");
+  CHECK(root.attribute("tests").as_int() == 30);
+  CHECK(root.attribute("failures").as_int() == 15);
+  CHECK(root.attribute("skipped").as_int() == 5);
   CHECK(root.attribute("errors").as_int() == 0);
   std::map<std::string, int> names;
   for (const pugi::xml_node suite : root.children("testsuite")) {
@@ -121,7 +127,16 @@ TEST_CASE("JUnit totals are those of the suites, and of two solvers of one case 
       ++names[std::string(test.attribute("classname").value()) + "." + test.attribute("name").value()];
     }
   }
-  CHECK(names.size() == 12);
+  CHECK(names.size() == 30);
+}
+
+TEST_CASE("a JSON file that is no record is an error of JUnit and hides none of the others", "[junit]") {
+  Junit junit;
+  write(sample("seiche"), junit.scratch.path());
+  io::write_file(junit.scratch.path() / "package.json", R"({"name": "somebody's"})");
+  const pugi::xml_node root = junit.read();
+  CHECK(find(root, "evidence.sample").attribute("tests").as_int() == 6);
+  CHECK(outcome(find(find(root, "broken.package"), "run")) == "error: unfinished");
 }
 
 TEST_CASE("JUnit of a run that did not finish is an error, whatever bytes its message holds", "[junit]") {

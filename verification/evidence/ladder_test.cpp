@@ -117,6 +117,23 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
   is("scatter", "Where three sizes scatter, that is said.",
      scattered.line(scattered.quantities.at(1)).find("but 3 sizes hardly tell the order") != std::string::npos,
      scattered.line(scattered.quantities.at(1)));
+  int ranges = 0;
+  int outside = 0;
+  for (const double scale : {1e-3, 0.05, 0.1, 1.0}) {  // errors of the finest from 0.0075 to 7.5 per cent
+    for (const double middle : {0.0255, 0.03, 0.05, 0.09, 0.3}) {
+      std::vector<Rung> rungs;
+      for (const double h : sizes) {
+        rungs.push_back({.size = h, .submitted = submitted(scale * (h == 0.05 ? middle : h), 1, 0)});
+      }
+      const Ladder one = ladder_of(wanted_of(evidence::Role::exact), rungs);
+      const std::optional<Reach> range = one.reach(one.quantities.at(1), 0.01);
+      if (!range) continue;
+      ++ranges;
+      outside += range->least <= range->size && range->size <= range->most ? 0 : 1;
+    }
+  }
+  is("range", "The range of the size for one per cent holds that size, whatever the order's interval.",
+     outside == 0 && ranges >= 12, fmt::format("{} of {} without", outside, ranges));
   const Ladder wrong = ladder(1, 0.5);
   is("stays", "An error that stays is said to stay.",
      wrong.line(wrong.quantities.at(1)).find("not to zero") != std::string::npos, wrong.line(wrong.quantities.at(1)));

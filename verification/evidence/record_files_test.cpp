@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include <H5Cpp.h>
 #include <nlohmann/json.hpp>
 
 #include "reports/evidence/record_files.hpp"
@@ -28,7 +29,7 @@ Record sample() {
   record.measure("infinite", std::numeric_limits<double>::infinity());
   const std::vector<double> x{0, 1, 2};
   record.figure("profile", "Profile", "A line.").panel({.x = "x [m]", .y = "h [m]"}).line("exact", x, x, Role::exact);
-  record.snapshot({.time = 1, .x = x, .z = x, .fields = {{"depth", "m", x}}});
+  record.snapshot({.time = 1, .x = x, .z = x, .unit = "m", .fields = {{"depth", "m", x}}});
   return record;
 }
 
@@ -52,7 +53,7 @@ TEST_CASE("a record is read back as it was written", "[record]") {
 TEST_CASE("points of a snapshot are joined by a line or stand alone", "[record]") {
   const seiche::verification::ScratchFolder scratch("seiche_record_files_test");
   Record record = sample();
-  record.snapshot({.time = 2, .x = {0, 1}, .z = {0, 1}, .fields = {}, .joined = false});
+  record.snapshot({.time = 2, .x = {0, 1}, .z = {0, 1}, .unit = "depth", .fields = {}, .joined = false});
   write(record, scratch.path());
   std::ifstream file(scratch.path() / "sample.xdmf");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -61,6 +62,11 @@ TEST_CASE("points of a snapshot are joined by a line or stand alone", "[record]"
   REQUIRE(line != std::string::npos);
   REQUIRE(particles != std::string::npos);
   CHECK(line < particles);
+  const H5::H5File h5((scratch.path() / "sample.h5").string(), H5F_ACC_RDONLY);
+  const H5::Attribute attribute = h5.openDataSet("/snapshots/0001/points").openAttribute("unit");
+  std::string unit;
+  attribute.read(attribute.getDataType(), unit);
+  CHECK(unit == "depth");
 }
 
 TEST_CASE("numbers that are not finite become null, not invalid JSON", "[record]") {

@@ -38,10 +38,11 @@ TEST_CASE("of several runs the mean is judged, and the scatter is known", "[evid
 
   std::map<std::string, StatedUncertainty> stated{{"eta", {.value = 0.01}}};
   add_scatter(repeats, stated);
-  is("added", "That of the mean is added to what is stated.", stated.at("eta").value, std::sqrt(1e-4 + 1e-4 / 3));
+  is("added", "That of the mean is added to what is stated.", stated.at("eta").of(3), std::sqrt(1e-4 + 1e-4 / 3));
   std::map<std::string, StatedUncertainty> share{{"eta", {.value = 0, .relative = true}}};
   add_scatter(repeats, share);
-  is("relative", "As a share where a share is stated.", share.at("eta").of(3), 0.01 / std::sqrt(3.0));
+  is("relative", "Beside a share it is the same, however small the reference.", share.at("eta").of(0.1),
+     0.01 / std::sqrt(3.0));
   std::map<std::string, StatedUncertainty> nothing;
   add_scatter(repeats, nothing);
   is("unknown", "Where nothing is stated nothing is known.", static_cast<double>(nothing.size()), 0);

@@ -30,7 +30,7 @@ Record sample(double depth) {
   const std::vector<double> x{0, 1, 2};
   const std::vector<double> h{depth, depth, depth};
   record.figure("profile", "Profile", "A line.").panel({.x = "x [m]", .y = "h [m]"}).line("exact", x, h, Role::exact);
-  record.snapshot({.time = 1, .x = x, .z = h, .fields = {{"depth", "m", h}}});
+  record.snapshot({.time = 1, .x = x, .z = h, .unit = "m", .fields = {{"depth", "m", h}}});
   return record;
 }
 

@@ -32,8 +32,22 @@ class League(unittest.TestCase):
         self.assertAlmostEqual(one.runs[-1].order, 2)
 
     def test_order_of_a_ladder_goes_before_the_slope(self):
-        one, = self.table(scored("boxes-10", 0.1, 0.25), scored("boxes-20", 0.05, 0.2, measurements={"ladder_order_eta": 1.5}))
+        ladder = {"ladder_order_R": 1.0, "ladder_order_eta": 1.5, "ladder_order_u": 2.0}
+        one, = self.table(scored("boxes-10", 0.1, 0.25), scored("boxes-20", 0.05, 0.2, measurements=ladder))
+        self.assertEqual([run.order for run in one.runs], [None, 1.5], "that of the quantity shown")
+
+    def test_a_run_without_a_cell_hides_no_order(self):
+        ladder = scored("boxes", 0.1, 0.25, measurements={"ladder_order_eta": 1.5})
+        again = scored("boxes", None, 0.2, tier="full")
+        one, = self.table(ladder, again)
         self.assertEqual([run.order for run in one.runs], [None, 1.5])
+        one, = self.table(scored("boxes", 0.1, 0.2), scored("boxes", 0.05, 0.1), again)
+        self.assertAlmostEqual(one.runs[-1].order, 1)
+
+    def test_a_version_is_no_number_of_cells(self):
+        one, = self.table(scored("interFoam-2206", 0.1, 0.25), scored("interFoam-2312", 0.05, 0.2))
+        self.assertEqual([(run.solver, run.order) for run in one.runs],
+                         [("interFoam-2206", None), ("interFoam-2312", None)])
 
     def test_error_is_that_of_the_worst_time(self):
         one, = self.table(scored("boxes", 0.1, 0.25))

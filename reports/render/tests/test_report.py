@@ -15,6 +15,7 @@ import sys
 import tempfile
 import tomllib
 import unittest
+import unittest.mock
 import urllib.parse
 
 REPORTS = pathlib.Path(__file__).resolve().parents[2]
@@ -23,7 +24,7 @@ sys.path.insert(0, str(REPORTS))
 import h5py  # noqa: E402
 import numpy  # noqa: E402
 
-from render import atlas, defects, experiments, marks, pages, quantities, records  # noqa: E402
+from render import atlas, defects, experiments, layout, marks, pages, pdf, quantities, records  # noqa: E402
 from render.command import main  # noqa: E402
 from render.formulas import Formulas  # noqa: E402
 from render.store import Store  # noqa: E402
@@ -308,8 +309,10 @@ class Report(unittest.TestCase):
                  "claim": "gone: claim", "measured": "", "limit": "", "verdict": "not found", "others": "0"}]
         memo = Store(self.cache).memo
         loaded, _ = records.load(self.evidence, memo)
+        others = [records.Record(f"sharp{name}.json", record("sharp", **what))
+                  for name, what in ((".theirs", {"solver": "theirs"}), ("@full", {"tier": "full"}))]
         page = pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("defects.html.j2").render(
-            root="", page="defects.html", title="T", fonts=False, defects=defects.survey(rows, loaded))
+            root="", page="defects.html", title="T", fonts=False, defects=defects.survey(rows, loaded + others))
         self.assertIn("1 of 2 defects are found, by 1 different claim.", page)
         self.assertIn("cases/sharp.html#sharp-claim-marginal", page)
         self.assertIn("not found", page[page.index('id="linear-b'):])
@@ -440,15 +443,36 @@ class Report(unittest.TestCase):
             self.assertIn(str(self.folder / name), said)
             self.assertFalse((self.folder / "x").exists())
 
+    def printed(self, path):
+        """Status, words and file of a report that is printed with the programs of that PATH."""
+        with unittest.mock.patch.dict(os.environ, PATH=path):
+            return *render(self.evidence, self.folder / "printed", "--pdf", str(self.folder / "x.pdf")), self.folder / "x.pdf"
+
     def test_missing_browser_is_named(self):
-        before = os.environ["PATH"]
-        os.environ["PATH"] = str(self.folder)
-        try:
-            status, said = render(self.evidence, self.folder / "x", "--pdf", str(self.folder / "x.pdf"))
-        finally:
-            os.environ["PATH"] = before
+        status, said, _ = self.printed(str(self.folder))
         self.assertEqual(status, 2)
         self.assertIn("chromium", said)
+
+    def test_the_whole_report_is_printed(self):
+        stand_in = self.folder / "browser" / "chromium"     # prints a page as it is
+        stand_in.parent.mkdir()
+        stand_in.write_text(f"""#!{sys.executable}
+import shutil, sys, urllib.parse
+target = next(word.split("=", 1)[1] for word in sys.argv if word.startswith("--print-to-pdf="))
+shutil.copy(urllib.parse.unquote(urllib.parse.urlsplit(sys.argv[-1]).path), target)
+""")
+        stand_in.chmod(0o755)
+        status, said, file = self.printed(str(stand_in.parent))
+        self.assertEqual(status, 0, said)
+        text = file.read_text(encoding="utf-8")
+        self.assertEqual(Page(text).faults, [])
+        cases = len(list((self.out / "cases").iterdir()))
+        self.assertEqual(text.count('<div class="sheet">'), cases + 2)      # how to read it, and the atlas
+        self.assertIn("that of nobody", text)
+        if pdf.find_browser():
+            status, said, file = self.printed(os.environ["PATH"])
+            self.assertEqual(status, 0, said)
+            self.assertGreater(len(re.findall(rb"/Type\s*/Page\b", file.read_bytes())), cases + 2)
 
 
 class Schema(unittest.TestCase):
@@ -483,15 +507,40 @@ class Numbers(unittest.TestCase):
             return re.sub("<[^>]*>", "", str(quantities.with_uncertainty(*pair))).replace(quantities.THIN, " ")
         self.assertEqual(text(1.23456, 0.021), "1.235 ± 0.021")
         self.assertEqual(text(3.81e-7, 2e-9), "(3.810 ± 0.020) × 10−7")
+        self.assertEqual(text(1.23456, 0.00021), "1.23456 ± 0.00021")
+        self.assertEqual(text(1.23456, 0.00047), "1.2346 ± 0.0005")
         self.assertEqual(text(2.0, 0.0), "2")
         self.assertEqual(text(None, 0.1), "—")
+
+    def test_no_uncertainty_is_rounded_by_more_than_a_sixth(self):
+        for measured in (0.0, 1.23456, -9.87654321e-7, 4321.0):
+            for k in range(1, 400):
+                uncertainty = max(abs(measured), 1e-5) * 10 ** (1 - k / 50)
+                text = re.sub("<sup>(.*?)</sup>", r"^\1", str(quantities.with_uncertainty(measured, uncertainty)))
+                said = re.sub("<[^>]*>", "", text).replace(quantities.THIN, "").replace("−", "-").split("±")[1]
+                shown, power = re.fullmatch(r"([\d.]+)\)?(?:×10\^(-?\d+))?", re.sub(r"^10\^", "1×10^", said)).groups("0")
+                # Half a unit of one digit that is 3 or more.
+                self.assertLessEqual(abs(float(shown) * 10.0 ** int(power) / uncertainty - 1), 0.5 / 3 + 1e-9, (measured, said))
 
     def test_full_value_is_in_the_title(self):
         self.assertIn('title="1.23456789"', str(quantities.number(1.23456789)))
 
     def test_units_are_upright_and_raised(self):
         self.assertIn("m<sup>3</sup>/s", str(quantities.unit("m^3/s")))
+        self.assertIn(">(g H)<sup>1/2</sup>/s<", str(quantities.unit("(g H)^(1/2)/s")))
         self.assertEqual(str(quantities.unit("1")), "")
+
+
+class Axes(unittest.TestCase):
+    def test_error_bars_stay_on_shared_axes(self):
+        def panel(error):
+            return {"y_label": "h", "series": [{"style": "points", "x": numpy.array([0.0, 1.0]), "y": numpy.array([1.0, 2.0]),
+                                                "y_error": numpy.array([0.1, error])}]}
+        shown = [panel(0.7), panel(0.5)]
+        layout.share_limits(shown)
+        for one in shown:
+            self.assertGreater(one["y_max"], 2.7)
+            self.assertLess(one["y_min"], 0.9)
 
 
 if __name__ == "__main__":

@@ -39,7 +39,7 @@ class Models(unittest.TestCase):
         evidence, cls.out = cls.folder / "evidence", cls.folder / "report"
         evidence.mkdir()
         drop = [row("coarse and fine", size=0.2, error=0.5), row("coarse and fine", size=0.1, error=0.0123),
-                row("breaks late", size=0.4, error=0.044), row("breaks late", size=0.3, error=None, uncertainty=None,
+                row("breaks late", size=0.125, error=0.044), row("breaks late", size=0.0625, error=None, uncertainty=None,
                                                               energy=None, momentum=None, lasted=1.25,
                                                               **{"broke by": f"folds {HOSTILE}"}),
                 row("never there", error=None, uncertainty=None, energy=None, momentum=None, lasted=0.0,
@@ -91,6 +91,7 @@ class Models(unittest.TestCase):
     def test_a_coarser_resolution_stands_for_a_finest_one_that_broke_before_its_error_was_taken(self):
         line = self.line("breaks late")
         self.assertIn('title="0.044 ± 0.0011"', line)
+        self.assertIn(">0.125<", line)
         self.assertRegex(re.sub("<[^>]*>", "", line), "coarse to fine: not, 1.2")
 
     def test_a_model_that_gives_no_error_is_a_row_with_its_cause(self):

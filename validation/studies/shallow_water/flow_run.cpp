@@ -187,6 +187,7 @@ void draw_frame(evidence::Figure& figure, evidence::Exhibit& exhibit, const Flow
   exhibit.snapshot({.time = frame.time,
                     .x = curve.x,
                     .z = curve.depth,
+                    .unit = "m",
                     .fields = {{"depth", "m", curve.depth}, {"velocity", "m/s", curve.velocity}}});
 }
 

@@ -16,6 +16,7 @@ void add_particles(evidence::Exhibit& exhibit, double time, const wcsph::Particl
   exhibit.snapshot({.time = time,
                     .x = {particles.x.begin(), particles.x.end()},
                     .z = {particles.z.begin(), particles.z.end()},
+                    .unit = "m",
                     .fields = {{"u", "m/s", {particles.u.begin(), particles.u.end()}},
                                {"w", "m/s", {particles.w.begin(), particles.w.end()}},
                                {"density", "kg/m^3", {particles.density.begin(), particles.density.end()}},
