@@ -12,8 +12,8 @@
 #include <fmt/ranges.h>
 
 #include "seiche/io/atomic_file.hpp"
-#include "seiche/io/solver_inputs.hpp"
 #include "validation/command/exact_points.hpp"
+#include "validation/scoring/solver_inputs.hpp"
 
 namespace seiche::command {
 namespace {
@@ -44,7 +44,7 @@ class Water {
   /// Velocity along x, across and up: 0 along axes that the solution leaves out.
   struct Flow {
     double bed, surface;
-    io::Vector3 velocity;
+    validation::Vector3 velocity;
   };
 
   Water(const ExactSolution& solution, const std::map<std::string, double>& parameters)
@@ -137,10 +137,10 @@ std::vector<fs::path> write_openfoam(Water& water, const InputOptions& options) 
   const std::size_t up = options.up == "y" ? 1 : 2;
   const std::size_t across = 3 - up;
   const double hand = up == 2 ? 1 : -1;  // x, across, up are right-handed in both
-  const std::vector<io::Vector3> centres = io::read_openfoam_centres(options.centres);
-  const auto edges = io::heights_of_cells(centres, up);
+  const std::vector<validation::Vector3> centres = validation::read_openfoam_centres(options.centres);
+  const auto edges = validation::heights_of_cells(centres, up);
   std::vector<double> share;
-  std::vector<io::Vector3> velocity;
+  std::vector<validation::Vector3> velocity;
   for (std::size_t i = 0; i < centres.size(); ++i) {
     const double x = centres[i][0] - options.origin_x;
     const double low = edges[i].first - options.origin_up;
@@ -153,19 +153,19 @@ std::vector<fs::path> write_openfoam(Water& water, const InputOptions& options) 
           options.centres, i, fmt::join(centres[i], " "), column.bed + options.origin_up));
     }
     share.push_back(std::clamp((column.surface - low) / (high - low), 0.0, 1.0));
-    io::Vector3 moving{};
+    validation::Vector3 moving{};
     if (share.back() > 0) {
       // In the middle of the cell's water; the round-off of a surface must not put it into the air.
       const double height = std::max(0.5 * (low + std::min(high, column.surface)), column.bed);
-      const io::Vector3 there = water.flow(x, y, height).velocity;
+      const validation::Vector3 there = water.flow(x, y, height).velocity;
       moving[0] = there[0];
       moving[across] = hand * there[1];
       moving[up] = there[2];
     }
     velocity.push_back(moving);
   }
-  return {write(options, "alpha.water.internalField", io::openfoam_field(share)),
-          write(options, "U.internalField", io::openfoam_field(velocity))};
+  return {write(options, "alpha.water.internalField", validation::openfoam_field(share)),
+          write(options, "U.internalField", validation::openfoam_field(velocity))};
 }
 
 /// Different values of an input over the grid's points, ascending; empty where the solution has it not.
@@ -217,7 +217,7 @@ std::vector<fs::path> write_geoclaw(Water& water, const ExactSolution& solution,
   std::vector<double> shifted = x;
   for (double& one : shifted) one += options.origin_x;
   const auto grid_file = [&](const char* name, const std::vector<double>& z) {
-    return write(options, name, io::geoclaw_grid(shifted, y, z));
+    return write(options, name, validation::geoclaw_grid(shifted, y, z));
   };
   std::vector<fs::path> files{grid_file("topo.xyz", bed), grid_file("eta.xyz", surface),
                               grid_file("hu.xyz", discharge)};
@@ -238,11 +238,11 @@ std::vector<fs::path> write_vtk(const ExactSolution& solution, const exact::Eval
     counts.at(axis) = std::max<std::size_t>(along(solution, grid, input.name).size(), 1);
   }
   if (evaluator.curve) throw std::invalid_argument(fmt::format("{}: is a curve and no field", solution.name));
-  std::vector<io::Vector3> points;
-  std::vector<io::NamedField> fields;
+  std::vector<validation::Vector3> points;
+  std::vector<validation::NamedField> fields;
   for (const exact::Quantity& output : solution.outputs) fields.push_back({output.name, {}});
   for (const Point& point : grid) {
-    io::Vector3 at{options.origin_x, 0, options.origin_up};
+    validation::Vector3 at{options.origin_x, 0, options.origin_up};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double moved = place.at(axis) ? point[*place.at(axis)] : 0;
       at.at(axis) += std::isnan(moved) ? 0 : moved;
@@ -255,7 +255,7 @@ std::vector<fs::path> write_vtk(const ExactSolution& solution, const exact::Eval
     }
     for (std::size_t k = 0; k < fields.size(); ++k) fields[k].values.push_back(values[k]);
   }
-  return {write(options, solution.name + ".vtk", io::legacy_vtk(solution.title, counts, points, fields))};
+  return {write(options, solution.name + ".vtk", validation::legacy_vtk(solution.title, counts, points, fields))};
 }
 
 /// A piston that makes a wave of permanent form moves with the mean velocity behind it, c eta/(d + eta), which takes
@@ -338,7 +338,7 @@ std::vector<fs::path> write_dualsphysics(const ExactSolution& solution, const st
         solution.name));
   }
   for (double& position : piston.positions) position += options.origin_x;
-  return {write(options, "paddle.csv", io::dualsphysics_motion(piston.times, piston.positions))};
+  return {write(options, "paddle.csv", validation::dualsphysics_motion(piston.times, piston.positions))};
 }
 
 }  // namespace
