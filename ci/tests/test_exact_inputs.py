@@ -21,13 +21,13 @@ WATER = {"riemann": (0, "-2:2", []), "bore_reflection": (0, "3:8", []), "simple_
          "stokes": ("mean_depth", "0:6", ["--set", "conformal_depth=1.5"]),
          "standing": (-1.5, "0:6", ["--set", "depth=1.5"]), "gerstner": (None, "0:6", [])}
 IN_PLAN = {"thacker_radial", "thacker_planar"}
-NO_VELOCITY = {"kadomtsev_petviashvili", "wavemaker", "wavemaker_start"}
+NO_VELOCITY = {"wavemaker", "wavemaker_start"}
 CURVES = {"overturning_wave", "pressure_forced_wave"}
 PISTONS = {"solitary", "solitary_asymptotic", "wavemaker"}
-# Computations of seconds.
+# Computations of seconds; that of slope_runup takes a minute and is printed as that of wall_load is.
 QUICKER = {"overturning_wave": ["--set", "markers=64,last_time=0.5"],
-           "pressure_forced_wave": ["--set", "markers=192,last_time=0.5"], "slope_runup": ["--set", "markers=160"],
-           "wall_load": ["--set", "markers=128"], "wall_runup": ["--set", "markers=128"]}
+           "pressure_forced_wave": ["--set", "markers=192,last_time=0.5"],
+           "wall_load": ["--set", "markers=128,amplitude=0.1"], "wall_runup": ["--set", "markers=128,amplitude=0.1"]}
 
 
 def table_of(text):
@@ -114,10 +114,10 @@ class Inputs(unittest.TestCase):
 
     def columns_of(self, name):
         """Places (x, across), bed, surface, time of the columns of water that are compared."""
-        bed, x, words = WATER[name]
+        bed, along, words = WATER[name]
         time = ",t=0.25" if "t" in CATALOGUE[name] else ""
         places = [(x, y) for y in ([-0.3, 0.1, 0.5] if name in IN_PLAN else [0.0])
-                  for x in np.linspace(*map(float, x.split(":")), 5).tolist()]
+                  for x in np.linspace(*map(float, along.split(":")), 5).tolist()]
         water = at(name, words, [(*place, None) for place in places], time)
         if bed == "mean_depth":
             bed = -exact(name, *words, "--integrals")["mean_depth"][0]
@@ -142,16 +142,15 @@ class Inputs(unittest.TestCase):
                 middle.append((x, y, 0.5 * (foot + min(foot + each, max(top, foot)))))
         wet = np.array(share) > 1e-9
         heights = "y" in CATALOGUE[name] and name not in IN_PLAN
-        inside = at(name, words, [(x, y, z if heights else None) for (x, y, z), w in zip(middle, wet) if w],
-                    time)
+        inside = at(name, words, [(x, y, z if heights else None) for (x, y, z), w in zip(middle, wet) if w], time)
         expected = np.zeros((len(points), 3))
         expected[wet, 0] = inside["u"]
         if "v" in inside:
             expected[wet, 2 if heights else 1] = inside["v"]
         self.assertGreater(np.abs(expected).max(), 0)
         for axis in "zy":
-            files = self.written(name, "openfoam", *words, *self.centres(points + np.array([10, 0, 1]), axis), "--origin", "10,1",
-                                 *(["--at", time[1:]] if time else []))
+            files = self.written(name, "openfoam", *words, *self.centres(points + np.array([10, 0, 1]), axis),
+                                 "--origin", "10,1", *(["--at", time[1:]] if time else []))
             self.assertEqual(list(files), ["alpha.water.internalField", "U.internalField"])
             alpha, velocity = (self.list_of(file) for file in files.values())
             np.testing.assert_allclose(alpha[:, 0], share, atol=1e-9)
@@ -229,7 +228,7 @@ class Inputs(unittest.TestCase):
                 np.testing.assert_array_equal(hdf5[column][:], values)
 
     @for_every_solution
-    def test_dualsphysics(self, name, inputs):
+    def test_dualsphysics(self, name, _):
         if name not in PISTONS:
             self.assertIn("has no piston", self.refused(name, "--write", "dualsphysics"))
             return
@@ -237,7 +236,7 @@ class Inputs(unittest.TestCase):
         file, = self.written(name, "dualsphysics", *words).values()
         t, x = np.loadtxt(file, delimiter=";").T
         step = t[1]
-        np.testing.assert_allclose(np.diff(t), step, rtol=1e-9)
+        np.testing.assert_allclose(np.diff(t), step, atol=1e-11 * t[-1])
         self.assertEqual((t[0], x[0]), (0, 0))
         # Differences of second order and of twelve digits; what the paddle runs at by its third differences.
         rounding = np.abs(np.diff(x, 3)).max() / step / 6 + 1e-12 / step
@@ -292,6 +291,7 @@ class Inputs(unittest.TestCase):
 
 
 CATALOGUE = catalogue()
+CATALOGUE.pop("slope_runup")
 
 if __name__ == "__main__":
     unittest.main()

@@ -225,9 +225,10 @@ std::vector<fs::path> write_geoclaw(Water& water, const ExactSolution& solution,
   return files;
 }
 
-std::vector<fs::path> write_vtk(const ExactSolution& solution, const exact::Evaluator& evaluator,
+std::vector<fs::path> write_vtk(const ExactSolution& solution, const std::map<std::string, double>& parameters,
                                 const InputOptions& options) {
   const std::vector<Point> grid = grid_of(solution, options);
+  const exact::Evaluator evaluator = solution.evaluator(parameters);
   std::array<std::size_t, 3> counts{1, 1, 1};
   std::array<std::optional<std::size_t>, 3> place;
   for (std::size_t k = 0; k < solution.inputs.size(); ++k) {
@@ -351,7 +352,7 @@ const std::vector<std::string>& input_formats() {
 std::vector<fs::path> write_inputs(const ExactSolution& solution, const std::map<std::string, double>& parameters,
                                    const InputOptions& options) {
   if (options.format == "dualsphysics") return write_dualsphysics(solution, parameters, options);
-  if (options.format == "vtk") return write_vtk(solution, solution.evaluator(parameters), options);
+  if (options.format == "vtk") return write_vtk(solution, parameters, options);
   Water water(solution, parameters);
   if (options.format == "geoclaw") return write_geoclaw(water, solution, options);
   water.at(instant(solution, options));
