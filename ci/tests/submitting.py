@@ -75,11 +75,11 @@ class Scoring(unittest.TestCase):
 
     def reference(self, case, table, *words):
         """What the commands that a template prints give, in the template's columns."""
-        template = seiche("score", case, "--template", "--table", table, *words).stdout
+        template = printed("score", case, "--template", "--table", table, *words)
         commands = [line.split("the reference: seiche ")[1].split() for line in template.splitlines()
                     if "the reference: seiche " in line]
         self.assertTrue(commands, template)
-        parts = [rows_of(seiche(*command).stdout) for command in commands]
+        parts = [rows_of(printed(*command)) for command in commands]
         named = [name.split(" ")[0] for name in parts[0][0]]
         return {name: np.array([float(row[named.index(name)]) for _, rows in parts for row in rows])
                 for name in (wanted.split(" ")[0] for wanted in rows_of(template)[0])}

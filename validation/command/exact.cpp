@@ -37,10 +37,10 @@ void print_catalogue() {
   fmt::print("--set parameters, --at or --grid coordinates; -> outputs at each point, => scalars of --integrals\n");
 }
 
-/// Rows of inputs and outputs. Grid points outside the fluid hold NaN, since a rectangle never fits a wave; a point
-/// that was asked for by itself must lie in the fluid.
+/// Rows of inputs and outputs. Grid points outside the fluid hold NaN, since a rectangle never fits a wave; the first
+/// points, asked for one by one, must lie in the fluid.
 std::vector<std::vector<double>> rows_of(const exact::Evaluator& evaluator, const std::vector<Point>& points,
-                                         std::size_t outputs, bool grid) {
+                                         std::size_t outputs, std::size_t one_by_one) {
   std::vector<std::vector<double>> rows;
   const auto add = [&](const Point& point, const std::vector<double>& values) {
     rows.push_back(point);
@@ -54,7 +54,7 @@ std::vector<std::vector<double>> rows_of(const exact::Evaluator& evaluator, cons
     try {
       add(point, evaluator.eval(point));
     } catch (const exact::OutsideFluid&) {
-      if (!grid) throw;
+      if (rows.size() < one_by_one) throw;
       add(point, std::vector<double>(outputs, std::numeric_limits<double>::quiet_NaN()));
     }
   }
@@ -104,6 +104,7 @@ int exact_command(const ExactOptions& options) {
     return 0;
   }
   std::vector<Point> points = points_at(solution, options.points);
+  const std::size_t one_by_one = options.grid.empty() ? std::numeric_limits<std::size_t>::max() : points.size();
   if (!options.grid.empty()) {
     const std::vector<Point> grid = points_on_grid(solution, options.grid);
     points.insert(points.end(), grid.begin(), grid.end());
@@ -122,7 +123,7 @@ int exact_command(const ExactOptions& options) {
     result.scalars = evaluator.scalars();
     result.uncertainty = evaluator.uncertainty();
   }
-  result.rows = rows_of(evaluator, points, solution.outputs.size(), !options.grid.empty());
+  result.rows = rows_of(evaluator, points, solution.outputs.size(), one_by_one);
 
   if (options.format == "hdf5") {
     const std::string file = options.out.empty() ? options.name + ".h5" : options.out;

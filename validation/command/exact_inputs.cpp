@@ -12,8 +12,8 @@
 #include <fmt/ranges.h>
 
 #include "seiche/io/atomic_file.hpp"
-#include "seiche/io/solver_inputs.hpp"
 #include "validation/command/exact_points.hpp"
+#include "validation/scoring/solver_inputs.hpp"
 
 namespace seiche::command {
 namespace {
@@ -21,89 +21,105 @@ namespace {
 using exact::ExactSolution;
 namespace fs = std::filesystem;
 
+/// Index of an input or output.
+template <class Named>
+std::optional<std::size_t> index_of(const std::vector<Named>& all, std::string_view name) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.name == name; });
+  return found == all.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - all.begin()));
+}
+
+bool is_height(const exact::Coordinate& input) {
+  return input.name == "y" && std::isnan(input.default_value);
+}
+
 /// A solution as water over a bed: what a solver's initial state is made of.
+///
+/// | output | bed |
+/// |---|---|
+/// | z | z |
+/// | h without z | 0 |
+/// | eta without z | -mean_depth (a scalar), -depth (a parameter), or none: infinitely deep |
 class Water {
  public:
+  /// Velocity along x, across and up: 0 along axes that the solution leaves out.
+  struct Flow {
+    double bed, surface;
+    validation::Vector3 velocity;
+  };
+
   Water(const ExactSolution& solution, const std::map<std::string, double>& parameters)
-      : solution_(solution), evaluator_(solution.evaluator(parameters)) {
-    for (std::size_t k = 0; k < solution.inputs.size(); ++k) {
-      const exact::Coordinate& input = solution.inputs[k];
-      if (input.name == "x") x_ = k;
-      if (input.name == "t") t_ = k;
-      if (input.name == "y") (std::isnan(input.default_value) ? height_ : across_) = k;
-    }
-    for (std::size_t k = 0; k < solution.outputs.size(); ++k) outputs_[solution.outputs[k].name] = k;
-    if (!x_ || evaluator_.curve || !(has("eta") || has("h"))) {
+      : solution_(solution), x_(index_of(solution.inputs, "x")), t_(index_of(solution.inputs, "t")) {
+    const auto y = index_of(solution.inputs, "y");
+    if (y) (is_height(solution.inputs[*y]) ? height_ : across_) = y;
+    const auto output = [&](const char* name) { return index_of(solution.outputs, name); };
+    surface_ = output("eta"), depth_ = output("h"), bed_ = output("z"), velocity_ = {output("u"), {}, {}};
+    velocity_[height_ ? 2 : 1] = y ? output("v") : std::nullopt;
+    if (!x_ || !(surface_ || depth_)) {
       throw std::invalid_argument(
           fmt::format("{}: has no surface over x, which other solvers start from", solution.name));
     }
+    if (!velocity_[0]) {
+      throw std::invalid_argument(fmt::format("{}: knows no velocity, which other solvers start from", solution.name));
+    }
+    evaluator_ = solution.evaluator(parameters);
     const auto depth = parameters.find("depth");
-    depth_ = has("h") || depth == parameters.end() ? 0 : depth->second;
+    const auto mean = index_of(solution.scalars, "mean_depth");
+    if (surface_ && mean) {
+      flat_bed_ = -evaluator_.scalars()[*mean];
+    } else if (surface_) {
+      flat_bed_ = depth == parameters.end() ? -std::numeric_limits<double>::infinity() : -depth->second;
+    }
   }
 
   [[nodiscard]] bool in_plan() const { return across_.has_value(); }
   void at(double time) { time_ = time; }
 
-  [[nodiscard]] double bed(double x, double y = 0) const {
-    if (has("z")) return value("z", x, y, top);
-    if (std::isfinite(depth_)) return -depth_;
-    throw std::invalid_argument(fmt::format("{}: depth = inf has no bed: set a finite one", solution_.name));
-  }
-  [[nodiscard]] double surface(double x, double y = 0) const {
-    if (has("eta")) return value("eta", x, y, top);
-    return value("h", x, y, top) + (has("z") ? value("z", x, y, top) : 0.0);
-  }
-  /// At a height, or that of the column where the solution knows no heights.
-  [[nodiscard]] double u(double x, double height) const { return has("u") ? value("u", x, 0, height) : 0.0; }
-  [[nodiscard]] double v(double x, double height) const { return has("v") && height_ ? value("v", x, 0, height) : 0.0; }
-  /// Over the depth, by Gauss and Legendre's rule of three points in eight layers.
-  [[nodiscard]] double discharge(double x, double y) const {
-    const double low = bed(x, y);
-    const double high = surface(x, y);
-    if (!height_) return (high - low) * (has("u") ? value("u", x, y, top) : 0.0);
-    constexpr int layers = 8;
-    constexpr std::array nodes{-0.7745966692414834, 0.0, 0.7745966692414834};
-    constexpr std::array weights{5.0 / 9, 8.0 / 9, 5.0 / 9};
-    const double half = 0.5 * (high - low) / layers;
-    double sum = 0;
-    for (int k = 0; k < layers; ++k) {
-      for (std::size_t j = 0; j < nodes.size(); ++j) {
-        sum += weights[j] * half * u(x, low + half * (2 * k + 1 + nodes[j]));
-      }
-    }
-    return sum;
-  }
-
- private:
-  static constexpr double top = std::numeric_limits<double>::quiet_NaN();
-
-  [[nodiscard]] bool has(const std::string& output) const { return outputs_.contains(output); }
-  [[nodiscard]] double value(const std::string& output, double x, double across, double height) const {
+  /// At a height, or at the surface.
+  [[nodiscard]] Flow flow(double x, double across = 0, std::optional<double> height = {}) const {
     Point point;
     for (const exact::Coordinate& input : solution_.inputs) point.push_back(input.default_value);
     point[*x_] = x;
     if (t_) point[*t_] = time_;
-    if (height_) point[*height_] = height;
+    if (height_ && height) point[*height_] = *height;
     if (across_) point[*across_] = across;
-    return evaluator_.eval(point).at(outputs_.at(output));
+    const std::vector<double> row = evaluator_.eval(point);
+    Flow flow{.bed = bed_ ? row[*bed_] : flat_bed_, .surface = 0, .velocity = {}};
+    flow.surface = surface_ ? row[*surface_] : flow.bed + row[*depth_];
+    for (std::size_t axis = 0; axis < 3; ++axis) flow.velocity[axis] = velocity_[axis] ? row[*velocity_[axis]] : 0;
+    return flow;
+  }
+  /// Along x and across, over the depth, by Gauss and Legendre's rule of three points in eight layers.
+  [[nodiscard]] std::array<double, 2> discharge(double x, double across) const {
+    const Flow top = flow(x, across);
+    const double depth = top.surface - top.bed;
+    if (!height_) return {depth * top.velocity[0], depth * top.velocity[1]};
+    constexpr int layers = 8;
+    constexpr std::array nodes{-0.7745966692414834, 0.0, 0.7745966692414834};
+    constexpr std::array weights{5.0 / 9, 8.0 / 9, 5.0 / 9};
+    const double half = 0.5 * depth / layers;
+    double sum = 0;
+    for (int k = 0; k < layers; ++k) {
+      for (std::size_t j = 0; j < nodes.size(); ++j) {
+        sum += weights[j] * half * flow(x, across, top.bed + half * (2 * k + 1 + nodes[j])).velocity[0];
+      }
+    }
+    return {sum, 0};
   }
 
+ private:
   const ExactSolution& solution_;
   exact::Evaluator evaluator_;
   std::optional<std::size_t> x_, t_, height_, across_;
-  std::map<std::string, std::size_t> outputs_;
-  double depth_ = 0;
+  std::optional<std::size_t> surface_, depth_, bed_;
+  std::array<std::optional<std::size_t>, 3> velocity_;
+  double flat_bed_ = 0;
   double time_ = 0;
 };
 
 /// The instant of --at, 0 where none is given.
 double instant(const ExactSolution& solution, const InputOptions& options) {
-  if (options.points.empty()) return 0;
-  const std::vector<Point> points = points_at(solution, options.points);
-  for (std::size_t k = 0; k < solution.inputs.size(); ++k) {
-    if (solution.inputs[k].name == "t") return points.front()[k];
-  }
-  return 0;
+  const auto t = index_of(solution.inputs, "t");
+  return options.points.empty() || !t ? 0 : points_at(solution, options.points).front()[*t];
 }
 
 fs::path write(const InputOptions& options, const std::string& name, const std::string& text) {
@@ -119,40 +135,48 @@ std::vector<fs::path> write_openfoam(Water& water, const InputOptions& options) 
         "--write openfoam: --centres FILE is missing: the field C that 'postProcess -func writeCellCentres' writes");
   }
   const std::size_t up = options.up == "y" ? 1 : 2;
-  const std::vector<io::Vector3> centres = io::read_openfoam_centres(options.centres);
-  const auto edges = io::heights_of_cells(centres, up);
+  const std::size_t across = 3 - up;
+  const double hand = up == 2 ? 1 : -1;  // x, across, up are right-handed in both
+  const std::vector<validation::Vector3> centres = validation::read_openfoam_centres(options.centres);
+  const auto edges = validation::heights_of_cells(centres, up);
   std::vector<double> share;
-  std::vector<io::Vector3> velocity;
+  std::vector<validation::Vector3> velocity;
   for (std::size_t i = 0; i < centres.size(); ++i) {
     const double x = centres[i][0] - options.origin_x;
     const double low = edges[i].first - options.origin_up;
     const double high = edges[i].second - options.origin_up;
-    const double surface = water.surface(x);
-    share.push_back(std::clamp((surface - low) / (high - low), 0.0, 1.0));
-    io::Vector3 moving{};
+    const double y = hand * centres[i][across];
+    const Water::Flow column = water.flow(x, y);
+    if (centres[i][up] - options.origin_up < column.bed) {
+      throw std::invalid_argument(fmt::format(
+          "--centres {}: cell {} at ({:g}) lies below the bed, at {:g} there: its centre must be water or air",
+          options.centres, i, fmt::join(centres[i], " "), column.bed + options.origin_up));
+    }
+    share.push_back(std::clamp((column.surface - low) / (high - low), 0.0, 1.0));
+    validation::Vector3 moving{};
     if (share.back() > 0) {
       // In the middle of the cell's water; the round-off of a surface must not put it into the air.
-      const double height = std::max(0.5 * (low + std::min(high, surface)), water.bed(x));
-      moving[0] = water.u(x, height);
-      moving[up] = water.v(x, height);
+      const double height = std::max(0.5 * (low + std::min(high, column.surface)), column.bed);
+      const validation::Vector3 there = water.flow(x, y, height).velocity;
+      moving[0] = there[0];
+      moving[across] = hand * there[1];
+      moving[up] = there[2];
     }
     velocity.push_back(moving);
   }
-  return {write(options, "alpha.water.internalField", io::openfoam_field(share)),
-          write(options, "U.internalField", io::openfoam_field(velocity))};
+  return {write(options, "alpha.water.internalField", validation::openfoam_field(share)),
+          write(options, "U.internalField", validation::openfoam_field(velocity))};
 }
 
 /// Different values of an input over the grid's points, ascending; empty where the solution has it not.
 std::vector<double> along(const ExactSolution& solution, const std::vector<Point>& grid, const std::string& name) {
-  for (std::size_t k = 0; k < solution.inputs.size(); ++k) {
-    if (solution.inputs[k].name != name) continue;
-    std::set<double> values;
+  std::set<double> values;
+  if (const auto k = index_of(solution.inputs, name)) {
     for (const Point& point : grid) {
-      if (!std::isnan(point[k])) values.insert(point[k]);
+      if (!std::isnan(point[*k])) values.insert(point[*k]);
     }
-    return {values.begin(), values.end()};
   }
-  return {};
+  return {values.begin(), values.end()};
 }
 
 std::vector<Point> grid_of(const ExactSolution& solution, const InputOptions& options) {
@@ -174,41 +198,52 @@ std::vector<fs::path> write_geoclaw(Water& water, const ExactSolution& solution,
     throw std::invalid_argument(fmt::format("--grid {}: GeoClaw needs two points or more along x{}", options.grid,
                                             water.in_plan() ? " and y" : ""));
   }
-  std::vector<double> bed, surface, discharge;
+  std::vector<double> bed, surface, discharge, discharge_across;
   for (const double at_y : y) {
     const double across = water.in_plan() ? at_y : 0;
     for (const double at_x : x) {
-      bed.push_back(water.bed(at_x, across) + options.origin_up);
-      surface.push_back(water.surface(at_x, across) + options.origin_up);
-      discharge.push_back(water.discharge(at_x, across));
+      const Water::Flow flow = water.flow(at_x, across);
+      if (!std::isfinite(flow.bed)) {
+        throw std::invalid_argument(fmt::format(
+            "{}: is infinitely deep and has no bed for topo.xyz: GeoClaw needs a finite depth", solution.name));
+      }
+      bed.push_back(flow.bed + options.origin_up);
+      surface.push_back(flow.surface + options.origin_up);
+      const auto [hu, hv] = water.discharge(at_x, across);
+      discharge.push_back(hu);
+      discharge_across.push_back(hv);
     }
   }
   std::vector<double> shifted = x;
   for (double& one : shifted) one += options.origin_x;
   const auto grid_file = [&](const char* name, const std::vector<double>& z) {
-    return write(options, name, io::geoclaw_grid(shifted, y, z));
+    return write(options, name, validation::geoclaw_grid(shifted, y, z));
   };
-  return {grid_file("topo.xyz", bed), grid_file("eta.xyz", surface), grid_file("hu.xyz", discharge)};
+  std::vector<fs::path> files{grid_file("topo.xyz", bed), grid_file("eta.xyz", surface),
+                              grid_file("hu.xyz", discharge)};
+  if (water.in_plan()) files.push_back(grid_file("hv.xyz", discharge_across));
+  return files;
 }
 
-std::vector<fs::path> write_vtk(const ExactSolution& solution, const exact::Evaluator& evaluator,
+std::vector<fs::path> write_vtk(const ExactSolution& solution, const std::map<std::string, double>& parameters,
                                 const InputOptions& options) {
   const std::vector<Point> grid = grid_of(solution, options);
+  const exact::Evaluator evaluator = solution.evaluator(parameters);
   std::array<std::size_t, 3> counts{1, 1, 1};
   std::array<std::optional<std::size_t>, 3> place;
   for (std::size_t k = 0; k < solution.inputs.size(); ++k) {
     const exact::Coordinate& input = solution.inputs[k];
     if (input.name == "t") continue;
-    const std::size_t axis = input.name == "x" ? 0 : std::isnan(input.default_value) ? 2 : 1;
+    const std::size_t axis = is_height(input) ? 2 : place[0] ? 1 : 0;
     place.at(axis) = k;
     counts.at(axis) = std::max<std::size_t>(along(solution, grid, input.name).size(), 1);
   }
   if (evaluator.curve) throw std::invalid_argument(fmt::format("{}: is a curve and no field", solution.name));
-  std::vector<io::Vector3> points;
-  std::vector<io::NamedField> fields;
+  std::vector<validation::Vector3> points;
+  std::vector<validation::NamedField> fields;
   for (const exact::Quantity& output : solution.outputs) fields.push_back({output.name, {}});
   for (const Point& point : grid) {
-    io::Vector3 at{options.origin_x, 0, options.origin_up};
+    validation::Vector3 at{options.origin_x, 0, options.origin_up};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double moved = place.at(axis) ? point[*place.at(axis)] : 0;
       at.at(axis) += std::isnan(moved) ? 0 : moved;
@@ -221,7 +256,7 @@ std::vector<fs::path> write_vtk(const ExactSolution& solution, const exact::Eval
     }
     for (std::size_t k = 0; k < fields.size(); ++k) fields[k].values.push_back(values[k]);
   }
-  return {write(options, solution.name + ".vtk", io::legacy_vtk(solution.title, counts, points, fields))};
+  return {write(options, solution.name + ".vtk", validation::legacy_vtk(solution.title, counts, points, fields))};
 }
 
 /// A piston that makes a wave of permanent form moves with the mean velocity behind it, c eta/(d + eta), which takes
@@ -233,13 +268,13 @@ struct Piston {
 
 Piston solitary_piston(Water& water, double speed, double depth, std::optional<std::vector<double>> times) {
   water.at(0);
-  const double crest = water.surface(0);
+  const double crest = water.flow(0).surface;
   double reach = depth;
-  while (water.surface(reach) > 1e-4 * crest) reach += 0.01 * depth;
+  while (water.flow(reach).surface > 1e-4 * crest) reach += 0.01 * depth;
   const double start = reach / speed;  // the crest passes the piston's first place then
   const auto rate = [&](double t, double position) {
     water.at(t - start);
-    const double eta = water.surface(position);
+    const double eta = water.flow(position).surface;
     return speed * eta / (depth + eta);
   };
   const double step = 1e-3 * depth / speed;
@@ -277,7 +312,10 @@ std::vector<fs::path> write_dualsphysics(const ExactSolution& solution, const st
                                          const InputOptions& options) {
   std::optional<std::vector<double>> times;
   if (!options.grid.empty()) times = along(solution, points_on_grid(solution, options.grid), "t");
-  if (times && times->front() < 0) throw std::invalid_argument("--grid: t must not be negative: a paddle starts at 0");
+  if (times && (times->size() < 2 || times->front() != 0)) {
+    throw std::invalid_argument(fmt::format(
+        "--grid {}: t must be two times or more, the first 0: a paddle starts from rest then", options.grid));
+  }
   Piston piston;
   if (solution.name == "solitary" || solution.name == "solitary_asymptotic") {
     Water water(solution, parameters);
@@ -289,8 +327,10 @@ std::vector<fs::path> write_dualsphysics(const ExactSolution& solution, const st
     const double period = scalars.at(3);
     if (!times) times = along(solution, points_on_grid(solution, fmt::format("t=0:{:.17g}:1001", 10 * period)), "t");
     for (const double t : *times) {
+      // Over the first period the stroke grows from 0: position, velocity and acceleration are continuous.
+      const double grown = t < period ? std::pow(std::sin(0.5 * std::numbers::pi * t / period), 2) : 1;
       piston.times.push_back(t);
-      piston.positions.push_back(0.5 * stroke * std::sin(2 * std::numbers::pi * t / period));
+      piston.positions.push_back(grown * 0.5 * stroke * std::sin(2 * std::numbers::pi * t / period));
     }
   } else {
     throw std::invalid_argument(fmt::format(
@@ -299,7 +339,7 @@ std::vector<fs::path> write_dualsphysics(const ExactSolution& solution, const st
         solution.name));
   }
   for (double& position : piston.positions) position += options.origin_x;
-  return {write(options, "paddle.csv", io::dualsphysics_motion(piston.times, piston.positions))};
+  return {write(options, "paddle.csv", validation::dualsphysics_motion(piston.times, piston.positions))};
 }
 
 }  // namespace
@@ -312,7 +352,7 @@ const std::vector<std::string>& input_formats() {
 std::vector<fs::path> write_inputs(const ExactSolution& solution, const std::map<std::string, double>& parameters,
                                    const InputOptions& options) {
   if (options.format == "dualsphysics") return write_dualsphysics(solution, parameters, options);
-  if (options.format == "vtk") return write_vtk(solution, solution.evaluator(parameters), options);
+  if (options.format == "vtk") return write_vtk(solution, parameters, options);
   Water water(solution, parameters);
   if (options.format == "geoclaw") return write_geoclaw(water, solution, options);
   water.at(instant(solution, options));

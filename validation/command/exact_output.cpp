@@ -1,5 +1,6 @@
 #include "validation/command/exact_output.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ struct PrintedColumn {
   std::vector<double> values;
 };
 
-/// Inputs and outputs; an input that was left to its default without a number (the surface) has no column.
+/// Inputs and outputs; an input left to its default without a number (the surface) in every row has no column.
 std::vector<PrintedColumn> columns_of(const ExactResult& result) {
   const ExactSolution& solution = *result.solution;
   std::vector<PrintedColumn> columns;
@@ -38,7 +39,8 @@ std::vector<PrintedColumn> columns_of(const ExactResult& result) {
     columns.push_back(std::move(column));
   };
   for (std::size_t k = 0; k < solution.inputs.size(); ++k) {
-    if (!std::isnan(result.rows.front()[k])) add(solution.inputs[k], k);
+    const auto given = [k](const std::vector<double>& row) { return !std::isnan(row[k]); };
+    if (std::any_of(result.rows.begin(), result.rows.end(), given)) add(solution.inputs[k], k);
   }
   for (std::size_t k = 0; k < solution.outputs.size(); ++k) add(solution.outputs[k], solution.inputs.size() + k);
   return columns;

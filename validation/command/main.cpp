@@ -104,9 +104,9 @@ void add_exact(CLI::App& app, Action& action) {
   command->add_option("--set", options->settings, "parameters, as name=value; may be repeated");
   command->add_option("--at", options->points, "points, as x=1,y=-0.2,t=2; may be repeated");
   command->add_option("--grid", options->grid, "points, as x=-10:10:401,t=2 (FROM:TO:COUNT); NaN outside the fluid");
-  command->add_option("--format", options->format, "csv, json or hdf5")
-      ->check(CLI::IsMember({"csv", "json", "hdf5"}))
-      ->capture_default_str();
+  CLI::Option* format = command->add_option("--format", options->format, "csv, json or hdf5")
+                            ->check(CLI::IsMember({"csv", "json", "hdf5"}))
+                            ->capture_default_str();
   command->add_option("--out", options->out, "file to write instead of printing; HDF5 always goes to a file, NAME.h5");
   command
       ->add_option(
@@ -114,10 +114,12 @@ void add_exact(CLI::App& app, Action& action) {
           "write what another solver starts from, into the folder --out (the current one): openfoam "
           "(alpha.water.internalField and U.internalField, to be included in 0/alpha.water and 0/U; needs "
           "--centres, and --at t=... where not from t=0), geoclaw (topo.xyz, eta.xyz for qinit_type 4, hu.xyz, "
-          "topotype 1, on --grid), dualsphysics (paddle.csv, time;position of a piston from rest for mvrectfile "
-          "with fields 2, fieldtime 0, fieldx 1; solitary, solitary_asymptotic, wavemaker; times as "
-          "--grid t=0:20:2001), vtk (legacy structured grid, on --grid), csv (on --grid)")
-      ->check(CLI::IsMember(input_formats()));
+          "hv.xyz where the solution knows y, topotype 1, on --grid), dualsphysics (paddle.csv, time;position of a "
+          "piston from rest for mvrectfile with fields 2, fieldtime 0, fieldx 1; solitary, solitary_asymptotic, "
+          "wavemaker, its stroke growing over the first period; times from 0 as --grid t=0:20:2001), vtk (legacy "
+          "structured grid, on --grid), csv (on --grid)")
+      ->check(CLI::IsMember(input_formats()))
+      ->excludes(format);
   command->add_option(
       "--centres", options->centres,
       "with --write openfoam: centres of the cells, the field C that 'postProcess -func writeCellCentres' "

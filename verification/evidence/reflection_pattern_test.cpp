@@ -18,7 +18,7 @@ namespace reflection_pattern_test {
 
 using namespace seiche;
 using namespace seiche::validation;
-using exact::KadomtsevPetviashvili;
+using verification::ExactReflection;
 using verification::Role;
 using verification::SampledReflection;
 
@@ -47,15 +47,15 @@ struct Configuration {
 };
 
 /// With a stem: when its end is 25 depths from the wall, but not before the wall has its limit to 1e-4.
-double time_of(const KadomtsevPetviashvili& waves) {
-  return waves.has_stem() ? std::max(25 / waves.triple_point(1).y, 10 / waves.settling_rate()) : 300;
+double time_of(const ExactReflection& waves) {
+  return waves.has_stem() ? std::max(25 / waves.stem_growth(), 10 / waves.settling_rate()) : 300;
 }
 
-double height_of(const KadomtsevPetviashvili& waves) {
-  return 55 + (waves.has_stem() ? waves.triple_point(time_of(waves)).y : 0);
+double height_of(const ExactReflection& waves) {
+  return 55 + (waves.has_stem() ? waves.stem_growth() * time_of(waves) : 0);
 }
 
-double highest_on_wall(const KadomtsevPetviashvili& waves, double t) {
+double highest_on_wall(const ExactReflection& waves, double t) {
   const double crest = waves.wall().at(0, t);
   return -boost::math::tools::brent_find_minima([&](double x) { return -waves.elevation(x, 0, t); }, crest - 1,
                                                 crest + 1, 50)
@@ -63,7 +63,7 @@ double highest_on_wall(const KadomtsevPetviashvili& waves, double t) {
 }
 
 void claim_pattern(verification::Check& check, const Configuration& configuration) {
-  const KadomtsevPetviashvili waves = verification::reflection(a, configuration.kappa);
+  const ExactReflection waves(a, configuration.kappa);
   const double t = time_of(waves);
   const SampledReflection sampled(waves, t, height_of(waves), spacing, configuration.disorder);
   const ReflectionPattern pattern = measured_reflection(sampled.lattice(), a);
@@ -118,7 +118,7 @@ void claim_pattern(verification::Check& check, const Configuration& configuratio
 
 /// Rows of the surface above one another, and the crests found on them.
 void draw(verification::Check& check) {
-  const KadomtsevPetviashvili waves = verification::reflection(a, 0.5);
+  const ExactReflection waves(a, 0.5);
   const double t = time_of(waves);
   const double height = height_of(waves);
   const SampledReflection sampled(waves, t, height, spacing);
@@ -181,7 +181,7 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
     }
   }
 
-  const KadomtsevPetviashvili waves = verification::reflection(a, 0.6);
+  const ExactReflection waves(a, 0.6);
   std::vector<double> wall_x;
   std::vector<double> stem;
   for (const double later : {0.0, 60.0}) {
@@ -200,7 +200,7 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
              {.value = std::tan(stem_angle(wall_x, stem).value)},
              evidence::Bound{.limit = 2 * (2 + 3 * 55 / (0.14 * 80)) * error.place / waves.incident().lean / path,
                              .reason = "errors of two lengths of the stem over the path",
-                             .expected = waves.triple_point(1).y / waves.wall().speed});
+                             .expected = waves.stem_growth() / waves.wall().speed});
   std::reverse(stem.begin(), stem.end());
   check.that({.id = "stem-shrinks",
               .text = "A stem that shrinks has a negative angle.",

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "seiche/io/atomic_file.hpp"
-#include "seiche/io/solver_inputs.hpp"
+#include "validation/scoring/solver_inputs.hpp"
 #include "verification/check.hpp"
 
 namespace solver_inputs_test {
@@ -26,13 +26,13 @@ std::string centres_file(const std::string& list, const std::string& format = "a
          "boundaryField\n{\n    wall { type calculated; value nonuniform List<vector> 1((9 9 9)); }\n}\n";
 }
 
-std::vector<io::Vector3> read(const std::string& text) {
+std::vector<validation::Vector3> read(const std::string& text) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / fmt::format("seiche-centres-{}", getpid());
   io::write_file(file, text);
-  std::vector<io::Vector3> centres;
+  std::vector<validation::Vector3> centres;
   try {
-    centres = io::read_openfoam_centres(file);
+    centres = validation::read_openfoam_centres(file);
   } catch (...) {
     std::filesystem::remove(file);
     throw;
@@ -66,7 +66,7 @@ TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
                Bound{.limit = 0, .reason = "17 digits hold a number", .expected = expected});
   };
   const std::string three = "List<vector>\n3\n(\n(0.1 0 0.5)\n(0.1 0 1.5)\n(0.1 0 3.5)\n)\n;\n";
-  const std::vector<io::Vector3> centres = read(centres_file(three));
+  const std::vector<validation::Vector3> centres = read(centres_file(three));
   exactly("count", "Centres inside are read, those of boundaries are not.", static_cast<double>(centres.size()), 3);
   exactly("last", "The last one is whole.", centres.at(2)[2], 3.5);
   is("binary", "A binary field is refused.", refusal(centres_file(three, "binary")), "writeFormat ascii");
@@ -74,35 +74,36 @@ TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
      "holds 3 centres, must be 4");
   is("uniform", "And one without a list.", refusal(centres_file("uniform (0 0 0);\n")), "no nonuniform List<vector>");
 
-  const auto edges = io::heights_of_cells(centres, 2);
+  const auto edges = validation::heights_of_cells(centres, 2);
   exactly("bottom", "The lowest cell ends half a cell below its centre.", edges.at(0).first, 0);
   exactly("between", "Edges are halfway between centres.", edges.at(1).second, 2.5);
   exactly("top", "The highest cell ends as far above its centre as below.", edges.at(2).second, 4.5);
   std::string alone;
   try {
-    io::heights_of_cells({{0, 0, 0}, {1, 0, 1}}, 2);
+    validation::heights_of_cells({{0, 0, 0}, {1, 0, 1}}, 2);
   } catch (const std::invalid_argument& refused) {
     alone = refused.what();
   }
   is("alone", "A column of one cell is refused.", alone, "one cell alone at x = 0");
 
   const std::vector<double> scalars{0.1, 1.0 / 3};
-  std::istringstream list(io::openfoam_field(scalars));
+  std::istringstream list(validation::openfoam_field(scalars));
   std::string word;
   double number = 0;
   while (word != "(") list >> word;
   list >> number >> number;
   exactly("scalar", "A scalar keeps its last digit.", number, 1.0 / 3);
-  is("vectors", "Vectors are in brackets.", io::openfoam_field(std::vector<io::Vector3>{{1, 0, -0.0}}),
+  is("vectors", "Vectors are in brackets.", validation::openfoam_field(std::vector<validation::Vector3>{{1, 0, -0.0}}),
      "List<vector>\n1\n(\n(1 0 0)\n)\n;");
 
   // Two rows in y, three in x: GeoClaw begins in the north-west.
   const std::vector<double> x{0, 1, 2}, y{10, 20}, z{1, 2, 3, 4, 5, 6};
-  is("grid", "GeoClaw's rows go from north to south.", io::geoclaw_grid(x, y, z), "0 20 4\n1 20 5\n2 20 6\n0 10 1\n");
+  is("grid", "GeoClaw's rows go from north to south.", validation::geoclaw_grid(x, y, z),
+     "0 20 4\n1 20 5\n2 20 6\n0 10 1\n");
   is("motion", "A paddle is time;position.",
-     io::dualsphysics_motion(std::vector<double>{0, 0.5}, std::vector<double>{0, 0.25}), "\n0;0\n0.5;0.25\n");
-  const std::string vtk = io::legacy_vtk("t", {2, 1, 1}, std::vector<io::Vector3>{{0, 0, 0}, {1, 0, 0}},
-                                         std::vector<io::NamedField>{{"eta", {0.5, NAN}}});
+     validation::dualsphysics_motion(std::vector<double>{0, 0.5}, std::vector<double>{0, 0.25}), "\n0;0\n0.5;0.25\n");
+  const std::string vtk = validation::legacy_vtk("t", {2, 1, 1}, std::vector<validation::Vector3>{{0, 0, 0}, {1, 0, 0}},
+                                                 std::vector<validation::NamedField>{{"eta", {0.5, NAN}}});
   is("vtk", "VTK names counts, points and fields.", vtk,
      "DIMENSIONS 2 1 1\nPOINTS 2 double\n0 0 0\n1 0 0\nPOINT_DATA 2\nSCALARS eta double 1\nLOOKUP_TABLE "
      "default\n0.5\nnan\n");

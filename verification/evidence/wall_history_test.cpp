@@ -17,7 +17,7 @@ namespace wall_history_test {
 
 using namespace seiche;
 using namespace seiche::validation;
-using exact::KadomtsevPetviashvili;
+using verification::ExactReflection;
 using verification::Role;
 
 const std::string source = "Kodama and Yeh, The KP theory and Mach reflection, J. Fluid Mech. 800 (2016) 766";
@@ -42,7 +42,7 @@ History sampled(double end, const std::function<double(double)>& amplitude, doub
 
 /// Of an exact stem, in units of the incident amplitude.
 History stem(double kappa, double settling_times) {
-  const KadomtsevPetviashvili waves = verification::reflection(incident, kappa);
+  const ExactReflection waves(incident, kappa);
   return sampled(settling_times / waves.settling_rate(), [waves](double t) {
     const double crest = waves.wall().at(0, t);
     return -boost::math::tools::brent_find_minima([&](double x) { return -waves.elevation(x, 0, t); }, crest - 1,
@@ -64,7 +64,7 @@ void claim_coverage(verification::Check& check) {
   for (const double kappa : {0.3, 0.6, 0.8, 0.9, 0.95, 0.98, 0.99, 0.995}) {
     for (const double settling_times : {0.25, 0.5, 1.0, 1.5, 2.0, 4.0, 8.0}) {
       const History history = stem(kappa, settling_times);
-      const double rate = verification::reflection(incident, kappa).settling_rate();
+      const double rate = ExactReflection(incident, kappa).settling_rate();
       const evidence::Measurement found = wall_limit(history.time, history.amplitude, rate).amplitude;
       const double limit = (1 + kappa) * (1 + kappa);
       outside.add(std::abs(found.value - limit) - found.half_width(), [](double beyond) { return beyond > 0; });
@@ -109,7 +109,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
           claim(fmt::format("stem-{:02.0f}-{:.0f}", 100 * kappa, settling_times),
                 fmt::format("An exact stem with kappa = {:g}, until t = {:g}/r.", kappa, settling_times),
                 stem(kappa, settling_times), (1 + kappa) * (1 + kappa), "several exponentials",
-                verification::reflection(incident, kappa).settling_rate());
+                ExactReflection(incident, kappa).settling_rate());
       CHECK(found.steady() == (settling_times > 4));
     }
   }
@@ -121,7 +121,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
                   [] {
                     const History history = stem(0.6, 8);
                     return wall_limit(history.time, history.amplitude).exponential.rate /
-                           verification::reflection(0.3, 0.6).settling_rate();
+                           ExactReflection(0.3, 0.6).settling_rate();
                   }()},
              evidence::Bound{.limit = 2 * std::exp(-4.0),
                              .reason = "the next exponential is exp(-4) of this one where the fit begins",
@@ -186,7 +186,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
   std::vector<double> uncertainties;
   std::vector<double> miles;
   for (const double kappa : {0.6, 0.9, 0.95}) {
-    const double rate = verification::reflection(0.3, kappa).settling_rate();
+    const double rate = ExactReflection(0.3, kappa).settling_rate();
     const History history = stem(kappa, 4);
     std::vector<double> time;
     for (const double t : history.time) time.push_back(t * rate);

@@ -26,6 +26,11 @@ TEST_CASE("exact solutions refuse parameters that have no solution", "[robustnes
   CHECK_THROWS_AS(Riemann(g, {0, 0}, {0, 0}), Bad);
   CHECK_THROWS_AS(Riemann(g, {1, nan}, {1, 0}), Bad);
   CHECK_THROWS_AS(Riemann(g, {inf, 0}, {1, 0}), Bad);
+  CHECK_THROWS_AS(Riemann(g, {1, 0}, {1e-200, 0}), Bad);
+  CHECK_THROWS_AS(Riemann(g, {1e-200, 0}, {1e-201, 0}), Bad);
+  for (const Riemann& thin : {Riemann(g, {1, 0}, {1e-31, 0}), Riemann(g, {1e-99, 0}, {1e-100, 0})}) {
+    for (const Identity& identity : thin.self_test()) CHECK(identity.defect <= identity.accuracy);
+  }
   CHECK_THROWS_AS(Riemann(g, {1, 0}, {0.5, 0}).at(0, -1), Bad);
   CHECK_THROWS_AS(Riemann(g, {1, 0}, {0.5, 0}).at(nan, 1), Bad);
 

@@ -72,7 +72,6 @@ const std::vector<ExactSolution>& catalogue() {
       wall_runup_entry(),
       slope_runup_entry(),
       mach_reflection_entry(),
-      kadomtsev_petviashvili_entry(),
       wavemaker_entry(),
       wavemaker_start_entry(),
       affine_drop_entry(),

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "seiche/exact/jump_identities.hpp"
 #include "seiche/require.hpp"
@@ -26,6 +29,18 @@ Riemann::Riemann(double gravity, State left, State right, double jump)
     throw std::invalid_argument("left_depth and right_depth are both 0: one must be positive");
   if (!wet_left) left_.velocity = 0;
   if (!wet_right) right_.velocity = 0;
+  // A celerity of less than a rounding of the largest speed is lost beside it, and three depths are multiplied.
+  const double square = std::max(left_.velocity * left_.velocity, right_.velocity * right_.velocity);
+  const double largest = std::max({left_.depth, right_.depth, square / gravity});
+  const double least = std::max(1e-100, std::pow(std::numeric_limits<double>::epsilon(), 2) * largest);
+  for (const auto& [name, depth] : {std::pair("left_depth", left_.depth), std::pair("right_depth", right_.depth)}) {
+    if (depth > 0 && depth < least) {
+      throw std::invalid_argument(
+          fmt::format("{} = {:.17g} is out of range: must be 0 (dry) or at least {:.2g} here, "
+                      "for its waves not to be lost in the rounding of the larger ones",
+                      name, depth, least));
+    }
+  }
 
   const double cl = sw::celerity(gravity, left_.depth);
   const double cr = sw::celerity(gravity, right_.depth);

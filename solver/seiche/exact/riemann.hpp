@@ -34,7 +34,8 @@ class Riemann {
   };
 
   /// @param gravity      [m/s^2], positive
-  /// @param left, right  depth [m] >= 0, at least one positive; velocity [m/s]. The velocity of a dry side is ignored.
+  /// @param left, right  depth [m] >= 0, at least one positive; velocity [m/s]. The velocity of a dry side is ignored;
+  ///                     positive depths below 1e-100, or eps^2 of the other or of velocity^2/gravity, are refused.
   /// @param jump         position of the discontinuity at t = 0 [m]
   /// Throws std::invalid_argument.
   Riemann(double gravity, State left, State right, double jump = 0);

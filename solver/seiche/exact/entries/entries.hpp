@@ -29,7 +29,6 @@ ExactSolution gerstner_entry();
 ExactSolution affine_drop_entry();
 ExactSolution affine_ellipsoid_entry();
 ExactSolution mach_reflection_entry();
-ExactSolution kadomtsev_petviashvili_entry();
 ExactSolution solitary_runup_entry();
 ExactSolution hall_watts_entry();
 ExactSolution wall_load_entry();

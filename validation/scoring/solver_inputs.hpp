@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace seiche::io {
+namespace seiche::validation {
 
 using Vector3 = std::array<double, 3>;
 
@@ -46,4 +46,4 @@ struct NamedField {
 std::string legacy_vtk(const std::string& title, const std::array<std::size_t, 3>& counts,
                        std::span<const Vector3> points, std::span<const NamedField> fields);
 
-}  // namespace seiche::io
+}  // namespace seiche::validation

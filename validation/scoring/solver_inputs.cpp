@@ -1,4 +1,4 @@
-#include "seiche/io/solver_inputs.hpp"
+#include "validation/scoring/solver_inputs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include "seiche/io/atomic_file.hpp"
 
-namespace seiche::io {
+namespace seiche::validation {
 namespace {
 
 std::string text_of(double value) {
@@ -35,7 +35,7 @@ std::vector<Vector3> read_openfoam_centres(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) {
     throw std::invalid_argument(fmt::format("{}: cannot be read as a file", file.string()));
   }
-  const std::string text = read_file(file);
+  const std::string text = io::read_file(file);
   const auto fail = [&](const std::string& what) {
     throw std::invalid_argument(fmt::format("{}: {}", file.string(), what));
   };
@@ -152,4 +152,4 @@ std::string legacy_vtk(const std::string& title, const std::array<std::size_t, 3
   return text;
 }
 
-}  // namespace seiche::io
+}  // namespace seiche::validation
