@@ -12,6 +12,7 @@
 #pragma once
 
 #include <concepts>
+#include <utility>
 #include <vector>
 
 #include "seiche/mechanics/state.hpp"
@@ -36,7 +37,7 @@ class Composition {
   /// @param base  must outlive the composition
   Composition(Step& base, std::vector<double> weights) : base_(base), weights_(std::move(weights)) {}
 
-  /// Throws what the base throws; the state is then that of the last completed stage.
+  /// Throws what the base throws; the state is then as before the step.
   void step(State& state, double tau) {
     require_step(tau);
     substep(state, tau);
@@ -44,9 +45,10 @@ class Composition {
   }
 
   void substep(State& state, double tau) {
-    const double begin = state.time;
-    for (const double weight : weights_) base_.substep(state, weight * tau);
-    state.time = begin + tau;
+    next_ = state;
+    for (const double weight : weights_) base_.substep(next_, weight * tau);
+    next_.time = state.time + tau;
+    std::swap(state, next_);
   }
 
   [[nodiscard]] std::size_t stages() const { return weights_.size(); }
@@ -54,6 +56,7 @@ class Composition {
  private:
   Step& base_;
   std::vector<double> weights_;
+  State next_;
 };
 
 }  // namespace seiche::mechanics

@@ -18,7 +18,7 @@ void equal_steps_to(State& state, double time, double tau, const std::function<v
   const auto steps = static_cast<long>(std::ceil((time - begin) / tau - 1e-9));
   for (long k = 1; k <= steps; ++k) {
     advance((time - begin) / static_cast<double>(steps));
-    state.time = begin + (time - begin) * (static_cast<double>(k) / static_cast<double>(steps));
+    if (k == steps) state.time = time;
     if (after_step) after_step();
   }
 }

@@ -99,6 +99,7 @@ void Model::take_friction(double h, Output u, Losses& lost) {
   const double* const width = rows_.width.row();
   std::copy_n(rows_.mobility_p.row() - 1, n_ + 2, mobility_.begin());
   double* const mobility = rows_.mobility_p.row();
+  const auto put_back = [&] { std::copy(mobility_.begin(), mobility_.end(), rows_.mobility_p.row() - 1); };
   std::copy(u.begin(), u.end(), rates_.begin());
   for (int sweep = 0; sweep < 2; ++sweep) {
     for (std::size_t i = 0; i < n_; ++i) {
@@ -119,7 +120,12 @@ void Model::take_friction(double h, Output u, Losses& lost) {
     }
     mobility[-1] = mobility[size_ - 1];
     mobility[size_] = mobility[0];
-    assemble_and_factor();
+    try {
+      assemble_and_factor();
+    } catch (...) {
+      put_back();
+      throw;
+    }
     project_rates(rates_);
   }
   CompensatedSum energy;
@@ -133,7 +139,7 @@ void Model::take_friction(double h, Output u, Losses& lost) {
   }
   lost.friction = energy.value();
   lost.friction_impulse = impulse.value();
-  std::copy(mobility_.begin(), mobility_.end(), rows_.mobility_p.row() - 1);
+  put_back();
 }
 
 void Model::project_rates(Output u) {

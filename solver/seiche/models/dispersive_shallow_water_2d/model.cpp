@@ -191,24 +191,28 @@ void Model::measure(Input q, double weight, bool add) {
   if (!add && shape().rows % 2 == 0) clear(shape().rows, 1);
   // Rows of one parity share no nodes; each row of nodes is added to from above and from below, in this order.
   for (std::size_t parity = 0; parity < 2; ++parity) {
-#pragma omp parallel for schedule(static) reduction(min : jacobian, depth) if (shape().cells() > linear::worth_threads)
-    for (std::size_t j = parity; j < shape().rows; j += 2) {
-      if (!add && parity == 0) clear(j, 2);
-      const std::size_t k = j * (columns + 1);
-      const auto rows = [&](std::size_t axis) {
-        const double* lower = q.data() + axis * n + k;
-        return NodeRows{lower, lower + columns + 1};
-      };
-      const auto forces = [&](std::size_t axis) {
-        double* lower = push_.data() + axis * n + k;
-        return ForceRows{lower, lower + columns + 1};
-      };
-      double* scratch = scratch_.data() + scratch_of_row * static_cast<std::size_t>(omp_get_thread_num());
-      const RowExtremes least =
-          measure_row(columns, j * columns, {rows(0), rows(1), rows(2)}, bottom, settings_.gravity, weight, add,
-                      gradients_, {forces(0), forces(1), forces(2)}, scratch);
-      jacobian = std::min(jacobian, least.jacobian);
-      depth = std::min(depth, least.depth);
+#pragma omp parallel reduction(min : jacobian, depth) if (shape().cells() > linear::worth_threads)
+    {
+      const FlushDenormals guard;
+#pragma omp for schedule(static)
+      for (std::size_t j = parity; j < shape().rows; j += 2) {
+        if (!add && parity == 0) clear(j, 2);
+        const std::size_t k = j * (columns + 1);
+        const auto rows = [&](std::size_t axis) {
+          const double* lower = q.data() + axis * n + k;
+          return NodeRows{lower, lower + columns + 1};
+        };
+        const auto forces = [&](std::size_t axis) {
+          double* lower = push_.data() + axis * n + k;
+          return ForceRows{lower, lower + columns + 1};
+        };
+        double* scratch = scratch_.data() + scratch_of_row * static_cast<std::size_t>(omp_get_thread_num());
+        const RowExtremes least =
+            measure_row(columns, j * columns, {rows(0), rows(1), rows(2)}, bottom, settings_.gravity, weight, add,
+                        gradients_, {forces(0), forces(1), forces(2)}, scratch);
+        jacobian = std::min(jacobian, least.jacobian);
+        depth = std::min(depth, least.depth);
+      }
     }
   }
   if (!(jacobian > 0)) throw_folded(q);
@@ -261,11 +265,10 @@ void Model::push_bodies(double time) {
 void Model::assemble_and_factor() {
   const std::size_t columns = shape().columns;
   const std::size_t rows = shape().rows;
-#pragma omp parallel for schedule(static) if (shape().cells() > linear::worth_threads)
-  for (std::size_t j = 0; j < rows; ++j) {
+  linear::share_out(rows, shape().cells() > linear::worth_threads, [&](std::size_t j) {
     assemble_row(columns, j * columns, j * (columns + 1), masses_.full(j) || masses_.full(j + 1), j + 1 < rows,
                  gradients_, masses_.inverse(), matrix_);
-  }
+  });
   try {
     solver_.factor(matrix_);
   } catch (const linear::NotPositiveDefinite& failure) {
@@ -278,20 +281,23 @@ void Model::advance(Input from, Input u, double h, Output to) const {
   const double* const begin = from.data();
   const double* const rate = u.data();
   double* const end = to.data();
-#pragma omp parallel for simd schedule(static) if (parallel : from.size() > 3 * linear::worth_threads)
-  for (std::size_t i = 0; i < from.size(); ++i) end[i] = begin[i] + h * rate[i];
+#pragma omp parallel if (from.size() > 3 * linear::worth_threads)
+  {
+    const FlushDenormals guard;
+#pragma omp for simd schedule(static)
+    for (std::size_t i = 0; i < from.size(); ++i) end[i] = begin[i] + h * rate[i];
+  }
 }
 
 void Model::kick(double h, Output u) const {
   const std::size_t n = nodes();
   const std::size_t count = shape().columns + 1;
   if (drag_.absorbs()) drag_.absorb(h, u);
-#pragma omp parallel for schedule(static) if (shape().cells() > linear::worth_threads)
-  for (std::size_t j = 0; j <= shape().rows; ++j) {
+  linear::share_out(shape().rows + 1, shape().cells() > linear::worth_threads, [&](std::size_t j) {
     const std::size_t k = j * count;
     kick_row(count, k, masses_.full(j), h, {push_.data() + k, push_.data() + n + k, push_.data() + 2 * n + k},
              masses_.inverse(), {u.data() + k, u.data() + n + k, u.data() + 2 * n + k});
-  }
+  });
   if (drag_.active()) drag_.slow(masses_.mass(), masses_.inverse(), settings_.gravity, h, u);
 }
 
@@ -312,33 +318,32 @@ void Model::settle(Interval when, Output q, Output u) const {
   if (masses_.has_driven_sides()) {
     masses_.constrain(q, when.end(), bottom_ ? &other_normals_ : nullptr, false, u);
   }
+  drag_.settle();
 }
 
 void Model::constraint_rates(Input u, Output w) const {
   const std::size_t columns = shape().columns;
   const std::size_t n = nodes();
-#pragma omp parallel for schedule(static) if (shape().cells() > linear::worth_threads)
-  for (std::size_t j = 0; j < shape().rows; ++j) {
+  linear::share_out(shape().rows, shape().cells() > linear::worth_threads, [&](std::size_t j) {
     const auto rows = [&](std::size_t axis) {
       const double* lower = u.data() + axis * n + j * (columns + 1);
       return NodeRows{lower, lower + columns + 1};
     };
     rates_of_row(columns, j * columns, gradients_, {rows(0), rows(1), rows(2)}, w.data() + j * columns);
-  }
+  });
 }
 
 void Model::react(Input mu, Output u) const {
   const std::size_t columns = shape().columns;
   const std::size_t n = nodes();
-#pragma omp parallel for schedule(static) if (shape().cells() > linear::worth_threads)
-  for (std::size_t j = 0; j <= shape().rows; ++j) {
+  linear::share_out(shape().rows + 1, shape().cells() > linear::worth_threads, [&](std::size_t j) {
     const std::size_t k = j * (columns + 1);
     const auto above = static_cast<std::ptrdiff_t>(j * columns);
     const auto below = above - static_cast<std::ptrdiff_t>(columns);
     react_row(columns, k, masses_.full(j), below, above, gradients_, j == 0 ? no_cells_.data() : mu.data() + below,
               j == shape().rows ? no_cells_.data() : mu.data() + above, masses_.inverse(),
               {u.data() + k, u.data() + n + k, u.data() + 2 * n + k});
-  }
+  });
 }
 
 void Model::solve(Input right_hand_side, Output mu) {

@@ -24,6 +24,10 @@ Flow::Flow(Particles particles, std::unique_ptr<FieldSpace> space, const Velocit
   if (settings.surface && stepping == Stepping::dissipative) {
     throw std::invalid_argument("gravity on the surface with dissipative stepping; allowed: conservative stepping");
   }
+  if (settings.penalty > 0 && stepping == Stepping::dissipative) {
+    throw std::invalid_argument(fmt::format(
+        "penalty = {:g} with dissipative stepping; allowed: 0, or conservative stepping", settings.penalty));
+  }
   mechanics::require_state(state_, model_.coordinates(), model_.rates());
 }
 

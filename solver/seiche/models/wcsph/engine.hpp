@@ -2,6 +2,8 @@
 #pragma once
 
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "seiche/models/wcsph/flow.hpp"
@@ -44,6 +46,10 @@ class Flow::Engine {
 
  private:
   void check_start() const;
+  /// With their names; see FlowState.
+  [[nodiscard]] std::vector<std::pair<std::string, double>> parameters(double time) const;
+  void check_state(const FlowState& state) const;
+  void adopt(const FlowState& state);
   void sort(double reserve);
   void check_extent() const;
   template <class SomeRecord>
