@@ -145,8 +145,8 @@ TEST_CASE("a state of another flow is refused by the name of what differs, and c
       {"particles", changed([](Problem& p) { p.scene.particles.add(5, 5, 1, 1000); })},
       {"particle 7", changed([](Problem& p) { p.scene.particles.mass[7] *= 2; })},
       {"particle 3", damaged([](FlowState& s) { s.particles.u[3] = std::nan(""); })},
-      {"lists", damaged([](FlowState& s) { s.listed.z.pop_back(); })},
-      {"carry", damaged([](FlowState& s) { s.reference_x.clear(); })},
+      {"arrays", damaged([](FlowState& s) { s.listed.z.pop_back(); })},
+      {"arrays", damaged([](FlowState& s) { s.reference_x.clear(); })},
       {"order", damaged([](FlowState& s) { std::swap(s.listed.x.front(), s.listed.x.back()); })}};
   Flow plain = own.flow();
   Flow asked = own.flow();

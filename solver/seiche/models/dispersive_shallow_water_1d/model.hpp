@@ -104,13 +104,9 @@ class Model {
   /// and what is lost of the kinetic energy is returned. Never gains any. Throws mechanics::Infeasible like linearise.
   Losses lose(double h, Input q, Output u);
   [[nodiscard]] bool loses() const { return channel_.friction.active() || channel_.breaking.has_value(); }
-  /// What broke by the last loss: a step that fails gives it back.
+  /// By the last loss; a step that fails gives them back. None without breaking.
   [[nodiscard]] const std::optional<BreakingFronts>& fronts() const { return fronts_; }
   void set_fronts(const std::optional<BreakingFronts>& fronts) { fronts_ = fronts; }
-  /// Of cells at the last loss, see BreakingFronts; empty without breaking.
-  [[nodiscard]] std::span<const double> damping() const {
-    return fronts_ ? fronts_->damping() : std::span<const double>{};
-  }
 
   [[nodiscard]] double mass() const;                                     ///< [kg/m]
   [[nodiscard]] std::array<double, 1> momentum(Input q, Input u) const;  ///< horizontal [kg/s]

@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -180,8 +181,8 @@ void Model::measure(Input q, double weight, bool add) {
   const std::size_t scratch_of_row = 12 * columns;
   const auto threads = static_cast<std::size_t>(omp_get_max_threads());  // may have become more since the last step
   scratch_.resize(std::max(scratch_.size(), scratch_of_row * threads));
-  double jacobian = std::numeric_limits<double>::infinity();
-  double depth = std::numeric_limits<double>::infinity();
+  std::atomic<bool> folded = false;
+  std::atomic<bool> dry = false;
   const auto clear = [&](std::size_t row, std::size_t count) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       std::fill_n(push_.data() + axis * n + row * (columns + 1), count * (columns + 1), 0.0);
@@ -191,32 +192,28 @@ void Model::measure(Input q, double weight, bool add) {
   if (!add && shape().rows % 2 == 0) clear(shape().rows, 1);
   // Rows of one parity share no nodes; each row of nodes is added to from above and from below, in this order.
   for (std::size_t parity = 0; parity < 2; ++parity) {
-#pragma omp parallel reduction(min : jacobian, depth) if (shape().cells() > linear::worth_threads)
-    {
-      const FlushDenormals guard;
-#pragma omp for schedule(static)
-      for (std::size_t j = parity; j < shape().rows; j += 2) {
-        if (!add && parity == 0) clear(j, 2);
-        const std::size_t k = j * (columns + 1);
-        const auto rows = [&](std::size_t axis) {
-          const double* lower = q.data() + axis * n + k;
-          return NodeRows{lower, lower + columns + 1};
-        };
-        const auto forces = [&](std::size_t axis) {
-          double* lower = push_.data() + axis * n + k;
-          return ForceRows{lower, lower + columns + 1};
-        };
-        double* scratch = scratch_.data() + scratch_of_row * static_cast<std::size_t>(omp_get_thread_num());
-        const RowExtremes least =
-            measure_row(columns, j * columns, {rows(0), rows(1), rows(2)}, bottom, settings_.gravity, weight, add,
-                        gradients_, {forces(0), forces(1), forces(2)}, scratch);
-        jacobian = std::min(jacobian, least.jacobian);
-        depth = std::min(depth, least.depth);
-      }
-    }
+    linear::share_out((shape().rows + 1 - parity) / 2, shape().cells() > linear::worth_threads, [&](std::size_t pair) {
+      const std::size_t j = 2 * pair + parity;
+      if (!add && parity == 0) clear(j, 2);
+      const std::size_t k = j * (columns + 1);
+      const auto rows = [&](std::size_t axis) {
+        const double* lower = q.data() + axis * n + k;
+        return NodeRows{lower, lower + columns + 1};
+      };
+      const auto forces = [&](std::size_t axis) {
+        double* lower = push_.data() + axis * n + k;
+        return ForceRows{lower, lower + columns + 1};
+      };
+      double* scratch = scratch_.data() + scratch_of_row * static_cast<std::size_t>(omp_get_thread_num());
+      const RowExtremes least =
+          measure_row(columns, j * columns, {rows(0), rows(1), rows(2)}, bottom, settings_.gravity, weight, add,
+                      gradients_, {forces(0), forces(1), forces(2)}, scratch);
+      if (least.jacobian <= 0) folded = true;
+      if (least.depth <= 0) dry = true;
+    });
   }
-  if (!(jacobian > 0)) throw_folded(q);
-  if (!bottom_ && !(depth > 0)) {
+  if (folded) throw_folded(q);
+  if (!bottom_ && dry) {
     const auto lowest = static_cast<std::size_t>(
                             std::min_element(q.begin() + static_cast<std::ptrdiff_t>(2 * n), q.end()) - q.begin()) -
                         2 * n;
@@ -281,12 +278,11 @@ void Model::advance(Input from, Input u, double h, Output to) const {
   const double* const begin = from.data();
   const double* const rate = u.data();
   double* const end = to.data();
-#pragma omp parallel if (from.size() > 3 * linear::worth_threads)
-  {
-    const FlushDenormals guard;
-#pragma omp for simd schedule(static)
-    for (std::size_t i = 0; i < from.size(); ++i) end[i] = begin[i] + h * rate[i];
-  }
+  const std::size_t row = shape().columns + 1;
+  linear::share_out(from.size() / row, from.size() > 3 * linear::worth_threads, [&](std::size_t j) {
+#pragma omp simd
+    for (std::size_t i = j * row; i < (j + 1) * row; ++i) end[i] = begin[i] + h * rate[i];
+  });
 }
 
 void Model::kick(double h, Output u) const {

@@ -1,6 +1,7 @@
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -184,18 +185,14 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
 void Model::measure(Places at) {
   const std::size_t columns = mesh_.columns;
   const std::size_t stride = columns + 1;
-  double worst = std::numeric_limits<double>::infinity();
-#pragma omp parallel reduction(min : worst) if (mesh_.cells() > linear::worth_threads)
-  {
-    const FlushDenormals guard;
-#pragma omp for schedule(static)
-    for (std::size_t j = 0; j < mesh_.rows; ++j) {
-      const std::size_t k = j * stride;
-      worst = std::min(worst, measure_row(columns, j * columns, {at.x + k, at.x + k + stride},
-                                          {at.y + k, at.y + k + stride}, diagonals_));
-    }
-  }
-  if (!(worst > lowest_triangle_) && folded(at)) throw_folded(at);
+  std::atomic<bool> low = false;
+  linear::share_out(mesh_.rows, mesh_.cells() > linear::worth_threads, [&](std::size_t j) {
+    const std::size_t k = j * stride;
+    const double least =
+        measure_row(columns, j * columns, {at.x + k, at.x + k + stride}, {at.y + k, at.y + k + stride}, diagonals_);
+    if (least <= lowest_triangle_) low = true;
+  });
+  if (low && folded(at)) throw_folded(at);
 }
 
 bool Model::folded(Places at) const {

@@ -1,6 +1,7 @@
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
@@ -148,18 +149,13 @@ void Model::measure(Input q) {
     const std::size_t k = nodes_.driven()[d].node;
     driven_place_[d] = {q[k], q[n + k], q[2 * n + k]};
   }
-  double folded = 0;
-#pragma omp parallel reduction(+ : folded) if (worth_sharing())
-  {
-    const FlushDenormals guard;
-#pragma omp for schedule(static)
-    for (std::size_t row = 0; row < cell_rows(); ++row) {
-      const NodeVectors r = around(row, q);
-      folded += folded_corners_of_row(mesh_.plan.columns, r);
-      measure_row(mesh_.plan.columns, r, gradients_.row(row));
-    }
-  }
-  if (folded > 0) throw_folded(q);
+  std::atomic<bool> folded = false;
+  linear::share_out(cell_rows(), worth_sharing(), [&](std::size_t row) {
+    const NodeVectors r = around(row, q);
+    if (folded_corners_of_row(mesh_.plan.columns, r) > 0) folded = true;
+    measure_row(mesh_.plan.columns, r, gradients_.row(row));
+  });
+  if (folded) throw_folded(q);
 }
 
 void Model::throw_folded(Input q) const {

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <limits>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "seiche/models/wcsph/flow.hpp"
@@ -46,8 +44,8 @@ class Flow::Engine {
 
  private:
   void check_start() const;
-  /// With their names; see FlowState.
-  [[nodiscard]] std::vector<std::pair<std::string, double>> parameters(double time) const;
+  /// See FlowState.
+  [[nodiscard]] std::vector<double> parameters(double time) const;
   void check_state(const FlowState& state) const;
   void adopt(const FlowState& state);
   void sort(double reserve);

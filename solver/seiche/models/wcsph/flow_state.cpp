@@ -1,8 +1,10 @@
 #include "seiche/models/wcsph/flow_state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <variant>
 
@@ -15,6 +17,40 @@
 namespace seiche::wcsph {
 
 namespace {
+
+/// Of parameters(), those of each paddle last.
+constexpr std::array names{"spacing",
+                           "kernel",
+                           "smoothing",
+                           "gravity",
+                           "density",
+                           "sound_speed",
+                           "exponent",
+                           "xsph",
+                           "filter_every",
+                           "density_diffusion",
+                           "particle_shifting",
+                           "walls",
+                           "courant",
+                           "limit_by_viscosity",
+                           "period.x",
+                           "period.z",
+                           "storage",
+                           "skin",
+                           "viscosity",
+                           "alpha",
+                           "kinematic_viscosity",
+                           "smagorinsky",
+                           "isotropic",
+                           "number of paddles"};
+constexpr std::array names_of_paddle{"hinge_x",      "hinge_z", "displacement", "angle", "rate of displacement",
+                                     "rate of angle"};
+
+std::string name_of(std::size_t parameter) {
+  if (parameter < names.size()) return names[parameter];
+  const std::size_t k = parameter - names.size();
+  return fmt::format("{} of paddle {}", names_of_paddle[k % names_of_paddle.size()], k / names_of_paddle.size());
+}
 
 /// What of particles never changes, by identity.
 auto lasting(const Particles& p) {
@@ -34,56 +70,47 @@ void Flow::resume(const FlowState& state) {
   engine_->resume(state);
 }
 
-std::vector<std::pair<std::string, double>> Flow::Engine::parameters(double time) const {
-  // All that there are: with one more this does not compile.
+std::vector<double> Flow::Engine::parameters(double time) const {
+  // All settings that there are: with one more this does not compile.
   const auto& [kernel, smoothing, gravity, density, sound_speed, exponent, viscosity, xsph, filter_every, diffusion,
                shifting, walls, courant, limit_by_viscosity, period, storage, skin] = settings_;
-  std::vector<std::pair<std::string, double>> all{{"spacing", spacing_},
-                                                  {"kernel", static_cast<double>(kernel)},
-                                                  {"smoothing", smoothing},
-                                                  {"gravity", gravity},
-                                                  {"density", density},
-                                                  {"sound_speed", sound_speed},
-                                                  {"exponent", exponent},
-                                                  {"xsph", xsph},
-                                                  {"filter_every", filter_every},
-                                                  {"density_diffusion", diffusion},
-                                                  {"particle_shifting", shifting ? 1 : 0},
-                                                  {"walls", static_cast<double>(walls)},
-                                                  {"courant", courant},
-                                                  {"limit_by_viscosity", limit_by_viscosity ? 1 : 0},
-                                                  {"period.x", period.x},
-                                                  {"period.z", period.z},
-                                                  {"storage", static_cast<double>(storage)},
-                                                  {"skin", skin},
-                                                  {"viscosity", static_cast<double>(viscosity.index())},
-                                                  {"number of paddles", static_cast<double>(paddles_.size())}};
-  if (const auto* artificial = std::get_if<ArtificialViscosity>(&viscosity)) {
-    all.emplace_back("alpha", artificial->alpha);
-  } else if (const auto* sps = std::get_if<LaminarSps>(&viscosity)) {
-    all.emplace_back("kinematic_viscosity", sps->kinematic_viscosity);
-    all.emplace_back("smagorinsky", sps->smagorinsky);
-    all.emplace_back("isotropic", sps->isotropic);
-  }
-  const PaddlePoses poses = paddles_at(time);
+  const auto number = [](auto value) { return static_cast<double>(value); };
+  const auto* artificial = std::get_if<ArtificialViscosity>(&viscosity);
+  const auto* sps = std::get_if<LaminarSps>(&viscosity);
+  std::vector<double> all{spacing_,
+                          number(kernel),
+                          smoothing,
+                          gravity,
+                          density,
+                          sound_speed,
+                          exponent,
+                          xsph,
+                          number(filter_every),
+                          diffusion,
+                          number(shifting),
+                          number(walls),
+                          courant,
+                          number(limit_by_viscosity),
+                          period.x,
+                          period.z,
+                          number(storage),
+                          skin,
+                          number(viscosity.index()),
+                          artificial ? artificial->alpha : 0,
+                          sps ? sps->kinematic_viscosity : 0,
+                          sps ? sps->smagorinsky : 0,
+                          sps ? sps->isotropic : 0,
+                          number(paddles_.size())};
+  const PaddlePoses at = paddles_at(time);
   for (std::size_t k = 0; k < paddles_.size(); ++k) {
-    const auto add = [&](const char* name, double value) {
-      all.emplace_back(fmt::format("{} of paddle {}", name, k), value);
-    };
-    add("hinge_x", paddles_[k].hinge_x);
-    add("hinge_z", paddles_[k].hinge_z);
-    add("displacement", poses.pose[k].displacement);
-    add("angle", poses.pose[k].angle);
-    add("rate of displacement", poses.rate[k].displacement);
-    add("rate of angle", poses.rate[k].angle);
+    all.insert(all.end(), {paddles_[k].hinge_x, paddles_[k].hinge_z, at.pose[k].displacement, at.pose[k].angle,
+                           at.rate[k].displacement, at.rate[k].angle});
   }
   return all;
 }
 
 FlowState Flow::Engine::state() const {
-  std::vector<double> values;
-  for (const auto& [name, value] : parameters(time_)) values.push_back(value);
-  return {.parameters = std::move(values),
+  return {.parameters = parameters(time_),
           .particles = particles_,
           .reference_x = reference_x_,
           .reference_z = reference_z_,
@@ -96,34 +123,31 @@ FlowState Flow::Engine::state() const {
 
 void Flow::Engine::check_state(const FlowState& state) const {
   require_not_negative("time of the state", state.time);
-  const auto mine = parameters(state.time);
-  for (std::size_t k = 0; k < mine.size(); ++k) {
-    const auto& [name, value] = mine[k];
-    if (k < state.parameters.size() && state.parameters[k] == value) continue;
-    throw std::invalid_argument(fmt::format("state of a flow with {} = {}: must be {}, as of this one", name,
-                                            k < state.parameters.size() ? state.parameters[k] : std::nan(""), value));
+  const std::vector<double> mine = parameters(state.time);
+  const auto& theirs = state.parameters;
+  if (const auto found = std::mismatch(mine.begin(), mine.end(), theirs.begin(), theirs.end());
+      found.first != mine.end()) {
+    throw std::invalid_argument(fmt::format("state of a flow with {} = {}: must be {}, as of this one",
+                                            name_of(static_cast<std::size_t>(found.first - mine.begin())),
+                                            found.second == theirs.end() ? std::nan("") : *found.second, *found.first));
   }
   check_particles(state.particles, paddles_);
-  if (state.particles.size() != particles_.size()) {
-    throw std::invalid_argument(fmt::format("state of {} particles: must be of {}, as the flow has",
-                                            state.particles.size(), particles_.size()));
-  }
-  const auto theirs = lasting(state.particles);
-  const auto own = lasting(particles_);
-  if (const auto found = std::mismatch(own.begin(), own.end(), theirs.begin()); found.first != own.end()) {
+  const std::size_t n = particles_.size();
+  if (state.particles.size() != n) {
     throw std::invalid_argument(
-        fmt::format("state of other particles: kind, body or mass of particle {} are not those of this flow's",
-                    std::get<0>(*found.first)));
+        fmt::format("state of {} particles: must be of {}, as the flow has", state.particles.size(), n));
   }
-  for (const auto* values : {&state.listed.x, &state.listed.z, &state.listed.density}) {
-    if (values->size() != particles_.size()) {
-      throw std::invalid_argument(
-          fmt::format("state with lists of {} particles: must be of {}", values->size(), particles_.size()));
-    }
+  const auto own = lasting(particles_);
+  const auto given = lasting(state.particles);
+  if (const auto found = std::mismatch(own.begin(), own.end(), given.begin()); found.first != own.end()) {
+    throw std::invalid_argument(
+        fmt::format("state of other particles: kind, body or mass of particle {} differ", std::get<0>(*found.first)));
   }
-  if (state.reference_x.size() != reference_x_.size() || state.reference_z.size() != reference_z_.size()) {
-    throw std::invalid_argument(fmt::format("state with {} places that paddles carry: must be {}",
-                                            state.reference_x.size(), reference_x_.size()));
+  const auto& [x, z, density, reserve] = state.listed;
+  if (x.size() != n || z.size() != n || density.size() != n || state.reference_x.size() != reference_x_.size() ||
+      state.reference_z.size() != reference_z_.size()) {
+    throw std::invalid_argument(
+        fmt::format("state with other arrays than of {} particles: must be as state() gave it", n));
   }
 }
 
