@@ -136,12 +136,12 @@ TEST_CASE("a state of another flow is refused by the name of what differs, and c
       {"alpha = 0.2", changed([](Problem& p) { p.settings.viscosity = ArtificialViscosity{0.2}; })},
       {"skin", changed([](Problem& p) { p.settings.skin = 0.2; })},
       {"spacing", changed([](Problem& p) { p.scene.spacing *= 1.01; })},
-      {"number of paddles", changed([](Problem& p) {
+      {"paddles", changed([](Problem& p) {
          p.scene.paddles.clear();
          std::fill(p.scene.particles.kind.begin(), p.scene.particles.kind.end(), Kind::fluid);
        })},
-      {"rate of angle of paddle 0", changed([](Problem& p) { p.scene.paddles[0] = flap(0, 0, 0.1, 0.06, 12); })},
-      {"hinge_x of paddle 0", changed([](Problem& p) { p.scene.paddles[0].hinge_x += 1e-3; })},
+      {"hinge, pose or rate of a paddle", changed([](Problem& p) { p.scene.paddles[0] = flap(0, 0, 0.1, 0.06, 12); })},
+      {"hinge, pose or rate of a paddle", changed([](Problem& p) { p.scene.paddles[0].hinge_x += 1e-3; })},
       {"particles", changed([](Problem& p) { p.scene.particles.add(5, 5, 1, 1000); })},
       {"particle 7", changed([](Problem& p) { p.scene.particles.mass[7] *= 2; })},
       {"particle 3", damaged([](FlowState& s) { s.particles.u[3] = std::nan(""); })},

@@ -1,8 +1,8 @@
 #include "seiche/models/wcsph/flow_state.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -18,38 +18,22 @@ namespace seiche::wcsph {
 
 namespace {
 
-/// Of parameters(), those of each paddle last.
-constexpr std::array names{"spacing",
-                           "kernel",
-                           "smoothing",
-                           "gravity",
-                           "density",
-                           "sound_speed",
-                           "exponent",
-                           "xsph",
-                           "filter_every",
-                           "density_diffusion",
-                           "particle_shifting",
-                           "walls",
-                           "courant",
-                           "limit_by_viscosity",
-                           "period.x",
-                           "period.z",
-                           "storage",
-                           "skin",
-                           "viscosity",
-                           "alpha",
-                           "kinematic_viscosity",
-                           "smagorinsky",
-                           "isotropic",
-                           "number of paddles"};
-constexpr std::array names_of_paddle{"hinge_x",      "hinge_z", "displacement", "angle", "rate of displacement",
-                                     "rate of angle"};
+template <class... Values>
+std::vector<double> numbers(Values... values) {
+  return {static_cast<double>(values)...};
+}
 
+/// Of a parameter of Flow::Engine::parameters().
 std::string name_of(std::size_t parameter) {
-  if (parameter < names.size()) return names[parameter];
-  const std::size_t k = parameter - names.size();
-  return fmt::format("{} of paddle {}", names_of_paddle[k % names_of_paddle.size()], k / names_of_paddle.size());
+  std::istringstream names(
+      "spacing kernel smoothing gravity density sound_speed exponent xsph filter_every density_diffusion "
+      "particle_shifting walls courant limit_by_viscosity period.x period.z storage skin viscosity alpha "
+      "kinematic_viscosity smagorinsky isotropic paddles");
+  std::string name;
+  for (std::size_t k = 0; k <= parameter; ++k) {
+    if (!(names >> name)) return "hinge, pose or rate of a paddle";
+  }
+  return name;
 }
 
 /// What of particles never changes, by identity.
@@ -74,37 +58,19 @@ std::vector<double> Flow::Engine::parameters(double time) const {
   // All settings that there are: with one more this does not compile.
   const auto& [kernel, smoothing, gravity, density, sound_speed, exponent, viscosity, xsph, filter_every, diffusion,
                shifting, walls, courant, limit_by_viscosity, period, storage, skin] = settings_;
-  const auto number = [](auto value) { return static_cast<double>(value); };
   const auto* artificial = std::get_if<ArtificialViscosity>(&viscosity);
-  const auto* sps = std::get_if<LaminarSps>(&viscosity);
-  std::vector<double> all{spacing_,
-                          number(kernel),
-                          smoothing,
-                          gravity,
-                          density,
-                          sound_speed,
-                          exponent,
-                          xsph,
-                          number(filter_every),
-                          diffusion,
-                          number(shifting),
-                          number(walls),
-                          courant,
-                          number(limit_by_viscosity),
-                          period.x,
-                          period.z,
-                          number(storage),
-                          skin,
-                          number(viscosity.index()),
-                          artificial ? artificial->alpha : 0,
-                          sps ? sps->kinematic_viscosity : 0,
-                          sps ? sps->smagorinsky : 0,
-                          sps ? sps->isotropic : 0,
-                          number(paddles_.size())};
+  const auto* given = std::get_if<LaminarSps>(&viscosity);
+  const LaminarSps sps = given != nullptr ? *given : LaminarSps{0, 0, 0};
+  std::vector<double> all =
+      numbers(spacing_, kernel, smoothing, gravity, density, sound_speed, exponent, xsph, filter_every, diffusion,
+              shifting, walls, courant, limit_by_viscosity, period.x, period.z, storage, skin, viscosity.index(),
+              artificial != nullptr ? artificial->alpha : 0, sps.kinematic_viscosity, sps.smagorinsky, sps.isotropic,
+              paddles_.size());
   const PaddlePoses at = paddles_at(time);
   for (std::size_t k = 0; k < paddles_.size(); ++k) {
-    all.insert(all.end(), {paddles_[k].hinge_x, paddles_[k].hinge_z, at.pose[k].displacement, at.pose[k].angle,
-                           at.rate[k].displacement, at.rate[k].angle});
+    for (const double value : numbers(paddles_[k].hinge_x, paddles_[k].hinge_z, at.pose[k].displacement,
+                                      at.pose[k].angle, at.rate[k].displacement, at.rate[k].angle))
+      all.push_back(value);
   }
   return all;
 }
