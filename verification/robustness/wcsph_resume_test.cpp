@@ -143,7 +143,7 @@ TEST_CASE("a state of another flow is refused by the name of what differs, and c
       {"hinge, pose or rate of a paddle", changed([](Problem& p) { p.scene.paddles[0] = flap(0, 0, 0.1, 0.06, 12); })},
       {"hinge, pose or rate of a paddle", changed([](Problem& p) { p.scene.paddles[0].hinge_x += 1e-3; })},
       {"particles", changed([](Problem& p) { p.scene.particles.add(5, 5, 1, 1000); })},
-      {"particle 7", changed([](Problem& p) { p.scene.particles.mass[7] *= 2; })},
+      {"particles", changed([](Problem& p) { p.scene.particles.mass[7] *= 2; })},
       {"particle 3", damaged([](FlowState& s) { s.particles.u[3] = std::nan(""); })},
       {"arrays", damaged([](FlowState& s) { s.listed.z.pop_back(); })},
       {"arrays", damaged([](FlowState& s) { s.reference_x.clear(); })},

@@ -54,7 +54,7 @@ void Flow::step_and_lose(double tau) {
       losses[1] = model_->lose(tau / 2, next.q, next.u);
     });
   } catch (...) {
-    model_->set_fronts(fronts);
+    model_->take_back(fronts);
     throw;
   }
   std::swap(state_, next);

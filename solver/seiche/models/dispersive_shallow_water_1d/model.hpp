@@ -104,9 +104,10 @@ class Model {
   /// and what is lost of the kinetic energy is returned. Never gains any. Throws mechanics::Infeasible like linearise.
   Losses lose(double h, Input q, Output u);
   [[nodiscard]] bool loses() const { return channel_.friction.active() || channel_.breaking.has_value(); }
-  /// By the last loss; a step that fails gives them back. None without breaking.
+  /// By the last loss; none without breaking.
   [[nodiscard]] const std::optional<BreakingFronts>& fronts() const { return fronts_; }
-  void set_fronts(const std::optional<BreakingFronts>& fronts) { fronts_ = fronts; }
+  /// After a step that failed: as with these fronts before it.
+  void take_back(const std::optional<BreakingFronts>& fronts);
 
   [[nodiscard]] double mass() const;                                     ///< [kg/m]
   [[nodiscard]] std::array<double, 1> momentum(Input q, Input u) const;  ///< horizontal [kg/s]

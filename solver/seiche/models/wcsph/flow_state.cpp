@@ -99,15 +99,9 @@ void Flow::Engine::check_state(const FlowState& state) const {
   }
   check_particles(state.particles, paddles_);
   const std::size_t n = particles_.size();
-  if (state.particles.size() != n) {
-    throw std::invalid_argument(
-        fmt::format("state of {} particles: must be of {}, as the flow has", state.particles.size(), n));
-  }
-  const auto own = lasting(particles_);
-  const auto given = lasting(state.particles);
-  if (const auto found = std::mismatch(own.begin(), own.end(), given.begin()); found.first != own.end()) {
-    throw std::invalid_argument(
-        fmt::format("state of other particles: kind, body or mass of particle {} differ", std::get<0>(*found.first)));
+  if (lasting(state.particles) != lasting(particles_)) {
+    throw std::invalid_argument(fmt::format(
+        "state of {} particles: must be the {} of this flow, of their kind and mass", state.particles.size(), n));
   }
   const auto& [x, z, density, reserve] = state.listed;
   if (x.size() != n || z.size() != n || density.size() != n || state.reference_x.size() != reference_x_.size() ||
