@@ -215,7 +215,7 @@ TEST_CASE("implicit steps do not depend on when they begin nor on who counts the
     Composition suzuki(base, suzuki_weights());
     const auto step = [&](double length) { composed ? suzuki.step(state, length) : base.step(state, length); };
     if (to_a_time) {
-      equal_steps_to(state, begin + 4, 0.02, step, {});
+      equal_steps_to(state, begin + 4, 0.02, {}, step);
     } else {
       for (int n = 0; n < 200; ++n) step(4.0 / 200);
     }

@@ -86,7 +86,7 @@ TEST_CASE("equal steps are no longer than asked for and end at the time", "[mech
   State state;
   state.time = 0.5;
   std::vector<double> lengths;
-  equal_steps_to(state, 2, 0.4, [&](double length) { lengths.push_back(length); }, {});
+  equal_steps_to(state, 2, 0.4, {}, [&](double length) { lengths.push_back(length); });
   const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
     check.that({.id = id, .text = text, .quantity = id, .source = "equal_steps.hpp"}, {.value = value},
                Roundoff{.operations = 4, .scale = 2, .reason = "a rounded time per step", .expected = expected});
@@ -97,7 +97,7 @@ TEST_CASE("equal steps are no longer than asked for and end at the time", "[mech
   claim("end", "They end at the time.", state.time, 2);
   state.time = 0.5;
   lengths.clear();
-  equal_steps_to(state, 2, 0.3, [&](double length) { lengths.push_back(length); }, {});
+  equal_steps_to(state, 2, 0.3, {}, [&](double length) { lengths.push_back(length); });
   claim("whole", "A time of five whole steps takes five.", static_cast<double>(lengths.size()), 5);
 }
 

@@ -157,8 +157,7 @@ void Flow<Kind>::advance(double tau) {
 
 template <class Kind>
 void Flow<Kind>::advance_to(double time, double tau, const std::function<void()>& after_step) {
-  mechanics::equal_steps_to(
-      state_, time, tau, [this](double length) { advance(length); }, after_step);
+  mechanics::equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
 }
 
 /// As plan_lattice::follow, which looks at the last two nodes of the lattice's first row.

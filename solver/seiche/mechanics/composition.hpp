@@ -21,7 +21,6 @@ namespace seiche::mechanics {
 
 template <class Step>
 concept Stepper = requires(Step& stepper, State& state, double tau) {
-  stepper.step(state, tau);
   stepper.substep(state, tau);
 };
 
@@ -40,18 +39,12 @@ class Composition {
   /// Throws what the base throws; the state is then as before the step.
   void step(State& state, double tau) {
     require_step(tau);
-    substep(state, tau);
-    ++state.steps;
-  }
-
-  void substep(State& state, double tau) {
     next_ = state;
     for (const double weight : weights_) base_.substep(next_, weight * tau);
     next_.time = state.time + tau;
+    ++next_.steps;
     std::swap(state, next_);
   }
-
-  [[nodiscard]] std::size_t stages() const { return weights_.size(); }
 
  private:
   Step& base_;

@@ -59,7 +59,6 @@ class ConservativeStep {
   /// Sweeps of the last step and of all steps.
   [[nodiscard]] int sweeps() const { return sweeps_; }
   [[nodiscard]] long total_sweeps() const { return total_sweeps_; }
-  [[nodiscard]] Model& model() { return model_; }
 
  private:
   void take(State& state, double tau) {

@@ -7,8 +7,8 @@
 
 namespace seiche::mechanics {
 
-void equal_steps_to(State& state, double time, double tau, const std::function<void(double length)>& advance,
-                    const std::function<void()>& after_step) {
+void equal_steps_to(State& state, double time, double tau, const std::function<void()>& after_step,
+                    const std::function<void(double length)>& advance) {
   require_step(tau);
   if (!(time >= state.time && std::isfinite(time))) {
     throw std::invalid_argument(

@@ -54,8 +54,6 @@ class OneStep {
     parts_.guarded(state, [&] { take(state, tau); });
   }
 
-  [[nodiscard]] Model& model() { return model_; }
-
  private:
   void take(State& state, double tau) {
     const Interval when{state.time, tau};

@@ -36,8 +36,6 @@ class RungeKutta {
     StepParts<Model>::guarded(state, [&] { take(state, tau); });
   }
 
-  [[nodiscard]] long solves() const { return form_.solves(); }
-
  private:
   void take(State& state, double tau) {
     end_q_ = stage_q_ = state.q;
@@ -96,8 +94,6 @@ requires(HasMultipliers<Model>&& HasConstraintValues<Model>) class Rattle {
     StepParts<Model>::guarded(state, [&] { take(state, tau); });
   }
 
-  [[nodiscard]] long solves() const { return solves_; }
-
  private:
   void take(State& state, double tau) {
     model_.linearise({state.time, 0}, state.q);
@@ -108,7 +104,6 @@ requires(HasMultipliers<Model>&& HasConstraintValues<Model>) class Rattle {
     model_.kick(tau / 2, u_);
     impulse_.assign(model_.constraints(), 0.0);
     projection_.project(u_, {}, impulse_);
-    ++solves_;
     const std::size_t bad = first_not_finite(u_);
     if (bad < u_.size()) throw_not_finite(state, u_, place_of_rate(model_, bad));
     state.q.swap(q_);
@@ -134,7 +129,6 @@ requires(HasMultipliers<Model>&& HasConstraintValues<Model>) class Rattle {
       for (double& f : values_) f /= -tau;
       model_.solve(values_, impulse_);
       model_.react(impulse_, u_);
-      ++solves_;
     }
     throw Divergence("RATTLE: constraints not satisfied in " + std::to_string(most) + " iterations", state.time,
                      state.steps, 0);
@@ -143,7 +137,6 @@ requires(HasMultipliers<Model>&& HasConstraintValues<Model>) class Rattle {
   Model& model_;
   Projection<Model> projection_;
   std::vector<double> q_, u_, values_, impulse_;
-  long solves_ = 0;
 };
 
 }  // namespace seiche::mechanics

@@ -6,7 +6,7 @@
 ///
 ///     w^0 arbitrary                   multipliers alternate by (2/tau) A^-1 w, for ever: never start so
 ///     w^0 = 0                         project: they alternate by O(tau)
-///     w^0 = w_s = (tau^2/2) B(u, u')  project_smooth: by O(tau^3)
+///     w^0 = w_s = (tau^2/2) B(u, u')  project, project_to_smooth: by O(tau^3)
 ///
 /// In runs of 1e5 steps and more the alternation can grow from round-off although energy and momenta stay exact;
 /// project_to_smooth now and then keeps the momenta exact and costs next to nothing in energy.
@@ -34,14 +34,7 @@ class Start {
     restore(state, {});
   }
 
-  /// u <- projection of u on J u = w_s for steps of length tau.
-  void project_smooth(State& state, double tau) requires HasMultipliers<Model> {
-    require_step(tau);
-    project(state);
-    project_to_smooth(state, tau);
-  }
-
-  /// As project_smooth for a velocity that is nearly so already.
+  /// u <- projection of u on J u = w_s for steps of length tau, of a velocity that is projected already.
   void project_to_smooth(State& state, double tau) requires HasMultipliers<Model> {
     IndexReduced<Model> form(model_);
     acceleration_.resize(state.u.size());

@@ -116,7 +116,6 @@ class StepParts {
     }
   }
 
-  [[nodiscard]] Model& model() const { return model_; }
   [[nodiscard]] Projection<Model>& projection() { return projection_; }
 
  private:

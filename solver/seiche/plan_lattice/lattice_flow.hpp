@@ -39,8 +39,7 @@ class LatticeFlow {
   }
   /// Equal steps of at most tau until `time`, which is hit exactly; after_step is called after each.
   void advance_to(double time, double tau, const std::function<void()>& after_step = {}) {
-    mechanics::equal_steps_to(
-        state_, time, tau, [this](double length) { advance(length); }, after_step);
+    mechanics::equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
   }
 
   /// No shorter step of the one-step scheme is unstable on the first lattice: 2/omega of a mode faster than all of its.
