@@ -50,6 +50,7 @@ class IndexReduced {
     return curvature_;
   }
 
+  [[nodiscard]] Input multipliers() const { return multipliers_; }
   [[nodiscard]] Model& model() { return model_; }
 
  private:
