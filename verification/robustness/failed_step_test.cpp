@@ -36,7 +36,7 @@ bool same(const State& a, const State& b) {
 /// A chain that cannot be at its `count`-th linearisation, or does not come to the end of its `count`-th step.
 struct FragileChain : RigidChain {
   enum class At { linearise, settle };
-  FragileChain(At where, int count) : RigidChain(rigid_chain::double_pendulum()), where(where), left(count) {}
+  FragileChain(At here, int count) : RigidChain(rigid_chain::double_pendulum()), where(here), left(count) {}
 
   void linearise(Interval when, Input q) {
     pass(At::linearise);
