@@ -14,10 +14,10 @@ class FlushDenormals {
  public:
 #if defined(__SSE2__)
   FlushDenormals() : before_(_mm_getcsr()) {
-    _mm_setcsr(before_ | flush_to_zero | denormals_are_zero);
+    if ((before_ & both) != both) _mm_setcsr(before_ | both);
   }
   ~FlushDenormals() {
-    _mm_setcsr(before_);
+    if ((before_ & both) != both) _mm_setcsr(before_);
   }
 #else
   FlushDenormals() = default;
@@ -27,8 +27,7 @@ class FlushDenormals {
 
  private:
 #if defined(__SSE2__)
-  static constexpr unsigned flush_to_zero = 0x8000;
-  static constexpr unsigned denormals_are_zero = 0x0040;
+  static constexpr unsigned both = 0x8040;  // results flushed to zero, and operands taken for it
   unsigned before_;
 #endif
 };

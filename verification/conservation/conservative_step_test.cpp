@@ -6,6 +6,7 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/mechanics/composition.hpp"
+#include "seiche/mechanics/equal_steps.hpp"
 #include "seiche/models/rigid_chain/integrators.hpp"
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "seiche/samples.hpp"
@@ -193,6 +194,58 @@ TEST_CASE("energy of a cubic potential and rigid links are exact at once", "[con
               .source = "bilinear constraints at the middle"},
              {.value = largest(std::array{plain.second, composed.second})},
              Roundoff{.operations = 20000, .scale = 3, .reason = "one rounded coordinate, up to 3, per step"});
+}
+
+TEST_CASE("implicit steps do not depend on when they begin nor on who counts them", "[conservation]") {
+  Check check("conservative_step_clock", "Fully conservative steps and the clock",
+              "The chain in a cubic potential knows no time: begun at 0, 1 or 1024, by a loop of steps or by equal "
+              "steps to a time, all of 4/200, it does the same. A step starts from the velocity extrapolated from the "
+              "two before; were one lost, because a time is not what it was, it would take a sweep more.");
+  struct Result {
+    State state;
+    long sweeps;
+  };
+  const auto run = [](double begin, bool to_a_time, bool composed) {
+    RigidChain chain({.masses = alternating_masses(4), .gravity = 0.3, .spring = 0.5, .cubic = 0.05});
+    State state = spiral_start(chain);
+    state.time = begin;
+    ConservativeStep<RigidChain> base(chain);
+    Composition suzuki(base, suzuki_weights());
+    const auto step = [&](double length) { composed ? suzuki.step(state, length) : base.step(state, length); };
+    if (to_a_time) {
+      equal_steps_to(state, begin + 4, 0.02, {}, step);
+    } else {
+      for (int n = 0; n < 200; ++n) step(4.0 / 200);
+    }
+    return Result{state, base.total_sweeps()};
+  };
+  for (const bool composed : {false, true}) {
+    const Result first = run(0, false, composed);
+    int different = 0;
+    long most = first.sweeps;
+    for (const double begin : {0.0, 1.0, 1024.0}) {
+      for (const bool to_a_time : {false, true}) {
+        const Result other = run(begin, to_a_time, composed);
+        different += other.state.q == first.state.q && other.state.u == first.state.u ? 0 : 1;
+        most = std::max(most, other.sweeps);
+      }
+    }
+    const std::string id = composed ? "composed-" : "plain-";
+    const std::string name = composed ? "Suzuki's composition" : "plain steps";
+    check.measure(name + ": sweeps of 200 steps", static_cast<double>(first.sweeps));
+    check.that({.id = id + "bytes",
+                .text = "Coordinates and rates do not depend on the first time, nor on who counts steps: " + name + ".",
+                .quantity = "of six runs, those that end otherwise than the first",
+                .source = "the system is autonomous"},
+               {.value = static_cast<double>(different), .resolution = "200 steps"},
+               Bound{.limit = 0, .reason = "equality of bytes"});
+    check.that({.id = id + "sweeps",
+                .text = "The number of sweeps does not either: " + name + ".",
+                .quantity = "most sweeps of a run less those of the first",
+                .source = "the system is autonomous"},
+               {.value = static_cast<double>(most - first.sweeps), .resolution = "200 steps"},
+               Bound{.limit = 0, .reason = "every step but the first extrapolates"});
+  }
 }
 
 }  // namespace conservative_step_test

@@ -35,7 +35,10 @@ struct Alternation {
 Alternation alternation(Begin begin, double tau) {
   auto chain = free_chain();
   State state = spiral_start(chain);
-  if (begin == Begin::smooth) Start(chain).project_smooth(state, tau);
+  if (begin == Begin::smooth) {
+    Start(chain).project(state);
+    Start(chain).project_to_smooth(state, tau);
+  }
   OneStep<RigidChain> scheme(chain);
   std::vector<std::vector<double>> history;
   Alternation result;
@@ -130,7 +133,10 @@ LongRun free_chain_run(long every, long steps, double tau) {
   auto chain = free_chain();
   State state = spiral_start(chain);
   const bool cured = every > 0;
-  if (cured) Start(chain).project_smooth(state, tau);
+  if (cured) {
+    Start(chain).project(state);
+    Start(chain).project_to_smooth(state, tau);
+  }
   OneStep<RigidChain> scheme(chain);
   Start<RigidChain> start(chain);
   Instant instant(chain);

@@ -84,7 +84,7 @@ TEST_CASE("equal steps are no longer than asked for and end at the time", "[mech
   State state;
   state.time = 0.5;
   std::vector<double> lengths;
-  equal_steps_to(state, 2, 0.4, [&](double length) { lengths.push_back(length); }, {});
+  equal_steps_to(state, 2, 0.4, {}, [&](double length) { lengths.push_back(length); });
   const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
     check.that({.id = id, .text = text, .quantity = id, .source = "equal_steps.hpp"}, {.value = value},
                Roundoff{.operations = 4, .scale = 2, .reason = "a rounded time per step", .expected = expected});
@@ -95,7 +95,7 @@ TEST_CASE("equal steps are no longer than asked for and end at the time", "[mech
   claim("end", "They end at the time.", state.time, 2);
   state.time = 0.5;
   lengths.clear();
-  equal_steps_to(state, 2, 0.3, [&](double length) { lengths.push_back(length); }, {});
+  equal_steps_to(state, 2, 0.3, {}, [&](double length) { lengths.push_back(length); });
   claim("whole", "A time of five whole steps takes five.", static_cast<double>(lengths.size()), 5);
 }
 
@@ -145,34 +145,6 @@ TEST_CASE("RATTLE keeps positions and velocities on the constraints", "[mechanic
         "products of coordinates up to 2 and of their differences, ten to a link; nothing accumulates");
   claim("velocities", "Velocities along the links vanish to round-off.", velocities.value(),
         "products of velocities up to 3 with differences up to 2, ten to a link; nothing accumulates");
-}
-
-TEST_CASE("velocities are reprojected every so many steps, and not otherwise", "[mechanics]") {
-  Check check("reprojection_intervals", "When velocities are reprojected",
-              "Every third of ten steps: a velocity put off the constraints before each is back on them after the "
-              "third, sixth and ninth.");
-  RigidChain chain = rigid_chain::double_pendulum();
-  State state = rigid_chain::spiral_start(chain);
-  Reprojection<RigidChain> reprojection(chain, 3);
-  std::vector<double> values(chain.constraints());
-  Count restored;
-  Count in_turn;
-  for (state.steps = 1; state.steps <= 10; ++state.steps) {
-    for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] = 0.1 * static_cast<double>(i + 1);
-    reprojection.after_step(state, 1e-3);
-    chain.linearise({state.time, 0}, state.q);
-    chain.constraint_rates(state.u, values);
-    // What is projected keeps J u = (tau^2/2) B, of the order of 1e-6.
-    const auto on_constraints = [](double rate) { return rate < 1e-4; };
-    restored.add(worst(values), on_constraints);
-    if (state.steps % 3 == 0) in_turn.add(worst(values), on_constraints);
-  }
-  const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.that({.id = id, .text = text, .quantity = "steps", .source = "start.hpp"}, {.value = value},
-               Bound{.limit = 0, .reason = "a count", .expected = 3});
-  };
-  claim("restored", "Three of ten steps are followed by a reprojection.", restored.value());
-  claim("in-turn", "They are the third, the sixth and the ninth.", in_turn.value());
 }
 
 }  // namespace integrator_parts_test

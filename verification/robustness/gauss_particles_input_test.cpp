@@ -86,9 +86,13 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
                    {"surface", "dissipative", "conservative stepping"}, [] {
                      Layer with_markers = water();
                      with_markers.markers = 20;
-                     Flow flow(layer(with_markers), splines(), {}, {.surface = SurfaceLine{}}, {},
+                     Flow flow(layer(with_markers), splines(), {}, {.penalty = 0, .surface = SurfaceLine{}}, {},
                                Stepping::dissipative);
                    });
+
+  refusals.refused("penalty-dissipative", "The penalty in the dissipative scheme, where it would do nothing.",
+                   {"penalty", "0.01", "dissipative", "allowed: 0"},
+                   [] { Flow flow(layer(water()), splines(), {}, {}, {}, Stepping::dissipative); });
 
   refusals.refused("spatial-mass", "A particle in space without a mass.", {"mass of particle 1", "0"}, [] {
     SpatialParticles drop = ball(1, 2);

@@ -137,8 +137,6 @@ TEST_CASE("bad starts and steps of the Lagrangian mesh are refused and change no
               "Velocities that are not finite, sweeps and lengths of steps out of range. A refused step changes "
               "nothing.");
   Refusals refusals(check);
-  refusals.refused("reproject", "A negative number of steps between projections.", {"reproject_every", "= -1"},
-                   [] { Flow flow(still_water(), {}, {}, {}, {}, true, -1); });
   refusals.refused("sweeps", "A negative number of sweeps.", {"fixed_sweeps", "= -1", "non-negative"},
                    [] { Flow flow(still_water(), {}, {.stepping = Stepping::conservative, .fixed_sweeps = -1}); });
   refusals.refused("velocity", "A velocity that is not a number.", {"u[2]", "nan", "finite"}, [] {

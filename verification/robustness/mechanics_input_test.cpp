@@ -45,7 +45,6 @@ TEST_CASE("a bad state or bad masses are named", "[robustness]") {
   state.u.pop_back();
   CHECK_THROWS_WITH(Start(chain).project(state), Contains("u has 5 entries; the model needs 6"));
   CHECK_THROWS_WITH(RigidChain({.masses = {1, 0}}), Contains("mass"));
-  CHECK_THROWS_WITH(Reprojection<RigidChain>(chain, 0), Contains("reproject_every"));
 }
 
 TEST_CASE("a rate that is not finite stops the run with time, step and place, and the state kept", "[robustness]") {

@@ -1,12 +1,20 @@
 // What weakly compressible SPH refuses, and how it stops.
+#include <omp.h>
+
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "seiche/divergence.hpp"
 #include "seiche/models/wcsph/flow.hpp"
+#include "seiche/models/wcsph/scene.hpp"
 #include "verification/check.hpp"
 #include "verification/wcsph_problems.hpp"
 
@@ -85,6 +93,64 @@ TEST_CASE("particles that cannot be are refused", "[robustness]") {
   refuse(changed([&](Particles& p) { p.add(p.x[17] + 0.4 * spacing, p.z[17], 10, 1000, Kind::wall); }), good, "wall");
   refuse(changed([&](Particles& p) { p.add(3, 3, 10, 1000, Kind::paddle, 0, 0, 0); }), good, "paddle");
   CHECK_THROWS_AS(Flow({}, spacing, good), std::invalid_argument);
+  Paddle without_rate = piston(0.1, 6);
+  without_rate.rate = {};
+  CHECK_THROWS_WITH(Flow(water, spacing, good, {piston(0.1, 6), without_rate}),
+                    "paddle 1 has no rate: must have pose and rate");
+}
+
+TEST_CASE("the motion of a paddle is asked for by one thread, few times a step, and may throw", "[robustness]") {
+  Check check("wcsph_paddle_calls", "Calls of a paddle's functions",
+              "A flume with a flap and extrapolated walls, 100 steps with two threads. The paddle's functions are the "
+              "user's: they are called outside of parallel loops, at times from 0 on, a few times a step whatever the "
+              "number of particles, and what they throw reaches the caller, with the particles as before the step.");
+  const Settings settings{.sound_speed = 10, .walls = WallPressure::extrapolated};
+  // Enough particles for two threads.
+  Scene scene = flume({.length = 1, .depth = 0.25, .stroke = 0.05, .frequency = 12, .spacing = 0.005}, settings);
+  const int usual = omp_get_max_threads();
+  omp_set_num_threads(2);
+  std::atomic<long> calls = 0;
+  std::atomic<long> in_parallel = 0;
+  std::atomic<long> before_zero = 0;
+  double last = std::numeric_limits<double>::infinity();
+  const auto watched = [&](const std::function<Pose(double)>& motion) {
+    return [&, motion](double time) {
+      ++calls;
+      in_parallel += omp_in_parallel() != 0 ? 1 : 0;
+      before_zero += time < 0 ? 1 : 0;
+      if (omp_in_parallel() == 0 && time > last) throw std::runtime_error("the paddle's record ends");
+      return motion(time);
+    };
+  };
+  for (Paddle& paddle : scene.paddles)
+    paddle = {paddle.hinge_x, paddle.hinge_z, watched(paddle.pose), watched(paddle.rate)};
+  Flow flow(scene.particles, scene.spacing, settings, scene.paddles);
+  long most = 0;
+  for (int n = 0; n < 100; ++n) {
+    const long before = calls;
+    flow.advance();
+    most = std::max(most, calls - before);
+  }
+  last = flow.time();
+  const std::vector<double> x = flow.particles().x;
+  const double time = flow.time();
+  CHECK_THROWS_WITH(flow.advance(), "the paddle's record ends");
+  omp_set_num_threads(usual);
+  CHECK(flow.particles().x == x);
+  CHECK(flow.time() == time);
+  const auto claim = [&](const std::string& id, const std::string& text, const std::string& quantity, double value,
+                         double limit, const std::string& reason) {
+    check.that({.id = id, .text = text, .quantity = quantity, .source = "paddle.hpp"},
+               {.value = value, .resolution = fmt::format("{} particles", flow.particles().size())},
+               seiche::evidence::Bound{.limit = limit, .reason = reason});
+  };
+  claim("parallel", "The paddle's functions are called outside of parallel loops.", "calls within one",
+        static_cast<double>(in_parallel), 0, "they are the user's, and may throw or share what they use");
+  claim("times", "They are called at times from 0 on.", "calls at negative times", static_cast<double>(before_zero), 0,
+        "a measured motion begins at 0");
+  claim("calls", "They are called a few times a step.", "most calls in a step", static_cast<double>(most), 20,
+        "pose and rate at two instants for each of at most three evaluations, and at one for each of at most four "
+        "positions: 20");
 }
 
 TEST_CASE("a computation that breaks down says when and where, and keeps the last good state", "[robustness]") {

@@ -1,7 +1,10 @@
 // A flow that goes on from a kept state is the flow that was not interrupted, to the last bit.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -104,8 +107,75 @@ TEST_CASE("a flow resumed from a kept state gives the same bytes", "[robustness]
                {.value = static_cast<double>(different), .resolution = fmt::format("{} steps", steps)},
                seiche::evidence::Bound{.limit = 0, .reason = "equality of bytes, of counts and of extremes"});
   }
-  Flow other = problems().front().flow();
-  CHECK_THROWS_WITH(other.resume(problems()[2].flow().state()), Catch::Contains("particles"));
+}
+
+TEST_CASE("a state of another flow is refused by the name of what differs, and changes nothing", "[robustness]") {
+  Check check("wcsph_resume_refusals", "States of other flows",
+              "A flume with a flap, 20 steps old, is given states that are not its own: of another setting, paddle or "
+              "particle, or damaged. Each is refused with the name of what differs, and the flow then goes on to the "
+              "same bytes as one that was not asked.");
+  const Problem own = problems()[2];
+  const auto changed = [&](const std::function<void(Problem&)>& change) {
+    Problem other = own;
+    change(other);
+    return other.flow().state();
+  };
+  const auto damaged = [&](const std::function<void(FlowState&)>& damage) {
+    Flow flow = own.flow();
+    for (int n = 0; n < 30; ++n) flow.advance();
+    FlowState state = flow.state();
+    damage(state);
+    return state;
+  };
+  const std::vector<std::pair<std::string, FlowState>> states{
+      {"sound_speed = 12", changed([](Problem& p) { p.settings.sound_speed = 12; })},
+      {"gravity = 3", changed([](Problem& p) { p.settings.gravity = 3; })},
+      {"viscosity", changed([](Problem& p) { p.settings.viscosity = Inviscid{}; })},
+      {"alpha = 0.2", changed([](Problem& p) { p.settings.viscosity = ArtificialViscosity{0.2}; })},
+      {"skin", changed([](Problem& p) { p.settings.skin = 0.2; })},
+      {"spacing", changed([](Problem& p) { p.scene.spacing *= 1.01; })},
+      {"paddles", changed([](Problem& p) {
+         p.scene.paddles.clear();
+         std::fill(p.scene.particles.kind.begin(), p.scene.particles.kind.end(), Kind::fluid);
+       })},
+      {"hinge, pose or rate of a paddle", changed([](Problem& p) { p.scene.paddles[0] = flap(0, 0, 0.1, 0.06, 12); })},
+      {"hinge, pose or rate of a paddle", changed([](Problem& p) { p.scene.paddles[0].hinge_x += 1e-3; })},
+      {"particles", changed([](Problem& p) { p.scene.particles.add(5, 5, 1, 1000); })},
+      {"particles", changed([](Problem& p) { p.scene.particles.mass[7] *= 2; })},
+      {"particle 3", damaged([](FlowState& s) { s.particles.u[3] = std::nan(""); })},
+      {"arrays", damaged([](FlowState& s) { s.listed.z.pop_back(); })},
+      {"arrays", damaged([](FlowState& s) { s.reference_x.clear(); })},
+      {"order", damaged([](FlowState& s) { std::swap(s.listed.x.front(), s.listed.x.back()); })}};
+  Flow plain = own.flow();
+  Flow asked = own.flow();
+  for (Flow* flow : {&plain, &asked}) {
+    for (int n = 0; n < 20; ++n) flow->advance();
+  }
+  int accepted = 0;
+  for (const auto& [word, state] : states) {
+    INFO(word);
+    try {
+      asked.resume(state);
+      ++accepted;
+    } catch (const std::invalid_argument& refusal) {
+      CHECK_THAT(refusal.what(), Catch::Contains(word));
+    }
+  }
+  const bool kept = same(plain, asked);
+  for (Flow* flow : {&plain, &asked}) {
+    for (int n = 0; n < 40; ++n) flow->advance();
+  }
+  check.that({.id = "accepted",
+              .text = fmt::format("Of {} states of other flows none is accepted.", states.size()),
+              .quantity = "states accepted",
+              .source = "flow_state.hpp"},
+             {.value = static_cast<double>(accepted)}, seiche::evidence::Bound{.limit = 0, .reason = "a count"});
+  check.that({.id = "kept",
+              .text = "A refused state changes nothing, then and 40 steps later.",
+              .quantity = "differing: now, 40 steps later",
+              .source = "flow_state.hpp"},
+             {.value = (kept ? 0.0 : 1.0) + (same(plain, asked) ? 0 : 1)},
+             seiche::evidence::Bound{.limit = 0, .reason = "equality of bytes, of counts and of extremes"});
 }
 
 }  // namespace wcsph_resume_test

@@ -145,10 +145,11 @@ Flow<Kind>::Flow(plan_lattice::Shape lattice, std::size_t layers, const MakePart
 template <class Kind>
 void Flow<Kind>::advance(double tau) {
   mechanics::require_step(tau);
-  if (state_.steps == 0 && smooth_start_) mechanics::Start(model_).project_to_smooth(state_, tau);
   follow();
   if (conservative_) {
     sweeper_.step(state_, tau);
+  } else if (state_.steps == 0 && smooth_start_) {
+    mechanics::smooth_step(model_, stepper_, state_, tau);
   } else {
     stepper_.step(state_, tau);
   }
@@ -156,8 +157,7 @@ void Flow<Kind>::advance(double tau) {
 
 template <class Kind>
 void Flow<Kind>::advance_to(double time, double tau, const std::function<void()>& after_step) {
-  mechanics::equal_steps_to(
-      state_, time, tau, [this](double length) { advance(length); }, after_step);
+  mechanics::equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
 }
 
 /// As plan_lattice::follow, which looks at the last two nodes of the lattice's first row.

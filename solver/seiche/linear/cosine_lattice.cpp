@@ -129,8 +129,7 @@ void CosineLattice::grow_workspaces() {
 void CosineLattice::transform_rows(const double* right_hand_side, double factor, const double* scale) {
   const std::size_t count = shape_.nz * shape_.layers;
   const std::size_t nx = shape_.nx;
-#pragma omp parallel for schedule(static) if (count * shape_.nx >= worth_threads)
-  for (std::size_t pair = 0; pair < pairs(count); ++pair) {
+  share_out(pairs(count), count * shape_.nx >= worth_threads, [&](std::size_t pair) {
     Workspace& work = workspaces_[static_cast<std::size_t>(omp_get_thread_num())];
     const std::size_t row = 2 * pair;
     const bool alone = row + 1 == count;
@@ -145,14 +144,13 @@ void CosineLattice::transform_rows(const double* right_hand_side, double factor,
     float* const result = rows_.data() + row * row_stride_;
     along_x_.forward<double>({first, second}, factor, {result, alone ? work.mode_copy.data() : result + row_stride_},
                              work.along_x);
-  }
+  });
 }
 
 void CosineLattice::transform_rows_back(double factor, double* x, const double* scale) {
   const std::size_t count = shape_.nz * shape_.layers;
   const std::size_t nx = shape_.nx;
-#pragma omp parallel for schedule(static) if (count * shape_.nx >= worth_threads)
-  for (std::size_t pair = 0; pair < pairs(count); ++pair) {
+  share_out(pairs(count), count * shape_.nx >= worth_threads, [&](std::size_t pair) {
     Workspace& work = workspaces_[static_cast<std::size_t>(omp_get_thread_num())];
     const std::size_t row = 2 * pair;
     const bool alone = row + 1 == count;
@@ -164,7 +162,7 @@ void CosineLattice::transform_rows_back(double factor, double* x, const double* 
       multiply(scale + row * nx, result, result, nx);
       if (!alone) multiply(scale + (row + 1) * nx, result + nx, result + nx, nx);
     }
-  }
+  });
 }
 
 /// Along z, over the layers and back, for the positions [first, last) along x.
@@ -212,22 +210,22 @@ void CosineLattice::solve_tile(std::size_t first, std::size_t last, Workspace& w
 }
 
 void CosineLattice::solve_tiles() {
-#pragma omp parallel for schedule(static) if (shape_.layers * shape_.nx * shape_.nz >= worth_threads)
-  for (std::size_t first = 0; first < shape_.nx; first += tile) {
-    solve_tile(first, std::min(first + tile, shape_.nx), workspaces_[static_cast<std::size_t>(omp_get_thread_num())]);
-  }
+  const bool many = shape_.layers * shape_.nx * shape_.nz >= worth_threads;
+  share_out((shape_.nx + tile - 1) / tile, many, [&](std::size_t t) {
+    solve_tile(t * tile, std::min((t + 1) * tile, shape_.nx),
+               workspaces_[static_cast<std::size_t>(omp_get_thread_num())]);
+  });
 }
 
 void CosineLattice::solve_layers() {
   const std::size_t layers = shape_.layers;
   const std::size_t blocks = (row_stride_ + block - 1) / block;
-#pragma omp parallel for schedule(static) if (layers * row_stride_ >= worth_threads)
-  for (std::size_t b = 0; b < blocks; ++b) {
+  share_out(blocks, layers * row_stride_ >= worth_threads, [&](std::size_t b) {
     const std::size_t first = b * block;
     const std::size_t factors = first * layers;
     solve_block(inverse_pivot_.data() + factors, multiplier_.data() + factors, rows_.data() + first,
                 std::min(block, row_stride_ - first), layers, row_stride_);
-  }
+  });
 }
 
 }  // namespace seiche::linear

@@ -81,8 +81,7 @@ class LatticeGradients {
     const std::size_t layers = undeformed_.shape.layers;
     scale_.resize(diagonal.size());
     const double* own = diagonal.data();
-#pragma omp parallel for schedule(static) if (scale_.size() > worth_threads)
-    for (std::size_t row = 0; row < nz * layers; ++row) {
+    share_out(nz * layers, scale_.size() > worth_threads, [&](std::size_t row) {
       const double inner = inner_diagonal_[row / nz];
       double* const scale = scale_.data() + row * nx;
 #pragma omp simd
@@ -91,7 +90,7 @@ class LatticeGradients {
         scale[0] = scale[1];
         scale[nx - 1] = scale[nx - 2];
       }
-    }
+    });
     if (nz < 3) return;
     for (std::size_t layer = 0; layer < layers; ++layer) {
       double* const first = scale_.data() + layer * nz * nx;

@@ -34,22 +34,20 @@ SEICHE_SIMD_CLONES double multiply_cells(const NinePointMatrix& a, const double*
 void NinePointMatrix::multiply(const LatticeArray& x, LatticeArray& result) const {
   const double* const in = x.data();
   double* const out = result.data();
-#pragma omp parallel for schedule(static) if (size() >= worth_threads)
-  for (std::size_t j = 0; j < rows; ++j) {
+  share_out(rows, size() >= worth_threads, [&](std::size_t j) {
     const auto first = static_cast<std::ptrdiff_t>(j * columns);
     multiply_cells(*this, in, out, first, first + static_cast<std::ptrdiff_t>(columns));
-  }
+  });
 }
 
 double NinePointMatrix::multiply_and_dot(const LatticeArray& x, LatticeArray& result) const {
   const double* const in = x.data();
   double* const out = result.data();
   std::vector<double> partial(rows);
-#pragma omp parallel for schedule(static) if (size() >= worth_threads)
-  for (std::size_t j = 0; j < rows; ++j) {
+  share_out(rows, size() >= worth_threads, [&](std::size_t j) {
     const auto first = static_cast<std::ptrdiff_t>(j * columns);
     partial[j] = multiply_cells(*this, in, out, first, first + static_cast<std::ptrdiff_t>(columns));
-  }
+  });
   double sum = 0;
   for (const double p : partial) sum += p;
   return sum;

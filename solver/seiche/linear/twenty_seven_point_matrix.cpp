@@ -98,8 +98,7 @@ SEICHE_SIMD_CLONES double dot_row(std::size_t n, const double* x, const double* 
 
 double TwentySevenPointMatrix::multiply_and_dot(const LatticeArray& x, LatticeArray& result) const {
   std::vector<double> partial(rows * layers);
-#pragma omp parallel for schedule(static) if (size() >= worth_threads)
-  for (std::size_t r = 0; r < rows * layers; ++r) {
+  share_out(rows * layers, size() >= worth_threads, [&](std::size_t r) {
     const std::size_t j = r % rows;
     const std::size_t l = r / rows;
     const double* const in = x.data() + r * columns;
@@ -116,7 +115,7 @@ double TwentySevenPointMatrix::multiply_and_dot(const LatticeArray& x, LatticeAr
                 around(in - rows * columns), out);
     }
     partial[r] = dot_row(columns, in, out);
-  }
+  });
   double sum = 0;
   for (const double p : partial) sum += p;
   return sum;

@@ -17,8 +17,8 @@ auto sum_over_chunks(std::size_t size, const Kernel& kernel) {
   using Sum = decltype(kernel(std::size_t{}, std::size_t{}));
   const std::size_t chunks = (size + chunk - 1) / chunk;
   std::vector<Sum> partial(chunks);
-#pragma omp parallel for schedule(static) if (size >= worth_threads)
-  for (std::size_t c = 0; c < chunks; ++c) partial[c] = kernel(c * chunk, std::min(chunk, size - c * chunk));
+  share_out(chunks, size >= worth_threads,
+            [&](std::size_t c) { partial[c] = kernel(c * chunk, std::min(chunk, size - c * chunk)); });
   Sum sum{};
   for (const Sum& p : partial) sum += p;
   return sum;
@@ -93,10 +93,10 @@ std::array<double, 2> dots(std::span<const double> x, std::span<const double> y,
 
 void scale_and_add(std::span<const double> x, double factor, std::span<double> y) {
   const std::size_t size = y.size();
-#pragma omp parallel for schedule(static) if (size >= worth_threads)
-  for (std::size_t first = 0; first < size; first += chunk) {
+  share_out((size + chunk - 1) / chunk, size >= worth_threads, [&](std::size_t c) {
+    const std::size_t first = c * chunk;
     scale_and_add_chunk(&x[first], factor, &y[first], std::min(chunk, size - first));
-  }
+  });
 }
 
 double subtract_from(std::span<const double> x, std::span<double> difference) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "seiche/mechanics/index_reduced.hpp"
-#include "seiche/mechanics/state.hpp"
+#include "seiche/mechanics/step_parts.hpp"
 
 namespace seiche::mechanics {
 
@@ -21,7 +21,8 @@ enum class AdaptiveMethod { dormand_prince_5, fehlberg_78 };
 long integrate_adaptive(AdaptiveMethod method, const std::function<void(Input x, Output slope, double time)>& slope,
                         std::vector<double>& x, double begin, double end, double tolerance);
 
-/// Carries the state to time `end`; returns the evaluations, one solve each. state.steps is not counted.
+/// Carries the state to time `end`; returns the evaluations, one solve each. state.steps is not counted. Throws as
+/// OneStep::step.
 template <ConstrainedModel Model>
 requires HasMultipliers<Model>
 long integrate_adaptive(AdaptiveMethod method, Model& model, State& state, double end, double tolerance) {
@@ -34,7 +35,9 @@ long integrate_adaptive(AdaptiveMethod method, Model& model, State& state, doubl
     form.acceleration(time, at.first(n), at.subspan(n), result.subspan(n));
     model.advance(origin, at.subspan(n), 1, result.first(n));
   };
-  const long evaluations = integrate_adaptive(method, slope, x, state.time, end, tolerance);
+  long evaluations = 0;
+  StepParts<Model>::guarded(
+      state, [&] { evaluations = integrate_adaptive(method, slope, x, state.time, end, tolerance); });
   state.q.assign(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n));
   state.u.assign(x.begin() + static_cast<std::ptrdiff_t>(n), x.end());
   state.time = end;

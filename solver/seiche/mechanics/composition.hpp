@@ -12,6 +12,7 @@
 #pragma once
 
 #include <concepts>
+#include <utility>
 #include <vector>
 
 #include "seiche/mechanics/state.hpp"
@@ -20,7 +21,6 @@ namespace seiche::mechanics {
 
 template <class Step>
 concept Stepper = requires(Step& stepper, State& state, double tau) {
-  stepper.step(state, tau);
   stepper.substep(state, tau);
 };
 
@@ -36,24 +36,20 @@ class Composition {
   /// @param base  must outlive the composition
   Composition(Step& base, std::vector<double> weights) : base_(base), weights_(std::move(weights)) {}
 
-  /// Throws what the base throws; the state is then that of the last completed stage.
+  /// Throws what the base throws; the state is then as before the step.
   void step(State& state, double tau) {
     require_step(tau);
-    substep(state, tau);
-    ++state.steps;
+    next_ = state;
+    for (const double weight : weights_) base_.substep(next_, weight * tau);
+    next_.time = state.time + tau;
+    ++next_.steps;
+    std::swap(state, next_);
   }
-
-  void substep(State& state, double tau) {
-    const double begin = state.time;
-    for (const double weight : weights_) base_.substep(state, weight * tau);
-    state.time = begin + tau;
-  }
-
-  [[nodiscard]] std::size_t stages() const { return weights_.size(); }
 
  private:
   Step& base_;
   std::vector<double> weights_;
+  State next_;
 };
 
 }  // namespace seiche::mechanics

@@ -59,7 +59,6 @@ class ConservativeStep {
   /// Sweeps of the last step and of all steps.
   [[nodiscard]] int sweeps() const { return sweeps_; }
   [[nodiscard]] long total_sweeps() const { return total_sweeps_; }
-  [[nodiscard]] Model& model() { return model_; }
 
  private:
   void take(State& state, double tau) {
@@ -69,26 +68,20 @@ class ConservativeStep {
     predict(model_, state.q, mean_, tau, next_);
     parts_.guess_impulse(state, tau, impulse_);
     iterate(state, when);
-    state.q.swap(next_);
-    previous_.swap(state.u);
-    const Input before = entered_.empty() ? Input(previous_) : Input(entered_);
-    state.u.resize(mean_.size());
-    for (std::size_t i = 0; i < mean_.size(); ++i) state.u[i] = 2 * mean_[i] - before[i];
+    const Input before = entered_.empty() ? Input(state.u) : Input(entered_);
+    for (std::size_t i = 0; i < mean_.size(); ++i) mean_[i] = 2 * mean_[i] - before[i];
+    parts_.commit(state, when, next_, mean_);
     parts_.keep_multipliers(state, impulse_, tau);
-    parts_.settle(state, when);
-    previous_tau_ = tau;
-    reached_ = state.time;
+    state.earlier_u.swap(mean_);
+    state.earlier_tau = tau;
   }
 
-  /// u at the middle of the step from the last two; from u alone when this step does not continue the last one.
+  /// u at the middle of the step from the state's last two; from u alone when it has but one.
   void extrapolate(const State& state, double tau) {
-    if (state.time != reached_ || previous_.size() != state.u.size()) {
-      mean_ = state.u;
-      return;
-    }
-    mean_.resize(state.u.size());
-    const double weight = tau / (2 * previous_tau_);
-    for (std::size_t i = 0; i < mean_.size(); ++i) mean_[i] = state.u[i] + weight * (state.u[i] - previous_[i]);
+    mean_ = state.u;
+    if (state.earlier_u.size() != mean_.size()) return;
+    const double weight = tau / (2 * state.earlier_tau);
+    for (std::size_t i = 0; i < mean_.size(); ++i) mean_[i] += weight * (state.u[i] - state.earlier_u[i]);
   }
 
   void iterate(const State& state, Interval when) {
@@ -177,11 +170,8 @@ class ConservativeStep {
   int sweeps_ = 0;
   long total_sweeps_ = 0;
   double kick_ = 0;  // largest change of a rate by the forces alone
-  double previous_tau_ = 1;
-  double reached_ = std::numeric_limits<double>::quiet_NaN();  // time after the last step
   std::vector<double> next_, mean_, candidate_, impulse_;
-  std::vector<double> entered_;   // rates brought to the linearised configuration; empty after fused sweeps
-  std::vector<double> previous_;  // rates before the last step
+  std::vector<double> entered_;  // rates brought to the linearised configuration; empty after fused sweeps
 };
 
 }  // namespace seiche::mechanics

@@ -110,7 +110,8 @@ concept HasDiscreteGradients = requires(Model& model, Interval when, Input q0, I
 
 /// The whole of OneStep's step in a few passes over memory, for models whose solver goes through the unknowns in order.
 /// q, u: the state's, replaced; target: may be empty; multipliers: receives lambda. It must do what the separate calls
-/// do, and leave q and u as they were when it throws. fuses_step() may depend on the settings of the model.
+/// do, and leave q and u as they were when it throws; settle then throws nothing. fuses_step() may depend on the
+/// settings of the model.
 template <class Model>
 concept FusesStep = requires(Model& model, const Model& fixed, Interval when, Input in, Output out) {
   { fixed.fuses_step() } -> std::convertible_to<bool>;

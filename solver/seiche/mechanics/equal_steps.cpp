@@ -7,8 +7,8 @@
 
 namespace seiche::mechanics {
 
-void equal_steps_to(State& state, double time, double tau, const std::function<void(double length)>& advance,
-                    const std::function<void()>& after_step) {
+void equal_steps_to(State& state, double time, double tau, const std::function<void()>& after_step,
+                    const std::function<void(double length)>& advance) {
   require_step(tau);
   if (!(time >= state.time && std::isfinite(time))) {
     throw std::invalid_argument(
@@ -18,7 +18,7 @@ void equal_steps_to(State& state, double time, double tau, const std::function<v
   const auto steps = static_cast<long>(std::ceil((time - begin) / tau - 1e-9));
   for (long k = 1; k <= steps; ++k) {
     advance((time - begin) / static_cast<double>(steps));
-    state.time = begin + (time - begin) * (static_cast<double>(k) / static_cast<double>(steps));
+    if (k == steps) state.time = time;
     if (after_step) after_step();
   }
 }

@@ -34,7 +34,6 @@ class IndexReduced {
     multipliers_.assign(rates_.size(), 0.0);
     model_.solve(rates_, multipliers_);
     model_.react(multipliers_, result);
-    ++solves_;
   }
 
   /// B(u, v) at (time, q). Leaves the model linearised at q. Without the model's own Hessians: central difference of J
@@ -52,7 +51,6 @@ class IndexReduced {
   }
 
   [[nodiscard]] Input multipliers() const { return multipliers_; }
-  [[nodiscard]] long solves() const { return solves_; }
   [[nodiscard]] Model& model() { return model_; }
 
  private:
@@ -79,7 +77,6 @@ class IndexReduced {
 
   Model& model_;
   std::vector<double> curvature_, rates_, multipliers_, moved_, ahead_;
-  long solves_ = 0;
 };
 
 }  // namespace seiche::mechanics

@@ -4,14 +4,11 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <string_view>
 
-#include "seiche/mechanics/composition.hpp"
-#include "seiche/mechanics/conservative_step.hpp"
-#include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/reference_integrators.hpp"
+#include "seiche/mechanics/scheme.hpp"
 
 namespace seiche::mechanics {
 
@@ -43,40 +40,32 @@ bool keeps_energy(Integrator integrator);
 /// Steps of second order that one step is composed of.
 std::size_t stages(Integrator integrator);
 
-using StepFunction = std::function<void(State& state, double tau)>;
-
 /// One step, with the errors of the integrator it stands for. @param model  must outlive the result
 template <ConstrainedModel Model>
 StepFunction make_integrator(Integrator integrator, Model& model) {
-  const auto plain = [](auto stepper) -> StepFunction {
+  using enum TimeComposition;
+  const auto reference = [](auto stepper) -> StepFunction {
     return [stepper](State& state, double tau) { stepper->step(state, tau); };
   };
-  const auto composed = [](auto base, std::vector<double> weights) -> StepFunction {
-    const auto stepper =
-        std::make_shared<Composition<typename decltype(base)::element_type>>(*base, std::move(weights));
-    return [base, stepper](State& state, double tau) { stepper->step(state, tau); };
-  };
-  const auto one_step = [&] { return std::make_shared<OneStep<Model>>(model); };
-  const auto conservative = [&] { return std::make_shared<ConservativeStep<Model>>(model); };
   switch (integrator) {
     case Integrator::triple_jump:
-      return composed(one_step(), triple_jump_weights());
+      return composed<OneStep<Model>>(model, {}, triple_jump);
     case Integrator::suzuki:
-      return composed(one_step(), suzuki_weights());
+      return composed<OneStep<Model>>(model, {}, suzuki);
     case Integrator::conservative:
-      return plain(conservative());
+      return composed<ConservativeStep<Model>>(model, {}, none);
     case Integrator::conservative_suzuki:
-      return composed(conservative(), suzuki_weights());
+      return composed<ConservativeStep<Model>>(model, {}, suzuki);
     case Integrator::runge_kutta_2:
-      return plain(std::make_shared<RungeKutta2<Model>>(model));
+      return reference(std::make_shared<RungeKutta2<Model>>(model));
     case Integrator::runge_kutta_4:
-      return plain(std::make_shared<RungeKutta4<Model>>(model));
+      return reference(std::make_shared<RungeKutta4<Model>>(model));
     case Integrator::rattle:
-      return plain(std::make_shared<Rattle<Model>>(model));
+      return reference(std::make_shared<Rattle<Model>>(model));
     case Integrator::one_step:
       break;
   }
-  return plain(one_step());
+  return composed<OneStep<Model>>(model, {}, none);
 }
 
 }  // namespace seiche::mechanics

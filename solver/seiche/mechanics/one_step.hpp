@@ -19,7 +19,6 @@
 #pragma once
 
 #include <limits>
-#include <stdexcept>
 #include <vector>
 
 #include "seiche/mechanics/step_parts.hpp"
@@ -31,23 +30,19 @@ template <ConstrainedModel Model>
 class OneStep {
  public:
   struct Settings {
-    bool drift_feedback = false;    ///< J u~ = -f(q^n)/tau instead of 0: the constraints' drift no longer accumulates
-    double drift_share = 1;         ///< of the drift that a step takes back, in (0, 1]
-    bool measure_residual = false;  ///< keep J u~ - target of each step, at the price of one more pass
+    bool drift_feedback = false;  ///< J u~ = -f(q^n)/tau instead of 0: the constraints' drift no longer accumulates
+    double drift_share = 1;       ///< of the drift that a step takes back, in (0, 1]
   };
 
   /// @param model  must outlive the stepper
   /// Throws std::invalid_argument for settings that the model does not support.
   explicit OneStep(Model& model, Settings settings = {})
-      : model_(model), settings_(settings), parts_(model, settings.drift_feedback, settings.drift_share) {
+      : model_(model), parts_(model, settings.drift_feedback, settings.drift_share) {
     require_within("drift_share", settings.drift_share, std::numeric_limits<double>::min(), 1);
-    if (settings.measure_residual && !HasMultipliers<Model>) {
-      throw std::invalid_argument("measure_residual = true; allowed only for models with constraint_rates");
-    }
   }
 
   /// One step, tau > 0. Throws std::invalid_argument for tau, Divergence for infeasible configurations and rates that
-  /// are not finite; the state is then as before the step.
+  /// are not finite; the state is then as before the step, whatever was thrown.
   void step(State& state, double tau) {
     require_step(tau);
     substep(state, tau);
@@ -59,20 +54,18 @@ class OneStep {
     parts_.guarded(state, [&] { take(state, tau); });
   }
 
-  /// J u~ - target of the last step; empty unless measured.
-  [[nodiscard]] Input residual() const { return residual_; }
-  [[nodiscard]] Model& model() { return model_; }
-
  private:
   void take(State& state, double tau) {
     const Interval when{state.time, tau};
     const Input target = parts_.drift_target(state.q, tau);
     if constexpr (FusesStep<Model>) {
-      if (model_.fuses_step() && !settings_.measure_residual) {
+      if (model_.fuses_step()) {
         fused_multipliers_.resize(constraint_count(model_));
         model_.fused_step(when, state.q, state.u, target, fused_multipliers_);
         state.next_multipliers().swap(fused_multipliers_);
-        parts_.settle(state, when);
+        parts_.settle(when, state.q, state.u);
+        state.earlier_u.clear();
+        state.time = when.end();
         return;
       }
     }
@@ -85,25 +78,16 @@ class OneStep {
     parts_.guess_impulse(state, tau, impulse_);
     parts_.projection().project(mean_, target, impulse_);
     parts_.require_finite_rates(state, mean_);
-    if constexpr (HasMultipliers<Model>) {
-      if (settings_.measure_residual) {
-        const Input residual = parts_.projection().residual(mean_, target);
-        residual_.assign(residual.begin(), residual.end());
-      }
-    }
-    model_.advance(state.q, mean_, tau, state.q);
-    for (std::size_t i = 0; i < mean_.size(); ++i) state.u[i] = 2 * mean_[i] - before[i];
+    next_.resize(state.q.size());
+    model_.advance(state.q, mean_, tau, next_);
+    for (std::size_t i = 0; i < mean_.size(); ++i) mean_[i] = 2 * mean_[i] - before[i];
+    parts_.commit(state, when, next_, mean_);
     parts_.keep_multipliers(state, impulse_, tau);
-    parts_.settle(state, when);
   }
 
   Model& model_;
-  Settings settings_;
   StepParts<Model> parts_;
-  std::vector<double> middle_;
-  std::vector<double> mean_;
-  std::vector<double> impulse_;
-  std::vector<double> residual_;
+  std::vector<double> middle_, mean_, next_, impulse_;
   std::vector<double> fused_multipliers_;
 };
 

@@ -40,9 +40,7 @@ class ProjectedStep {
     impulse_.assign(constraint_count(model_), 0.0);
     parts_.projection().project(rates_, {}, impulse_);
     parts_.require_finite_rates(state, rates_);
-    state.q.swap(next_);
-    state.u.swap(rates_);
-    parts_.settle(state, when);
+    parts_.commit(state, when, next_, rates_);
   }
 
   Model& model_;

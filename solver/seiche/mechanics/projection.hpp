@@ -41,13 +41,6 @@ class Projection {
     model_.react(correction_, u);
   }
 
-  /// J u - target at the linearised configuration, the residual of the solver seen by the velocities.
-  Input residual(Input u, Input target) {
-    defect(u, target);
-    for (double& r : right_hand_side_) r = -r;
-    return right_hand_side_;
-  }
-
  private:
   void defect(Input u, Input target) {
     right_hand_side_.resize(model_.constraints());

@@ -19,8 +19,7 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/mechanics/index_reduced.hpp"
-#include "seiche/mechanics/projection.hpp"
-#include "seiche/mechanics/state.hpp"
+#include "seiche/mechanics/step_parts.hpp"
 
 namespace seiche::mechanics {
 
@@ -31,8 +30,14 @@ class RungeKutta {
  public:
   explicit RungeKutta(Model& model) : form_(model) {}
 
+  /// As OneStep::step.
   void step(State& state, double tau) {
     require_step(tau);
+    StepParts<Model>::guarded(state, [&] { take(state, tau); });
+  }
+
+ private:
+  void take(State& state, double tau) {
     end_q_ = stage_q_ = state.q;
     end_u_ = stage_u_ = state.u;
     slope_.resize(state.u.size());
@@ -52,9 +57,6 @@ class RungeKutta {
     ++state.steps;
   }
 
-  [[nodiscard]] long solves() const { return form_.solves(); }
-
- private:
   static_assert(Stages == 2 || Stages == 4);
   static constexpr auto nodes = [] {
     if constexpr (Stages == 2) {
@@ -86,9 +88,14 @@ requires(HasMultipliers<Model>&& HasConstraintValues<Model>) class Rattle {
  public:
   explicit Rattle(Model& model) : model_(model), projection_(model) {}
 
-  /// Throws Divergence if the positions do not satisfy the constraints after 60 iterations.
+  /// As OneStep::step; throws Divergence also if the positions do not satisfy the constraints after 60 iterations.
   void step(State& state, double tau) {
     require_step(tau);
+    StepParts<Model>::guarded(state, [&] { take(state, tau); });
+  }
+
+ private:
+  void take(State& state, double tau) {
     model_.linearise({state.time, 0}, state.q);
     u_ = state.u;
     model_.kick(tau / 2, u_);
@@ -97,7 +104,6 @@ requires(HasMultipliers<Model>&& HasConstraintValues<Model>) class Rattle {
     model_.kick(tau / 2, u_);
     impulse_.assign(model_.constraints(), 0.0);
     projection_.project(u_, {}, impulse_);
-    ++solves_;
     const std::size_t bad = first_not_finite(u_);
     if (bad < u_.size()) throw_not_finite(state, u_, place_of_rate(model_, bad));
     state.q.swap(q_);
@@ -106,9 +112,6 @@ requires(HasMultipliers<Model>&& HasConstraintValues<Model>) class Rattle {
     ++state.steps;
   }
 
-  [[nodiscard]] long solves() const { return solves_; }
-
- private:
   void satisfy_positions(const State& state, double tau) {
     constexpr int most = 60;
     q_.resize(state.q.size());
@@ -126,7 +129,6 @@ requires(HasMultipliers<Model>&& HasConstraintValues<Model>) class Rattle {
       for (double& f : values_) f /= -tau;
       model_.solve(values_, impulse_);
       model_.react(impulse_, u_);
-      ++solves_;
     }
     throw Divergence("RATTLE: constraints not satisfied in " + std::to_string(most) + " iterations", state.time,
                      state.steps, 0);
@@ -135,7 +137,6 @@ requires(HasMultipliers<Model>&& HasConstraintValues<Model>) class Rattle {
   Model& model_;
   Projection<Model> projection_;
   std::vector<double> q_, u_, values_, impulse_;
-  long solves_ = 0;
 };
 
 }  // namespace seiche::mechanics

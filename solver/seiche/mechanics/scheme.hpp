@@ -1,8 +1,8 @@
 /// The stepping of a model's own run, by settings: one-step or conservative, with or without composition.
 #pragma once
 
+#include <functional>
 #include <memory>
-#include <optional>
 #include <string_view>
 
 #include "seiche/mechanics/composition.hpp"
@@ -29,6 +29,18 @@ struct Scheme {
   bool drift_feedback = false;  ///< in the conservative stepping: removes the round-off drift of the constraints too
 };
 
+using StepFunction = std::function<void(State& state, double tau)>;
+
+/// Steps of Base, or of a composition of it. @param model  must outlive the result
+template <Stepper Base, ConstrainedModel Model>
+StepFunction composed(Model& model, typename Base::Settings settings, TimeComposition composition) {
+  const auto base = std::make_shared<Base>(model, settings);
+  if (composition == TimeComposition::none) return [base](State& state, double tau) { base->step(state, tau); };
+  const bool jump = composition == TimeComposition::triple_jump;
+  const auto whole = std::make_shared<Composition<Base>>(*base, jump ? triple_jump_weights() : suzuki_weights());
+  return [base, whole](State& state, double tau) { whole->step(state, tau); };
+}
+
 /// Steps a model by the scheme asked for.
 template <ConstrainedModel Model>
 requires HasDiscreteGradients<Model>
@@ -38,48 +50,19 @@ class SchemeStepper {
   SchemeStepper(Model& model, Scheme scheme) {
     require_not_negative("fixed_sweeps", scheme.fixed_sweeps);
     if (scheme.stepping == Stepping::conservative) {
-      using Step = ConservativeStep<Model>;
-      stepper_ = std::make_unique<Composed<Step>>(
-          model, typename Step::Settings{.drift_feedback = scheme.drift_feedback, .fixed_sweeps = scheme.fixed_sweeps},
-          scheme.composition);
+      step_ = composed<ConservativeStep<Model>>(
+          model, {.drift_feedback = scheme.drift_feedback, .fixed_sweeps = scheme.fixed_sweeps}, scheme.composition);
     } else {
-      using Step = OneStep<Model>;
-      stepper_ = std::make_unique<Composed<Step>>(
-          model, typename Step::Settings{.drift_feedback = scheme.stepping == Stepping::one_step_feedback},
-          scheme.composition);
+      step_ = composed<OneStep<Model>>(model, {.drift_feedback = scheme.stepping == Stepping::one_step_feedback},
+                                       scheme.composition);
     }
   }
 
   /// One step, tau > 0, with the errors of OneStep and ConservativeStep.
-  void step(State& state, double tau) { stepper_->step(state, tau); }
+  void step(State& state, double tau) { step_(state, tau); }
 
  private:
-  class AnyStep {
-   public:
-    virtual ~AnyStep() = default;
-    virtual void step(State& state, double tau) = 0;
-  };
-  template <class Base>
-  class Composed final : public AnyStep {
-   public:
-    Composed(Model& model, typename Base::Settings settings, TimeComposition composition) : base_(model, settings) {
-      if (composition == TimeComposition::triple_jump) composed_.emplace(base_, triple_jump_weights());
-      if (composition == TimeComposition::suzuki) composed_.emplace(base_, suzuki_weights());
-    }
-    void step(State& state, double tau) override {
-      if (composed_) {
-        composed_->step(state, tau);
-      } else {
-        base_.step(state, tau);
-      }
-    }
-
-   private:
-    Base base_;
-    std::optional<Composition<Base>> composed_;
-  };
-
-  std::unique_ptr<AnyStep> stepper_;
+  StepFunction step_;
 };
 
 }  // namespace seiche::mechanics

@@ -6,20 +6,19 @@
 ///
 ///     w^0 arbitrary                   multipliers alternate by (2/tau) A^-1 w, for ever: never start so
 ///     w^0 = 0                         project: they alternate by O(tau)
-///     w^0 = w_s = (tau^2/2) B(u, u')  project_smooth: by O(tau^3)
+///     w^0 = w_s = (tau^2/2) B(u, u')  project, project_to_smooth: by O(tau^3)
 ///
 /// In runs of 1e5 steps and more the alternation can grow from round-off although energy and momenta stay exact;
-/// Reprojection restores w_s now and then, which keeps the momenta exact and costs next to nothing in energy.
+/// project_to_smooth now and then keeps the momenta exact and costs next to nothing in energy.
 ///
 /// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 1.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "seiche/mechanics/index_reduced.hpp"
-#include "seiche/mechanics/projection.hpp"
-#include "seiche/mechanics/state.hpp"
-#include "seiche/require.hpp"
+#include "seiche/mechanics/step_parts.hpp"
 
 namespace seiche::mechanics {
 
@@ -35,14 +34,7 @@ class Start {
     restore(state, {});
   }
 
-  /// u <- projection of u on J u = w_s for steps of length tau.
-  void project_smooth(State& state, double tau) requires HasMultipliers<Model> {
-    require_step(tau);
-    project(state);
-    project_to_smooth(state, tau);
-  }
-
-  /// As project_smooth for a velocity that is nearly so already.
+  /// u <- projection of u on J u = w_s for steps of length tau, of a velocity that is projected already.
   void project_to_smooth(State& state, double tau) requires HasMultipliers<Model> {
     IndexReduced<Model> form(model_);
     acceleration_.resize(state.u.size());
@@ -68,22 +60,13 @@ class Start {
   std::vector<double> target_;
 };
 
-/// Restores J u = w_s every so many steps; call it after each step.
-template <ConstrainedModel Model>
-requires HasMultipliers<Model>
-class Reprojection {
- public:
-  explicit Reprojection(Model& model, long every = 1000) : start_(model), every_(every) {
-    require_at_least("reproject_every", every, 1);
-  }
-
-  void after_step(State& state, double tau) {
-    if (state.steps % every_ == 0) start_.project_to_smooth(state, tau);
-  }
-
- private:
-  Start<Model> start_;
-  long every_;
-};
+/// The first step, by a stepper of the model, with project_to_smooth before it. A throw leaves the state as it was.
+template <ConstrainedModel Model, class Stepper>
+void smooth_step(Model& model, Stepper& stepper, State& state, double tau) {
+  State next = state;
+  StepParts<Model>::guarded(state, [&] { Start(model).project_to_smooth(next, tau); });
+  stepper.step(next, tau);
+  state = std::move(next);
+}
 
 }  // namespace seiche::mechanics

@@ -18,6 +18,9 @@ struct State {
   std::vector<double> multipliers = {};
   std::vector<double> earlier_multipliers = {};
   std::vector<double> earliest_multipliers = {};  ///< of two steps before, for guesses
+  /// Rates before the last step, if it was a conservative one, and its length: the next one extrapolates from them.
+  std::vector<double> earlier_u = {};
+  double earlier_tau = 0;
 
   /// The last step's multipliers become earlier ones; returns where those of this step belong.
   std::vector<double>& next_multipliers();

@@ -52,11 +52,17 @@ class StepParts {
     return {};
   }
 
-  /// The end of the step: walls, tips, frames, and the time.
-  void settle(State& state, Interval when) {
-    if constexpr (requires { model_.settle(when, Output(state.q), Output(state.u)); }) {
-      model_.settle(when, Output(state.q), Output(state.u));
-    }
+  /// The end of the step: walls, tips, frames.
+  void settle(Interval when, Output q, Output u) {
+    if constexpr (requires { model_.settle(when, q, u); }) model_.settle(when, q, u);
+  }
+
+  /// The end of the step in q and u, which only then become the state's; they get what the state had.
+  void commit(State& state, Interval when, std::vector<double>& q, std::vector<double>& u) {
+    settle(when, q, u);
+    state.q.swap(q);
+    state.u.swap(u);
+    state.earlier_u.clear();
     state.time = when.end();
   }
 
@@ -110,7 +116,6 @@ class StepParts {
     }
   }
 
-  [[nodiscard]] Model& model() const { return model_; }
   [[nodiscard]] Projection<Model>& projection() { return projection_; }
 
  private:

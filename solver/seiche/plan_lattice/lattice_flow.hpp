@@ -26,28 +26,20 @@ template <class Model>
 class LatticeFlow {
  public:
   /// One step of length tau > 0. Throws std::invalid_argument for tau, Divergence; the state is then as before the
-  /// step.
+  /// step, but that a moving window has moved.
   void advance(double tau) {
     mechanics::require_step(tau);
-    if (tau > stable_step_) ++beyond_stability_;
-    if (state_.steps == 0 && smooth_start_) mechanics::Start(*model_).project_to_smooth(state_, tau);
     shifts_ += follow(window_, shape_.columns, *model_, state_);
-    if (!keeps_before_) {
+    if (state_.steps == 0 && smooth_start_) {
+      mechanics::smooth_step(*model_, *stepper_, state_, tau);
+    } else {
       stepper_->step(state_, tau);
-      return;
     }
-    before_ = state_;
-    try {
-      stepper_->step(state_, tau);
-    } catch (const Divergence&) {
-      state_ = before_;
-      throw;
-    }
+    if (tau > stable_step_) ++beyond_stability_;
   }
   /// Equal steps of at most tau until `time`, which is hit exactly; after_step is called after each.
   void advance_to(double time, double tau, const std::function<void()>& after_step = {}) {
-    mechanics::equal_steps_to(
-        state_, time, tau, [this](double length) { advance(length); }, after_step);
+    mechanics::equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
   }
 
   /// No shorter step of the one-step scheme is unstable on the first lattice: 2/omega of a mode faster than all of its.
@@ -91,8 +83,7 @@ class LatticeFlow {
     mechanics::Scheme scheme = {};
     Window window = {};
     double stable_step = 0;
-    bool smooth_start = true;   ///< only for the one-step scheme without composition, and where no side is driven
-    bool keeps_before = false;  ///< for models whose step may fail when the state has changed
+    bool smooth_start = true;  ///< only for the one-step scheme without composition, and where no side is driven
   };
 
   /// Projects the first velocities. Throws std::invalid_argument for the window, Divergence.
@@ -104,7 +95,6 @@ class LatticeFlow {
         window_(std::move(begin.window)),
         smooth_start_(begin.smooth_start && begin.scheme.stepping != mechanics::Stepping::conservative &&
                       begin.scheme.composition == mechanics::TimeComposition::none),
-        keeps_before_(begin.keeps_before),
         stable_step_(begin.stable_step) {
     require_movable(window_, sides);
     require_straight_walls(window_, sides, shape_, x(), y());
@@ -126,13 +116,11 @@ class LatticeFlow {
 
   std::unique_ptr<Model> model_;
   mechanics::State state_;
-  mechanics::State before_;  // the last step
   Shape shape_;
   std::unique_ptr<mechanics::SchemeStepper<Model>> stepper_;
   std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;
   Window window_;
   bool smooth_start_;
-  bool keeps_before_;
   double stable_step_;
   long beyond_stability_ = 0;
   long shifts_ = 0;

@@ -59,8 +59,7 @@ void Flow::book(double tau) {
 }
 
 void Flow::advance_to(double time, double tau, const std::function<void()>& after_step) {
-  mechanics::equal_steps_to(
-      state_, time, tau, [this](double length) { advance(length); }, after_step);
+  mechanics::equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
 }
 
 double Flow::energy() const {

@@ -1,8 +1,11 @@
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -30,22 +33,35 @@ Flow& Flow::operator=(Flow&&) noexcept = default;
 
 void Flow::advance(double tau) {
   mechanics::require_step(tau);
-  if (tau > stable_step()) ++beyond_stability_;
-  lose(tau / 2);
-  stepper_->step(state_, tau);
-  lose(tau / 2);
+  const bool beyond = tau > stable_step();
+  if (model_->loses()) {
+    step_and_lose(tau);
+  } else {
+    stepper_->step(state_, tau);
+  }
+  if (beyond) ++beyond_stability_;
 }
 
 /// Half of a step's losses before it and half after it: second order, as the step itself.
-void Flow::lose(double h) {
-  if (!model_->loses()) return;
+void Flow::step_and_lose(double tau) {
+  const std::optional<BreakingFronts> fronts = model_->fronts();
+  mechanics::State next = state_;
+  std::array<Losses, 2> losses;
   try {
-    const Losses lost = model_->lose(h, state_.q, state_.u);
+    mechanics::StepParts<Model>::guarded(state_, [&] {
+      losses[0] = model_->lose(tau / 2, next.q, next.u);
+      stepper_->step(next, tau);
+      losses[1] = model_->lose(tau / 2, next.q, next.u);
+    });
+  } catch (...) {
+    model_->take_back(fronts);
+    throw;
+  }
+  std::swap(state_, next);
+  for (const Losses& lost : losses) {
     friction_.add(lost.friction);
     breaking_.add(lost.breaking);
     friction_impulse_.add(lost.friction_impulse);
-  } catch (const mechanics::Infeasible& failure) {
-    throw Divergence(failure.what(), state_.time, state_.steps, failure.place());
   }
 }
 

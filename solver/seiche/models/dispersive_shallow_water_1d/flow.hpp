@@ -32,7 +32,7 @@ class Flow {
   Flow(Flow&&) noexcept;
   Flow& operator=(Flow&&) noexcept;
 
-  /// One step of length tau > 0.
+  /// One step of length tau > 0. A throw leaves the state, what was lost and what breaks as they were.
   void advance(double tau);
   /// Steps of min(tau, courant * stable_step()) until `time`, which is hit exactly; after_step is called after each.
   void advance_to(double time, double tau, const std::function<void()>& after_step = {}, double courant = 0.3);
@@ -84,7 +84,7 @@ class Flow {
   mechanics::State state_;
   std::unique_ptr<mechanics::SchemeStepper<Model>> stepper_;
   std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;
-  void lose(double h);
+  void step_and_lose(double tau);
 
   CompensatedSum friction_, breaking_, friction_impulse_;
   Losses booked_ = {};  // in the ledger

@@ -104,10 +104,10 @@ class Model {
   /// and what is lost of the kinetic energy is returned. Never gains any. Throws mechanics::Infeasible like linearise.
   Losses lose(double h, Input q, Output u);
   [[nodiscard]] bool loses() const { return channel_.friction.active() || channel_.breaking.has_value(); }
-  /// Of cells at the last loss, see BreakingFronts; empty without breaking.
-  [[nodiscard]] std::span<const double> damping() const {
-    return fronts_ ? fronts_->damping() : std::span<const double>{};
-  }
+  /// By the last loss; none without breaking.
+  [[nodiscard]] const std::optional<BreakingFronts>& fronts() const { return fronts_; }
+  /// After a step that failed: as with these fronts before it.
+  void take_back(const std::optional<BreakingFronts>& fronts);
 
   [[nodiscard]] double mass() const;                                     ///< [kg/m]
   [[nodiscard]] std::array<double, 1> momentum(Input q, Input u) const;  ///< horizontal [kg/s]

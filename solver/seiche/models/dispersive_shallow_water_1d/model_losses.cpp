@@ -14,7 +14,7 @@ void Model::prepare_losses() {
     array->assign(n_, 0.0);
   }
   rates_.assign(2 * n_, 0.0);
-  mobility_.assign(n_ + 2, 0.0);
+  mobility_.assign(rows_.mobility_p.row() - 1, rows_.mobility_p.row() + n_ + 1);
   loss_impulse_.assign(cells_, 0.0);
 }
 
@@ -97,7 +97,6 @@ void Model::exchange(const std::vector<double>& inertia, Output u, const PairFac
 /// by the second of two sweeps, and stays below the 2/h that would turn the water round.
 void Model::take_friction(double h, Output u, Losses& lost) {
   const double* const width = rows_.width.row();
-  std::copy_n(rows_.mobility_p.row() - 1, n_ + 2, mobility_.begin());
   double* const mobility = rows_.mobility_p.row();
   std::copy(u.begin(), u.end(), rates_.begin());
   for (int sweep = 0; sweep < 2; ++sweep) {
@@ -133,6 +132,11 @@ void Model::take_friction(double h, Output u, Losses& lost) {
   }
   lost.friction = energy.value();
   lost.friction_impulse = impulse.value();
+  std::copy(mobility_.begin(), mobility_.end(), rows_.mobility_p.row() - 1);
+}
+
+void Model::take_back(const std::optional<BreakingFronts>& fronts) {
+  fronts_ = fronts;
   std::copy(mobility_.begin(), mobility_.end(), rows_.mobility_p.row() - 1);
 }
 

@@ -13,7 +13,8 @@ BreakingFronts::BreakingFronts(double slope, double inertia, plan_lattice::Shape
     : slope_(slope),
       inertia_(inertia),
       shape_(shape),
-      breaks_(slope > 0 ? (shape.rows + 1) * shape.columns + shape.rows * (shape.columns + 1) : 0, 0) {}
+      broke_(slope > 0 ? (shape.rows + 1) * shape.columns + shape.rows * (shape.columns + 1) : 0, 0),
+      breaks_(broke_) {}
 
 void BreakingFronts::measure(std::span<const double> volumes, mechanics::Input q) {
   pairs_.clear();
@@ -39,7 +40,7 @@ void BreakingFronts::look(std::span<const double> volumes, mechanics::Input q, s
   bool kept = false;
   for (std::size_t k = 0; k < count && !kept; ++k) {
     const Pair pair = pair_at(k);
-    kept = pair.steep || breaks_[pair.place] != 0;
+    kept = pair.steep || broke_[pair.place] != 0;
   }
   if (!kept) return;
   const std::size_t last = is_row ? shape_.rows : shape_.columns;
@@ -68,7 +69,6 @@ void BreakingFronts::find(mechanics::Input u) const {
   const auto comes_nearer = [&](const Pair& pair) {
     return (u[pair.to] - u[pair.from]) * pair.way.x + (u[n + pair.to] - u[n + pair.from]) * pair.way.y < 0;
   };
-  broke_.assign(breaks_.begin(), breaks_.end());
   std::fill(breaks_.begin(), breaks_.end(), char{0});
   fronts_.clear();
   going_on_ = 0;
@@ -119,12 +119,12 @@ void BreakingFronts::exchange(std::span<const double> masses, const InverseMasse
 }
 
 void BreakingFronts::continue_from(const BreakingFronts& before) {
-  breaks_ = before.breaks_;
+  broke_ = before.broke_;
 }
 
 void BreakingFronts::shift_east() {
-  if (breaks_.empty()) return;
-  const std::span all(breaks_);
+  if (broke_.empty()) return;
+  const std::span all(broke_);
   const auto shift = [](std::span<char> places, std::size_t length) {
     plan_lattice::shift_rows(places, length);
     for (std::size_t k = length - 1; k < places.size(); k += length) places[k] = 0;

@@ -44,6 +44,8 @@ class BreakingFronts {
   /// Fronts of the last exchange that break because they did, and are not steep any more.
   [[nodiscard]] std::size_t going_on() const { return going_on_; }
 
+  /// The step is done: what it found has broken. A step that fails leaves what broke before it.
+  void settle() const { broke_ = breaks_; }
   /// What broke in another flow on a lattice of this shape breaks on.
   void continue_from(const BreakingFronts& before);
   /// As Model::shift_east: what the last column has anew does not break.
@@ -82,7 +84,8 @@ class BreakingFronts {
   mutable bool found_ = false;
   mutable std::vector<Front> fronts_;
   mutable std::size_t going_on_ = 0;
-  mutable std::vector<char> breaks_, broke_;  ///< pairs along rows, row by row; then those across, row by row
+  /// Pairs along rows, row by row; then those across, row by row: by the last step, and as found in this one.
+  mutable std::vector<char> broke_, breaks_;
   // Of a front.
   mutable linear::Tridiagonal matrix_;
   mutable std::vector<double> diagonal_, coupling_;

@@ -69,6 +69,8 @@ class Drag {
   void absorb(double h, mechanics::Output u) const;
 
   [[nodiscard]] const BreakingFronts& breaking() const { return breaking_; }
+  /// At the end of a step.
+  void settle() const { breaking_.settle(); }
   /// Breaking fronts of another flow on a lattice of this shape go on.
   void continue_from(const Drag& before) { breaking_.continue_from(before.breaking_); }
   /// As Model::shift_east.

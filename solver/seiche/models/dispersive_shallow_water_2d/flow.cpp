@@ -54,9 +54,7 @@ Flow::Flow(std::unique_ptr<Model>&& model, const InitialVelocity& velocity, Sche
                   {.scheme = scheme,
                    .window = movable(std::move(window), *model),
                    .stable_step = surely_stable_step(*model),
-                   .smooth_start = smooth_start && !model->has_driven_sides(),
-                   // A marker may leave an uneven bottom, or touch it, at the end of a step.
-                   .keeps_before = model->lattice().bottom != nullptr}) {}
+                   .smooth_start = smooth_start && !model->has_driven_sides()}) {}
 
 }  // namespace seiche::dispersive_shallow_water_2d
 

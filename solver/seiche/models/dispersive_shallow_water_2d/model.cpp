@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -180,8 +181,8 @@ void Model::measure(Input q, double weight, bool add) {
   const std::size_t scratch_of_row = 12 * columns;
   const auto threads = static_cast<std::size_t>(omp_get_max_threads());  // may have become more since the last step
   scratch_.resize(std::max(scratch_.size(), scratch_of_row * threads));
-  double jacobian = std::numeric_limits<double>::infinity();
-  double depth = std::numeric_limits<double>::infinity();
+  std::atomic<bool> folded = false;
+  std::atomic<bool> dry = false;
   const auto clear = [&](std::size_t row, std::size_t count) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       std::fill_n(push_.data() + axis * n + row * (columns + 1), count * (columns + 1), 0.0);
@@ -191,8 +192,8 @@ void Model::measure(Input q, double weight, bool add) {
   if (!add && shape().rows % 2 == 0) clear(shape().rows, 1);
   // Rows of one parity share no nodes; each row of nodes is added to from above and from below, in this order.
   for (std::size_t parity = 0; parity < 2; ++parity) {
-#pragma omp parallel for schedule(static) reduction(min : jacobian, depth) if (shape().cells() > linear::worth_threads)
-    for (std::size_t j = parity; j < shape().rows; j += 2) {
+    linear::share_out((shape().rows + 1 - parity) / 2, shape().cells() > linear::worth_threads, [&](std::size_t pair) {
+      const std::size_t j = 2 * pair + parity;
       if (!add && parity == 0) clear(j, 2);
       const std::size_t k = j * (columns + 1);
       const auto rows = [&](std::size_t axis) {
@@ -207,12 +208,12 @@ void Model::measure(Input q, double weight, bool add) {
       const RowExtremes least =
           measure_row(columns, j * columns, {rows(0), rows(1), rows(2)}, bottom, settings_.gravity, weight, add,
                       gradients_, {forces(0), forces(1), forces(2)}, scratch);
-      jacobian = std::min(jacobian, least.jacobian);
-      depth = std::min(depth, least.depth);
-    }
+      if (least.jacobian <= 0) folded = true;
+      if (least.depth <= 0) dry = true;
+    });
   }
-  if (!(jacobian > 0)) throw_folded(q);
-  if (!bottom_ && !(depth > 0)) {
+  if (folded) throw_folded(q);
+  if (!bottom_ && dry) {
     const auto lowest = static_cast<std::size_t>(
                             std::min_element(q.begin() + static_cast<std::ptrdiff_t>(2 * n), q.end()) - q.begin()) -
                         2 * n;
@@ -261,11 +262,10 @@ void Model::push_bodies(double time) {
 void Model::assemble_and_factor() {
   const std::size_t columns = shape().columns;
   const std::size_t rows = shape().rows;
-#pragma omp parallel for schedule(static) if (shape().cells() > linear::worth_threads)
-  for (std::size_t j = 0; j < rows; ++j) {
+  linear::share_out(rows, shape().cells() > linear::worth_threads, [&](std::size_t j) {
     assemble_row(columns, j * columns, j * (columns + 1), masses_.full(j) || masses_.full(j + 1), j + 1 < rows,
                  gradients_, masses_.inverse(), matrix_);
-  }
+  });
   try {
     solver_.factor(matrix_);
   } catch (const linear::NotPositiveDefinite& failure) {
@@ -278,20 +278,22 @@ void Model::advance(Input from, Input u, double h, Output to) const {
   const double* const begin = from.data();
   const double* const rate = u.data();
   double* const end = to.data();
-#pragma omp parallel for simd schedule(static) if (parallel : from.size() > 3 * linear::worth_threads)
-  for (std::size_t i = 0; i < from.size(); ++i) end[i] = begin[i] + h * rate[i];
+  const std::size_t row = shape().columns + 1;
+  linear::share_out(from.size() / row, from.size() > 3 * linear::worth_threads, [&](std::size_t j) {
+#pragma omp simd
+    for (std::size_t i = j * row; i < (j + 1) * row; ++i) end[i] = begin[i] + h * rate[i];
+  });
 }
 
 void Model::kick(double h, Output u) const {
   const std::size_t n = nodes();
   const std::size_t count = shape().columns + 1;
   if (drag_.absorbs()) drag_.absorb(h, u);
-#pragma omp parallel for schedule(static) if (shape().cells() > linear::worth_threads)
-  for (std::size_t j = 0; j <= shape().rows; ++j) {
+  linear::share_out(shape().rows + 1, shape().cells() > linear::worth_threads, [&](std::size_t j) {
     const std::size_t k = j * count;
     kick_row(count, k, masses_.full(j), h, {push_.data() + k, push_.data() + n + k, push_.data() + 2 * n + k},
              masses_.inverse(), {u.data() + k, u.data() + n + k, u.data() + 2 * n + k});
-  }
+  });
   if (drag_.active()) drag_.slow(masses_.mass(), masses_.inverse(), settings_.gravity, h, u);
 }
 
@@ -312,33 +314,32 @@ void Model::settle(Interval when, Output q, Output u) const {
   if (masses_.has_driven_sides()) {
     masses_.constrain(q, when.end(), bottom_ ? &other_normals_ : nullptr, false, u);
   }
+  drag_.settle();
 }
 
 void Model::constraint_rates(Input u, Output w) const {
   const std::size_t columns = shape().columns;
   const std::size_t n = nodes();
-#pragma omp parallel for schedule(static) if (shape().cells() > linear::worth_threads)
-  for (std::size_t j = 0; j < shape().rows; ++j) {
+  linear::share_out(shape().rows, shape().cells() > linear::worth_threads, [&](std::size_t j) {
     const auto rows = [&](std::size_t axis) {
       const double* lower = u.data() + axis * n + j * (columns + 1);
       return NodeRows{lower, lower + columns + 1};
     };
     rates_of_row(columns, j * columns, gradients_, {rows(0), rows(1), rows(2)}, w.data() + j * columns);
-  }
+  });
 }
 
 void Model::react(Input mu, Output u) const {
   const std::size_t columns = shape().columns;
   const std::size_t n = nodes();
-#pragma omp parallel for schedule(static) if (shape().cells() > linear::worth_threads)
-  for (std::size_t j = 0; j <= shape().rows; ++j) {
+  linear::share_out(shape().rows + 1, shape().cells() > linear::worth_threads, [&](std::size_t j) {
     const std::size_t k = j * (columns + 1);
     const auto above = static_cast<std::ptrdiff_t>(j * columns);
     const auto below = above - static_cast<std::ptrdiff_t>(columns);
     react_row(columns, k, masses_.full(j), below, above, gradients_, j == 0 ? no_cells_.data() : mu.data() + below,
               j == shape().rows ? no_cells_.data() : mu.data() + above, masses_.inverse(),
               {u.data() + k, u.data() + n + k, u.data() + 2 * n + k});
-  }
+  });
 }
 
 void Model::solve(Input right_hand_side, Output mu) {

@@ -107,6 +107,7 @@ void Model::shift_east(mechanics::State& state) {
   plan_lattice::shift_rows(std::span(lattice_.y), columns + 1);
   plan_lattice::shift_rows(std::span(volume_), columns);
   drag_.shift_east();
+  state.earlier_u.clear();
   for (std::vector<double>* multipliers : state.all_multipliers()) {
     if (multipliers->empty()) continue;
     plan_lattice::shift_rows(std::span(*multipliers), columns);

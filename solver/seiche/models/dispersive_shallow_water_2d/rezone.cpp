@@ -177,14 +177,11 @@ RezonedFlow::RezonedFlow(Lattice lattice, const InitialVelocity& velocity, Schem
 
 void RezonedFlow::advance_to(double time, double tau, const std::function<void()>& after_step) {
   mechanics::State clock{.q = {}, .u = {}, .time = this->time(), .steps = steps()};
-  mechanics::equal_steps_to(
-      clock, time, tau,
-      [&](double length) {
-        advance(length);
-        clock.time = this->time();
-        clock.steps = steps();
-      },
-      after_step);
+  mechanics::equal_steps_to(clock, time, tau, after_step, [&](double length) {
+    advance(length);
+    clock.time = this->time();
+    clock.steps = steps();
+  });
 }
 
 void RezonedFlow::advance(double length) {

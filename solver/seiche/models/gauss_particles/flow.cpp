@@ -24,6 +24,10 @@ Flow::Flow(Particles particles, std::unique_ptr<FieldSpace> space, const Velocit
   if (settings.surface && stepping == Stepping::dissipative) {
     throw std::invalid_argument("gravity on the surface with dissipative stepping; allowed: conservative stepping");
   }
+  if (settings.penalty > 0 && stepping == Stepping::dissipative) {
+    throw std::invalid_argument(fmt::format(
+        "penalty = {:g} with dissipative stepping; allowed: 0, or conservative stepping", settings.penalty));
+  }
   mechanics::require_state(state_, model_.coordinates(), model_.rates());
 }
 
@@ -54,8 +58,7 @@ void Flow::advance(double tau) {
 }
 
 void Flow::advance_to(double time, double tau, const std::function<void()>& after_step) {
-  mechanics::equal_steps_to(
-      state_, time, tau, [this](double length) { advance(length); }, after_step);
+  mechanics::equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
 }
 
 std::vector<Point> Flow::markers() const {

@@ -60,7 +60,7 @@ struct Settings {
   double gravity = 1;  ///< [m/s^2]
   double density = 1;  ///< [kg/m^3]
   /// C of the penalty on gradients of vorticity; 0 for none, and no loss of energy. 0.001 is too weak for long runs,
-  /// 0.1 no better than 0.01.
+  /// 0.1 no better than 0.01. Conservative stepping only.
   double penalty = 0.01;
   /// Gravity acts through the surface (surface_gravity.hpp) and not on every particle; conservative stepping only.
   std::optional<SurfaceLine> surface = {};

@@ -56,9 +56,7 @@ double SplineSpace::resolution() const {
 
 template <class Work>
 void SplineSpace::for_cells(Work&& work) const {
-  const auto count = static_cast<std::ptrdiff_t>(cells_.cells().size());
-#pragma omp parallel for schedule(static) if (particles_ >= linear::worth_threads)
-  for (std::ptrdiff_t c = 0; c < count; ++c) work(static_cast<std::size_t>(c));
+  linear::share_out(cells_.cells().size(), particles_ >= linear::worth_threads, work);
 }
 
 double SplineSpace::particles_per_cell(std::span<const double> mass) const {
@@ -169,18 +167,18 @@ void SplineSpace::assemble() {
     system_.begin(lattice(), functions_);
     for (std::size_t first = 0; first < count; first += chunk) {
       const std::size_t last = std::min(first + chunk, count);
-#pragma omp parallel for schedule(static) if (particles_ >= linear::worth_threads)
-      for (std::size_t c = first; c < last; ++c) {
-        if (functions_.free(c)) continue;
-        double* const matrix = matrices_.data() + (c - first) * size;
+      linear::share_out(last - first, particles_ >= linear::worth_threads, [&](std::size_t k) {
+        const std::size_t c = first + k;
+        if (functions_.free(c)) return;
+        double* const matrix = matrices_.data() + k * size;
         kernels_->mass_matrix(particles(c), splines(c), matrix);
         if (penalty_factor_ != 0) {
           const OccupiedCells::Cell& cell = cells_.cells()[c];
           const std::span<const double> form = penalty_.matrix(lattice().x.kind(cell.x), lattice().y.kind(cell.y));
           const double weight = penalty_weight(c);
-          for (std::size_t k = 0; k < size; ++k) matrix[k] += weight * form[k];
+          for (std::size_t i = 0; i < size; ++i) matrix[i] += weight * form[i];
         }
-      }
+      });
       for (std::size_t c = first; c < last; ++c) {
         if (!functions_.free(c)) add_cell(c, matrices_.data() + (c - first) * size);
       }

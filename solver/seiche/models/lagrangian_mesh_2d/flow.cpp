@@ -25,18 +25,14 @@ double WallLoad::pressure_at(double elevation) const {
   return between(y[k - 1], pressure[k - 1], y[k], pressure[k]);
 }
 
-Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings, Forcing forcing, bool smooth_start,
-           long reproject_every)
+Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings, Forcing forcing, bool smooth_start)
     : model_(std::make_unique<Model>(std::move(mesh), settings, std::move(forcing))),
       state_(model_->state(velocity)),
       stepper_(std::make_unique<mechanics::SchemeStepper<Model>>(*model_, scheme)),
       scheme_(scheme),
       smooth_start_(smooth_start && scheme.stepping != Stepping::conservative &&
                     scheme.composition == TimeComposition::none && model_->nodes().driven().empty()),
-      reproject_every_(reproject_every),
       stable_step_(longest_stable_step(*model_)) {
-  require_not_negative("reproject_every", static_cast<double>(reproject_every));
-  if (reproject_every > 0) reprojection_ = std::make_unique<mechanics::Reprojection<Model>>(*model_, reproject_every);
   try {
     mechanics::Start(*model_).project(state_);
   } catch (const mechanics::Infeasible& failure) {
@@ -45,39 +41,33 @@ Flow::Flow(Mesh mesh, const Velocity& velocity, Scheme scheme, Settings settings
   watch_ = std::make_unique<mechanics::InvariantsWatch<Model>>(*model_, state_);
 }
 
-void Flow::start(double tau) {
-  if (fresh_ && smooth_start_) mechanics::Start(*model_).project_to_smooth(state_, tau);
-  fresh_ = false;
-}
-
 void Flow::advance(double tau) {
   mechanics::require_step(tau);
   rezone_where_due();
+  Walls walls = walls_now();
+  if (fresh_ && smooth_start_) {
+    mechanics::smooth_step(*model_, *stepper_, state_, tau);
+  } else {
+    stepper_->step(state_, tau);
+  }
+  fresh_ = false;
+  walls_ = std::move(walls);
   if (tau > stable_step_) ++beyond_stability_;
-  start(tau);
-  remember_walls();
-  stepper_->step(state_, tau);
-  if (reprojection_) reprojection_->after_step(state_, tau);
 }
 
 void Flow::advance_to(double time, double tau, const std::function<void()>& after_step) {
-  mechanics::equal_steps_to(
-      state_, time, tau, [this](double length) { advance(length); }, after_step);
+  mechanics::equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
 }
 
-void Flow::remember_walls() {
-  remembered_time_ = state_.time;
+Flow::Walls Flow::walls_now() const {
+  Walls walls{.time = state_.time, .y = {}};
   const Mesh& mesh = model_->mesh();
   for (std::size_t side = 0; side < 2; ++side) {
-    WallNodes& wall = remembered_[side];
-    wall.x.resize(mesh.rows + 1);
-    wall.y.resize(mesh.rows + 1);
     for (std::size_t j = 0; j <= mesh.rows; ++j) {
-      const std::size_t k = mesh.node(side == 0 ? 0 : mesh.columns, j);
-      wall.x[j] = x()[k];
-      wall.y[j] = y()[k];
+      walls.y[side].push_back(y()[mesh.node(side == 0 ? 0 : mesh.columns, j)]);
     }
   }
+  return walls;
 }
 
 WallLoad Flow::wall_load(WallSide side) const {
@@ -86,17 +76,17 @@ WallLoad Flow::wall_load(WallSide side) const {
     throw std::logic_error("the load of a wall is known after two steps");
   }
   const double weight = model_->settings().density * model_->settings().gravity;
-  const WallNodes& wall = remembered_[side == WallSide::left ? 0 : 1];
+  const std::vector<double>& y = walls_.y[side == WallSide::left ? 0 : 1];
   const std::size_t column = side == WallSide::left ? 0 : mesh.columns - 1;
-  WallLoad load{.time = remembered_time_, .contact = wall.y[mesh.rows], .y = {}, .pressure = {}, .force = 0};
+  WallLoad load{.time = walls_.time, .contact = y[mesh.rows], .y = {}, .pressure = {}, .force = 0};
   for (std::size_t j = 0; j < mesh.rows; ++j) {
     const std::size_t cell = j * mesh.columns + column;
     const double dynamic = 0.5 * (state_.multipliers[cell] + state_.earlier_multipliers[cell]);
-    const double middle = 0.5 * (wall.y[j] + wall.y[j + 1]);
+    const double middle = 0.5 * (y[j] + y[j + 1]);
     load.y.push_back(middle);
     load.pressure.push_back(dynamic - weight * middle);
     // Hydrostatic pressure is linear in y: its integral over a cell is exact.
-    load.force += (dynamic - weight * middle) * (wall.y[j + 1] - wall.y[j]);
+    load.force += (dynamic - weight * middle) * (y[j + 1] - y[j]);
   }
   return load;
 }

@@ -46,9 +46,8 @@ class Flow {
   /// @param velocity  at the beginning; see impulsive_start.hpp for waves that are to run long
   /// @param smooth_start  the first velocities of the one-step scheme get the part outside the constraints that keeps
   ///                      its multipliers from alternating (mechanics/start.hpp); not for driven nodes and compositions
-  /// @param reproject_every  steps after which that part is restored; 0: never
   explicit Flow(Mesh mesh, const Velocity& velocity = {}, Scheme scheme = {}, Settings settings = {},
-                Forcing forcing = {}, bool smooth_start = true, long reproject_every = 0);
+                Forcing forcing = {}, bool smooth_start = true);
 
   /// From now on the mesh is rezoned (rezone.hpp) as soon as a node is farther from its place than `drift` of its
   /// cells, and what it carries remapped (remap.hpp); where that is not possible the mesh goes on as it is. The ledger
@@ -62,7 +61,7 @@ class Flow {
   };
   [[nodiscard]] const Rezoning& rezoning() const { return rezoning_; }
 
-  /// One step of length tau > 0.
+  /// One step of length tau > 0. A throw leaves the state as it was, or as it was rezoned.
   void advance(double tau);
   /// Equal steps of at most tau until `time`, which is hit exactly; after_step is called after each.
   void advance_to(double time, double tau, const std::function<void()>& after_step = {});
@@ -113,8 +112,9 @@ class Flow {
   [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_->ledger(); }
 
  private:
-  struct WallNodes {
-    std::vector<double> x, y;
+  struct Walls {
+    double time = 0;
+    std::array<std::vector<double>, 2> y;  // of the nodes, left and right
   };
 
   [[nodiscard]] std::span<const double> part(const std::vector<double>& values, std::size_t index) const {
@@ -124,8 +124,7 @@ class Flow {
   [[nodiscard]] std::span<const double> top(std::span<const double> values) const {
     return values.last(model_->mesh().columns + 1);
   }
-  void start(double tau);
-  void remember_walls();
+  [[nodiscard]] Walls walls_now() const;
   void rezone(const UprightColumns::Places& places);
   void rezone_where_due();
 
@@ -135,16 +134,13 @@ class Flow {
   std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;
   Scheme scheme_;
   bool smooth_start_;
-  bool fresh_ = true;  // no step yet since the beginning or the last rezoning
-  long reproject_every_;
-  std::unique_ptr<mechanics::Reprojection<Model>> reprojection_;  // or none
-  std::unique_ptr<const UprightColumns> upright_;                 // or none
+  bool fresh_ = true;                              // no step yet since the beginning or the last rezoning
+  std::unique_ptr<const UprightColumns> upright_;  // or none
   double drift_ = 0;
   Rezoning rezoning_;
   double stable_step_;
   long beyond_stability_ = 0;
-  double remembered_time_ = 0;
-  std::array<WallNodes, 2> remembered_;  // left, right, before the last step
+  Walls walls_;  // before the last step
 };
 
 }  // namespace seiche::lagrangian_mesh_2d

@@ -35,9 +35,7 @@ void Flow::rezone(const UprightColumns::Places& places) {
   mechanics::Start(*model).project(state);
   state.steps = state_.steps;
   watch_.reset();
-  reprojection_.reset();
   stepper_ = std::make_unique<mechanics::SchemeStepper<Model>>(*model, scheme_);
-  if (reproject_every_ > 0) reprojection_ = std::make_unique<mechanics::Reprojection<Model>>(*model, reproject_every_);
   watch_ = std::make_unique<mechanics::InvariantsWatch<Model>>(*model, state);
   model_ = std::move(model);
   state_ = std::move(state);

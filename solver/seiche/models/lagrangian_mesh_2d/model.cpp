@@ -1,6 +1,7 @@
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -180,14 +181,14 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
 void Model::measure(Places at) {
   const std::size_t columns = mesh_.columns;
   const std::size_t stride = columns + 1;
-  double worst = std::numeric_limits<double>::infinity();
-#pragma omp parallel for schedule(static) reduction(min : worst) if (mesh_.cells() > linear::worth_threads)
-  for (std::size_t j = 0; j < mesh_.rows; ++j) {
+  std::atomic<bool> low = false;
+  linear::share_out(mesh_.rows, mesh_.cells() > linear::worth_threads, [&](std::size_t j) {
     const std::size_t k = j * stride;
-    worst = std::min(worst, measure_row(columns, j * columns, {at.x + k, at.x + k + stride},
-                                        {at.y + k, at.y + k + stride}, diagonals_));
-  }
-  if (!(worst > lowest_triangle_) && folded(at)) throw_folded(at);
+    const double least =
+        measure_row(columns, j * columns, {at.x + k, at.x + k + stride}, {at.y + k, at.y + k + stride}, diagonals_);
+    if (least <= lowest_triangle_) low = true;
+  });
+  if (low && folded(at)) throw_folded(at);
 }
 
 bool Model::folded(Places at) const {
@@ -213,12 +214,11 @@ void Model::assemble_and_factor() {
   const std::size_t stride = columns + 1;
   const double* wx = nodes_.wx().data();
   const double* wy = nodes_.wy().data();
-#pragma omp parallel for schedule(static) if (mesh_.cells() > linear::worth_threads)
-  for (std::size_t j = 0; j < mesh_.rows; ++j) {
+  linear::share_out(mesh_.rows, mesh_.cells() > linear::worth_threads, [&](std::size_t j) {
     const std::size_t k = j * stride;
     assemble_row(columns, j * columns, j + 1 < mesh_.rows, diagonals_, {wx + k, wx + k + stride},
                  {wy + k, wy + k + stride}, matrix_);
-  }
+  });
   for (const Slide& slide : nodes_.slides()) {
     const Surroundings cells = around(slide.node);
     for (std::size_t a = 0; a < cells.count; ++a) {
@@ -326,26 +326,24 @@ void Model::constraint_rates(Input u, Output w) const {
   const std::size_t stride = columns + 1;
   const double* ux = u.data();
   const double* uy = u.data() + nodes_.size();
-#pragma omp parallel for schedule(static) if (mesh_.cells() > linear::worth_threads)
-  for (std::size_t j = 0; j < mesh_.rows; ++j) {
+  linear::share_out(mesh_.rows, mesh_.cells() > linear::worth_threads, [&](std::size_t j) {
     const std::size_t k = j * stride;
     rates_of_row(columns, j * columns, diagonals_, {ux + k, ux + k + stride}, {uy + k, uy + k + stride},
                  w.data() + j * columns);
-  }
+  });
 }
 
 void Model::react(Input mu, Output u) const {
   const std::size_t columns = mesh_.columns;
   const std::size_t n = nodes_.size();
-#pragma omp parallel for schedule(static) if (mesh_.cells() > linear::worth_threads)
-  for (std::size_t j = 0; j <= mesh_.rows; ++j) {
+  linear::share_out(mesh_.rows + 1, mesh_.cells() > linear::worth_threads, [&](std::size_t j) {
     const std::size_t k = j * (columns + 1);
     const auto above = static_cast<std::ptrdiff_t>(j * columns);
     const auto below = above - static_cast<std::ptrdiff_t>(columns);
     react_row(columns, below, above, diagonals_, j == 0 ? no_cells_.data() : mu.data() + below,
               j == mesh_.rows ? no_cells_.data() : mu.data() + above, nodes_.wx().data() + k, nodes_.wy().data() + k,
               u.data() + k, u.data() + n + k);
-  }
+  });
   for (const Slide& slide : nodes_.slides()) {
     const Surroundings cells = around(slide.node);
     double force = 0;

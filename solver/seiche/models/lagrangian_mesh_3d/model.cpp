@@ -1,6 +1,7 @@
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
@@ -120,10 +121,9 @@ void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
     bottom_.linearise_between(q0.first(n), q0.subspan(n, n), q1.first(n), q1.subspan(n, n));
   });
   measure(middle_);
-#pragma omp parallel for schedule(static) if (worth_sharing())
-  for (std::size_t row = 0; row < cell_rows(); ++row) {
+  linear::share_out(cell_rows(), worth_sharing(), [&](std::size_t row) {
     add_measured_row(mesh_.plan.columns, around(row, delta_), 1.0 / 12, gradients_.row(row));
-  }
+  });
   for (auto& push : push_) std::fill(push.begin(), push.end(), 0.0);
   // Simpson's mean of the gradient of a quartic, which is cubic, is exact.
   add_surface_forces(q0, 1.0 / 6);
@@ -149,14 +149,13 @@ void Model::measure(Input q) {
     const std::size_t k = nodes_.driven()[d].node;
     driven_place_[d] = {q[k], q[n + k], q[2 * n + k]};
   }
-  double folded = 0;
-#pragma omp parallel for schedule(static) reduction(+ : folded) if (worth_sharing())
-  for (std::size_t row = 0; row < cell_rows(); ++row) {
+  std::atomic<bool> folded = false;
+  linear::share_out(cell_rows(), worth_sharing(), [&](std::size_t row) {
     const NodeVectors r = around(row, q);
-    folded += folded_corners_of_row(mesh_.plan.columns, r);
+    if (folded_corners_of_row(mesh_.plan.columns, r) > 0) folded = true;
     measure_row(mesh_.plan.columns, r, gradients_.row(row));
-  }
-  if (folded > 0) throw_folded(q);
+  });
+  if (folded) throw_folded(q);
 }
 
 void Model::throw_folded(Input q) const {
@@ -180,8 +179,7 @@ void Model::assemble_and_factor() {
   const std::size_t level = mesh_.plan.nodes();
   const std::array mobility{nodes_.wx().data(), nodes_.wy().data(), nodes_.wz().data()};
   const linear::RowBlocks& gradients = gradients_;
-#pragma omp parallel for schedule(static) if (worth_sharing())
-  for (std::size_t row = 0; row < cell_rows(); ++row) {
+  linear::share_out(cell_rows(), worth_sharing(), [&](std::size_t row) {
     const std::size_t j = row % rows;
     const std::size_t first = row / rows * level + j * stride;
     const bool north = j + 1 < rows;
@@ -198,7 +196,7 @@ void Model::assemble_and_factor() {
                           .has_north = north,
                           .has_above = {above && j > 0, above, above && north}};
     assemble_row(columns, gradients.row(row), later, w, matrix_.own.data() + row * columns, matrix_.later.row(row));
-  }
+  });
   for (const Slide& slide : nodes_.slides()) {
     const CellsAround cells = cells_around(slide.node);
     const auto along = [&](std::size_t a) {
@@ -334,18 +332,16 @@ void Model::settle(Interval when, Output q, Output u) const {
 
 void Model::constraint_rates(Input u, Output w) const {
   const std::size_t columns = mesh_.plan.columns;
-#pragma omp parallel for schedule(static) if (worth_sharing())
-  for (std::size_t row = 0; row < cell_rows(); ++row) {
+  linear::share_out(cell_rows(), worth_sharing(), [&](std::size_t row) {
     rates_of_row(columns, gradients_.row(row), around(row, u), w.data() + row * columns);
-  }
+  });
 }
 
 void Model::react(Input mu, Output u) const {
   const std::size_t columns = mesh_.plan.columns;
   const std::size_t rows = mesh_.plan.rows;
   const std::size_t n = nodes_.size();
-#pragma omp parallel for schedule(static) if (worth_sharing())
-  for (std::size_t row = 0; row < (rows + 1) * (mesh_.layers + 1); ++row) {
+  linear::share_out((rows + 1) * (mesh_.layers + 1), worth_sharing(), [&](std::size_t row) {
     const std::size_t j = row % (rows + 1);
     const std::size_t l = row / (rows + 1);
     CellRows cells{.gradients = {gradients_.zeros(), gradients_.zeros(), gradients_.zeros(), gradients_.zeros()},
@@ -361,7 +357,7 @@ void Model::react(Input mu, Output u) const {
     const std::size_t k = row * (columns + 1);
     react_row(columns, cells, {nodes_.wx().data() + k, nodes_.wy().data() + k, nodes_.wz().data() + k},
               {u.data() + k, u.data() + n + k, u.data() + 2 * n + k});
-  }
+  });
   for (const Slide& slide : nodes_.slides()) {
     const CellsAround cells = cells_around(slide.node);
     double force = 0;

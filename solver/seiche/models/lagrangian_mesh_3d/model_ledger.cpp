@@ -1,6 +1,7 @@
 // What the hexahedral model conserves, its surface forces, and how a moving window shifts it.
 
 #include "seiche/compensated_sum.hpp"
+#include "seiche/linear/worth_threads.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/models/lagrangian_mesh_3d/surface.hpp"
 #include "seiche/plan_lattice/window.hpp"
@@ -22,16 +23,14 @@ void Model::add_surface_forces(Input q, double weight) {
   const std::size_t rows = mesh_.plan.rows;
   const std::size_t columns = mesh_.plan.columns;
   const linear::RowBlocks& forces = patch_forces_;
-#pragma omp parallel for schedule(static) if (worth_sharing())
-  for (std::size_t j = 0; j < rows; ++j) {
+  linear::share_out(rows, worth_sharing(), [&](std::size_t j) {
     press_patches(columns, patches(j, q), weight * settings_.density * settings_.gravity, patch_forces_.row(j));
-  }
-#pragma omp parallel for schedule(static) if (worth_sharing())
-  for (std::size_t j = 0; j <= rows; ++j) {
+  });
+  linear::share_out(rows + 1, worth_sharing(), [&](std::size_t j) {
     const std::size_t first = j * (columns + 1);
     gather_push(columns, j > 0 ? forces.row(j - 1) : forces.zeros(), j < rows ? forces.row(j) : forces.zeros(),
                 {push_[0].data() + first, push_[1].data() + first, push_[2].data() + first});
-  }
+  });
 }
 
 void Model::constraint_values(Input q, Output f) const {
@@ -95,6 +94,7 @@ void Model::shift_east(mechanics::State& state) {
   plan_lattice::shift_rows(std::span(mesh_.x), columns + 1);
   plan_lattice::shift_rows(std::span(mesh_.y), columns + 1);
   plan_lattice::shift_rows(std::span(volume_), columns);
+  state.earlier_u.clear();
   for (auto* multipliers : state.all_multipliers()) {
     if (multipliers->empty()) continue;
     plan_lattice::shift_rows(std::span(*multipliers), columns);

@@ -41,7 +41,7 @@ Box expected_box(const Particles& particles) {
   return {*left - margin, *right + margin, *bottom - margin, *top + margin};
 }
 
-Particles checked(Particles particles, const Settings& settings, double spacing, std::size_t paddles) {
+Particles checked(Particles particles, const Settings& settings, double spacing, std::span<const Paddle> paddles) {
   validate(settings);
   require_positive("spacing", spacing);
   check_period(settings, settings.smoothing * spacing);
@@ -57,15 +57,14 @@ Flow::Engine::Engine(Particles particles, double spacing, const Settings& settin
       fluid_(settings.density, settings.sound_speed, settings.exponent),
       smoothing_(settings.smoothing * spacing),
       paddles_(std::move(paddles)),
-      particles_(checked(std::move(particles), settings, spacing, paddles_.size())),
+      particles_(checked(std::move(particles), settings, spacing, paddles_)),
       reference_x_(paddles_.empty() ? std::vector<double>{} : particles_.x),
       reference_z_(paddles_.empty() ? std::vector<double>{} : particles_.z),
       mean_spacing_(mean_spacing(particles_, settings.density)),
       walls_(settings.kernel, fluid_),
       rates_(settings, spacing),
       shifting_(settings.kernel, spacing),
-      stage_(fluid_, smoothing_, settings.variable_smoothing, rates_.sound_scale(), rates_.turbulent(),
-             settings.storage),
+      stage_(fluid_, smoothing_, rates_.sound_scale(), rates_.turbulent(), settings.storage),
       neighbours_(mean_spacing_, expected_box(particles_), settings.period,
                   settings.storage == Storage::mixed ? pair_loops().mixed.lanes : pair_loops().full.lanes),
       reserve_(settings.skin * support * smoothing_),
@@ -113,11 +112,8 @@ void Flow::Engine::check_extent() const {
 }
 
 void Flow::Engine::sort(double reserve) {
-  double widest = smoothing_;
-  if (settings_.variable_smoothing) {
-    const double lowest = *std::min_element(particles_.density.begin(), particles_.density.end());
-    widest *= std::max(1.0, std::sqrt(settings_.density / lowest));
-  }
+  const double lowest = *std::min_element(particles_.density.begin(), particles_.density.end());
+  const double widest = smoothing_ * std::max(1.0, std::sqrt(settings_.density / lowest));
   if (settings_.storage == Storage::mixed) check_extent();
   neighbours_.sort(particles_, widest, reserve);
   if (!paddles_.empty()) {
@@ -161,19 +157,18 @@ void Flow::Engine::fill_level() {
 
 void Flow::Engine::evaluate(double time, bool limited) {
   if (settings_.walls == WallPressure::extrapolated) {
-    const auto felt_gravity = [this, time](std::size_t i) {
+    // Paddles' accelerations: means over the time that sound takes for h before and after, from time 0 on.
+    const double shift = smoothing_ / settings_.sound_speed;
+    const PaddlePoses before = paddles_at(std::max(time - shift, 0.0));
+    const PaddlePoses after = paddles_at(time + shift);
+    const double between = std::min(2 * shift, time + shift);
+    const auto felt_gravity = [&](std::size_t i) {
       std::array<double, 2> gravity{0, -settings_.gravity};
       if (particles_.kind[i] == Kind::paddle) {
-        const Paddle& paddle = paddles_[static_cast<std::size_t>(particles_.body[i])];
-        const double shift = smoothing_ / settings_.sound_speed;
-        const auto motion = [&](double t) {
-          return carried(paddle.pose(t), paddle.rate(t), paddle.hinge_x, paddle.hinge_z, reference_x_[i],
-                         reference_z_[i]);
-        };
-        const PointMotion before = motion(time - shift);
-        const PointMotion after = motion(time + shift);
-        gravity[0] -= (after.u - before.u) / (2 * shift);
-        gravity[1] -= (after.w - before.w) / (2 * shift);
+        const PointMotion from = carried_by_paddle(i, before);
+        const PointMotion to = carried_by_paddle(i, after);
+        gravity[0] -= (to.u - from.u) / between;
+        gravity[1] -= (to.w - from.w) / between;
       }
       return gravity;
     };

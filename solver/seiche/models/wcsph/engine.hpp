@@ -44,6 +44,10 @@ class Flow::Engine {
 
  private:
   void check_start() const;
+  /// See FlowState.
+  [[nodiscard]] std::vector<double> parameters(double time) const;
+  void check_state(const FlowState& state) const;
+  void adopt(const FlowState& state);
   void sort(double reserve);
   void check_extent() const;
   template <class SomeRecord>

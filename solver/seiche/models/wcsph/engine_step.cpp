@@ -81,17 +81,6 @@ double Flow::Engine::step_by_rule() const {
       tau = std::min(tau, viscous_courant * smoothing_ * smoothing_ / laminar->kinematic_viscosity);
     }
   }
-  if (settings_.limit_by_forces) {
-    const double greatest = rates_.with_rates([this](const auto& rates) {
-      double found = 0;
-      for (std::size_t i = 0; i < neighbours_.fluid(); ++i) {
-        const double force = std::hypot(rates.du[i], rates.dw[i]);
-        found = std::max(found, force / stage_.smoothing(i));
-      }
-      return found;
-    });
-    if (greatest > 0) tau = std::min(tau, 0.3 / std::sqrt(greatest));
-  }
   const double acoustic = settings_.courant * smoothing_ / settings_.sound_speed;
   if (!(tau >= shortest_step * acoustic)) {
     throw Divergence(fmt::format("step {:.3g} is below a thousandth of the acoustic one, {:.3g},", tau, acoustic),

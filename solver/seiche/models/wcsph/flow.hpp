@@ -99,7 +99,8 @@ class Flow {
   /// Everything that decides how it goes on; see flow_state.hpp.
   [[nodiscard]] FlowState state() const;
   /// Goes on from the state of a Flow that was made of the same particles, settings and paddles: the same bytes as
-  /// that one would have given. Throws std::invalid_argument where it was of others, as far as that shows.
+  /// that one would have given. Throws std::invalid_argument, with the parameter and both its values, where it was of
+  /// others: settings, spacing, particles by identity, paddles by where they were. A throw leaves the flow as it was.
   void resume(const FlowState& state);
 
   [[nodiscard]] double time() const;

@@ -9,6 +9,8 @@
 namespace seiche::wcsph {
 
 struct FlowState {
+  /// What the flow was made of besides its particles: settings, spacing, and paddles by their poses at `time`.
+  std::vector<double> parameters;
   Particles particles;                           ///< in the order of the last sorting
   std::vector<double> reference_x, reference_z;  ///< of what paddles carry, in the pose {0, 0}; empty without paddles
   /// What the candidate lists were made of at the last sorting. Sums run in the order of the lists: made of later

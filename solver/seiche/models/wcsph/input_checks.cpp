@@ -9,7 +9,12 @@
 
 namespace seiche::wcsph {
 
-void check_particles(const Particles& particles, std::size_t paddles) {
+void check_particles(const Particles& particles, std::span<const Paddle> paddles) {
+  for (std::size_t k = 0; k < paddles.size(); ++k) {
+    if (paddles[k].pose && paddles[k].rate) continue;
+    throw std::invalid_argument(
+        fmt::format("paddle {} has no {}: must have pose and rate", k, paddles[k].pose ? "rate" : "pose"));
+  }
   const std::size_t n = particles.size();
   if (n == 0) throw std::invalid_argument("particles: there are none");
   for (const std::size_t size :
@@ -28,9 +33,9 @@ void check_particles(const Particles& particles, std::size_t paddles) {
       if (!(value > 0 && std::isfinite(value))) require_positive(name(quantity), value);
     }
     const std::int32_t body = particles.body[i];
-    if (particles.kind[i] == Kind::paddle && !(body >= 0 && static_cast<std::size_t>(body) < paddles)) {
+    if (particles.kind[i] == Kind::paddle && !(body >= 0 && static_cast<std::size_t>(body) < paddles.size())) {
       throw std::invalid_argument(
-          fmt::format("particle {} belongs to paddle {}, but there are {} paddles", i, body, paddles));
+          fmt::format("particle {} belongs to paddle {}, but there are {} paddles", i, body, paddles.size()));
     }
   }
 }

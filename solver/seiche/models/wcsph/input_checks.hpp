@@ -5,14 +5,15 @@
 #include <span>
 
 #include "seiche/models/wcsph/neighbours.hpp"
+#include "seiche/models/wcsph/paddle.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"
 #include "seiche/models/wcsph/particles.hpp"
 #include "seiche/models/wcsph/settings.hpp"
 
 namespace seiche::wcsph {
 
-/// Arrays of one length, values finite, masses and densities positive, carriers that exist.
-void check_particles(const Particles& particles, std::size_t paddles);
+/// Arrays of one length, values finite, masses and densities positive, carriers that exist and can be asked.
+void check_particles(const Particles& particles, std::span<const Paddle> paddles);
 /// A period of at least three supports with their reserve: a particle meets one image of another at most.
 void check_period(const Settings& settings, double smoothing_length);
 /// No two fluid particles in one place, none in a wall.

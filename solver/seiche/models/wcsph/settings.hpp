@@ -53,9 +53,7 @@ struct Period {
 
 struct Settings {
   KernelName kernel = KernelName::cubic_spline;
-  double smoothing = 1.3;  ///< h_0 over the particle spacing, in [0.9, 3]
-  /// h_a = h_0 (rho_0/rho_a)^(1/2), pairs use the mean of both; otherwise h_0 throughout.
-  bool variable_smoothing = true;
+  double smoothing = 1.3;  ///< h_0 over the spacing, in [0.9, 3]; h_a = h_0 (rho_0/rho_a)^(1/2), pairs use the mean
   double gravity = 9.81;   ///< [m/s^2], downwards
   double density = 1000;   ///< rho_0 [kg/m^3]
   double sound_speed = 0;  ///< c_0 [m/s]; must be given, see sound_speed_for
@@ -69,7 +67,6 @@ struct Settings {
   /// dt = courant h/(c + sigma). The midpoint rule lets sound of angular frequency omega grow by (omega dt)^4/8 a step:
   /// what has no artificial viscosity and takes ten thousand steps wants 0.2.
   double courant = 0.3;
-  bool limit_by_forces = false;     ///< dt <= 0.3 sqrt(h/|f|)
   bool limit_by_viscosity = false;  ///< dt <= 0.125 h^2/nu_0
   Period period;
   Storage storage = Storage::full;

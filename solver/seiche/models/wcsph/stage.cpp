@@ -68,14 +68,8 @@ struct Stage::Derived {
   std::array<double, StateBlock::size> pressure, sound, smoothing;
 };
 
-Stage::Stage(const TaitFluid& fluid, double smoothing, bool variable, double sound_scale, bool stresses,
-             Storage storage)
-    : fluid_(fluid),
-      smoothing_(smoothing),
-      variable_(variable),
-      sound_scale_(sound_scale),
-      stresses_(stresses),
-      storage_(storage) {}
+Stage::Stage(const TaitFluid& fluid, double smoothing, double sound_scale, bool stresses, Storage storage)
+    : fluid_(fluid), smoothing_(smoothing), sound_scale_(sound_scale), stresses_(stresses), storage_(storage) {}
 
 void Stage::adopt(const Particles& particles, std::span<const Image> images) {
   count_ = particles.size();
@@ -125,11 +119,7 @@ void Stage::adopt_mixed(const Particles& particles) {
 }
 
 void Stage::smoothing_of(const double* density, std::size_t count, double* smoothing) const {
-  if (variable_) {
-    smoothing_lengths(density, count, fluid_.reference_density(), fluid_.exponent() == 7, smoothing_, smoothing);
-  } else {
-    std::fill_n(smoothing, count, smoothing_);
-  }
+  smoothing_lengths(density, count, fluid_.reference_density(), fluid_.exponent() == 7, smoothing_, smoothing);
 }
 
 Stage::Derived Stage::derived(const double* density, std::size_t count) const {
@@ -210,11 +200,6 @@ double Stage::fill(const Source& source) {
 double Stage::fill(const Particles& particles) {
   return fill(
       [&particles](std::size_t first, std::size_t count, StateBlock& block) { copy(particles, first, count, block); });
-}
-
-double Stage::smoothing(std::size_t i) const {
-  return storage_ == Storage::mixed ? smoothing_ * static_cast<double>(mixed_.records[i].smoothing)
-                                    : full_.records[i].smoothing;
 }
 
 void Stage::set_density(std::size_t i, double density) {

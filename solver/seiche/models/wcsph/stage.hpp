@@ -72,9 +72,8 @@ class Stage {
   /// The state of particles first, ..., first + count - 1.
   using Source = std::function<void(std::size_t first, std::size_t count, StateBlock& block)>;
 
-  /// @param smoothing  h_0; @param variable  h = h_0 (rho_0/rho)^(1/2) instead of h_0
-  /// @param stresses   of eddies are asked for
-  Stage(const TaitFluid& fluid, double smoothing, bool variable, double sound_scale, bool stresses, Storage storage);
+  /// @param smoothing  h_0; @param stresses  of eddies are asked for
+  Stage(const TaitFluid& fluid, double smoothing, double sound_scale, bool stresses, Storage storage);
 
   /// After a sorting: records of the particles and their images, new masses; what displacements are measured from.
   void adopt(const Particles& particles, std::span<const Image> images);
@@ -102,8 +101,6 @@ class Stage {
   [[nodiscard]] std::span<const Record> records() const { return full_.records; }
   [[nodiscard]] const std::vector<double>& mass() const { return full_.mass; }
   [[nodiscard]] const Units& units() const { return units_; }
-  /// h of one particle [m].
-  [[nodiscard]] double smoothing(std::size_t i) const;
   /// Of adopt().
   [[nodiscard]] const Base& base() const { return base_; }
   [[nodiscard]] double sound_scale() const { return sound_scale_; }
@@ -120,7 +117,6 @@ class Stage {
 
   TaitFluid fluid_;
   double smoothing_;
-  bool variable_;
   double sound_scale_;
   bool stresses_;
   Storage storage_;

@@ -1,0 +1,112 @@
+// Threads that share the loops of a step count denormal numbers as zero as the thread does that called them.
+#include <omp.h>
+
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/flush_denormals.hpp"
+#include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/twenty_seven_point_matrix.hpp"
+#include "seiche/linear/vector_operations.hpp"
+#include "seiche/linear/worth_threads.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/model.hpp"
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_2d/model.hpp"
+#include "verification/check.hpp"
+
+using namespace seiche;
+
+namespace {
+
+constexpr double tiny = 1e-310;
+constexpr std::size_t rows = 16;
+constexpr std::size_t columns = linear::worth_threads / rows + 16;
+
+/// What is left of tiny numbers by the loop, with two threads and without denormal numbers.
+template <class Loop>
+std::size_t left_by(const Loop& loop) {
+  std::vector<double> result;
+  {
+    const FlushDenormals guard;
+    result = loop();
+  }
+  std::size_t left = 0;
+  for (const double value : result) left += value != 0 ? 1 : 0;
+  return left;
+}
+
+std::vector<double> copy(const linear::LatticeArray& values) {
+  return {values.values().begin(), values.values().end()};
+}
+
+}  // namespace
+
+TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]") {
+  verification::Check check("denormals_of_threads", "Denormal numbers in two threads",
+                            "Matrices of the constraints times numbers of 1e-310, sums of such vectors, and the rates "
+                            "of cells of meshes whose nodes move by as much, shared by two threads that were made "
+                            "where denormal numbers count. The calling thread flushes them to zero: so do both.");
+  const int usual = omp_get_max_threads();
+  omp_set_num_threads(2);
+  int made = 0;
+#pragma omp parallel reduction(+ : made)
+  ++made;
+  REQUIRE(made == 2);
+
+  linear::LatticeArray x(columns, rows);
+  for (double& value : x.values()) value = tiny;
+  linear::LatticeArray y(columns, rows);
+  std::size_t left = 0;
+  linear::NinePointMatrix nine(columns, rows);
+  for (double& value : nine.own.values()) value = 1;
+  left += left_by([&] {
+    nine.multiply(x, y);
+    return copy(y);
+  });
+  linear::TwentySevenPointMatrix twenty_seven(columns, rows, 1);
+  for (double& value : twenty_seven.own.values()) value = 1;
+  left += left_by([&] {
+    twenty_seven.multiply_and_dot(x, y);
+    return copy(y);
+  });
+  left += left_by([&] {
+    std::vector<double> sum(columns * rows, tiny);
+    linear::scale_and_add(x.values(), 0.5, sum);
+    return sum;
+  });
+  {
+    namespace plan = dispersive_shallow_water_2d;
+    plan::Model model(plan::rectangular_lattice(
+                          {.begin = 0, .end = columns, .south = 0, .north = rows, .columns = columns, .rows = rows}),
+                      {.solver = linear::NinePointMethod::iterative});
+    model.linearise({}, model.state().q);
+    const std::vector<double> u(model.rates(), tiny);
+    left += left_by([&] {
+      std::vector<double> end(model.coordinates());
+      model.advance(std::vector<double>(model.coordinates(), tiny), u, 0.5, end);
+      return end;
+    });
+  }
+  {
+    namespace mesh = lagrangian_mesh_2d;
+    mesh::Model model(mesh::layer_mesh({.begin = 0, .end = columns, .depth = rows, .columns = columns, .rows = rows}),
+                      {.solver = linear::NinePointMethod::iterative});
+    model.linearise({}, model.state().q);
+    std::vector<double> u(model.rates());
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = i % 3 == 0 ? tiny : 0;
+    left += left_by([&] {
+      std::vector<double> rates(model.constraints());
+      model.constraint_rates(u, rates);
+      return rates;
+    });
+  }
+  omp_set_num_threads(usual);
+  check.that({.id = "left",
+              .text = "Nothing is left of denormal numbers in any of the threads (five loops).",
+              .quantity = "numbers of 1e-310 that are not zero",
+              .source = "FlushDenormals"},
+             {.value = static_cast<double>(left), .resolution = fmt::format("2 threads, {} cells", columns * rows)},
+             evidence::Bound{.limit = 0, .reason = "the same bytes from any number of threads"});
+}

@@ -1,0 +1,245 @@
+// A step that throws, whatever and wherever, leaves everything as it was: the strong guarantee of all steppers.
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/divergence.hpp"
+#include "seiche/mechanics/named_integrator.hpp"
+#include "seiche/mechanics/projected_step.hpp"
+#include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_2d/layer.hpp"
+#include "seiche/models/lagrangian_mesh_3d/flow.hpp"
+#include "seiche/models/lagrangian_mesh_3d/layer.hpp"
+#include "seiche/models/rigid_chain/rigid_chain.hpp"
+#include "verification/check.hpp"
+
+namespace {
+
+using namespace seiche;
+using namespace seiche::mechanics;
+using evidence::Bound;
+using rigid_chain::RigidChain;
+using verification::Check;
+
+bool same(const State& a, const State& b) {
+  return a.q == b.q && a.u == b.u && a.time == b.time && a.steps == b.steps && a.multipliers == b.multipliers &&
+         a.earlier_multipliers == b.earlier_multipliers;
+}
+
+/// A chain that cannot be at its `count`-th linearisation, or does not come to the end of its `count`-th step.
+struct FragileChain : RigidChain {
+  enum class At { linearise, settle };
+  FragileChain(At here, int count) : RigidChain(rigid_chain::double_pendulum()), where(here), left(count) {}
+
+  void linearise(Interval when, Input q) {
+    pass(At::linearise);
+    RigidChain::linearise(when, q);
+  }
+  void linearise_between(Interval when, Input q0, Input q1, int sweep) {
+    pass(At::linearise);
+    RigidChain::linearise_between(when, q0, q1, sweep);
+  }
+  void settle(Interval, Output, Output u) const {
+    pass(At::settle);
+    u[0] += 1e-9;  // what walls, tips and frames do
+  }
+  void pass(At here) const {
+    if (here == where && --left == 0) throw Infeasible("a link breaks", 0.5);
+  }
+
+  At where;
+  mutable int left;
+};
+
+struct Failures {
+  int all = 0, changed = 0, unnamed = 0;
+};
+
+/// Steps until the chain breaks; counts a changed state, and an exception that does not say when.
+void break_chain(FragileChain::At where, int count, const std::function<StepFunction(FragileChain&)>& make,
+                 Failures& failures) {
+  FragileChain chain(where, count);
+  const StepFunction step = make(chain);
+  RigidChain sound = rigid_chain::double_pendulum();
+  State state = rigid_chain::spiral_start(sound);
+  State before = state;
+  try {
+    for (int n = 0; n < 40; ++n) {
+      before = state;
+      step(state, 0.02);
+    }
+    return;  // an integrator that does not ask for it
+  } catch (const Divergence& failure) {
+    if (failure.time() > before.time + 0.02 || failure.step() != before.steps) ++failures.unnamed;
+  } catch (const Infeasible&) {
+    ++failures.unnamed;
+  }
+  ++failures.all;
+  if (!same(state, before)) ++failures.changed;
+}
+
+/// Advances until a step throws; whether it left the flow's state as it was.
+template <class Flow>
+bool keeps_state(Flow& flow, double tau) {
+  for (int n = 0; n < 400; ++n) {
+    const State before = flow.state();
+    try {
+      flow.advance(tau);
+    } catch (const std::exception&) {
+      return same(flow.state(), before);
+    }
+  }
+  FAIL("no step failed");
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a step that fails leaves the state as it was, with every integrator", "[robustness]") {
+  Check check(
+      "failed_steps", "Steps that fail: integrators",
+      "A chain breaks at one of its first linearisations, in stages and sweeps of the third or a later step, or "
+      "at the end of a step or stage. Coordinates, rates, multipliers, time and number of steps are then those "
+      "of before, and the exception is a Divergence with the time and the step.");
+  Failures failures;
+  for (const auto where : {FragileChain::At::linearise, FragileChain::At::settle}) {
+    for (const int count : {3, 8, 17, 30}) {
+      for (const Integrator integrator : all_integrators) {
+        break_chain(
+            where, count, [&](FragileChain& chain) { return make_integrator(integrator, chain); }, failures);
+      }
+      break_chain(
+          where, count,
+          [](FragileChain& chain) {
+            return [step = std::make_shared<ProjectedStep<FragileChain>>(chain)](State& state, double tau) {
+              step->step(state, tau);
+            };
+          },
+          failures);
+    }
+  }
+  REQUIRE(failures.all > 50);
+  const std::string source = "interface of the steppers";
+  check.that({.id = "kept",
+              .text = "A step that fails leaves the state as it was (nine integrators).",
+              .quantity = fmt::format("of {} failures, those with another state", failures.all),
+              .source = source},
+             {.value = static_cast<double>(failures.changed)},
+             Bound{.limit = 0, .reason = "equality of bytes: a caller may go on with a shorter step"});
+  check.that({.id = "named",
+              .text = "The failure is reported with its time and step (nine integrators).",
+              .quantity = fmt::format("of {} failures, those without", failures.all),
+              .source = source},
+             {.value = static_cast<double>(failures.unnamed)},
+             Bound{.limit = 0, .reason = "seiche::Divergence, whichever stage failed"});
+}
+
+TEST_CASE("a step that fails leaves a flow as it was", "[robustness]") {
+  Check check("failed_flow_steps", "Steps that fail: flows",
+              "Water that reaches the end of the curve it slides along, within or at the end of a step; pressure, "
+              "absorption or a wall's motion whose function throws at a later time. The state is that of before the "
+              "step, the first one with its smooth start included.");
+  int failed = 0;
+  int changed = 0;
+  const auto count = [&](bool kept) {
+    ++failed;
+    changed += kept ? 0 : 1;
+  };
+  const auto give_up_after = [](double last) {
+    return [last](double, double time) -> double {
+      if (time > last) throw std::runtime_error("no pressure is known");
+      return 1e-3 * std::sin(time);
+    };
+  };
+  namespace mesh = lagrangian_mesh_2d;
+  using mesh::Stepping;
+  for (const Stepping stepping : {Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative}) {
+    for (const double tau : {0.05, 0.06, 0.07, 0.08, 0.09}) {
+      mesh::Mesh water = mesh::layer_mesh_with_slope({.begin = 0, .end = 4, .columns = 16, .rows = 4}, 1);
+      const auto one = [](double) { return 1.0; };
+      water.sides.right = mesh::Wall{
+          std::make_shared<GraphCurve>([](double x) { return x - 5; }, one, [](double) { return 0.0; }, 3.9, 5.05, 8)};
+      mesh::Flow flow(std::move(water), [](Point r) { return Point{0.3 * r.x / 4, 0}; }, {.stepping = stepping});
+      count(keeps_state(flow, tau));
+    }
+    for (const double last : {0.0, 0.5}) {
+      for (const auto composition : {TimeComposition::none, TimeComposition::suzuki}) {
+        mesh::Flow flow(mesh::layer_mesh({.begin = 0, .end = 4, .columns = 16, .rows = 4}),
+                        [](Point r) {
+                          return Point{0.1 * std::sin(r.x), 0};
+                        },
+                        {.stepping = stepping, .composition = composition}, {},
+                        {.surface_pressure = give_up_after(last)});
+        count(keeps_state(flow, 0.05));
+      }
+    }
+  }
+  {
+    namespace cells = lagrangian_mesh_3d;
+    for (const double last : {0.0, 0.5}) {
+      cells::Flow flow(cells::layer_mesh({.begin = 0,
+                                          .end = 4,
+                                          .south = 0,
+                                          .north = 4,
+                                          .columns = 8,
+                                          .rows = 8,
+                                          .elevation = [](double x, double) { return 0.05 * std::cos(x); }}),
+                       {}, {}, {}, {}, true, {.body_force = [last](const auto&, double time) {
+                         if (time > last) throw std::runtime_error("no force is known");
+                         return cells::Vector{};
+                       }});
+      count(keeps_state(flow, 0.05));
+    }
+  }
+  check.that({.id = "kept",
+              .text = "A step that fails leaves the state of the flow as it was.",
+              .quantity = fmt::format("of {} failures, those with another state", failed),
+              .source = "interface of the flows"},
+             {.value = static_cast<double>(changed)},
+             Bound{.limit = 0, .reason = "equality of bytes: a caller may go on with a shorter step"});
+}
+
+TEST_CASE("a step that fails has lost nothing to friction and breaking", "[robustness]") {
+  namespace water = dispersive_shallow_water_1d;
+  Check check("failed_step_losses", "Steps that fail: friction and breaking",
+              "A bore runs up a beach with friction; then a step of 1000 s is tried, which fails. State, energy lost "
+              "and breaking fronts are as before, and 20 more steps are those of a flow that never failed.");
+  const auto flow_of = [] {
+    const water::Channel channel{.bottom = std::make_shared<PiecewiseLinearBottom>(std::vector{-100.0, 0.0, 100.0},
+                                                                                   std::vector{-1.0, -1.0, 9.0}),
+                                 .right = water::End::tip,
+                                 .friction = {.coefficient = 0.02},
+                                 .breaking = water::Breaking{.onset_slope = 0.05}};
+    water::Markers markers = water::still_markers(channel, water::equal_labels(channel, -30, 10, 200));
+    for (std::size_t i = 0; i < markers.size(); ++i)
+      markers.u[i] = 0.9 * std::exp(-std::pow((markers.x[i] + 15) / 4, 2));
+    return water::Flow(channel, markers);
+  };
+  water::Flow plain = flow_of();
+  water::Flow tried = flow_of();
+  for (water::Flow* flow : {&plain, &tried}) {
+    for (int n = 0; n < 60; ++n) flow->advance(0.02);
+  }
+  REQUIRE(plain.lost().breaking > 0);
+  REQUIRE(plain.lost().friction > 0);
+  CHECK_THROWS_AS(tried.advance(1000), Divergence);
+  for (water::Flow* flow : {&plain, &tried}) {
+    for (int n = 0; n < 20; ++n) flow->advance(0.02);
+  }
+  const water::Losses a = plain.lost();
+  const water::Losses b = tried.lost();
+  check.that({.id = "kept",
+              .text = "A run goes on from a failed step as if it had not been tried.",
+              .quantity = "differing: state, energy lost to friction, to breaking",
+              .source = "interface of the flow"},
+             {.value = (same(plain.state(), tried.state()) ? 0.0 : 1.0) + (a.friction == b.friction ? 0 : 1) +
+                       (a.breaking == b.breaking ? 0 : 1)},
+             Bound{.limit = 0, .reason = "equality of bytes"});
+}
