@@ -356,7 +356,7 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
              seiche::evidence::Qualitative{.detector = "after less than before", .reason = "an implicit exchange"});
   const double goes_on = changed(change(drag, 5, 0.6, together, 0.1));
   Drag other({.breaking_slope = 2}, lattice, 1.0 / 3);
-  other.continue_from(drag);
+  other.breaking().breaks() = drag.breaking().breaks();
   other.shift_east();
   const double shifted = changed(change(other, 4, 0.6, meet_at(4), 0.1));
   check.that({.id = "goes-on",

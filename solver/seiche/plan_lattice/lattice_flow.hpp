@@ -37,10 +37,12 @@ class LatticeFlow {
       return;
     }
     before_ = state_;
+    if constexpr (remembers_breaking) breaks_before_ = model_->breaks();
     try {
       stepper_->step(state_, tau);
     } catch (const Divergence&) {
       state_ = before_;
+      if constexpr (remembers_breaking) model_->breaks() = breaks_before_;
       throw;
     }
   }
@@ -119,6 +121,8 @@ class LatticeFlow {
   [[nodiscard]] Model& model_to_change() { return *model_; }
 
  private:
+  static constexpr bool remembers_breaking = requires(Model & model) { model.breaks(); };
+
   [[nodiscard]] static std::span<const double> part(const std::vector<double>& values, std::size_t index) {
     const std::size_t n = values.size() / 3;
     return {values.data() + index * n, n};
@@ -127,6 +131,7 @@ class LatticeFlow {
   std::unique_ptr<Model> model_;
   mechanics::State state_;
   mechanics::State before_;  // the last step
+  std::vector<char> breaks_before_;
   Shape shape_;
   std::unique_ptr<mechanics::SchemeStepper<Model>> stepper_;
   std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -30,15 +31,27 @@ Flow& Flow::operator=(Flow&&) noexcept = default;
 
 void Flow::advance(double tau) {
   mechanics::require_step(tau);
-  if (tau > stable_step()) ++beyond_stability_;
-  lose(tau / 2);
-  stepper_->step(state_, tau);
-  lose(tau / 2);
+  const bool beyond = tau > stable_step();
+  if (model_->loses()) {
+    before_ = state_;
+    const auto books = std::tuple(friction_, breaking_, friction_impulse_, model_->fronts());
+    try {
+      lose(tau / 2);
+      stepper_->step(state_, tau);
+      lose(tau / 2);
+    } catch (const Divergence&) {
+      state_ = before_;
+      std::tie(friction_, breaking_, friction_impulse_, model_->fronts()) = books;
+      throw;
+    }
+  } else {
+    stepper_->step(state_, tau);
+  }
+  beyond_stability_ += beyond ? 1 : 0;
 }
 
 /// Half of a step's losses before it and half after it: second order, as the step itself.
 void Flow::lose(double h) {
-  if (!model_->loses()) return;
   try {
     const Losses lost = model_->lose(h, state_.q, state_.u);
     friction_.add(lost.friction);

@@ -32,7 +32,8 @@ class Flow {
   Flow(Flow&&) noexcept;
   Flow& operator=(Flow&&) noexcept;
 
-  /// One step of length tau > 0.
+  /// One step of length tau > 0. Throws std::invalid_argument for tau, Divergence; everything is then as before the
+  /// step.
   void advance(double tau);
   /// Steps of min(tau, courant * stable_step()) until `time`, which is hit exactly; after_step is called after each.
   void advance_to(double time, double tau, const std::function<void()>& after_step = {}, double courant = 0.3);
@@ -82,6 +83,7 @@ class Flow {
  private:
   std::unique_ptr<Model> model_;
   mechanics::State state_;
+  mechanics::State before_;  // the last step, of a model that loses
   std::unique_ptr<mechanics::SchemeStepper<Model>> stepper_;
   std::unique_ptr<mechanics::InvariantsWatch<Model>> watch_;
   void lose(double h);

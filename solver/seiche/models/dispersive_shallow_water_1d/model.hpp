@@ -109,6 +109,9 @@ class Model {
     return fronts_ ? fronts_->damping() : std::span<const double>{};
   }
 
+  /// What broke at the last loss decides what breaks at the next one.
+  [[nodiscard]] std::optional<BreakingFronts>& fronts() { return fronts_; }
+
   [[nodiscard]] double mass() const;                                     ///< [kg/m]
   [[nodiscard]] std::array<double, 1> momentum(Input q, Input u) const;  ///< horizontal [kg/s]
   [[nodiscard]] double kinetic_energy(Input q, Input u) const;           ///< [J/m]

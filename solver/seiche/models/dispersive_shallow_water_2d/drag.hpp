@@ -35,6 +35,7 @@
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/breaking.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/push.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
@@ -69,8 +70,7 @@ class Drag {
   void absorb(double h, mechanics::Output u) const;
 
   [[nodiscard]] const BreakingFronts& breaking() const { return breaking_; }
-  /// Breaking fronts of another flow on a lattice of this shape go on.
-  void continue_from(const Drag& before) { breaking_.continue_from(before.breaking_); }
+  [[nodiscard]] BreakingFronts& breaking() { return breaking_; }
   /// As Model::shift_east.
   void shift_east() { breaking_.shift_east(); }
 
@@ -82,6 +82,9 @@ class Drag {
   std::vector<double> depth_, area_;
   std::vector<Point> along_;        ///< the shore, at the markers of the south side
   std::vector<double> absorption_;  ///< rates of the nodes; empty for none
+  // Of the pattern + - + -: over what each node has in all pairs, and what they push.
+  mutable std::vector<double> share_;
+  mutable std::vector<Impulse> impulse_;
   BreakingFronts breaking_;
 };
 

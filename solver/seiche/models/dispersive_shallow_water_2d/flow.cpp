@@ -21,8 +21,10 @@ double surely_stable_step(const Model& model) {
     const double h1 = std::hypot(lattice.x[c1] - lattice.x[c0], lattice.y[c1] - lattice.y[c0]);
     const double h2 = std::hypot(lattice.x[c3] - lattice.x[c0], lattice.y[c3] - lattice.y[c0]);
     const double square = 4 / (h1 * h1) + 4 / (h2 * h2);
-    const double depth =
-        lattice.bottom ? -lattice.bottom->slope(lattice.x[c0], lattice.y[c0]).elevation : lattice.depth;
+    double depth = lattice.bottom ? 0 : lattice.depth;
+    for (const std::size_t k : lattice.shape.corners(cell)) {
+      if (lattice.bottom) depth = std::max(depth, -lattice.bottom->slope(lattice.x[k], lattice.y[k]).elevation);
+    }
     if (!(depth > 0)) continue;
     const double s = depth * depth * square;
     fastest =
@@ -50,13 +52,14 @@ Flow::Flow(Lattice lattice, const InitialVelocity& velocity, Scheme scheme, Sett
 
 Flow::Flow(std::unique_ptr<Model>&& model, const InitialVelocity& velocity, Scheme scheme, Window window,
            bool smooth_start)
-    : LatticeFlow(std::move(model), model->state(velocity), model->shape(), model->lattice().sides,
-                  {.scheme = scheme,
-                   .window = movable(std::move(window), *model),
-                   .stable_step = surely_stable_step(*model),
-                   .smooth_start = smooth_start && !model->has_driven_sides(),
-                   // A marker may leave an uneven bottom, or touch it, at the end of a step.
-                   .keeps_before = model->lattice().bottom != nullptr}) {}
+    : LatticeFlow(
+          std::move(model), model->state(velocity), model->shape(), model->lattice().sides,
+          {.scheme = scheme,
+           .window = movable(std::move(window), *model),
+           .stable_step = surely_stable_step(*model),
+           .smooth_start = smooth_start && !model->has_driven_sides(),
+           // A marker may leave an uneven bottom, or touch it, at the end of a step; fronts begin to break in it.
+           .keeps_before = model->lattice().bottom != nullptr || !model->breaks().empty()}) {}
 
 }  // namespace seiche::dispersive_shallow_water_2d
 

@@ -33,7 +33,7 @@ class Flow : public plan_lattice::LatticeFlow<Model> {
                 Forcing forcing = {}, Window window = {}, bool smooth_start = true);
 
   /// Fronts that broke in another flow, of a lattice of this shape, break on (breaking.hpp).
-  void continue_breaking(const Flow& before) { model_to_change().continue_breaking(before.model()); }
+  void continue_breaking(const Flow& before) { model_to_change().breaks() = before.model().breaking().breaks(); }
 
  private:
   Flow(std::unique_ptr<Model>&& model, const InitialVelocity& velocity, Scheme scheme, Window window,

@@ -145,8 +145,8 @@ class Model {
   [[nodiscard]] bool has_shoreline() const { return shoreline_.has_value(); }
   [[nodiscard]] bool absorbs() const { return drag_.absorbs(); }
   [[nodiscard]] const BreakingFronts& breaking() const { return drag_.breaking(); }
-  /// Fronts that broke in another flow's model, of a lattice of this shape, break on.
-  void continue_breaking(const Model& before) { drag_.continue_from(before.drag_); }
+  /// What a step leaves for the next one beside the state (BreakingFronts::breaks).
+  [[nodiscard]] std::vector<char>& breaks() { return drag_.breaking().breaks(); }
   [[nodiscard]] const linear::NinePointSolver& solver() const { return solver_; }
   /// A of the last linearisation.
   [[nodiscard]] const linear::NinePointMatrix& matrix() const { return matrix_; }
