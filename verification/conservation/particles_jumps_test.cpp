@@ -230,9 +230,7 @@ TEST_CASE("a dry front moves with the exact velocity for any number of particles
               "for ten particles. The discharge at the dam is $8 h_1 c_1/27$ at all times.");
   const seiche::exact::Ritter exact(gravity, 1, 10);
   for (const std::size_t count : {std::size_t{10}, std::size_t{100}}) {
-    Scheme scheme;
-    scheme.self_similar_particles = 0;  // the method by itself, without the exact start
-    ParticleFlow flow(uniform_stretches({{0, 10, {1, 0}}}, count), {Wall{}, Vacuum{}}, {}, scheme);
+    ParticleFlow flow(uniform_stretches({{0, 10, {1, 0}}}, count), {Wall{}, Vacuum{}});
     const int steps = static_cast<int>(39 * count / 10);
     Worst deviation;
     for (int k = 0; k < steps; ++k) {

@@ -30,7 +30,7 @@ struct Front {
       bed.push_back(-1);
     }
   }
-  [[nodiscard]] BreakingFronts::Surface surface(double period = 0) const { return {x, y, u, bed, period}; }
+  [[nodiscard]] BreakingFronts::Surface surface(double period = 0) const { return {x, y, u, bed, 1, period}; }
 };
 
 long breaking_cells(const BreakingFronts& fronts) {

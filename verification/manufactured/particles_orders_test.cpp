@@ -5,9 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include <fmt/format.h>
 
-#include "seiche/exact/dam_break.hpp"
 #include "seiche/exact/lagrangian_manufactured.hpp"
 #include "seiche/exact/simple_wave.hpp"
 #include "seiche/exact/thacker.hpp"
@@ -21,7 +19,6 @@ namespace particles_orders_test {
 using namespace seiche::shallow_water_particles;
 using seiche::Largest;
 using seiche::largest;
-using seiche::Smallest;
 using seiche::Worst;
 using seiche::evidence::Bound;
 using seiche::evidence::observed_order;
@@ -209,61 +206,6 @@ TEST_CASE("a planar surface in a parabolic bowl keeps its shoreline", "[manufact
               .quantity = "order",
               .source = "Thacker, JFM 107 (1981) 499"},
              observed_order(sizes, errors), Order{2, 0.35, "the phase error of the leapfrog map"});
-}
-
-TEST_CASE("dam breaks with the exact waves of the first moments", "[manufactured]") {
-  Check check("particles_dam_break_errors", "Dam breaks: mean-value errors of the depth",
-              "Dam at x = 20 in [0, 50], $h_1 = 1$, t = 6, N = 200 particles of equal mass. The waves of the first "
-              "moments are taken from the self-similar solution until their fan spans eight particles, an option that "
-              "no peer has; the same runs without it stand beside them.");
-  for (const double low : {0.1, 0.5}) {
-    const seiche::exact::Stoker exact(gravity, 1, low, 20);
-    Smallest lowest;
-    Largest highest;
-    Scheme with_start;
-    with_start.self_similar_particles = 8;
-    ParticleFlow plain(dam_break(0, 20, 50, {1, 0}, {low, 0}, 200, true));
-    plain.advance_to(6);
-    const double plain_error =
-        cell_error(
-            plain.measured_profile(), [&](double x) { return exact.at(x, 6); }, exact.breakpoints(6))
-            .depth.l1;
-    ParticleFlow flow(dam_break(0, 20, 50, {1, 0}, {low, 0}, 200, true), {}, {}, with_start);
-    while (flow.time() < 6 * (1 - 1e-12)) {
-      flow.advance(std::min(flow.largest_step().tau, 6 - flow.time()));
-      for (std::size_t i = 0; i < flow.particles().size(); ++i) {
-        lowest.add(flow.particles().depth(i));
-        highest.add(flow.particles().depth(i));
-      }
-    }
-    const auto error = cell_error(
-        flow.measured_profile(), [&](double x) { return exact.at(x, 6); }, exact.breakpoints(6));
-    const std::string id = low < 0.3 ? "0_1" : "0_5";
-    const std::string resolution = "N = 200, Courant 0.4";
-    check.measure("error_without_" + id, plain_error);
-    check.that({.id = "gain_" + id,
-                .text = fmt::format("The exact waves of the first moments lower the error for h0/h1 = {}.", low),
-                .quantity = "error over that of a start from the two states",
-                .source = "this comparison"},
-               {.value = error.depth.l1 / plain_error, .resolution = resolution},
-               Bound{.limit = 1, .reason = "an option that costs something has to help"});
-    check.that({.id = "error_" + id,
-                .text = fmt::format("Depth error for h0/h1 = {}.", low),
-                .quantity = "mean-value L1 error",
-                .unit = "m",
-                .source = "Stoker, Water Waves (1957)"},
-               {.value = error.depth.l1, .resolution = resolution},
-               Bound{.limit = low < 0.3 ? 1.0e-3 : 5.0e-4,
-                     .reason = "the error of today's MUSCL-HLL finite volumes on 200 cells is 1.5e-3 (0.1) and 1.7e-3 "
-                               "(0.5): two thirds and a third of it"});
-    check.that({.id = "bounds_" + id,
-                .text = "No depth outside the exact range in any step.",
-                .quantity = "largest excess",
-                .unit = "m",
-                .source = "maximum principle of the exact solution"},
-               {.value = largest(std::array{low - lowest.value(), highest.value() - 1, 0.0}), .resolution = resolution},
-               Bound{.limit = 1e-5, .reason = "a hand-over may round a mean beside a fan by its second difference"});
-  }
 }
 
 }  // namespace particles_orders_test

@@ -1,5 +1,5 @@
 // Parts of the particle method that are known in closed form: mirrors at walls, fixed sections, jumps that leave their
-// particle, the waves of a first moment, the profile of a front.
+// particle, the profile of a front.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -187,44 +187,6 @@ TEST_CASE("a particle that a jump has left is in the state behind it", "[manufac
     claim("depth", "By its volume the particle has the depth behind.", mass / width, back.depth);
     claim("velocity", "By its momentum it has the velocity behind.", momentum / mass, back.velocity);
   }
-}
-
-TEST_CASE("edges in a fan bear the thrust of the exact wave", "[manufactured]") {
-  Check check("particles_fan", "First moments of a dam break: averages in the fan",
-              "Depth 1 over a dry bed: at the mass $m$ behind the front $c^3 = g m/t$ inside the fan, and $u = 2 (c_0 "
-              "- c)$. Velocity and thrust $c^4/(2 g)$ of edges, averaged from 0.2 to 0.3, by Gauss's rule of 30 "
-              "points, of water that is at rest until the fan arrives, and of water inside all the time.");
-  const double c0 = std::sqrt(g);
-  constexpr std::size_t count = 40;
-  const Array mass(count, 0.05);
-  Array velocity(count + 1, 0.0), thrust(count + 1, shallow_water::thrust(g, 1));
-  // The dry bed is on the right of the last edge.
-  const SelfSimilarStart start(g, State{1, 0}, std::nullopt, count, 0, count);
-  constexpr double from = 0.2, to = 0.3;
-  start.replace(mass, from, to - from, velocity, thrust);
-  using Gauss = boost::math::quadrature::gauss<double, 30>;
-  Worst velocities, thrusts;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double swept = 0.05 * static_cast<double>(count - k);
-    const double arrival = std::clamp(swept / c0, from, to);
-    const auto mean = [&](double still, const auto& inside) {
-      return ((arrival - from) * still + Gauss::integrate(inside, arrival, to)) / (to - from);
-    };
-    const auto celerity = [&](double t) { return std::cbrt(g * swept / t); };
-    velocities.add(velocity[k] - mean(0, [&](double t) { return 2 * (c0 - celerity(t)); }));
-    thrusts.add(thrust[k] - mean(g / 2, [&](double t) { return std::pow(celerity(t), 4) / (2 * g); }));
-  }
-  const auto claim = [&](const std::string& id, const std::string& text, double value) {
-    check.that(
-        {.id = id, .text = text, .quantity = "largest difference", .source = "Stoker, Water Waves (1957), ch. 10"},
-        {.value = value},
-        Roundoff{.operations = 100,
-                 .scale = 2 * c0 / (to - from) * to,
-                 .reason = "closed forms are differences of primitives of size 2 c0 t over the step, sums over "
-                           "30 points and 40 masses"});
-  };
-  claim("velocity", "Velocities are those of the exact wave.", velocities.value());
-  claim("thrust", "Thrusts are those of the exact wave.", thrusts.value());
 }
 
 TEST_CASE("the profile of a front has the mass and momentum of its particle", "[manufactured]") {

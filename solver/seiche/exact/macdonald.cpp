@@ -56,7 +56,7 @@ MacDonald::MacDonald(double gravity, std::function<double(double)> depth, std::f
     defect += std::abs(reference - rise[k]);
     range += std::abs(rise[k]);
   }
-  if (!(defect <= 1e-12 * std::max(range, 1.0))) {
+  if (!(defect <= 1e-12 * range)) {
     throw std::invalid_argument(
         fmt::format("profile: bed integrated only to {:g}, must be to 1e-12; make the depth smoother", defect));
   }
@@ -70,9 +70,10 @@ MacDonald::MacDonald(double gravity, std::function<double(double)> depth, std::f
 
 MacDonald MacDonald::smooth_rise(double gravity, double discharge, double manning, double length, double crest) {
   require_positive("gravity", gravity);
+  require_positive("discharge", discharge);
   require_positive("length", length);
   require_within("crest", crest, -0.9, 10);
-  const double base = std::cbrt(4 / gravity);
+  const double base = std::cbrt(discharge * discharge / gravity);
   const auto bump = [=](double x) {
     const double s = x / length - 0.5;
     return crest * std::exp(-16 * s * s);

@@ -31,7 +31,7 @@ class MacDonald {
   MacDonald(double gravity, std::function<double(double)> depth, std::function<double(double)> slope, double discharge,
             double manning, double length);
 
-  /// h = (4/g)^(1/3) (1 + crest exp(-16 (x/length - 1/2)^2)): subcritical for discharge 2 and the defaults.
+  /// h = (q^2/g)^(1/3) (1 + crest exp(-16 (x/length - 1/2)^2)): subcritical for a crest above 0.
   static MacDonald smooth_rise(double gravity, double discharge = 2, double manning = 0.033, double length = 1000,
                                double crest = 0.5);
 

@@ -11,7 +11,8 @@ struct Bed {
   std::function<double(double)> primitive;
 
   /// Throws std::invalid_argument unless both functions are given, finite and consistent: at sampled points of
-  /// [start, end] a central difference of the primitive must agree with the elevation to 1e-6 of the bed's range + 1.
+  /// [start, end] a central difference of the primitive must agree with the elevation to 1e-6 of the range of the
+  /// elevations and 0.
   void validate(double start, double end) const;
 };
 

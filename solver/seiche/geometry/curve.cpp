@@ -105,7 +105,7 @@ double GraphCurve::place(double s) const {
   for (int i = 0; i < most; ++i) {
     const double step = (s - knots_[k] - (x - from) * mean_stretch(from, x)) / std::hypot(1.0, slope_(x));
     x += step;
-    if (std::abs(step) <= 1e-15 * (1 + std::abs(x))) break;
+    if (std::abs(step) <= 1e-15 * (width_ + std::abs(x))) break;
   }
   return x;
 }

@@ -49,7 +49,6 @@ particles::Scheme particle_scheme(const Discretisation& d) {
                                     : particles::Level::hand_over;
   scheme.theta = d.theta;
   scheme.courant = d.courant;
-  scheme.self_similar_particles = d.exact_start ? 8 : 0;
   return scheme;
 }
 

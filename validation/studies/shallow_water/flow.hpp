@@ -44,8 +44,7 @@ struct Discretisation {
   bool equal_masses = false;  ///< instead of equal widths; particles only
   double time_step = 0;       ///< [s]; 0: from the Courant number
   double courant = 0.4;
-  double theta = 2;          ///< generalised minmod
-  bool exact_start = false;  ///< particles: exact waves of the initial discontinuity until they span some particles
+  double theta = 2;  ///< generalised minmod
 
   /// "N = 100, tau = 0.05 s".
   [[nodiscard]] std::string text() const;

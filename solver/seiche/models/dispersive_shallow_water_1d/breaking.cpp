@@ -15,8 +15,16 @@ std::size_t right_of(const BreakingFronts::Surface& surface, std::size_t cell) {
   return cell + 1 < surface.x.size() ? cell + 1 : 0;
 }
 
+double width_of(const BreakingFronts::Surface& surface, std::size_t cell) {
+  const std::size_t k = right_of(surface, cell);
+  return surface.x[k] - surface.x[cell] + (k == 0 ? surface.period : 0.0);
+}
+
 bool compressed(const BreakingFronts::Surface& surface, std::size_t cell) {
-  return surface.u[right_of(surface, cell)] < surface.u[cell];
+  constexpr double least = 0.0015;
+  const std::size_t k = right_of(surface, cell);
+  const double depth = 0.5 * ((surface.y[cell] - surface.bed[cell]) + (surface.y[k] - surface.bed[k]));
+  return surface.u[cell] - surface.u[k] > least * width_of(surface, cell) * std::sqrt(surface.gravity / depth);
 }
 
 }  // namespace
@@ -34,8 +42,7 @@ double BreakingFronts::damping_of_front(const Surface& surface, std::size_t firs
   for (std::size_t c = 0; c < cells; ++c) {
     const std::size_t j = (first + c) % all;
     const std::size_t k = right_of(surface, j);
-    const double width = surface.x[k] - surface.x[j] + (k == 0 ? surface.period : 0.0);
-    steepest = std::max(steepest, std::abs(surface.y[k] - surface.y[j]) / width);
+    steepest = std::max(steepest, std::abs(surface.y[k] - surface.y[j]) / width_of(surface, j));
     broke = broke || were_[j] != 0;
   }
   if (!broke && steepest < settings_.onset_slope) return 0;

@@ -1,7 +1,9 @@
 /// Breaking fronts: where the water gives energy to turbulence.
 ///
-/// A front is a run of neighbouring cells that the motion compresses. It begins to break when its surface is somewhere
-/// steeper than onset_slope, and goes on until it is no bore any more: until the Froude number of a bore of its depths,
+/// A front is a run of neighbouring cells that the motion compresses, -du/dx > 0.0015 c/h: a hundredth of the rate at
+/// which Kennedy et al. let breaking end, so that its foot is not where velocities converge by their noise. It begins
+/// to break when its surface is somewhere steeper than onset_slope, and goes on until it is no bore any more: until the
+/// Froude number of a bore of its depths,
 ///
 /// @f[ Fr = \sqrt{\frac{h_2 (h_1 + h_2)}{2 h_1^2}}, @f]
 ///
@@ -50,6 +52,7 @@ class BreakingFronts {
   /// joins the last marker to the first one's image.
   struct Surface {
     std::span<const double> x, y, u, bed;
+    double gravity;
     double period = 0;
   };
 

@@ -13,7 +13,7 @@ namespace seiche::dispersive_shallow_water_1d {
 namespace {
 
 /// A periodic channel needs a bottom that has its period, as far as the markers tell.
-void require_periodic_bottom(const Channel& channel, const std::vector<double>& x) {
+void require_periodic_bottom(const Channel& channel, const std::vector<double>& x, double deepest) {
   const BottomProfile& bottom = *channel.bottom;
   if (!(x.front() + channel.period <= bottom.end())) {
     throw std::invalid_argument(
@@ -26,7 +26,7 @@ void require_periodic_bottom(const Channel& channel, const std::vector<double>& 
     const double here = bottom.elevation(place);
     const double there = bottom.elevation(image);
     constexpr double roundings = 1e-10;
-    if (!(std::abs(there - here) <= roundings * (1 + std::abs(here)))) {
+    if (!(std::abs(there - here) <= roundings * (deepest + std::abs(here)))) {
       throw std::invalid_argument(
           fmt::format("bottom is {:.12g} at x = {:.6g} and {:.12g} one period = {:.6g} further; allowed: the same",
                       here, place, there, channel.period));
@@ -67,14 +67,18 @@ void Markers::validate(const Channel& channel) const {
     throw std::invalid_argument(fmt::format("x[{}] = {:.17g}; allowed: below x[0] + period = {:.17g}", n - 1, x.back(),
                                             x.front() + channel.period));
   }
-  if (channel.periodic()) require_periodic_bottom(channel, x);
+  double deepest = 0;
+  for (std::size_t i = 0; i < n; ++i) deepest = std::max(deepest, y[i] - channel.bottom->elevation(x[i]));
+  if (channel.periodic()) require_periodic_bottom(channel, x, deepest);
   for (std::size_t i = 0; i < n; ++i) {
     const double depth = y[i] - channel.bottom->elevation(x[i]);
     const bool tip =
         !channel.periodic() && ((i == 0 && channel.left == End::tip) || (i == n - 1 && channel.right == End::tip));
-    if (tip && std::abs(depth) > 1e-12) {
-      throw std::invalid_argument(fmt::format(
-          "y[{}] = {:.17g}; allowed: the bottom's elevation {:.17g} to 1e-12, it is a tip", i, y[i], y[i] - depth));
+    if (tip && std::abs(depth) > 1e-12 * deepest) {
+      throw std::invalid_argument(
+          fmt::format("y[{}] = {:.17g}; allowed: the bottom's elevation {:.17g} to 1e-12 of the largest depth, it is a "
+                      "tip",
+                      i, y[i], y[i] - depth));
     }
     if (!tip && !(depth > 0)) {
       throw std::invalid_argument(
@@ -114,7 +118,7 @@ double place_of_label(const BottomProfile& bottom, double label, const std::func
     const double missing = excess_from_anchor(x) - (x - label) * bottom.mean(label, x);
     const double change = missing / depth;
     x -= change;
-    if (std::abs(change) <= 4e-16 * std::max(1.0, std::abs(x))) break;
+    if (std::abs(change) <= 4e-16 * (std::abs(x) + depth)) break;
   }
   return x;
 }
@@ -175,6 +179,10 @@ Markers solitary_markers(const Channel& channel, double begin, double end, doubl
   };
   const bool right_tip = !channel.periodic() && channel.right == End::tip;
   const bool left_tip = !channel.periodic() && channel.left == End::tip;
+  if (right_tip && left_tip) {
+    throw std::invalid_argument(
+        "a solitary wave between two tips; allowed: one tip at most, the other end gives way to the wave's volume");
+  }
   if (right_tip || left_tip) {
     const double shore = right_tip ? end : begin;
     const std::size_t cells = cells_over(end - begin);

@@ -15,7 +15,8 @@ struct Markers {
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
   /// Throws std::invalid_argument: fewer than three markers, arrays of different length, values not finite, markers not
-  /// ascending, no water under a marker that is not a tip, a tip that is off the bottom by more than 1e-12.
+  /// ascending, no water under a marker that is not a tip, a tip that is off the bottom by more than 1e-12 of the
+  /// largest depth.
   void validate(const Channel& channel) const;
 };
 
@@ -52,9 +53,9 @@ struct SolitaryStart {
   int direction = 1;       ///< 1 to the right, -1 to the left
 };
 
-/// Water between `begin` and `end` with cells of about `spacing` when at rest. Tips are kept where still water has
-/// them, and labels count from there in steps of exactly `spacing`: the other end is then moved by the wave's volume.
-/// Otherwise both ends are kept and the spacing adapts.
+/// Water between `begin` and `end` with cells of about `spacing` when at rest. A tip is kept where still water has it,
+/// and labels count from there in steps of exactly `spacing`: the other end, which must not be a tip, is then moved by
+/// the wave's volume. Otherwise both ends are kept and the spacing adapts.
 Markers solitary_markers(const Channel& channel, double begin, double end, double spacing, SolitaryStart wave);
 
 }  // namespace seiche::dispersive_shallow_water_1d

@@ -49,6 +49,7 @@ bool Model::find_fronts(Input u) {
                         .y = {rows_.y.row(), n_},
                         .u = velocity_x_,
                         .bed = {rows_.bed.elevation.row(), n_},
+                        .gravity = channel_.gravity,
                         .period = channel_.period});
 }
 

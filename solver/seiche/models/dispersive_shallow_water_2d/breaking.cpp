@@ -64,10 +64,13 @@ void BreakingFronts::look(std::span<const double> volumes, mechanics::Input q, s
   lines_.push_back(pairs_.size());
 }
 
-void BreakingFronts::find(mechanics::Input u) const {
+void BreakingFronts::find(double gravity, mechanics::Input u) const {
+  constexpr double least = 0.0015;
   const std::size_t n = shape_.nodes();
   const auto comes_nearer = [&](const Pair& pair) {
-    return (u[pair.to] - u[pair.from]) * pair.way.x + (u[n + pair.to] - u[n + pair.from]) * pair.way.y < 0;
+    const double nearer = (u[pair.from] - u[pair.to]) * pair.way.x + (u[n + pair.from] - u[n + pair.to]) * pair.way.y;
+    const double square = pair.way.x * pair.way.x + pair.way.y * pair.way.y;
+    return nearer > least * square * std::sqrt(gravity / pair.depth);
   };
   std::fill(breaks_.begin(), breaks_.end(), char{0});
   fronts_.clear();
@@ -114,8 +117,10 @@ double BreakingFronts::damping(std::span<const Pair> pairs) {
 
 void BreakingFronts::exchange(std::span<const double> masses, const InverseMasses& inverse, double gravity, double h,
                               mechanics::Output u) const {
-  if (!found_) find(u);
-  for (const Front& front : fronts_) mix(front, h * std::sqrt(gravity) * front.damping, masses, inverse, u);
+  if (!found_) find(gravity, u);
+  if (fronts_.empty()) return;
+  before_.assign(u.begin(), u.end());
+  for (const Front& front : fronts_) mix(front, h * std::sqrt(gravity) * front.damping, masses, inverse, before_, u);
 }
 
 void BreakingFronts::continue_from(const BreakingFronts& before) {
@@ -134,9 +139,10 @@ void BreakingFronts::shift_east() {
   shift(all.subspan(along), shape_.columns + 1);
 }
 
-/// The mean of a step's velocities gets half of what those at its end get, (M + 2 h L) u' = M u, L the pairs.
+/// The mean of a step's velocities gets half of what those at its end get, (M + 2 h L) u' = M u, L the pairs: a front
+/// along a row and one across take no more than all between them, and neither has to come first.
 void BreakingFronts::mix(const Front& front, double time, std::span<const double> masses, const InverseMasses& inverse,
-                         mechanics::Output u) const {
+                         mechanics::Input before, mechanics::Output u) const {
   const std::size_t n = masses.size();
   const auto pairs = std::span(pairs_).subspan(front.first, front.pairs);
   const std::size_t count = pairs.size() + 1;
@@ -146,7 +152,7 @@ void BreakingFronts::mix(const Front& front, double time, std::span<const double
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t node = k < pairs.size() ? pairs[k].from : pairs.back().to;
     diagonal_[k] = masses[node];
-    for (std::size_t axis = 0; axis < 2; ++axis) speed_[axis][k] = masses[node] * u[axis * n + node];
+    for (std::size_t axis = 0; axis < 2; ++axis) speed_[axis][k] = masses[node] * before[axis * n + node];
   }
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const double factor = 2 * time * pairs[k].exchange;

@@ -1,6 +1,8 @@
 /// Breaking fronts in plan: where the water gives energy to turbulence.
 ///
-/// A front is a run of neighbours on a line of the lattice that come nearer to each other. It begins to break when the
+/// A front is a run of neighbours on a line of the lattice that come nearer to each other, by 0.0015 c/H of their
+/// distance in a second or faster: a hundredth of the rate at which Kennedy et al. (J. Waterway 126 (2000) 39) let
+/// breaking end, so that its foot is not where velocities converge by their noise. It begins to break when the
 /// surface between two of them is steeper than a slope, and goes on until the Froude number of a bore of its depths
 /// falls below 1.3: what breaks on is the front that overlaps the one before. All within exchange horizontal momentum
 /// like in a viscous fluid, with the viscosity that leaves a bore of the model's equations without waves behind it
@@ -70,10 +72,10 @@ class BreakingFronts {
   };
 
   void look(std::span<const double> volumes, mechanics::Input q, std::size_t line, bool is_row);
-  void find(mechanics::Input u) const;
+  void find(double gravity, mechanics::Input u) const;
   [[nodiscard]] static double damping(std::span<const Pair> pairs);
   void mix(const Front& front, double time, std::span<const double> masses, const InverseMasses& inverse,
-           mechanics::Output u) const;
+           mechanics::Input before, mechanics::Output u) const;
 
   double slope_;
   double inertia_;
@@ -90,6 +92,7 @@ class BreakingFronts {
   mutable linear::Tridiagonal matrix_;
   mutable std::vector<double> diagonal_, coupling_;
   mutable std::array<std::vector<double>, 2> speed_;
+  mutable std::vector<double> before_;  // velocities that all fronts begin from
 };
 
 }  // namespace seiche::dispersive_shallow_water_2d

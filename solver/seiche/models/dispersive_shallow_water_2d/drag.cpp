@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <variant>
 
-#include "seiche/models/dispersive_shallow_water_2d/push.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
@@ -97,41 +96,56 @@ void Drag::absorb(double h, mechanics::Output u) const {
   }
 }
 
-// Pair after pair of neighbouring cells: each takes energy.
+// All pairs of neighbouring cells at once, each so much that what a node gets from all of them takes energy: by the
+// largest of its nodes' sums of |weight| |weights| / (mass lightness), Gershgorin's bound of the pairs' sum.
 void Drag::slow_pattern(std::span<const double> masses, const InverseMasses& inverse, double h,
                         mechanics::Output u) const {
   constexpr std::array along_pair{1.0, -2.0, 1.0};
   constexpr std::array across_pair{1.0, -1.0};
+  constexpr double weights = 8;  // sum of |weight|
   const std::size_t n = masses.size();
   // The whole pattern sees its nodes in six pairs along each direction, 32/3 times what one pair does.
-  const double share = 3.0 / 32 * h * settings_.lattice_rate;
-  const double part = share / (1 + share);
-  const auto slow = [&](std::size_t first, std::size_t along, std::size_t across) {
-    double lightness = 0;
-    Impulse difference{0, 0};
+  const double part = 3.0 / 32 * h * settings_.lattice_rate;
+  const auto in_pair = [&](std::size_t first, std::size_t along, std::size_t across, const auto& act) {
     for (std::size_t a = 0; a < 3; ++a) {
-      for (std::size_t b = 0; b < 2; ++b) {
-        const std::size_t k = first + a * along + b * across;
-        const double weight = along_pair[a] * across_pair[b];
-        lightness += weight * weight / masses[k];
-        difference.x += weight * u[k];
-        difference.y += weight * u[n + k];
-      }
-    }
-    const double impulse = -part / lightness;
-    for (std::size_t a = 0; a < 3; ++a) {
-      for (std::size_t b = 0; b < 2; ++b) {
-        const double weight = along_pair[a] * across_pair[b] * impulse;
-        push(inverse, first + a * along + b * across, {weight * difference.x, weight * difference.y}, u);
-      }
+      for (std::size_t b = 0; b < 2; ++b) act(first + a * along + b * across, along_pair[a] * across_pair[b]);
     }
   };
-  for (std::size_t j = 0; j < shape_.rows; ++j) {
-    for (std::size_t i = 0; i + 1 < shape_.columns; ++i) slow(shape_.node(i, j), 1, shape_.columns + 1);
-  }
-  for (std::size_t j = 0; j + 1 < shape_.rows; ++j) {
-    for (std::size_t i = 0; i < shape_.columns; ++i) slow(shape_.node(i, j), shape_.columns + 1, 1);
-  }
+  const auto in_pairs = [&](const auto& act) {
+    for (std::size_t j = 0; j < shape_.rows; ++j) {
+      for (std::size_t i = 0; i + 1 < shape_.columns; ++i) act(shape_.node(i, j), 1, shape_.columns + 1);
+    }
+    for (std::size_t j = 0; j + 1 < shape_.rows; ++j) {
+      for (std::size_t i = 0; i < shape_.columns; ++i) act(shape_.node(i, j), shape_.columns + 1, 1);
+    }
+  };
+  const auto lightness_of = [&](std::size_t first, std::size_t along, std::size_t across) {
+    double lightness = 0;
+    in_pair(first, along, across, [&](std::size_t k, double weight) { lightness += weight * weight / masses[k]; });
+    return lightness;
+  };
+  share_.assign(n, 0.0);
+  in_pairs([&](std::size_t first, std::size_t along, std::size_t across) {
+    const double share = weights / lightness_of(first, along, across);
+    in_pair(first, along, across,
+            [&](std::size_t k, double weight) { share_[k] += std::abs(weight) * share / masses[k]; });
+  });
+  impulse_.assign(n, {0, 0});
+  in_pairs([&](std::size_t first, std::size_t along, std::size_t across) {
+    double share = 0;
+    Impulse difference{0, 0};
+    in_pair(first, along, across, [&](std::size_t k, double weight) {
+      share = std::max(share, share_[k]);
+      difference.x += weight * u[k];
+      difference.y += weight * u[n + k];
+    });
+    const double taken = -part / (1 + part * share) / lightness_of(first, along, across);
+    in_pair(first, along, across, [&](std::size_t k, double weight) {
+      impulse_[k].x += weight * taken * difference.x;
+      impulse_[k].y += weight * taken * difference.y;
+    });
+  });
+  for (std::size_t k = 0; k < n; ++k) push(inverse, k, impulse_[k], u);
 }
 
 }  // namespace seiche::dispersive_shallow_water_2d

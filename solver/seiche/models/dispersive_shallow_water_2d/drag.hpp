@@ -35,6 +35,7 @@
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/breaking.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/push.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
@@ -84,6 +85,9 @@ class Drag {
   std::vector<double> depth_, area_;
   std::vector<Point> along_;        ///< the shore, at the markers of the south side
   std::vector<double> absorption_;  ///< rates of the nodes; empty for none
+  // Of the pattern + - + -: over what each node has in all pairs, and what they push.
+  mutable std::vector<double> share_;
+  mutable std::vector<Impulse> impulse_;
   BreakingFronts breaking_;
 };
 

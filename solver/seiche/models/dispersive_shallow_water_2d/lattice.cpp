@@ -37,13 +37,19 @@ void Lattice::require_valid() const {
     if (!bottom) throw std::invalid_argument("a shoreline over a level bottom; allowed: an uneven bottom");
     for (const std::size_t k : edge) on_shore[k] = 1;
   }
+  std::vector<double> bed(shape.nodes());
+  double deepest = 0;
   for (std::size_t k = 0; k < shape.nodes(); ++k) {
-    const double under = bottom_below(x[k], y[k]);
+    bed[k] = bottom_below(x[k], y[k]);
+    deepest = std::max(deepest, z[k] - bed[k]);
+  }
+  for (std::size_t k = 0; k < shape.nodes(); ++k) {
+    const double under = bed[k];
     if (on_shore[k] != 0) {
-      if (std::abs(z[k] - under) <= 1e-12) continue;
+      if (std::abs(z[k] - under) <= 1e-12 * deepest) continue;
       throw std::invalid_argument(
           fmt::format("z = {:.17g} at ({:g}, {:g}); allowed: the bottom's elevation {:.17g} to "
-                      "1e-12, it is on a shoreline",
+                      "1e-12 of the largest depth, it is on a shoreline",
                       z[k], x[k], y[k], under));
     }
     if (!(z[k] > under)) {

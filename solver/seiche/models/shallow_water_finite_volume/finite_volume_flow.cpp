@@ -116,7 +116,12 @@ FiniteVolumeFlow::FiniteVolumeFlow(const Settings& settings, double start, doubl
     depth_scale_ = std::max(depth_scale_, depth[i]);
   }
   update_primitives(settings_.gravity, settings_.dry_depth, n_, now_.view());
-  fastest_ = fastest(n_, now_.view());
+  for (const End& inflow : {settings.left, settings.right}) {
+    if (inflow.kind != End::Kind::inflow) continue;
+    const double celerity = shallow_water::celerity(settings.gravity, inflow.state.depth);
+    fastest_inflow_ = std::max(fastest_inflow_, std::abs(inflow.state.velocity) + celerity);
+  }
+  fastest_ = std::max(fastest(n_, now_.view()), fastest_inflow_);
   std::size_t most = 0;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     blocks_[b].begin = n_ * b / blocks_.size();
@@ -368,7 +373,7 @@ void FiniteVolumeFlow::book(double tau) {
       for (const Block& block : blocks_) impulse_bed_.add(part * block.stages[k].reaction);
     }
   }
-  fastest_ = 0;
+  fastest_ = fastest_inflow_;
   for (const Block& block : blocks_) {
     if (settings_.manning > 0) impulse_friction_.add(block.friction * dx_);
     fastest_ = std::max(fastest_, block.fastest);

@@ -81,7 +81,7 @@ class FiniteVolumeFlow {
   /// Steps of courant dx/max(|u| + c), the last one cut to end at `time`. Returns how many. Throws like step().
   long advance_to(double time, double courant = 0.4);
 
-  /// max(|u| + c) tau/dx of the present state.
+  /// max(|u| + c) tau/dx of the present state and of what flows in.
   [[nodiscard]] double courant_number(double tau) const;
   /// Largest Courant number of a stable step: 1; sqrt(viscosity) for Lax-Friedrichs.
   [[nodiscard]] double courant_limit() const;
@@ -169,7 +169,8 @@ class FiniteVolumeFlow {
   std::vector<Workspace> workspaces_;
   CompensatedSum mass_left_, mass_right_, impulse_left_, impulse_right_, impulse_bed_, impulse_friction_;
   double depth_scale_ = 0;
-  double fastest_ = 0;  // |u| + c
+  double fastest_ = 0;         // |u| + c
+  double fastest_inflow_ = 0;  // of the states beyond ends
   double initial_mass_ = 0;
   double initial_momentum_ = 0;
   double time_ = 0;

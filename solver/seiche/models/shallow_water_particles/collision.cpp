@@ -95,6 +95,10 @@ EdgeState Collision::average(std::size_t edge, const Array& mass, double tau, Ed
   return {sum.velocity / tau, sum.thrust / tau};
 }
 
+void Collision::renumber(bool more) {
+  for (std::size_t* particle : {&origin_, &left_particle_, &right_particle_}) more ? ++*particle : --*particle;
+}
+
 void Collision::advance(double tau, const Array& mass) {
   const double meeting = met_ ? 2 * tau : (track_.right - track_.left) / (track_.left_speed - track_.right_speed);
   if (meeting < tau) {

@@ -35,6 +35,9 @@ class Collision {
   /// Time averages over tau at edge `edge` between particles edge-1 and edge; `base` holds before the first passage.
   [[nodiscard]] EdgeState average(std::size_t edge, const Array& mass, double tau, EdgeState base) const;
 
+  /// There is one particle more (less) to the left of the jumps.
+  void renumber(bool more);
+
   /// Moves the jumps by tau; at most one particle each.
   void advance(double tau, const Array& mass);
 

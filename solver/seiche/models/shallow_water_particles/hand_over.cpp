@@ -13,6 +13,12 @@ double InteriorJump::size() const {
   return std::abs(behind.depth - ahead.depth);
 }
 
+bool InteriorJump::inside() const {
+  constexpr double guard = 1e-9;
+  const auto holds = [](double fraction) { return fraction > guard && fraction < 1 - guard; };
+  return holds(behind_by_volume) && holds(behind_by_momentum);
+}
+
 Structure structure_of(const InteriorJump& jump) {
   Structure s;
   s.particle = jump.particle;
@@ -54,10 +60,7 @@ std::optional<InteriorJump> jump_between(double gravity, State left, State mean,
   const State b = jump.behind;
   jump.behind_by_volume = (1 / a.depth - 1 / mean.depth) / (1 / a.depth - 1 / b.depth);
   jump.behind_by_momentum = (mean.velocity - a.velocity) / (b.velocity - a.velocity);
-  constexpr double guard = 1e-9;
-  const bool inside = jump.behind_by_volume > guard && jump.behind_by_volume < 1 - guard &&
-                      jump.behind_by_momentum > 0 && jump.behind_by_momentum < 1;
-  if (!inside) return std::nullopt;
+  if (!jump.inside()) return std::nullopt;
   jump.mass_flux = jump_mass_flux(gravity, a.depth, b.depth);
   return jump;
 }

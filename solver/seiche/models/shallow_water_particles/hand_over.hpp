@@ -35,6 +35,8 @@ struct InteriorJump {
   State reflected;  ///< state behind the reflected jump, when it leaves through a wall
 
   [[nodiscard]] double size() const;
+  /// Whether both fractions place it inside the particle, by 1e-9: round-off alone is no jump.
+  [[nodiscard]] bool inside() const;
   [[nodiscard]] State at_left() const { return facing == Facing::right ? behind : ahead; }
   [[nodiscard]] State at_right() const { return facing == Facing::right ? ahead : behind; }
 };

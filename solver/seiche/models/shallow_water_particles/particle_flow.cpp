@@ -37,31 +37,6 @@ ParticleFlow::ParticleFlow(Particles initial, Ends ends, Forcing forcing, Scheme
   }
   refresh();
   detect_jumps();
-  find_starts();
-}
-
-void ParticleFlow::find_starts() {
-  if (scheme_.self_similar_particles == 0 || scheme_.level == Level::godunov || forcing_.bed || forcing_.manning > 0 ||
-      forcing_.body_force)
-    return;
-  const auto same = [&](std::size_t i, std::size_t j) {
-    constexpr double tolerance = 1e-12;
-    return std::abs(depth_[i] - depth_[j]) <= tolerance * depth_[i] &&
-           std::abs(now_.velocity[i] - now_.velocity[j]) <= tolerance * celerity(i);
-  };
-  const std::size_t count = now_.size();
-  for (std::size_t k = 0; k <= count; ++k) {
-    if (k > 0 && k < count && same(k - 1, k)) continue;
-    if ((k == 0 && !has_tip(side(false))) || (k == count && !has_tip(side(true)))) continue;
-    std::size_t first = k;
-    while (first > 0 && (first == k || same(first - 1, first))) --first;
-    std::size_t last = k;
-    while (last < count && (last == k || same(last - 1, last))) ++last;
-    const std::optional<State> left = k > 0 ? std::optional(state(k - 1)) : std::nullopt;
-    const std::optional<State> right = k < count ? std::optional(state(k)) : std::nullopt;
-    starts_.emplace_back(forcing_.gravity, left, right, k, first, last);
-    if (starts_.back().lone_jump()) starts_.pop_back();
-  }
 }
 
 void ParticleFlow::validate() const {
@@ -74,7 +49,6 @@ void ParticleFlow::validate() const {
   require_within("courant", scheme_.courant, 0, hard_courant);
   require_positive("jump_threshold", scheme_.jump_threshold);
   require_not_negative("isolation", scheme_.isolation);
-  require_not_negative("self_similar_particles", scheme_.self_similar_particles);
   if (forcing_.bed) forcing_.bed->validate(now_.edge.front(), now_.edge.back());
   for (const bool right : {false, true}) {
     const Side s = side(right);
@@ -175,6 +149,19 @@ StepLimit ParticleFlow::step_limit(double courant, bool named) const {
   if (celerity_rate_ > 0) lower(courant / celerity_rate_, count, "celerity");
   // Stay clear of crossing by the same margin as jumps.
   if (closing_rate_ > 0) lower(jump_fraction / closing_rate_, count, "edges would cross");
+  for (const bool right : {false, true}) {
+    const Side s = side(right);
+    const bool moves_freely = end_is<Free>(s) || end_is<Vacuum>(s);
+    const std::size_t i = s.particle(0);
+    const double inner = 0.5 * (now_.velocity[i] + now_.velocity[s.particle(1)]);  // of the other edge, about
+    for (int visit = 0; visit < 2 && !moves_freely; ++visit) {
+      // A piston's velocity counts now and at the middle of the step.
+      const double end_velocity = wall_velocity(s, visit == 0 ? time() : time() + 0.5 * limit.tau).value_or(0);
+      const double closing = s.outward() * (inner - end_velocity) * inv_width(i);
+      if (closing > 0)
+        lower(jump_fraction / closing, i, end_is<Piston>(s) ? "the piston would cross it" : "its end would cross it");
+    }
+  }
   for (const InteriorJump& jump : jumps_) {
     lower(jump_fraction * now_.mass[jump.particle] / jump.mass_flux, jump.particle, "jump in the particle");
   }
@@ -201,14 +188,7 @@ StepLimit ParticleFlow::step_limit(double courant, bool named) const {
 void ParticleFlow::check_step(double tau) const {
   require_positive("tau", tau);
   StepLimit limit = step_limit(hard_courant, false);
-  for (const bool right : {false, true}) {
-    const Side s = side(right);
-    refuse_vacuum(s, time() + 0.5 * tau);
-    if (!end_is<Piston>(s)) continue;
-    const std::size_t i = s.particle(0);
-    const double approach = -s.outward() * (*wall_velocity(s, time() + 0.5 * tau) - now_.velocity[i]);
-    if (tau * approach >= now_.width(i)) limit = {now_.width(i) / approach, i, "piston would cross the particle"};
-  }
+  for (const bool right : {false, true}) refuse_vacuum(side(right), time() + 0.5 * tau);
   // One rounding error of slack: callers form steps as T/n.
   if (tau > limit.tau * (1 + 1e-12)) {
     if (limit.particle == now_.size()) limit = step_limit(hard_courant, true);
@@ -219,11 +199,6 @@ void ParticleFlow::check_step(double tau) const {
 
 void ParticleFlow::advance(double tau) {
   check_step(tau);
-  starts_.erase(std::remove_if(starts_.begin(), starts_.end(),
-                               [&](const SelfSimilarStart& start) {
-                                 return start.over(now_.mass, time() + tau, scheme_.self_similar_particles);
-                               }),
-                starts_.end());
   largest_courant_ = std::max(largest_courant_, tau * celerity_rate_);
 
   solve_edges(tau);

@@ -44,7 +44,6 @@
 #include "seiche/models/shallow_water_particles/reconstruction.hpp"
 #include "seiche/models/shallow_water_particles/row_kernels.hpp"
 #include "seiche/models/shallow_water_particles/scheme.hpp"
-#include "seiche/models/shallow_water_particles/self_similar_start.hpp"
 #include "seiche/samples.hpp"
 #include "seiche/shallow_water/error_measures.hpp"
 
@@ -56,7 +55,7 @@ using shallow_water::MeasuredProfile;
 struct StepLimit {
   double tau = std::numeric_limits<double>::infinity();
   std::size_t particle = 0;
-  std::string_view reason;  ///< "celerity", "jump in the particle", "edges would cross"
+  std::string_view reason;  ///< "celerity", "jump in the particle", "edges would cross", an end that would cross it
 };
 
 /// Counters of events that a report may want.
@@ -78,7 +77,8 @@ class ParticleFlow {
   ParticleFlow(Particles initial, Ends ends = {}, Forcing forcing = {}, Scheme scheme = {});
 
   /// One step. Throws std::invalid_argument, before anything changes, when tau is not positive or exceeds the limits
-  /// tau c/w <= 0.9, tau <= 0.8 m/M for a jump in a particle, tau < w/(u_i - u_(i+1)), and when a wall or piston leaves
+  /// tau c/w <= 0.9, tau <= 0.8 m/M for a jump in a particle, tau <= 0.8 w/(u_i - u_(i+1)), also towards a
+  /// wall, piston or fixed section, and when a wall or piston leaves
   /// the water, with 2 c or faster: beside it the bed would fall dry. The message names the particle.
   /// Throws seiche::Divergence when edges cross or a value is not finite after the step.
   void advance(double tau);
@@ -158,7 +158,6 @@ class ParticleFlow {
 
   void validate() const;
   void resize_work();
-  void find_starts();
   /// @param limits  of the row as it is, if they are known already
   void refresh(std::optional<RowLimits> limits = {});
   [[nodiscard]] StepLimit step_limit(double courant, bool named) const;
@@ -239,7 +238,6 @@ class ParticleFlow {
   std::vector<InteriorJump> jumps_;
   std::vector<Structure> structures_;
   std::vector<Collision> collisions_;
-  std::vector<SelfSimilarStart> starts_;
   std::array<std::optional<State>, 2> ahead_at_wall_;
   std::array<double, 2> front_velocity_{};
   std::array<TipProfile, 2> tip_{};

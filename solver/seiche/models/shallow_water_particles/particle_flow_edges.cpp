@@ -167,9 +167,6 @@ void ParticleFlow::hand_over_jumps(double tau) {
       edge_thrust_[k] = e.thrust;
     }
   }
-  for (const SelfSimilarStart& start : starts_) {
-    start.replace(now_.mass, time(), tau, edge_velocity_, edge_thrust_);
-  }
 }
 
 void ParticleFlow::react_bed(double tau) {

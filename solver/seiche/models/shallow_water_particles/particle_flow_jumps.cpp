@@ -45,8 +45,6 @@ void ParticleFlow::detect_jumps() {
   }
   detect_at_wall(side(false));
   detect_at_wall(side(true));
-  std::sort(jumps_.begin(), jumps_.end(),
-            [](const InteriorJump& a, const InteriorJump& b) { return a.particle < b.particle; });
   discard_adjacent();
   start_collisions();
   list_structures();
@@ -104,29 +102,34 @@ void ParticleFlow::detect_at_wall(Side s) {
   jump.behind_by_volume = (1 / inner.depth - 1 / mean.depth) / (1 / inner.depth - 1 / star.depth);
   jump.behind_by_momentum = (mean.velocity - inner.velocity) / (wall_out - inner.velocity);
   jump.mass_flux = shallow_water::jump_mass_flux(forcing_.gravity, inner.depth, star.depth);
-  constexpr double guard = 1e-9;
-  if (jump.behind_by_volume > guard && jump.behind_by_volume < 1 - guard && jump.behind_by_momentum > 0 &&
-      jump.behind_by_momentum < 1) {
-    restore(jump, {});
-  }
+  if (jump.inside()) restore(jump, {});
 }
 
+/// The largest first: which ones stay does not depend on the end of the row that one begins at.
 void ParticleFlow::discard_adjacent() {
-  for (std::size_t k = 0; k + 1 < jumps_.size();) {
-    const bool adjacent = jumps_[k].particle + 1 == jumps_[k + 1].particle && jumps_[k].facing == jumps_[k + 1].facing;
-    if (!adjacent) {
-      ++k;
+  std::vector<InteriorJump> largest_first = jumps_;
+  std::sort(largest_first.begin(), largest_first.end(), [](const InteriorJump& a, const InteriorJump& b) {
+    if (a.size() != b.size()) return a.size() > b.size();
+    if (a.facing != b.facing) return a.facing < b.facing;
+    return a.facing == Facing::right ? a.particle > b.particle : a.particle < b.particle;  // the one ahead
+  });
+  jumps_.clear();
+  for (const InteriorJump& jump : largest_first) {
+    const auto larger = std::find_if(jumps_.begin(), jumps_.end(), [&](const InteriorJump& kept) {
+      return kept.facing == jump.facing && (kept.particle + 1 == jump.particle || jump.particle + 1 == kept.particle);
+    });
+    if (larger == jumps_.end()) {
+      jumps_.push_back(jump);
       continue;
     }
-    const std::size_t smaller = jumps_[k].size() < jumps_[k + 1].size() ? k : k + 1;
-    const InteriorJump& dropped = jumps_[smaller];
-    const bool not_yet_there = (smaller > k) == (dropped.facing == Facing::right);
-    const auto beyond = [&](double behind) { return not_yet_there ? behind : 1 - behind; };
-    events_.discarded_inside.add(beyond(dropped.behind_by_volume));
-    events_.discarded_inside.add(beyond(dropped.behind_by_momentum));
-    jumps_.erase(jumps_.begin() + static_cast<std::ptrdiff_t>(smaller));
+    const bool not_yet_there = (jump.particle > larger->particle) == (jump.facing == Facing::right);
+    for (const double behind : {jump.behind_by_volume, jump.behind_by_momentum}) {
+      events_.discarded_inside.add(not_yet_there ? behind : 1 - behind);
+    }
     ++events_.adjacent_discarded;
   }
+  std::sort(jumps_.begin(), jumps_.end(),
+            [](const InteriorJump& a, const InteriorJump& b) { return a.particle < b.particle; });
 }
 
 void ParticleFlow::start_collisions() {

@@ -50,8 +50,13 @@ void ParticleFlow::regulate(Side s) {
   }
   resize_work();
   refresh();
-  collisions_.clear();
-  ahead_at_wall_ = {};
+  if (s.right) return;
+  // What lies to the right of the left end has other numbers now; a collision at the end itself is given up.
+  const bool more = width >= 2 * target;
+  collisions_.erase(
+      std::remove_if(collisions_.begin(), collisions_.end(), [](const Collision& c) { return c.left_particle() < 2; }),
+      collisions_.end());
+  for (Collision& collision : collisions_) collision.renumber(more);
 }
 
 void ParticleFlow::split(Side s) {

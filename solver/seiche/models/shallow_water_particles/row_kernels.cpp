@@ -94,7 +94,7 @@ void solve_row(const EdgeRow& row, std::size_t count) {
   double* __restrict ps = row.edge_thrust;
   const double g = row.gravity;
   const double half_inv_g = 0.5 / g;
-  constexpr double small = 1e-4;
+  constexpr double half_small = 0.5e-4;
   for (std::size_t start = 0; start < count; start += block) {
     const std::size_t stop = std::min(start + block, count);
     int sharp = 0;  // set where an edge needs the iteration, or is not a number
@@ -106,7 +106,8 @@ void solve_row(const EdgeRow& row, std::size_t count) {
       us[k] = 0.5 * (ul[k] + ur[k]) + (c_left - c_right);
       const double c2 = c * c;
       ps[k] = half_inv_g * c2 * c2;
-      const bool smooth = (std::abs(jump) <= small * c_left) & (std::abs(c_left - c_right) <= small * c_left);
+      const double little = half_small * (c_left + c_right);
+      const bool smooth = (std::abs(jump) <= little) & (std::abs(c_left - c_right) <= little);
       sharp |= static_cast<int>(!smooth);
     }
     if (sharp != 0) {

@@ -14,13 +14,11 @@ enum class Level {
 /// Numerical parameters with the values recommended for all flows.
 struct Scheme {
   Level level = Level::hand_over;
-  double theta = 2;                ///< generalised minmod: 1 most dissipative, 2 monotonised central
-  int newton_steps = 4;            ///< fixed steps per edge; 4 reach round-off, conservation holds for any number
-  double courant = 0.4;            ///< largest tau c / w that largest_step() proposes, at most 0.9
-  double jump_threshold = 0.02;    ///< smallest relative depth jump that is handed over
-  double isolation = 2;            ///< a jump must exceed this many times the variation beside it
-  int self_similar_particles = 0;  ///< M2, H2: use the exact waves of an initial discontinuity until its fans span this
-                                   ///< many particles; 0: off. See self_similar_start.hpp
+  double theta = 2;              ///< generalised minmod: 1 most dissipative, 2 monotonised central
+  int newton_steps = 4;          ///< fixed steps per edge; 4 reach round-off, conservation holds for any number
+  double courant = 0.4;          ///< largest tau c / w that largest_step() proposes, at most 0.9
+  double jump_threshold = 0.02;  ///< smallest relative depth jump that is handed over
+  double isolation = 2;          ///< a jump must exceed this many times the variation beside it
 };
 
 }  // namespace seiche::shallow_water_particles
