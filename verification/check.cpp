@@ -1,3 +1,4 @@
+#define CATCH_CONFIG_EXTERNAL_INTERFACES  // of Catch2 2: listeners
 #include "verification/check.hpp"
 
 #include <algorithm>
@@ -11,6 +12,24 @@
 namespace seiche::verification {
 namespace {
 
+#if __has_include(<catch2/catch_all.hpp>)
+using Listener = Catch::EventListenerBase;
+#else
+using Listener = Catch::TestEventListenerBase;
+#endif
+
+bool full = false;  ///< what the tag of the running test says: its records belong to that tier
+
+class ReadTag : public Listener {
+ public:
+  using Listener::Listener;
+  void testCaseStarting(const Catch::TestCaseInfo& test) override {
+    Listener::testCaseStarting(test);
+    full = test.tagsAsString().find("[full]") != std::string::npos;
+  }
+};
+CATCH_REGISTER_LISTENER(ReadTag)
+
 std::filesystem::path evidence_directory() {
   const char* chosen = std::getenv("SEICHE_EVIDENCE");  // NOLINT(concurrency-mt-unsafe): tests are single-threaded
   return chosen != nullptr ? chosen : SEICHE_EVIDENCE_DIRECTORY;
@@ -22,6 +41,7 @@ Check::Check(const std::string& name, const std::string& title, const std::strin
     : begin_(std::chrono::steady_clock::now()), exceptions_(std::uncaught_exceptions()) {
   record_.name = name;
   record_.kind = "verification";
+  if (full) record_.tier = "full";
   record_.group = std::filesystem::path(where.file_name()).parent_path().filename().string();
   record_.title = title;
   record_.source = where.file_name();

@@ -1,9 +1,10 @@
 """Runs the tests whose code changed since they last ran, several at once, and keeps the evidence of the others.
 
-    verify.py --build DIR --evidence DIR [--rooms ROOM...] [--jobs N]
+    verify.py --build DIR --evidence DIR [--tier full] [--rooms ROOM...] [--jobs N]
 
-A test file runs as a process of its room's program. It counts as done while its fingerprint (ci/cmake/fingerprints.py),
-the reference tables and the records it wrote are the same. Status 1 if a test fails; it runs again the next time.
+A test file runs as a process of its room's program, its tests with the tag [full] as another, in that tier alone. It
+counts as done while its fingerprint (ci/cmake/fingerprints.py), the reference tables and the records it wrote are the
+same. Status 1 if a test fails; it runs again the next time.
 """
 
 import argparse
@@ -16,6 +17,8 @@ import shutil
 import subprocess
 import tempfile
 import time
+
+FULL, QUICK = "[full]", "~[full]"  # tests of that tier have the tag
 
 
 def digest_of_tables(folder):
@@ -32,14 +35,26 @@ def sibling(path, directory):
     return tempfile.TemporaryDirectory(prefix=f".{path}-", dir=directory.parent)
 
 
+def checks_of(fingerprints, rooms):
+    """The test files, and once more with the tag those that have tests of the tier full: what is run with what tag."""
+    root = pathlib.Path(__file__).resolve().parent.parent
+    for file, code in fingerprints.items():
+        if not rooms or pathlib.PurePath(file).parts[1] in rooms:
+            yield file, code
+            if FULL in (root / file).read_text():
+                yield f"{file} {FULL}", code
+
+
 def run(check, options):
-    """One test file: what became of it, and the records it wrote."""
-    room, name = pathlib.PurePath(check).parts[-2:]
+    """The tests of a file in one tier: what became of them, and the records they wrote."""
+    file, _, tag = check.partition(" ")
+    room, name = pathlib.PurePath(file).parts[-2:]
     stem = pathlib.PurePath(name).stem
     program = options.build / "verification" / f"verify_{room}"
     begin = time.monotonic()
     with sibling(stem, options.evidence) as scratch:
-        ended = subprocess.run([program, "--filenames-as-tags", f"[#{stem}]"], capture_output=True, text=True,
+        ended = subprocess.run([program, "--filenames-as-tags", f"[#{stem}]{tag or QUICK}"],
+                               capture_output=True, text=True,
                                env={**os.environ, "SEICHE_EVIDENCE": scratch, "OMP_NUM_THREADS": "1"})
         records = sorted(file.name for file in pathlib.Path(scratch).iterdir())
         # The arrays before the record that names them.
@@ -94,14 +109,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, required=True)
     parser.add_argument("--evidence", type=pathlib.Path, required=True)
+    parser.add_argument("--tier", choices=("quick", "full", "paper"), default="quick")
     parser.add_argument("--rooms", nargs="*", help="of verification; all if none is named")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
 
     tables = digest_of_tables(pathlib.Path(__file__).resolve().parent.parent / "reference_data")
     fingerprints = json.loads((options.build / "verification/fingerprints.json").read_text())
-    wanted = {check: hashlib.sha256((code + tables).encode()).hexdigest() for check, code in fingerprints.items()
-              if not options.rooms or pathlib.PurePath(check).parts[1] in options.rooms}
+    known = {check: hashlib.sha256((code + tables).encode()).hexdigest()
+             for check, code in checks_of(fingerprints, options.rooms)}
+    wanted = {check: code for check, code in known.items() if options.tier == "full" or not check.endswith(FULL)}
     kept = Kept(options.build / "verification/kept.json")
     todo = [check for check in wanted if not kept.holds(check, wanted[check], options.evidence)]
     todo.sort(key=lambda check: -kept.seconds(check, 1e9))  # the longest first, those never run before them
@@ -116,14 +133,14 @@ def main():
             kept.keep(check, wanted[check], found)
             del remaining[check]
             mark = "✓" if found["status"] == 0 else "✗"
-            name = check.removeprefix("verification/").removesuffix("_test.cpp")
+            name = check.removeprefix("verification/").replace("_test.cpp", "")
             print(f"[{number:>3}/{len(todo)}] {mark} {name:<52} {found['seconds']:6.2f} s  "
                   f"{left(sum(remaining.values()), options.jobs) if remaining else ''}", flush=True)
             if found["status"] != 0:
                 failed.append(name)
                 print(found["output"], flush=True)
     if not options.rooms:
-        remove_stale(options.evidence, kept, wanted)
+        remove_stale(options.evidence, kept, known)
     if failed:
         print(f"verification: {len(failed)} test files failed: {', '.join(sorted(failed))}")
     return 1 if failed else 0

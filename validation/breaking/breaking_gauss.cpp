@@ -316,9 +316,9 @@ Case breaking_gauss() {
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("height", 0.6, "1/k", {0.01, 0.87}, "of the wave, from trough to crest"),
-      integer("cells", {40, 60, 80}, {16, 400}, "cells of the lattice to a wavelength"),
+      integer("cells", {32, 60, 80}, {16, 400}, "cells of the lattice to a wavelength"),
       integer("per_cell", 5, {3, 40}, "particles to a cell's side"),
-      real("tau", {0.02, 0.0133, 0.01}, "(g k)^(-1/2)", {1e-4, 0.1}, "time step"),
+      real("tau", {0.025, 0.0133, 0.01}, "(g k)^(-1/2)", {1e-4, 0.1}, "time step"),
       real("pressure", 0.1, "rho g/k", {0, 0.2},
            "p0, amplitude of the surface pressure; fitted to the source's frames"),
       real("at", 6.2, "(g k)^(-1/2)", {0, 7.4}, "when the crest is measured"),

@@ -5,11 +5,11 @@ from which others computed such a breaker with boundary elements.
 
 **Set-up.** Linear theory gives a stroke of 3.05 cm and a period of 0.308 s; the flap turns rigidly, by up to 50
 degrees, and its rows of particles are three deep, so that no jet gets through. $\alpha = 0.01$, $h = 0.065$ cm,
-density filter every 30 steps. In the tier `quick` the sound speed follows the rule of ten times the largest speed:
-12.5 times that of a first run with $10\sqrt{gd}$, in which spray moves at a third of it. So fast a sound, with so
-little viscosity, grows by steps of $0.3\,h/c$, on 15 layers until a particle loses half of its density; these are
-$0.2\,h/c$, and 14 layers take $0.15\,h/c$. The longer tiers, with 26 layers, keep the sound speed of the first run.
-The left pictures are by the viscosity that the parameters say, the middle ones with the stress.
+density filter every 30 steps. The tier `quick` is without that stress. In it the sound speed follows the rule of ten
+times the largest speed: 12.5 times that of a first run with $10\sqrt{gd}$, in which spray moves at a third of it. So
+fast a sound, with so little viscosity, grows by steps of $0.3\,h/c$, on 15 layers until a particle loses half of its
+density; these are $0.2\,h/c$, and 14 layers take $0.15\,h/c$. The longer tiers, with 26 layers, keep the sound speed of
+the first run. The left pictures are by the viscosity that the parameters say, the middle ones with the stress.
 
 **What is compared.** Frames at 0.30, 0.38 and 0.46 periods after the first one: there the publication shows a steep
 front, a vertical one and a plunging jet. Beside them the surface of the exact potential flow from the wave of figure 4,
@@ -64,8 +64,10 @@ struct Model {
   wcsph::Settings settings;
 };
 
+/// The quick tier has no time for the stress.
 std::vector<Model> models_of(const Values& values) {
   Model standard{"standard", "standard", sph_settings(values, gravity, 1000, std::sqrt(gravity * depth))};
+  if (values.tier() == Tier::quick) return {standard};
   Model stress = standard;
   stress.id = "sps";
   stress.name = "unresolved eddies";
@@ -158,19 +160,20 @@ void claims(const Values& values, const Claims<Results>& claims) {
     claim_model(claims.of([m](const Results& r) -> const Runs& { return r.runs.at(m); }), models[m],
                 by_sound_rule(values));
   }
-  claims.check(
-      {.id = "together",
-       .text = "The second wave overturns at the same time without and with the stress of unresolved eddies.",
-       .quantity = "difference of the times at which the front hangs over, in periods",
-       .source = publication},
-      [](const Results& r) -> Measurement {
-        const SphPlunged& standard = r.runs.front().back();
-        const double apart = r.runs.back().back().hangs_over - standard.hangs_over;
-        if (std::isnan(apart)) throw std::runtime_error("a wave does not overturn, with or without that stress");
-        return {.value = apart, .resolution = sph_resolution(standard.spacing, standard.particles)};
-      },
-      Bound{.limit = 0.04,
-            .reason = "half of the time between two frames of the publication, which show both in the same state"});
+  claims.only_if(models.size() > 1, "the stress of unresolved eddies is for the longer tiers")
+      .check(
+          {.id = "together",
+           .text = "The second wave overturns at the same time without and with the stress of unresolved eddies.",
+           .quantity = "difference of the times at which the front hangs over, in periods",
+           .source = publication},
+          [](const Results& r) -> Measurement {
+            const SphPlunged& standard = r.runs.front().back();
+            const double apart = r.runs.back().back().hangs_over - standard.hangs_over;
+            if (std::isnan(apart)) throw std::runtime_error("a wave does not overturn, with or without that stress");
+            return {.value = apart, .resolution = sph_resolution(standard.spacing, standard.particles)};
+          },
+          Bound{.limit = 0.04,
+                .reason = "half of the time between two frames of the publication, which show both in the same state"});
 }
 
 void show_model(evidence::Exhibit& exhibit, const Model& model, const Runs& runs) {

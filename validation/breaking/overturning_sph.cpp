@@ -237,21 +237,22 @@ void claims(const Values& values, const Claims<Results>& claims) {
                on_finest([](const Results& r) { return std::isnan(r.finest().hangs_over) ? 0.0 : 1.0; }),
                evidence::Qualitative{.detector = "the surface hangs over by a hundredth of the wavelength",
                                      .reason = "potential flow from the same start does"});
-  claims.check(
-      {.id = "overhang-time",
-       .text = "The front hangs over when that of potential flow does.",
-       .quantity = "when it hangs over by a hundredth of the wavelength",
-       .unit = "s",
-       .source = source},
-      [](const Results& r) -> Measurement {
-        return {.value = r.finest().hangs_over,
-                .resolution = sph_resolution(r.finest().spacing, r.finest().particles),
-                .told = {.expected = r.exact_overhang}};
-      },
-      Bound{.limit = 0.05 * period,
-            .reason = "5 % of the period: the tip of the jet, about two spacings thick when it begins, is "
-                      "what particles form last",
-            .expected = evidence::Amount::told_by_run(last_phase * period)});
+  claims.only_if(values.tier() != Tier::quick, "its jet is two of its wide spacings thick before it counts")
+      .check(
+          {.id = "overhang-time",
+           .text = "The front hangs over when that of potential flow does.",
+           .quantity = "when it hangs over by a hundredth of the wavelength",
+           .unit = "s",
+           .source = source},
+          [](const Results& r) -> Measurement {
+            return {.value = r.finest().hangs_over,
+                    .resolution = sph_resolution(r.finest().spacing, r.finest().particles),
+                    .told = {.expected = r.exact_overhang}};
+          },
+          Bound{.limit = 0.05 * period,
+                .reason = "5 % of the period: the tip of the jet, about two spacings thick when it begins, is "
+                          "what particles form last",
+                .expected = evidence::Amount::told_by_run(last_phase * period)});
   claims.check({.id = "kinetic-energy",
                 .text = "With a developed jet the water has the kinetic energy of potential flow.",
                 .quantity = "over that of potential flow",
@@ -375,7 +376,7 @@ Case overturning_sph() {
   c.parameters =
       with({real("height", 0.13, "L", {0.02, 0.14}, "height H of the cosine it begins with"),
             real("depth", 0.13, "L", {0.05, 1}, "depth of the water at rest"),
-            integer("columns", {140, 400, 800}, {40, 4000}, "particle spacings in a wavelength, finest")},
+            integer("columns", {100, 400, 800}, {40, 4000}, "particle spacings in a wavelength, finest")},
            sph_parameters({.kernel = std::string("wendland_c2"), .smoothing = 2.0, .alpha = 0.01}, "sqrt(g d)"));
   c.study = Study(claims, compute, show);
   return c;

@@ -255,7 +255,7 @@ Case overturning_sph_depths() {
       "Orszag, J. Fluid Mech. 123 (1982) 477";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters =
-      with({integer("columns", {120, 283, 400}, {40, 4000}, "particle spacings in a wavelength")},
+      with({integer("columns", {90, 283, 400}, {40, 4000}, "particle spacings in a wavelength")},
            sph_parameters({.kernel = std::string("wendland_c2"), .smoothing = 2.0, .alpha = 0.01}, "sqrt(g d)"));
   c.study = Study(claims, compute, show);
   return c;

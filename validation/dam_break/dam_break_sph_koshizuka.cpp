@@ -152,8 +152,8 @@ Case dam_break_sph_koshizuka() {
   Case c;
   c.title = "The dam break of Koshizuka and Oka by weakly compressible SPH";
   c.source = "S. Koshizuka, Y. Oka, Nucl. Sci. Eng. 123 (1996) 421";
-  c.tiers = {Tier::quick, Tier::full};
-  c.parameters = with({integer("cells", {40, 80, 80}, {10, 1000}, "particle spacings in the width of the column")},
+  c.tiers = {Tier::full};
+  c.parameters = with({integer("cells", 80, {10, 1000}, "particle spacings in the width of the column")},
                       sph_dam_parameters({.alpha = 0.1, .filter = 30}));
   c.study = Study(claims, compute, show);
   return c;

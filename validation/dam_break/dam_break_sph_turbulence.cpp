@@ -248,7 +248,7 @@ Case dam_break_sph_turbulence() {
       "Phil. Trans. R. Soc. Lond. A 244 (1952) 312";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = with(
-      {integer("cells", {30, 60, 60}, {10, 1000}, "particle spacings in the width of the column"),
+      {integer("cells", {20, 60, 60}, {10, 1000}, "particle spacings in the width of the column"),
        choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"}, "lattice of the particles"),
        integer("wall_rows", {2, 3, 3}, {2, 3}, "rows of wall particles")},
       sph_dam_parameters({.viscosity = "sps", .filter = 30, .courant = {0.2, 0.15, 0.15}}));

@@ -217,8 +217,8 @@ Case drop_models() {
       integer("mesh", {32, 64, 64}, {16, 256}, "cells across the Lagrangian mesh, finest of four"),
       integer("rings", {28, 56, 56}, {14, 140}, "of free particles to the radius, finest of four"),
       integer("cells", {16, 32, 32}, {8, 64}, "rings of Dirichlet cells and of variable masses, finest of four"),
-      integer("overlapping", {20, 40, 40}, {12, 80}, "spacings of overlapping particles to the radius, finest of four"),
-      integer("sph", {40, 80, 80}, {12, 400}, "spacings of SPH particles to the radius, finest of three"),
+      integer("overlapping", {16, 40, 40}, {12, 80}, "spacings of overlapping particles to the radius, finest of four"),
+      integer("sph", {28, 80, 80}, {12, 400}, "spacings of SPH particles to the radius, finest of three"),
   };
   c.study = Study(claims, compute, show);
   return c;

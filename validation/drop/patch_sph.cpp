@@ -282,7 +282,7 @@ Case patch_sph() {
       "(1860) 3";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = with(
-      {real("dx", {0.02, 0.01, 0.005}, "m", {0.001, 0.2}, "spacing of the particles; the radius is 1")},
+      {real("dx", {0.03, 0.01, 0.005}, "m", {0.001, 0.2}, "spacing of the particles; the radius is 1")},
       sph_parameters({.viscosity = "none", .sound = 14, .courant = {0.3, 0.2, 0.2}}, "the speed A_0 times the radius"));
   c.study = Study(claims, compute, show);
   return c;

@@ -430,7 +430,7 @@ Case one_step_scheme() {
       real("time", 5.0, "t", {1e-3, 1e3}, "when the error is taken"),
       real("tau", 0.0125, "t", {1e-6, 10}, "middle one of the steps for accuracy: 8 tau to tau/4"),
       real("long_tau", 0.01, "t", {1e-6, 10}, "step of the long runs"),
-      integer("long_steps", {100000, 1000000, 10000000}, {1, 1e9}, "steps of the long runs"),
+      integer("long_steps", {30000, 1000000, 10000000}, {1, 1e9}, "steps of the long runs"),
   };
   c.published = {
       {.tiles = {"frank-integrator"}, .differs = "the thesis states the result, not the systems nor the steps"}};

@@ -88,13 +88,16 @@ Submitted compute(const Run& run, double coarsening) {
 }
 
 /// At the standard parameters; a band is a half more than what twice the spacing changes, or an eighth.
-std::map<std::string, evidence::KnownFailure> misses() {
+std::map<std::string, evidence::KnownFailure> misses(const Values& values) {
   const std::string ripple =
       "the front of the train fades in over a wavelength and sheds free waves: heights ripple by 4 % along the flat";
   const std::string sway =
       "the train brings its set-down into still water, which sways by some tenths of a millimetre while the flume "
       "fills; "
       "the measured level is known to 0.1 mm";
+  if (values.tier() == Tier::quick) {
+    return {{"levels-misfit-1", {.value = 0.00039, .width = 0.00005, .reason = sway}}};
+  }
   return {
       {"heights-misfit-1", {.value = 0.00337, .width = 0.0007, .reason = ripple}},
       {"levels-misfit-1", {.value = 0.00039, .width = 0.00005, .reason = sway}},
@@ -102,7 +105,14 @@ std::map<std::string, evidence::KnownFailure> misses() {
   };
 }
 
-Experiment experiment(const Values& /*values*/) {
+/// With the spacings of the quick tier.
+std::map<std::string, std::string> undecided(const Values& values) {
+  if (values.tier() != Tier::quick) return {};
+  const std::string why = "twice these spacings change it by more than what finer ones miss it by";
+  return {{"heights-misfit-1", why}, {"levels-misfit-2", why}};
+}
+
+Experiment experiment(const Values& values) {
   Series heights{.name = "heights",
                  .table = "hansen_svendsen_1979_shoaling_breaking",
                  .kind = WantedTable::Kind::profile,
@@ -132,7 +142,8 @@ Experiment experiment(const Values& /*values*/) {
           .files = {"hansen_svendsen_1979_shoaling_breaking/bed.csv"},
           .compute = compute,
           .model = "dispersive shallow water with breaking",
-          .misses = misses()};
+          .misses = misses(values),
+          .undecided = undecided(values)};
 }
 
 }  // namespace
@@ -141,7 +152,8 @@ Case breaking_on_slope() {
   Case c;
   c.title = "Regular waves shoal and break on a slope";
   c.source = source;
-  c.parameters = {real("spacing", 0.06, "m", {0.01, 0.1}, "of the markers")};
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {real("spacing", {0.1, 0.06, 0.06}, "m", {0.01, 0.1}, "of the markers")};
   set_laboratory<experiment>(c);
   return c;
 }

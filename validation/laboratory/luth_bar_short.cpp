@@ -31,7 +31,8 @@ Case luth_bar_short() {
   Case c;
   c.title = "Short waves over a submerged bar";
   c.source = luth_bar_source;
-  c.parameters = {real("spacing", 0.02, "m", {0.01, 0.1}, "of the markers"), dispersion_parameter()};
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {real("spacing", {0.03, 0.02, 0.02}, "m", {0.01, 0.1}, "of the markers"), dispersion_parameter()};
   set_laboratory<experiment>(c);
   c.submission = {};  // others submit to luth_bar
   return c;

@@ -127,7 +127,7 @@ Case semicircular_shoal() {
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {integer("period", {2, 1, 3}, {1, 3}, "of the waves [s]"),
-                  real("spacing", {0.125, 0.075, 0.1}, "m", {0.05, 0.15}, "of the columns")};
+                  real("spacing", {0.14, 0.075, 0.1}, "m", {0.05, 0.15}, "of the columns")};
   set_laboratory<experiment>(c);
   return c;
 }

@@ -73,7 +73,8 @@ Case undular_bore_crests() {
   Case c;
   c.title = "The first crest of an undular bore";
   c.source = source;
-  c.parameters = {real("spacing", 0.04, "m", {0.01, 0.1}, "of the markers")};
+  c.tiers = {Tier::quick, Tier::full};
+  c.parameters = {real("spacing", {0.06, 0.04, 0.04}, "m", {0.01, 0.1}, "of the markers")};
   set_laboratory<experiment>(c);
   return c;
 }

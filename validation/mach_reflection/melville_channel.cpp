@@ -341,7 +341,7 @@ Case melville_channel() {
       real("amplitude", 0.1, "depth", {0.05, 0.4}, "of the wave"),
       real("angle", 20.0, "deg", {10, 40}, "by which the wall turns"),
       real("second_angle", 35.0, "deg", {10, 40}, "the same in a second channel"),
-      real("h", {0.5, 0.4, 0.4}, "depth", {0.1, 0.7},
+      real("h", {0.6, 0.4, 0.4}, "depth", {0.1, 0.7},
            "spacing of the lattice at rest; also 1.4 and 2 times that; finer ones than 0.4 may fold at the bend"),
   };
   c.published = {{.tiles = {"frank-melville"}, .differs = "the thesis does not state the spacing"}};

@@ -96,7 +96,8 @@ std::vector<double> heights_of(const Values& values) {
 }
 
 /// Resolutions of a model, from coarse to fine.
-std::vector<long> ladder(long finest) {
+std::vector<long> ladder(Tier tier, long finest) {
+  if (tier == Tier::quick) return {std::lround(0.5 * static_cast<double>(finest)), finest};
   return {std::lround(0.5 * static_cast<double>(finest)), std::lround(0.7 * static_cast<double>(finest)), finest};
 }
 
@@ -108,21 +109,21 @@ Results compute(const Run& run) {
   std::vector<std::function<Course()>> work;
   for (const double height : heights_of(run)) {
     const StokesWave wave = wave_of(height, length);
-    for (const long n : ladder(run.integer("cells"))) {
+    for (const long n : ladder(run.tier(), run.integer("cells"))) {
       work.emplace_back([=] { return course_of("particles", wave, follow_particles(wave, n, instants)); });
     }
-    for (const long n : ladder(run.integer("markers"))) {
+    for (const long n : ladder(run.tier(), run.integer("markers"))) {
       work.emplace_back([=] {
         const SerreCnoidal own(height, length, 1, 1);
         return course_of("dispersive", wave, follow_dispersive(own, period_of(wave), n, instants));
       });
     }
-    for (const long n : ladder(run.integer("rows"))) {
+    for (const long n : ladder(run.tier(), run.integer("rows"))) {
       work.emplace_back([=] { return course_of("mesh", wave, follow_mesh(wave, n, mesh_instants)); });
     }
   }
   const StokesWave steepest = wave_of(run.real("height"), length);
-  for (const long n : ladder(run.integer("sph_rows"))) {
+  for (const long n : ladder(run.tier(), run.integer("sph_rows"))) {
     work.emplace_back([=] { return course_of("sph", steepest, follow_sph(steepest, n, instants)); });
   }
   results.resize(work.size());
@@ -289,8 +290,9 @@ const std::vector<Shown>& shown_models() {
 }
 
 void show(const Results& results, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  auto& figure = exhibit.figure("rates", "What a wavelength changes",
-                                "Magnitudes, against the cells in the height of the wave; three heights and sizes.");
+  auto& figure =
+      exhibit.figure("rates", "What a wavelength changes",
+                     "Magnitudes, against the cells in the height of the wave; three heights, two or three sizes.");
   auto& decay = figure.panel({.x = "cells in the height", .y = "decay of the height", .log_x = true, .log_y = true});
   auto& phase = figure.panel({.x = "cells in the height", .y = "phase [wavelengths]", .log_x = true, .log_y = true});
   auto& cost = exhibit
@@ -357,10 +359,10 @@ Case wave_attenuation() {
              "what a submitted wave travels in: a periodic box, or a flume with gauges"),
       integer("periods", 10, {2, 100}, "that it is followed"),
       integer("mesh_periods", {3, 10, 10}, {2, 100}, "on the mesh, which has no period"),
-      integer("cells", {24, 42, 56}, {20, 140}, "of the particles' lattice to a wavelength, finest of three"),
-      integer("rows", {10, 16, 24}, {6, 96}, "of the mesh, finest of three"),
-      integer("markers", {80, 160, 320}, {40, 2560}, "of the dispersive model to a wavelength, finest of three"),
-      integer("sph_rows", {12, 24, 36}, {8, 96}, "of SPH particles, finest of three"),
+      integer("cells", {20, 42, 56}, {20, 140}, "of the particles' lattice to a wavelength, finest"),
+      integer("rows", {10, 16, 24}, {6, 96}, "of the mesh, finest"),
+      integer("markers", {80, 160, 320}, {40, 2560}, "of the dispersive model to a wavelength, finest"),
+      integer("sph_rows", {10, 24, 36}, {8, 96}, "of SPH particles, finest"),
       tolerance_parameter(),
   };
   c.study = Study(claims, compute, show);

@@ -215,12 +215,12 @@ Case solitary_wave_models() {
   c.parameters = {
       real("amplitude", 0.5, "depth", {0.05, 0.6}, "crest above still water"),
       real("way", 8.0, "depth", {1, 50}, "of the crest until errors are compared"),
-      real("last", 18.0, "depth", {1, 100}, "way of the crest for which the models are followed"),
-      integer("particles", {4, 8, 8}, {2, 16}, "cells of the free particles to the depth, finest of three"),
+      real("last", {12.0, 18.0, 18.0}, "depth", {1, 100}, "way of the crest for which the models are followed"),
+      integer("particles", {3, 8, 8}, {2, 16}, "cells of the free particles to the depth, finest of three"),
       integer("mesh", {24, 48, 48}, {8, 64}, "rows of the Lagrangian mesh, finest of four"),
       integer("cells", {8, 16, 16}, {8, 32}, "rows of Dirichlet cells and variable masses, the finest"),
       integer("markers", {32, 64, 64}, {8, 512}, "of the dispersive model to the depth, finest of four"),
-      integer("sph", {8, 16, 16}, {6, 96}, "rows of SPH particles, finest of three"),
+      integer("sph", {7, 16, 16}, {6, 96}, "rows of SPH particles, finest of three"),
   };
   c.study = Study(claims, compute, show);
   return c;

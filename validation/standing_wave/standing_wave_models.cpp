@@ -240,11 +240,11 @@ Case standing_wave_models() {
       real("wavelength", 6.0, "depth", {3, 12}, "of the wave; the walls are half of it apart"),
       real("periods", 1.25, "1", {0.25, 10}, "after which errors are compared"),
       real("last", 6.0, "1", {0.25, 50}, "periods for which the models are followed"),
-      integer("particles", {6, 12, 12}, {4, 40}, "cells of the free particles to the depth, finest of three"),
+      integer("particles", {4, 12, 12}, {4, 40}, "cells of the free particles to the depth, finest of three"),
       integer("mesh", {16, 32, 32}, {8, 96}, "rows of the Lagrangian mesh, finest of four"),
       integer("cells", {12, 24, 24}, {12, 48}, "rows of Dirichlet cells and variable masses, the finest"),
       integer("markers", {32, 64, 64}, {8, 512}, "of the dispersive model to the depth, finest of four"),
-      integer("sph", {12, 32, 32}, {8, 96}, "rows of SPH particles, finest of three"),
+      integer("sph", {8, 32, 32}, {8, 96}, "rows of SPH particles, finest of three"),
   };
   c.study = Study(claims, compute, show);
   return c;

@@ -427,7 +427,7 @@ Case flap_wave_sph() {
                        real("stroke", 2.11, "m", {1e-6, 1e3}, "stroke at the still-water level"),
                        real("gauge", 27.3, "m", {1e-3, 1e4}, "distance of the gauge from the flap at rest"),
                        real("flume", 2.25, "gauge", {1.1, 20}, "length of the flume"),
-                       integer("layers", {14, 40, 80}, {4, 400}, "particle spacings in the depth")},
+                       integer("layers", {10, 40, 80}, {4, 400}, "particle spacings in the depth")},
                       sph_parameters({.alpha = 0.01, .filter = 30}, "sqrt(g d)"));
   c.published = {{.tiles = {"sph-fig-5"},
                   .tier = Tier::full,

@@ -165,7 +165,7 @@ void judge(Check& check, const std::vector<Row>& rows, const std::string& reason
   check.table(std::move(table));
 }
 
-TEST_CASE("a standing wave with a narrow cubic spline has the frequency of linear theory within 4 %", "[dispersion]") {
+void judge_narrow(const std::vector<Row>& rows) {
   Check check(
       "wcsph_standing_wave_narrow", "Standing wave, cubic spline with h = 1.3 dx",
       "Wave of length 1 m and amplitude 0.02 m on 0.5 m of water between periodic sides, over dynamic wall "
@@ -173,12 +173,19 @@ TEST_CASE("a standing wave with a narrow cubic spline has the frequency of linea
       "under hydrostatic "
       "pressure is a little stiff against shear: the frequency is 2 to 4 % high, whatever amplitude, spacing, depth "
       "and sound speed are, and the excess is gone from $h = 1.5$ dx on.");
-  judge(check,
-        {{"cubic", "h = 1.3 dx", KernelName::cubic_spline, 1.3, 0.5, 0.04, 1.020},
-         {"cubic-no-smoothing", "h = 1.3 dx, no smoothed motion", KernelName::cubic_spline, 1.3, 0, 0.04, 1.013},
-         {"cubic-80", "h = 1.3 dx, 80 columns", KernelName::cubic_spline, 1.3, 0.5, 0.04, 1.032, {.columns = 80}},
-         {"cubic-shallow", "h = 1.3 dx, depth 0.2 m", KernelName::cubic_spline, 1.3, 0.5, 0.04, 1.025, {.depth = 0.2}}},
-        "stiffness of the lattice with 20 neighbours, 1.3 to 3.2 % in an earlier program (regression)");
+  judge(check, rows, "stiffness of the lattice with 20 neighbours, 1.3 to 3.2 % in an earlier program (regression)");
+}
+
+TEST_CASE("a standing wave with a narrow cubic spline has the frequency of linear theory within 4 %", "[dispersion]") {
+  judge_narrow(
+      {{"cubic", "h = 1.3 dx", KernelName::cubic_spline, 1.3, 0.5, 0.04, 1.020},
+       {"cubic-no-smoothing", "h = 1.3 dx, no smoothed motion", KernelName::cubic_spline, 1.3, 0, 0.04, 1.013},
+       {"cubic-shallow", "h = 1.3 dx, depth 0.2 m", KernelName::cubic_spline, 1.3, 0.5, 0.04, 1.025, {.depth = 0.2}}});
+}
+
+TEST_CASE("it has so on a finer lattice too", "[dispersion][full]") {
+  judge_narrow(
+      {{"cubic-80", "h = 1.3 dx, 80 columns", KernelName::cubic_spline, 1.3, 0.5, 0.04, 1.032, {.columns = 80}}});
 }
 
 TEST_CASE("a standing wave with a wide kernel has the frequency of linear theory within 1.5 %", "[dispersion]") {

@@ -16,9 +16,9 @@
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "verification/check.hpp"
 
-using namespace seiche;
+namespace denormals_test {
 
-namespace {
+using namespace seiche;
 
 constexpr double tiny = 1e-310;
 constexpr std::size_t rows = 16;
@@ -40,8 +40,6 @@ std::size_t left_by(const Loop& loop) {
 std::vector<double> copy(const linear::LatticeArray& values) {
   return {values.values().begin(), values.values().end()};
 }
-
-}  // namespace
 
 TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]") {
   verification::Check check("denormals_of_threads", "Denormal numbers in two threads",
@@ -110,3 +108,5 @@ TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]")
              {.value = static_cast<double>(left), .resolution = fmt::format("2 threads, {} cells", columns * rows)},
              evidence::Bound{.limit = 0, .reason = "the same bytes from any number of threads"});
 }
+
+}  // namespace denormals_test

@@ -20,7 +20,7 @@
 #include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace failed_step_test {
 
 using namespace seiche;
 using namespace seiche::mechanics;
@@ -99,8 +99,6 @@ bool keeps_state(Flow& flow, double tau) {
   FAIL("no step failed");
   return false;
 }
-
-}  // namespace
 
 TEST_CASE("a step that fails leaves the state as it was, with every integrator", "[robustness]") {
   Check check(
@@ -243,3 +241,5 @@ TEST_CASE("a step that fails has lost nothing to friction and breaking", "[robus
                        (a.breaking == b.breaking ? 0 : 1)},
              Bound{.limit = 0, .reason = "equality of bytes"});
 }
+
+}  // namespace failed_step_test

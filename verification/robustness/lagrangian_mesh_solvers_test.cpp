@@ -53,6 +53,40 @@ double largest_difference(const Flow& a, const Flow& b) {
 const std::vector<std::pair<std::string, Stepping>> steppings{{"one-step", Stepping::one_step},
                                                               {"conservative", Stepping::conservative}};
 
+/// Meshes that are worth threads.
+void claim_threads(const std::string& id, Stepping stepping) {
+  Check check("lagrangian_mesh_threads", "Lagrangian mesh: any number of threads",
+              "Meshes that are worth threads, three steps with one and with two of them, banded and iterative solver: "
+              "every bit is the same. Sums are taken in one order.");
+  const int threads = omp_get_max_threads();
+  constexpr std::size_t rows = 60;
+  constexpr std::size_t columns = worth_threads / rows + 200;
+  // On so fine a mesh a direct solver rounds more than sweeps wait for.
+  const int sweeps = stepping == Stepping::conservative ? 4 : 0;
+  for (const auto& [solver, method] : {std::pair{std::string("banded"), NinePointMethod::banded},
+                                       std::pair{std::string("iterative"), NinePointMethod::iterative}}) {
+    std::vector<std::vector<double>> results;
+    for (const int count : {1, 2}) {
+      omp_set_num_threads(count);
+      Flow flow = released(columns, rows, {.stepping = stepping, .fixed_sweeps = sweeps}, method, 1e-10,
+                           static_cast<double>(columns) / rows);
+      for (int n = 0; n < 3; ++n) flow.advance(0.5 * flow.stable_step());
+      std::vector<double> all = flow.state().q;
+      all.insert(all.end(), flow.state().u.begin(), flow.state().u.end());
+      all.insert(all.end(), flow.multipliers().begin(), flow.multipliers().end());
+      results.push_back(std::move(all));
+    }
+    omp_set_num_threads(threads);
+    check.that(
+        {.id = id + "-" + solver,
+         .text = id + ", " + solver + ": one and two threads give the same bits.",
+         .quantity = "same bits",
+         .source = source},
+        {.value = results[0] == results[1] ? 1.0 : 0.0, .resolution = fmt::format("3 steps, {} cells", columns * rows)},
+        Qualitative{"equal coordinates, rates and multipliers", "results must not depend on the machine's load"});
+  }
+}
+
 TEST_CASE("banded, sparse and iterative solvers give one motion", "[robustness]") {
   Check check(
       "lagrangian_mesh_solvers", "Lagrangian mesh: three solvers, one motion",
@@ -88,39 +122,11 @@ TEST_CASE("banded, sparse and iterative solvers give one motion", "[robustness]"
 }
 
 TEST_CASE("threads change no bit of the motion", "[robustness]") {
-  Check check("lagrangian_mesh_threads", "Lagrangian mesh: any number of threads",
-              "Meshes that are worth threads, three steps with one and with two of them, banded and iterative solver: "
-              "every bit is the same. Sums are taken in one order.");
-  const int threads = omp_get_max_threads();
-  constexpr std::size_t rows = 60;
-  constexpr std::size_t columns = worth_threads / rows + 200;
-  for (const auto& [id, stepping] : steppings) {
-    // On so fine a mesh a direct solver rounds more than sweeps wait for.
-    const int sweeps = stepping == Stepping::conservative ? 4 : 0;
-    for (const auto& [solver, method] : {std::pair{std::string("banded"), NinePointMethod::banded},
-                                         std::pair{std::string("iterative"), NinePointMethod::iterative}}) {
-      std::vector<std::vector<double>> results;
-      for (const int count : {1, 2}) {
-        omp_set_num_threads(count);
-        Flow flow = released(columns, rows, {.stepping = stepping, .fixed_sweeps = sweeps}, method, 1e-10,
-                             static_cast<double>(columns) / rows);
-        for (int n = 0; n < 3; ++n) flow.advance(0.5 * flow.stable_step());
-        std::vector<double> all = flow.state().q;
-        all.insert(all.end(), flow.state().u.begin(), flow.state().u.end());
-        all.insert(all.end(), flow.multipliers().begin(), flow.multipliers().end());
-        results.push_back(std::move(all));
-      }
-      omp_set_num_threads(threads);
-      check.that(
-          {.id = id + "-" + solver,
-           .text = id + ", " + solver + ": one and two threads give the same bits.",
-           .quantity = "same bits",
-           .source = source},
-          {.value = results[0] == results[1] ? 1.0 : 0.0,
-           .resolution = fmt::format("3 steps, {} cells", columns * rows)},
-          Qualitative{"equal coordinates, rates and multipliers", "results must not depend on the machine's load"});
-    }
-  }
+  claim_threads("one-step", Stepping::one_step);
+}
+
+TEST_CASE("threads change no bit of conservative motion", "[robustness][full]") {
+  claim_threads("conservative", Stepping::conservative);
 }
 
 }  // namespace lagrangian_mesh_solvers_test
