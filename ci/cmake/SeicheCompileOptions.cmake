@@ -22,6 +22,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_compile_options(seiche_options INTERFACE
     -Wno-restrict -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
+# Products of Eigen's matrices would open threads of their own beside those that the models are told to use.
+target_compile_definitions(seiche_options INTERFACE EIGEN_DONT_PARALLELIZE)
 target_include_directories(seiche_options INTERFACE ${PROJECT_SOURCE_DIR})
 # Everywhere alike: a precompiled header serves only what is compiled with the same options.
 target_compile_options(seiche_options INTERFACE -fPIC)

@@ -38,7 +38,7 @@ double split_for(double nu) {
 bool ahead_of_waves(double x, double t) {
   if (x <= t) return false;
   const double s = std::sqrt(std::min(1.0, (x - t) / t));
-  return s * x - t * std::sqrt(s * std::tan(s)) > 1.5 * invisible;
+  return s * x - t * std::sqrt(s * std::tan(s)) > 1.5 * unseen;
 }
 
 double sinc(double z) {
