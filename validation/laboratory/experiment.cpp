@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -124,7 +123,7 @@ std::vector<Measured> measured(const Series& part, const Values& values) {
 std::vector<WantedTable> wanted(const Experiment& experiment, const Values& values) {
   std::vector<WantedTable> tables;
   for (const Series& part : experiment.parts) {
-    const auto curves = std::make_shared<const std::vector<Measured>>(measured(part, values));
+    const Lazy<std::vector<Measured>> curves([part, values] { return measured(part, values); });
     const auto find = [curves](double group) -> const Measured& {
       return *std::find_if(curves->begin(), curves->end(), [group](const Measured& m) { return m.group == group; });
     };
@@ -142,9 +141,11 @@ std::vector<WantedTable> wanted(const Experiment& experiment, const Values& valu
                       .reference_role = evidence::Role::data};
     if (!scalar) table.points = [find](double group) { return find(group).x; };
     if (part.group) {
-      std::vector<double> groups;
-      for (const Measured& curve : *curves) groups.push_back(curve.group);
-      table.groups = groups;
+      table.groups = [curves] {
+        std::vector<double> groups;
+        for (const Measured& curve : *curves) groups.push_back(curve.group);
+        return groups;
+      };
     }
     std::vector<std::string> files{fmt::format("reference_data/{}/table.csv", part.table)};
     for (const std::string& file : experiment.files) files.push_back("reference_data/" + file);

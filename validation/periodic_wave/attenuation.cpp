@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include <fmt/format.h>
 
@@ -20,7 +19,7 @@ namespace {
 constexpr int asked = 129;       ///< points of a surface
 constexpr int seen_periods = 4;  ///< at a gauge
 
-using Wave = std::shared_ptr<const StokesWave>;
+using Wave = Lazy<StokesWave>;
 
 std::string exact_command(const StokesWave& wave, const std::string& grid) {
   return fmt::format("seiche exact stokes --set amplitude={:.17g},wavelength={:.17g},depth=1,gravity=1 --grid {}",
@@ -118,10 +117,13 @@ Rates rates_of(const std::vector<double>& way, const std::vector<Fundamental>& f
 }
 
 std::vector<WantedTable> wanted_waves(const Values& values) {
-  const Wave wave = std::make_shared<const StokesWave>(wave_of(values.real("height"), values.real("length")));
+  const Wave wave([values] { return wave_of(values.real("height"), values.real("length")); });
   if (values.text("tank") == "flume") return {wanted_gauges(wave, values)};
-  std::vector<double> times;
-  for (const double way : ways(values.integer("periods"))) times.push_back(way * period_of(*wave));
+  const Lazy<std::vector<double>> times([wave, values] {
+    std::vector<double> all;
+    for (const double way : ways(values.integer("periods"))) all.push_back(way * period_of(*wave));
+    return all;
+  });
   return {{.name = "surface",
            .kind = WantedTable::Kind::profile,
            .group = Column{"t", "s", "time since a crest was at x = 0, for gravity 1 m/s^2 and depth 1 m"},
@@ -132,8 +134,12 @@ std::vector<WantedTable> wanted_waves(const Values& values) {
                                                              "The wave has its height.", attenuation_source, 1)}}},
            .groups = times,
            .points = [wave](double) { return evenly(0, wave->wavelength(), asked); },
-           .exact = {exact_command(*wave, fmt::format("x=0:{:.17g}:{},t={:.17g}:{:.17g}:{}", wave->wavelength(), asked,
-                                                      times.front(), times.back(), times.size()))}}};
+           .exact =
+               [wave, times] {
+                 return std::vector{
+                     exact_command(*wave, fmt::format("x=0:{:.17g}:{},t={:.17g}:{:.17g}:{}", wave->wavelength(), asked,
+                                                      times->front(), times->back(), times->size()))};
+               }}};
 }
 
 void judge_waves(const Values& values, const Submitted& submitted, const SolverFacts& facts, evidence::Record& record) {

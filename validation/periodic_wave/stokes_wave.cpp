@@ -11,7 +11,6 @@ times asked for and the phase speed.
 particle methods round it off, spectral ones ring.
 */
 #include <cmath>
-#include <memory>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -73,33 +72,39 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
-  const auto wave = std::make_shared<const exact::StokesWave>(wave_of(values));
-  const double period = wave->wavelength() / wave->phase_speed();
-  const double last = values.real("periods") * period;
+  const Lazy<exact::StokesWave> wave([values] { return wave_of(values); });
+  const double length = values.real("wavelength");
+  const Lazy<double> last(
+      [wave, length, periods = values.real("periods")] { return periods * (length / wave->phase_speed()); });
+  const std::function<double()> speed = [wave] { return wave->phase_speed(); };
   const double depth = values.real("depth");
-  const std::string command =
-      fmt::format("seiche exact stokes --set amplitude={:.17g},wavelength={:.17g},depth={:.17g},gravity={:.17g}",
-                  0.5 * values.real("height"), wave->wavelength(), depth > 0 ? depth : exact::StokesWave::deep,
-                  values.real("gravity"));
-  return {
-      {.name = "surface",
-       .kind = WantedTable::Kind::profile,
-       .group = Column{"t", "s", "time since a crest was at x = 0"},
-       .abscissa = Column{"x", "m", "position, over one wavelength"},
-       .quantities = {{.column = {"eta", "m", "surface elevation above the mean level"},
-                       .reference = [wave](Place p) { return wave->elevation(p.abscissa, p.group); },
-                       .requirements = {within_tolerance(Measure::relative_l2, values,
-                                                         "The surface is that of the exact wave.", source),
-                                        within_tolerance(Measure::amplitude_ratio, values, "The wave keeps its height.",
-                                                         source, 1)}}},
-       .groups = {0.5 * last, last},
-       .points = [wave](double) { return evenly(0, wave->wavelength(), 129); },
-       .exact = {fmt::format("{} --grid x=0:{:.17g}:129,t={:.17g}:{:.17g}:2", command, wave->wavelength(), 0.5 * last,
-                             last)}},
-      {.name = "numbers",
-       .quantities = {wanted_number({"phase_speed", "m/s", "phase speed, mean velocity at depth zero"},
-                                    wave->phase_speed(), values, "The wave travels at the exact phase speed.", source)},
-       .exact = {command + " --integrals"}}};
+  const std::string command = fmt::format(
+      "seiche exact stokes --set amplitude={:.17g},wavelength={:.17g},depth={:.17g},gravity={:.17g}",
+      0.5 * values.real("height"), length, depth > 0 ? depth : exact::StokesWave::deep, values.real("gravity"));
+  return {{.name = "surface",
+           .kind = WantedTable::Kind::profile,
+           .group = Column{"t", "s", "time since a crest was at x = 0"},
+           .abscissa = Column{"x", "m", "position, over one wavelength"},
+           .quantities = {{.column = {"eta", "m", "surface elevation above the mean level"},
+                           .reference = [wave](Place p) { return wave->elevation(p.abscissa, p.group); },
+                           .requirements = {within_tolerance(Measure::relative_l2, values,
+                                                             "The surface is that of the exact wave.", source),
+                                            within_tolerance(Measure::amplitude_ratio, values,
+                                                             "The wave keeps its height.", source, 1)}}},
+           .groups =
+               [last] {
+                 return std::vector{0.5 * *last, *last};
+               },
+           .points = [length](double) { return evenly(0, length, 129); },
+           .exact =
+               [=] {
+                 return std::vector{
+                     fmt::format("{} --grid x=0:{:.17g}:129,t={:.17g}:{:.17g}:2", command, length, 0.5 * *last, *last)};
+               }},
+          {.name = "numbers",
+           .quantities = {wanted_number({"phase_speed", "m/s", "phase speed, mean velocity at depth zero"}, speed,
+                                        values, "The wave travels at the exact phase speed.", source)},
+           .exact = {command + " --integrals"}}};
 }
 
 }  // namespace
