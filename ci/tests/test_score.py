@@ -43,17 +43,24 @@ class Metamorphic(Scoring):
                          ["left_depth=4,right_depth=0.4,end=200,jump=80,time=12"], 4, 2),
              "moving_bore": ("profile", None, ["--dx", "0.5"], ["gravity=39.24,time_step=0.04"], 1, 0.5),
              "standing_wave": ("wall", None, [], [f"amplitude=0.2,depth=4,wavelength={8 * math.pi!r}"], 4, 2),
-             "thacker": ("gauges", "x", ["--uncertainty", "h=1%,t=0.01"], ["radius=4,depth=2,displacement=2"], 4, 2),
-             "wall_run_up_exact": ("numbers", None, [], ["amplitude=1.2,depth=4"], 4, 2)}
+             "thacker": ("gauges", "x", ["--uncertainty", "h=1%,t=0.1%"], ["radius=4,depth=2,displacement=2"], 4, 2),
+             "wave_kinematics": ("velocities", "x", [], ["height=1.2,wavelength=32,depth=4,way=88"], 4, 2),
+             "mach_reflection_theory": ("numbers", None, [], [], 1, 1)}
+    CELLS = ("riemann", "moving_bore")
+    COUNTS = ("points", "fewest_points", "front_width")     # of points, whatever they say
     # What one is told in other words by, and the largest difference that it may make, relative to the number. Points on
-    # the straight lines between others are rounded, each by half of 2^-52, and sums run over twice as many.
+    # the straight lines between others leave curves as they are, to the rounding of 1 in the correlation by which a shift
+    # is found. Profiles of shallow water are means of cells, one to a point: their sums change by what the half cells at
+    # a jump hold.
     RELATIONS = {"again": 0, "columns in another order": 0, "rows of several gauges in another order": 0,
-                 "on twice as many points": 1e-13, "HDF5": 0, "HDF5 with the name of CSV": 0,
+                 "on twice as many points": 1e-8, "HDF5": 0, "HDF5 with the name of CSV": 0,
                  "HDF5 in groups with other names": 0, "other names": 0, "blanks, and a unit after its name": 0,
                  "line ends, quotes, signs and a byte order mark": 0, "four equal runs": 0, "beside another solver": 0}
 
     def result(self, case, *words):
-        columns = self.reference(case, self.CASES[case][0], *words)
+        numbers = {"a_w_over_a_i": 2.1, "a_r_over_a_i": 0.6, "psi_r": 31.0, "stem_angle": 3.2, "growth": 0.02}
+        columns = ({name: np.array([value]) for name, value in numbers.items()} if case == "mach_reflection_theory"
+                   else self.reference(case, self.CASES[case][0], *words))
         return {name: values if name in "xyzt" else values * (1.01 + 0.02 * np.cos(np.arange(len(values))))
                 for name, values in columns.items()}
 
@@ -63,7 +70,7 @@ class Metamorphic(Scoring):
         if relation == "columns in another order":
             return ["--data", self.table({name: columns[name] for name in reversed(names)})]
         if relation == "rows of several gauges in another order":
-            order = np.lexsort([-columns[group], columns["t"]]) if group else slice(None)
+            order = np.lexsort([-columns[group], columns[names[1]]]) if group else slice(None)
             return ["--data", self.table({name: values[order] for name, values in columns.items()})]
         if relation == "on twice as many points":
             return ["--data", self.table(denser(columns, group) if len(body) > 1 else columns)]
@@ -77,7 +84,7 @@ class Metamorphic(Scoring):
             return ["--data", data, *(word for name in names for word in ("--map", f"my_{name}={name}"))]
         if relation.startswith("blanks"):
             units = {"x": "[m]", "h": "[m]", "eta": "[m]", "t": "[s]", "u": "[m/s]"}
-            return ["--data", self.write(" ".join(f"{name} {units.get(name, '')}" for name in names) + "\n"
+            return ["--data", self.write(" ".join(f'"{name}" {units.get(name, "")}' for name in names) + "\n"
                                          + "".join(" ".join(map(repr, row)) + "\n" for row in body), "mine.txt")]
         if relation.startswith("line ends"):
             end = {1: "\n", 2: "\r"}.get(len(names), "\r\n")
@@ -93,7 +100,8 @@ class Metamorphic(Scoring):
         """Numbers of the score by name, and the verdicts."""
         self.assertIn(self.score(self.case, *words, *self.words).returncode, (0, 1))
         record = self.record(f"{self.case}.mine")
-        numbers = {name: value for name, value in record["measurements"].items() if not name.startswith("repeats")}
+        numbers = {name: value for name, value in record["measurements"].items()
+                   if not name.startswith("repeats") and name not in self.COUNTS}
         for claim in record["claims"]:
             for key in ("measured", "uncertainty", "expected"):
                 numbers[claim["id"], key, claim["unit"]] = claim[key]
@@ -103,23 +111,27 @@ class Metamorphic(Scoring):
     def alike(self, got, expected, allowed):
         self.assertEqual(got[1], expected[1])
         self.assertEqual(set(got[0]), set(expected[0]))
-        for name, number in expected[0].items():
-            if number is None or got[0][name] is None:
-                self.assertIs(got[0][name], number, name)
-            else:
-                self.assertLessEqual(abs(got[0][name] - number), allowed * abs(number), f"{name}: {got[0][name]}, not {number}")
+        far = {name: (got[0][name], number) for name, number in expected[0].items()
+               if got[0][name] != number and (None in (number, got[0][name])
+                                              or abs(got[0][name] - number) > allowed * abs(number))}
+        self.assertEqual(far, {})
 
     def test_the_same_result_in_other_words_gets_the_same_score(self):
         for self.case, (table, group, words, settings, length, time) in self.CASES.items():
             self.words = [*words, "--table", table]
             columns = self.result(self.case)
             first = self.judged("--data", self.table(columns))
-            self.assertTrue(all(value for name, value in first[0].items() if "error" in name and "largest" in name))
+            self.assertNotIn(0, [value for name, value in first[0].items() if "relative_" in name])
             for relation, allowed in self.RELATIONS.items():
                 with self.subTest(self.case, relation=relation):
+                    if "twice" in relation and self.case in self.CELLS:
+                        allowed = 0.1
                     self.alike(self.judged(*self.told(relation, columns, group)), first, allowed)
+            if not settings:
+                continue
             with self.subTest(self.case, relation="other units"):
-                factors = {"m": length, "s": time, "m/s": length / time, "m^2": length**2, "m^2/s": length**2 / time, "1": 1}
+                factors = {"m": length, "s": time, "m/s": length / time, "m^2": length**2, "m^2/s": length**2 / time,
+                           "m^3/s": length**3 / time, "1": 1}
                 self.words = ["--set", *settings, "--table", table]
                 for option, value in zip(words[::2], words[1::2]):
                     self.words += [option, value if option != "--dx" else repr(float(value) * length)]

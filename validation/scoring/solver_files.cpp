@@ -45,7 +45,8 @@ io::Table read_delimited(const Text& text, const std::vector<std::string>& colum
   if (first == text.lines.size()) throw std::invalid_argument(fmt::format("{}: no rows of numbers", text.file));
   const std::string& opening = text.lines[first];
   const char separator = separator_of(opening);
-  const auto split = [&](const std::string& line) {
+  const auto split = [&](std::string line) {
+    std::erase(line, '"');
     return separator == ' ' ? words_of(line, " \t") : entries_of(line, separator);
   };
   std::vector<std::string> names = with_units(split(opening));
