@@ -42,7 +42,7 @@ class ExactReflection {
     }
     incident_ = crest(-K, q, shift);
     reflected_ = crest(std::abs(q), K, -shift);
-    wall_ = stem_ ? crest(-K, K, 0) : incident_;
+    wall_ = crest(-K, stem_ ? K : q, 0);
     wall_.lean = 0;
   }
 
