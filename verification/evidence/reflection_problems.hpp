@@ -34,7 +34,7 @@ class ExactReflection {
     const double K = outer_;
     const double q = inner_;
     const double coupling = stem_ ? 1 - kappa * kappa : std::sqrt(1 - 1 / (kappa * kappa));
-    const double shift = stem_ ? 0 : 0.5 * std::log(coupling) / std::sqrt(3 * a);
+    const double shift = stem_ ? 0 : std::log(coupling) / std::sqrt(3 * a);
     if (stem_) {
       terms_ = {product(-K, q), product(-K, K), product(q, K), product(-q, q), product(-q, K, 1 / coupling)};
     } else {
@@ -42,7 +42,7 @@ class ExactReflection {
     }
     incident_ = crest(-K, q, shift);
     reflected_ = crest(std::abs(q), K, -shift);
-    wall_ = stem_ ? crest(-K, K, 0) : incident_;
+    wall_ = crest(-K, stem_ ? K : q, 0);
     wall_.lean = 0;
   }
 
