@@ -18,27 +18,16 @@ namespace seiche::verification {
 using MeshProblem = MechanicalProblem<lagrangian_mesh_2d::Model, lagrangian_mesh_2d::Mesh, std::function<Point(Point)>,
                                       lagrangian_mesh_2d::Settings>;
 
-inline Point turned(Point r, double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  return {c * r.x - s * r.y, s * r.x + c * r.y};
-}
-
 /// Free square [-1, 1]^2 of 8 x 8 cells without gravity that moves with u = (0.4 x - 0.7 y + 0.1 sin 2y + 0.3, 0.5 x -
-/// 0.4 y + 0.1 cos 3x - 0.2), turned by `angle` about the origin and then shifted along both axes.
-inline MeshProblem moving_patch(double angle = 0, double shift = 0) {
-  lagrangian_mesh_2d::Mesh mesh = lagrangian_mesh_2d::free_patch(8, 8, {-1, -1}, {1, 1});
-  for (std::size_t k = 0; k < mesh.nodes(); ++k) {
-    const Point r = turned({mesh.x[k], mesh.y[k]}, angle);
-    mesh.x[k] = r.x + shift;
-    mesh.y[k] = r.y + shift;
-  }
-  const auto velocity = [=](Point place) {
-    const auto [x, y] = turned({place.x - shift, place.y - shift}, -angle);
-    return turned({0.4 * x - 0.7 * y + 0.1 * std::sin(2 * y) + 0.3, 0.5 * x - 0.4 * y + 0.1 * std::cos(3 * x) - 0.2},
-                  angle);
-  };
-  return MeshProblem(std::move(mesh), velocity, {.gravity = 0});
+/// 0.4 y + 0.1 cos 3x - 0.2).
+inline MeshProblem moving_patch() {
+  return MeshProblem(
+      lagrangian_mesh_2d::free_patch(8, 8, {-1, -1}, {1, 1}),
+      [](Point r) {
+        return Point{0.4 * r.x - 0.7 * r.y + 0.1 * std::sin(2 * r.y) + 0.3,
+                     0.5 * r.x - 0.4 * r.y + 0.1 * std::cos(3 * r.x) - 0.2};
+      },
+      {.gravity = 0});
 }
 
 inline double cosine_elevation(double x) {

@@ -61,6 +61,9 @@ TEST_CASE("fronts break when they are steep and go on while they are bores", "[g
   counts("low", "A steep front of Froude number 1.29 is no bore.", after({0.39, 0.44}), 0);
   counts("bore", "One of 1.31 is.", after({0.42, 0.44}), 6);
   counts("ends", "Lower, it ends.", after({0.39, 0.44}), 0);
+  Front faint(0.5, 0.84);
+  for (std::size_t i = 0; i < markers; ++i) faint.u[i] -= 1e-6 * faint.x[i];
+  counts("faint", "Water that converges at a millionth of c/h on either side is no part of it.", after(faint), 10);
 
   Front front(0.5, 0.84, -4);
   const Front image(0.5, 0.84, 4.1);  // one period further

@@ -190,6 +190,22 @@ TEST_CASE("bad starts, schemes and steps are refused with name, value and range"
                    [&] { solitary_markers(channel, 0, 60, 0.25, {.crest = 70}); });
   refusals.refused("amplitude", "A solitary wave of depression.", {"amplitude", "-0.1"},
                    [&] { solitary_markers(channel, 0, 60, 0.25, {.amplitude = -0.1, .crest = 30}); });
+  refusals.refused("tips", "A solitary wave between two shores.", {"two tips", "one tip at most"}, [] {
+    const Channel bowl{
+        .bottom = std::make_shared<PiecewiseLinearBottom>(std::vector{-22.0, 0.0, 42.0}, std::vector{0.1, -1.0, 1.1}),
+        .left = End::tip,
+        .right = End::tip};
+    solitary_markers(bowl, -20, 20, 0.25, {.amplitude = 0.1, .crest = 0});
+  });
+  // The rounding of a tip's place on a slope grows with the depth.
+  constexpr double deep = 1e5;
+  for (int k = 0; k < 50; ++k) {
+    const double foot = -deep * (3 + 0.1 * k);
+    const Channel beach{.bottom = std::make_shared<PiecewiseLinearBottom>(std::vector{2 * foot, foot, -foot},
+                                                                          std::vector{-deep, -deep, deep}),
+                        .right = End::tip};
+    CHECK_NOTHROW(still_markers(beach, {1.5 * foot, 0.5 * foot, 0}));
+  }
   refusals.refused("stepping", "A scheme that does not exist.", {"leapfrog", "one_step", "conservative"},
                    [] { stepping_named("leapfrog"); });
   refusals.refused("composition", "A composition that does not exist.", {"yoshida", "triple_jump", "suzuki"},

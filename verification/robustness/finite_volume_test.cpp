@@ -42,6 +42,14 @@ TEST_CASE("finite-volume flow refuses bad input", "[robustness]") {
   CHECK_THROWS_AS(FiniteVolumeFlow(roe, 0, 1, h, q, slope), Bad);
   const Bed wrong{[](double x) { return x; }, [](double x) { return x; }};
   CHECK_THROWS_AS(FiniteVolumeFlow(good, 0, 1, h, q, wrong), Bad);
+  const Bed wrong_and_small{[](double x) { return 1e-7 * x; }, [](double x) { return 1e-7 * x; }};
+  CHECK_THROWS_AS(FiniteVolumeFlow(good, 0, 1, h, q, wrong_and_small), Bad);
+  // What flows in counts before it has come in.
+  FiniteVolumeFlow::Settings fast;
+  fast.left = End::inflow({1, 4});
+  FiniteVolumeFlow onto_dry_bed(fast, 0, 1, q, q);
+  CHECK(std::abs(onto_dry_bed.courant_number(0.125) - (4 + std::sqrt(fast.gravity))) < 1e-14);
+  CHECK_NOTHROW(onto_dry_bed.advance_to(0.05));
   FiniteVolumeFlow flow(good, 0, 1, h, q);
   CHECK_THROWS_AS(flow.step(0), Bad);
   CHECK_THROWS_AS(flow.step(nan), Bad);

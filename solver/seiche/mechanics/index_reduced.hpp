@@ -27,7 +27,7 @@ class IndexReduced {
   void acceleration(double time, Input q, Input u, Output result) {
     curvature(time, q, u, u);
     std::fill(result.begin(), result.end(), 0.0);
-    model_.kick(1, result);
+    kick(u, result);
     rates_.resize(model_.constraints());
     model_.constraint_rates(result, rates_);
     for (std::size_t s = 0; s < rates_.size(); ++s) rates_[s] = -(rates_[s] + curvature_[s]);
@@ -54,10 +54,28 @@ class IndexReduced {
   [[nodiscard]] Model& model() { return model_; }
 
  private:
-  void difference(double time, Input q, Input u, Input v) {
+  /// In which the fastest coordinate goes a small part of a cell, of models that say what a cell is; else of 1.
+  double short_time(Input u) const {
     double speed = 0;
     for (const double rate : u) speed = std::max(speed, std::abs(rate));
-    const double h = speed > 0 ? relative_step / speed : relative_step;
+    double length = relative_step;
+    if constexpr (requires { model_.cell_size(); }) length *= model_.cell_size();
+    return speed > 0 ? length / speed : length;
+  }
+
+  /// By the forces alone: what drags take of velocities that start from zero does not count over a short time.
+  void kick(Input u, Output result) const {
+    if constexpr (requires { model_.cell_size(); }) {
+      const double h = short_time(u);
+      model_.kick(h, result);
+      for (double& rate : result) rate /= h;
+    } else {
+      model_.kick(1, result);
+    }
+  }
+
+  void difference(double time, Input q, Input u, Input v) {
+    const double h = short_time(u);
     moved_.resize(q.size());
     // The first linearisation at q fixes S there, so that advance moves along S(q) u in both directions.
     model_.linearise({time, 0}, q);
@@ -73,7 +91,7 @@ class IndexReduced {
     for (std::size_t s = 0; s < rates_.size(); ++s) curvature_[s] = (curvature_[s] - rates_[s]) / (2 * h);
   }
 
-  static constexpr double relative_step = 6e-6;  // cube root of the machine precision, in units of the coordinates
+  static constexpr double relative_step = 6e-6;  // cube root of the machine precision
 
   Model& model_;
   std::vector<double> curvature_, rates_, multipliers_, moved_, ahead_;

@@ -13,13 +13,13 @@ ExactSolution soliton_fission_entry() {
       .title = "A solitary wave passes onto a shelf and falls apart into several",
       .citation = SolitonFission::provenance().citation,
       .formula = SolitonFission::provenance().formula,
-      .parameters = {{"amplitude", "m", 0.1, 1e-9, 1e6, "of the wave before the shelf; the depth there is 1 m"},
-                     {"shelf_depth", "m", 0.5, 0.05, 1, "of the water on the shelf"},
+      .parameters = {{"amplitude", "1", 0.1, 1e-9, 1e6, "of the wave before the shelf, over the depth there"},
+                     {"shelf_depth", "1", 0.5, 0.05, 1, "of the water on the shelf, over that depth"},
                      {"passage", "1", 0, 0, 1, "how it gets there", {"abrupt", "gradual"}}},
       .inputs = {{"n", "1", 1, "of the wave on the shelf, 1 for the highest"}},
-      .outputs = {{"a_n", "m", "its amplitude; error of the theory about a_n/shelf_depth, relative"}},
+      .outputs = {{"a_n", "1", "its amplitude, over that depth; error of the theory about a_n/shelf_depth, relative"}},
       .scalars = {{"solitons", "1", "how many there are"},
-                  {"a_r", "m", "amplitude of the reflected wave"},
+                  {"a_r", "1", "amplitude of the reflected wave, over that depth"},
                   {"transmission", "1", "amplitude at the beginning of the shelf, relative"}},
       .factory =
           [](const Values& p) {

@@ -37,6 +37,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -151,6 +152,8 @@ class Model {
   /// A of the last linearisation.
   [[nodiscard]] const linear::NinePointMatrix& matrix() const { return matrix_; }
   [[nodiscard]] Corner worst_corner(Input q) const;
+  /// Of a mean square at the beginning [m].
+  [[nodiscard]] double cell_size() const { return std::sqrt(mean_area_); }
 
   /// Drops the west column and puts a column at rest, as wide as the last one was at the beginning, before the east
   /// side. The nodes that become the west side keep their velocities, so that nothing jolts; no force changes those

@@ -31,6 +31,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -135,6 +136,8 @@ class Model {
   [[nodiscard]] const linear::TwentySevenPointMatrix& matrix() const { return matrix_; }
   /// The mesh's worst corner at q (mesh.hpp): a warning when below 0.2.
   [[nodiscard]] Corner worst_corner(Input q) const;
+  /// Of the first cell's cube at the beginning [m].
+  [[nodiscard]] double cell_size() const { return std::cbrt(volume_.front()); }
 
  private:
   static constexpr double tolerance_of_sweeps = 1e-3;  // of the correction that a sweep makes; the next one goes on

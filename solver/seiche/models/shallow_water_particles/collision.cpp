@@ -18,9 +18,13 @@ Collision::Collision(double gravity, const InteriorJump& right_going, const Inte
       left_particle_(right_going.particle),
       right_particle_(left_going.particle) {
   const double right_edge = edge_mass(right_particle_ + 1, mass);
+  const State a = right_going.ahead;
+  const State b = left_going.ahead;
   track_ = {right_going.behind_by_volume * mass[left_particle_],
-            right_edge - left_going.behind_by_volume * mass[right_particle_], right_going.mass_flux,
-            -left_going.mass_flux, right_going.ahead};
+            right_edge - left_going.behind_by_volume * mass[right_particle_],
+            right_going.mass_flux,
+            -left_going.mass_flux,
+            {0.5 * (a.depth + b.depth), 0.5 * (a.velocity + b.velocity)}};
 }
 
 double Collision::edge_mass(std::size_t edge, const Array& mass) const {
