@@ -32,7 +32,7 @@
 #include "verification/noise.hpp"
 #include "verification/wcsph_problems.hpp"
 
-namespace {
+namespace metamorphic_test {
 
 using namespace seiche;
 using mechanics::Stepping;
@@ -782,8 +782,6 @@ double difference(const Option& option, const Twin& twin) {
   }
 }
 
-}  // namespace
-
 TEST_CASE("flows do not know mirrors, directions, units, places, frames and the order of particles", "[conservation]") {
   verification::Check check(
       "metamorphic", "Every model and its flow's twin",
@@ -831,3 +829,5 @@ TEST_CASE("flows do not know mirrors, directions, units, places, frames and the 
     }
   }
 }
+
+}  // namespace metamorphic_test

@@ -14,7 +14,7 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace {
+namespace catalogue_units_test {
 
 using namespace seiche;
 using exact::Evaluator;
@@ -128,8 +128,6 @@ double largest_difference(const ExactSolution& solution, const Numbers& one, con
   return worst.value();
 }
 
-}  // namespace
-
 TEST_CASE("exact solutions do not know units", "[exact]") {
   verification::Check check(
       "exact_units", "Exact solutions in other units",
@@ -157,3 +155,5 @@ TEST_CASE("exact solutions do not know units", "[exact]") {
                    .reason = "some hundreds of roundings, relative; what an iteration or a series leaves is the same"});
   }
 }
+
+}  // namespace catalogue_units_test
