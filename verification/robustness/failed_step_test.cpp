@@ -77,7 +77,8 @@ void break_chain(FragileChain::At where, int count, const std::function<StepFunc
     }
     return;  // an integrator that does not ask for it
   } catch (const Divergence& failure) {
-    if (failure.time() > before.time + 0.02 || failure.step() != before.steps) ++failures.unnamed;
+    // The stages of the triple jump go from -0.352 to 1.352 of a step.
+    if (std::abs(failure.time() - before.time) > 1.352 * 0.02 || failure.step() != before.steps) ++failures.unnamed;
   } catch (const Infeasible&) {
     ++failures.unnamed;
   }
@@ -105,7 +106,7 @@ TEST_CASE("a step that fails leaves the state as it was, with every integrator",
       "failed_steps", "Steps that fail: integrators",
       "A chain breaks at one of its first linearisations, in stages and sweeps of the third or a later step, or "
       "at the end of a step or stage. Coordinates, rates, multipliers, time and number of steps are then those "
-      "of before, and the exception is a Divergence with the time and the step.");
+      "of before, and the exception is a Divergence with the time of the stage and the step.");
   Failures failures;
   for (const auto where : {FragileChain::At::linearise, FragileChain::At::settle}) {
     for (const int count : {3, 8, 17, 30}) {
@@ -132,7 +133,7 @@ TEST_CASE("a step that fails leaves the state as it was, with every integrator",
              {.value = static_cast<double>(failures.changed)},
              Bound{.limit = 0, .reason = "equality of bytes: a caller may go on with a shorter step"});
   check.that({.id = "named",
-              .text = "The failure is reported with its time and step (nine integrators).",
+              .text = "The failure is reported with the time of the stage and the step (nine integrators).",
               .quantity = fmt::format("of {} failures, those without", failures.all),
               .source = source},
              {.value = static_cast<double>(failures.unnamed)},
