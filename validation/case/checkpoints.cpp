@@ -62,7 +62,7 @@ std::optional<std::string> Checkpoints::read(const std::string& name) const {
       double taken = 0;
       std::from_chars(bytes.data(), bytes.data() + bytes.size(), taken);
       const std::scoped_lock lock(mutex_);
-      before_ = std::max(before_, taken);
+      if (taken > before_) before_ = taken;
       return std::string(after_lines(bytes, 1));
     }
     const bool foreign = after_lines(text, 1).substr(0, fingerprint_.size()) != fingerprint_;
