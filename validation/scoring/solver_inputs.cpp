@@ -73,12 +73,12 @@ std::string openfoam_field(std::span<const Vector3> values) {
 std::vector<std::pair<double, double>> heights_of_cells(const std::vector<Vector3>& centres, std::size_t up) {
   if (up != 1 && up != 2) throw std::invalid_argument(fmt::format("up = {}: must be 1 (y) or 2 (z)", up));
   const std::size_t across = 3 - up;
-  double range = 0;
-  for (const std::size_t axis : {std::size_t{0}, across}) {
+  const auto extent = [&](std::size_t axis) {
     const auto [low, high] = std::minmax_element(centres.begin(), centres.end(),
                                                  [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
-    if (low != centres.end()) range = std::max(range, (*high)[axis] - (*low)[axis]);
-  }
+    return low == centres.end() ? 0 : (*high)[axis] - (*low)[axis];
+  };
+  const double range = std::max(extent(0), extent(across));
   const double unit = range > 0 ? 1e-6 * range : 1;
   std::map<std::pair<long long, long long>, std::vector<std::size_t>> columns;
   for (std::size_t i = 0; i < centres.size(); ++i) {
