@@ -113,17 +113,18 @@ Case dam_break_wall_pressure() {
   c.title = "Pressure of a broken dam on a wall, with its repeats";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
-  c.parameters = with({real("dx", {0.0125, 0.005, 0.0025}, "m", {0.001, 0.02}, "spacing of the particles; and twice it")},
-                      sph_parameters({.kernel = std::string("wendland_c2"),
-                                      .smoothing = 2.0,
-                                      .viscosity = "laminar",
-                                      .kinematic_viscosity = 2e-4,
-                                      .xsph = 0,
-                                      .sound = 15,
-                                      .walls = "extrapolated",
-                                      .diffusion = 0.1,
-                                      .courant = 0.25},
-                                     "sqrt(g times the height of the column)"));
+  c.parameters =
+      with({real("dx", {0.0125, 0.005, 0.0025}, "m", {0.001, 0.02}, "spacing of the particles; and twice it")},
+           sph_parameters({.kernel = std::string("wendland_c2"),
+                           .smoothing = 2.0,
+                           .viscosity = "laminar",
+                           .kinematic_viscosity = 2e-4,
+                           .xsph = 0,
+                           .sound = 15,
+                           .walls = "extrapolated",
+                           .diffusion = 0.1,
+                           .courant = 0.25},
+                          "sqrt(g times the height of the column)"));
   set_laboratory<experiment>(c);
   return c;
 }
