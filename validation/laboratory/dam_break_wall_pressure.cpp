@@ -4,7 +4,8 @@ pressure 0.015 m above the floor was recorded in about a hundred repeats.
 
 **What is compared.** Impulse of the impact, the plateau after it, and the root mean square difference from the
 median; the band of the repeats is the uncertainty. One shift of time, of the impact, is fitted and reported: a gate
-that takes 0.1 s to go delays it. The case scores others, and weakly compressible SPH is judged by the same claims.
+that takes 0.1 s to go delays it. The case scores others, and weakly compressible SPH is judged by the same claims in
+the longer tiers.
 
 **Our model.** Density diffusion, walls that take their pressure from the water, Wendland kernel of $h = 2\,dx$. Its
 viscosity is that of the boundary layer, which at the wall fills all of the thin water: $\nu_t = \kappa u_* d/6$, the
@@ -84,12 +85,6 @@ std::map<std::string, evidence::KnownFailure> misses(const Values& values) {
   return {{"pressure-misfit", {.value = 0.297, .width = 0.037, .reason = blunt}}};
 }
 
-std::map<std::string, std::string> undecided(const Values& values) {
-  if (!values.standard() || values.tier() != Tier::quick) return {};
-  const std::string why = "these spacings differ by more than that of the data tells: " + blunt;
-  return {{"pressure-impulse", why}, {"pressure-misfit", why}};
-}
-
 Experiment experiment(const Values& values) {
   return {
       .source = source,
@@ -100,10 +95,9 @@ Experiment experiment(const Values& values) {
                  .band = {"p_low", "p_high"},
                  .clock = Clock{.group = 0, .range = 0.4, .window = {2.3, 3.2}},
                  .readings = {impulse(0, {2.46, 4.0}), mean(0, {3.4, 5.4}, Kind::pressure), misfit(0, {2.6, 5.5})}}},
-      .compute = compute,
+      .compute = values.tier() == Tier::quick ? nullptr : compute,  // what it has time for decides nothing
       .model = "weakly compressible SPH",
-      .misses = misses(values),
-      .undecided = undecided(values)};
+      .misses = misses(values)};
 }
 
 }  // namespace
@@ -113,7 +107,8 @@ Case dam_break_wall_pressure() {
   c.title = "Pressure of a broken dam on a wall, with its repeats";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
-  c.parameters = with({real("dx", {0.0125, 0.005, 0.0025}, "m", {0.001, 0.02}, "spacing of the particles; and twice it")},
+  c.parameters = with({real("dx", {0.005, 0.005, 0.0025}, "m", {0.001, 0.02},
+                            "spacing of the particles, where the model computes; and twice it")},
                       sph_parameters({.kernel = std::string("wendland_c2"),
                                       .smoothing = 2.0,
                                       .viscosity = "laminar",

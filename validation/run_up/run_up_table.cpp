@@ -439,10 +439,12 @@ Case run_up_table() {
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), table of chapter 3; J. V. Hall, "
       "G. M. Watts, Beach Erosion Board Tech. Memo. 33 (1953)";
-  c.tiers = {Tier::quick, Tier::full, Tier::paper};
-  c.parameters = joined({{integer("halvings", {1, 2, 3}, {1, 5}, "how often the spacing is halved, from 1/4 depth on")},
+  c.tiers = {Tier::full, Tier::paper};
+  c.parameters = joined({{integer("halvings", {2, 2, 3}, {1, 5}, "how often the spacing is halved, from 1/4 depth on")},
                          step_parameters()});
   c.published = {{.tiles = {"frank-table-runup"},
+                  .values = {{"halvings", 1L}},
+                  .tier = Tier::full,
                   .differs = "the thesis does not state the spacing: 1/4 of the depth, and half of it"}};
   c.study = Study(claims, compute, show);
   return c;

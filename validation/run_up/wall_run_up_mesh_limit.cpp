@@ -379,7 +379,7 @@ Case wall_run_up_mesh_limit() {
   c.former_names = {"wall_run_up_2d_limit"};
   c.title = "Where the mesh folds: high solitary waves at a vertical wall";
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2";
-  c.tiers = {Tier::quick, Tier::full};
+  c.tiers = {Tier::full};
   c.parameters = {
       integer("rows", {8, 16, 16}, {4, 32}, "of the mesh; columns are twice as wide as rows are high"),
       integer("heights", {2, 5, 5}, {1, 10}, "of waves tried in each tenth of a depth from 0.5 on"),

@@ -344,7 +344,7 @@ Case soliton_le_metayer() {
   c.source =
       "O. Le Metayer, S. Gavrilyuk, S. Hank, A numerical scheme for the Green-Naghdi model, J. Comput. Phys. 229 "
       "(2010) 2034, section 6.1; S. Popinet, Basilisk, src/test/soliton.c";
-  c.tiers = {Tier::quick, Tier::full};
+  c.tiers = {Tier::full};
   c.parameters = {
       real("amplitude", 2.1, "m", {0.01, 8}, "crest above still water"),
       real("depth", 10.0, "m", {1, 20}, "of still water"),

@@ -365,7 +365,7 @@ Case step_variable_mass() {
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 5.3; O. S. Madsen, C. C. "
       "Mei, J. Fluid Mech. 39 (1969) 781";
-  c.tiers = {Tier::quick, Tier::full};
+  c.tiers = {Tier::full};
   c.parameters = {
       real("amplitude", 0.1, "depth", {0.02, 0.3}, "of the wave before the step"),
       real("shelf_depth", 0.5, "depth", {0.2, 0.9}, "of the water behind it"),

@@ -108,7 +108,7 @@ TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bot
   }
 }
 
-TEST_CASE("energy and volumes of the one-step scheme in plan err by the square of the step", "[conservation]") {
+TEST_CASE("energy and volumes of the one-step scheme in plan err by the square of the step", "[conservation][full]") {
   Check check("dispersive_plan_energy_order", "Plan model: energy of the one-step scheme",
               "A hump of 0.3 in a box until t = 200 over a level bottom, and a hump of 0.15 beside a bump until t = "
               "30. The energy errs by a bounded amount that shrinks with $\\tau^2$, and does not drift; so do the "

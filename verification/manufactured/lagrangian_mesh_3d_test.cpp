@@ -248,7 +248,7 @@ TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from 
              {.value = balance.value()}, bound);
 }
 
-TEST_CASE("hexahedra over an uneven bottom are of second order against a manufactured motion", "[manufactured]") {
+TEST_CASE("hexahedra over an uneven bottom are of second order against a manufactured motion", "[manufactured][full]") {
   Check check(
       "lagrangian_mesh_3d_manufactured", "Hexahedra: manufactured motion over an uneven bottom",
       "Water 1 deep over a bottom bent along both axes, between walls 2 apart each way, follows a prescribed "

@@ -1,4 +1,5 @@
 // Damaged files: readers must succeed or refuse in one line, whatever the bytes.
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -135,7 +136,9 @@ Tally fuzz_file(const std::filesystem::path& path, const std::vector<std::string
   });
 }
 
-TEST_CASE("readers survive damaged files: they read or refuse in one line", "[robustness]") {
+/// @param share  of the inputs of the tier full
+void damage_files(double share) {
+  const auto inputs = [share](double of_full) { return std::lround(share * of_full); };
   Check check(
       "reader_fuzz", "Damaged files",
       "Valid CSV tables, TOML configurations, records, HDF5 files and files of every solver whose form is read "
@@ -149,7 +152,7 @@ TEST_CASE("readers survive damaged files: they read or refuse in one line", "[ro
       "t,eta\r\n0,0\r\n1,0.25\r\n2,-0.125\r\n",
       "\"runup [m]\", \"arrival [s]\"\n  3.25 ,\t+17\n",
   };
-  claim(check, "csv", fuzz(tables, 40'000, 0x9E3779B97F4A7C15U, [](const std::string& input) {
+  claim(check, "csv", fuzz(tables, inputs(40'000), 0x9E3779B97F4A7C15U, [](const std::string& input) {
           std::istringstream in(input);
           io::read_csv(in, "damaged.csv");
         }));
@@ -160,14 +163,14 @@ TEST_CASE("readers survive damaged files: they read or refuse in one line", "[ro
       "# comment\nleft_depth = 1.0e0\nspacing = 'masses'\ntime = 2\n",
       "[riemann]\nparticles = 1_000\nright_velocity = -0.5 # m/s\n[moving_bore]\nparticles = [1, 2, {a = true}]\n",
   };
-  claim(check, "toml", fuzz(configurations, 25'000, 0xD1B54A32D192ED03U, [&](const std::string& input) {
+  claim(check, "toml", fuzz(configurations, inputs(25'000), 0xD1B54A32D192ED03U, [&](const std::string& input) {
           validation::Values values = one.values(validation::Tier::quick);
           validation::apply_configuration(input, "damaged.toml", one, values);
         }));
 
   const ScratchFolder scratch("seiche_reader_fuzz");
   claim(check, "record",
-        fuzz_file(scratch.path() / "damaged.json", {record_bytes(scratch)}, 8'000, 0xBF58476D1CE4E5B9U,
+        fuzz_file(scratch.path() / "damaged.json", {record_bytes(scratch)}, inputs(8'000), 0xBF58476D1CE4E5B9U,
                   [](const std::filesystem::path& path) { evidence::read_summary(path); }));
 
   std::filesystem::create_directories(scratch.path() / "sets/6");
@@ -176,7 +179,7 @@ TEST_CASE("readers survive damaged files: they read or refuse in one line", "[ro
   for (const SolverFile& file : solver_files) {
     long read = 0;
     claim(check, file.id,
-          fuzz_file(scratch.path() / file.name, file.texts, 3'000, 0xA0761D6478BD642FU,
+          fuzz_file(scratch.path() / file.name, file.texts, inputs(3'000), 0xA0761D6478BD642FU,
                     [&](const std::filesystem::path& path) {
                       // Recognised by its content, and as what the user says.
                       validation::read_results(path, {.format = ++read % 2 == 0 ? "auto" : file.format});
@@ -184,10 +187,18 @@ TEST_CASE("readers survive damaged files: they read or refuse in one line", "[ro
   }
 
   const auto path = scratch.path() / "damaged.h5";
-  const Tally hdf5 = fuzz_file(path, {hdf5_bytes(path)}, 2'000, 0x94D049BB133111EBU,
+  const Tally hdf5 = fuzz_file(path, {hdf5_bytes(path)}, inputs(2'000), 0x94D049BB133111EBU,
                                [](const std::filesystem::path& damaged) { io::read_hdf5(damaged, {}, 1); });
   check.measure("hdf5_library_crashes", static_cast<double>(hdf5.crashes));
   claim(check, "hdf5", hdf5);
+}
+
+TEST_CASE("readers survive damaged files: they read or refuse in one line", "[robustness]") {
+  damage_files(0.2);
+}
+
+TEST_CASE("readers survive more damaged files", "[robustness][full]") {
+  damage_files(1);
 }
 
 TEST_CASE("what crashes or spins in a child process is a refusal in the parent", "[robustness]") {
