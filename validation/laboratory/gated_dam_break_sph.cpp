@@ -4,14 +4,15 @@ carries the jet, its fall and the air it shuts off.
 
 **Set-up.** Both waters in hydrostatic balance, the gate gone at once; a tank of 1.5 m, whose far end nothing reaches.
 Spacings of 0.15 m/40 and twice that, of which the depth ahead has 10 and 5: 0.0375 m for 0.038. Cubic spline,
-$h = 1.3\,dx$, artificial viscosity $\alpha = 0.1$, XSPH, walls of dynamic particles, $c_0 = 10\sqrt{g H}$: as for a
-collapsing column (`dam_break_sph_koshizuka`); nothing is fitted to this experiment.
+$h = 1.3\,dx$, artificial viscosity $\alpha = 0.3$, XSPH, walls of dynamic particles, $c_0 = 10\sqrt{g H}$: as the
+publication has it for a collapsing column (`dam_break_sph_front`). What half of that viscosity changes is part of
+u_input.
 
 **What is compared.** What `gated_dam_break` compares: the place of the front, on one fitted clock. A front is where
 half of the volume is water, at 0.055 m or higher.
 
-**What to look at.** The bore of shallow water has fallen behind by 2.6 cm after 0.6 s: here a jet runs ahead,
-and the front is within what is known of the measured one.
+**What to look at.** The bore of shallow water has fallen behind by 2.6 cm after 0.6 s: here a jet runs ahead. How far
+depends on the artificial viscosity, with $\alpha = 0.1$ farther than with 0.3.
 */
 #include <algorithm>
 #include <cmath>
@@ -78,6 +79,7 @@ Experiment experiment(const Values& /*values*/) {
   Experiment one = gated_dam_break_experiment();
   one.compute = compute;
   one.model = "weakly compressible SPH";
+  one.known_within = {{"alpha", 2}};
   return one;
 }
 
@@ -88,7 +90,7 @@ Case gated_dam_break_sph() {
   c.title = "A dam breaks over water behind a gate: weakly compressible SPH";
   c.source = gated_dam_break_source;
   c.parameters = with({real("dx", 0.00375, "m", {0.001, 0.01}, "spacing of the particles; and twice it")},
-                      sph_parameters({.alpha = 0.1}, "sqrt(g times the depth behind the gate)"));
+                      sph_parameters({.alpha = 0.3}, "sqrt(g times the depth behind the gate)"));
   set_laboratory<experiment>(c);
   c.submission = {};  // others submit to gated_dam_break
   return c;

@@ -57,6 +57,7 @@ TEST_CASE("declared failures fail within their whole band", "[evidence]") {
           continue;
         INFO(one.name << ", " << name(values.tier()) << " " << values.set_name() << ", " << declared.claim.id);
         const evidence::KnownFailure& failure = *declared.known_failure;
+        if (std::isinf(failure.width)) continue;
         for (const double end : {failure.value - failure.width, failure.value, failure.value + failure.width}) {
           CHECK(judge({.value = end}, declared.criterion).verdict == evidence::Verdict::fail);
         }
