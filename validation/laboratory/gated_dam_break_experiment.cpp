@@ -41,8 +41,8 @@ Submitted bore(const Run& run, const std::string& scheme, double coarsening) {
 /// At the standard parameters.
 std::vector<Cause> misses() {
   return {
-      {"shallow water makes one bore of what is a jet that runs ahead of it: the front falls behind by 2.6 cm in 0.6 s",
-       {"front-at-0_593"}}};
+      {"shallow water makes one bore of what is a jet that runs ahead of it: the front falls behind by 3.3 cm in 0.6 s",
+       {"front-at-0_531", "front-at-0_593", "front-misfit"}}};
 }
 
 }  // namespace

@@ -97,11 +97,15 @@ Experiment experiment(const Values& values) {
     if (period < 3 || harmonic != 2) part.readings.push_back(when_highest(harmonic, window, Kind::place));
     part.readings.push_back(misfit(harmonic, window));
   }
+  std::vector<Cause> undecided;
+  if (period == 2)
+    undecided.push_back({"the first harmonic is level from 18 m on: spacings differ by 2 m", {"harmonics-when-1"}});
   return {.source = source,
           .parts = {part},
           .files = {"whalin_1971_semicircular_shoal/bathymetry.asc"},
           .compute = compute,
-          .model = basin_model};
+          .model = basin_model,
+          .undecided = undecided};
 }
 
 }  // namespace

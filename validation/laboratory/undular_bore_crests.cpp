@@ -64,8 +64,12 @@ Experiment experiment(const Values& /*values*/) {
     part.readings.push_back(misfit(depth, {}));
     for (const double froude : {1.11, 1.15}) part.readings.push_back(at(depth, froude, Kind::height));
   }
-  return {
-      .source = source, .parts = {part}, .compute = compute, .model = "dispersive shallow water, improved dispersion"};
+  return {.source = source,
+          .parts = {part},
+          .compute = compute,
+          .model = "dispersive shallow water, improved dispersion",
+          .misses = {{"cause unknown: the series at 0.1 and 0.2 m of water lie lower by as much at this Froude number",
+                      {"crests-at-1_15-0_16"}}}};
 }
 
 }  // namespace
