@@ -80,6 +80,8 @@ Experiment experiment(const Values& /*values*/) {
   one.compute = compute;
   one.model = "weakly compressible SPH";
   one.known_within = {{"alpha", 2}};
+  one.misses = {{"cause unknown: half of the artificial viscosity brings the front forward by less than is missed",
+                 {"front-at-0_531", "front-at-0_593"}}};
   return one;
 }
 
