@@ -114,7 +114,7 @@ std::vector<Cause> misses(const Wave& wave) {
     return {{behind,
              {"gauges-misfit-1", "gauges-misfit-2", "gauges-misfit-3", "gauges-misfit-4", "gauges-misfit-6",
               "gauges-misfit-9", "gauges-misfit-16"}},
-            {"cause unknown", {"gauges-highest-9", "gauges-when-16"}}};
+            {"cause unknown", {"gauges-highest-9", "gauges-when-16", "gauges-misfit-22"}}};
   }
   return {};
 }
