@@ -47,9 +47,11 @@ Verdict Record::keep(JudgedClaim judged) {
     if (failure.reason.empty()) {
       throw std::invalid_argument(fmt::format("claim '{}': a declared failure needs its reason", judged.claim.id));
     }
-    if (!std::isfinite(failure.value) || !(failure.width >= 0) || !std::isfinite(failure.width)) {
-      throw std::invalid_argument(fmt::format("claim '{}': a declared failure of {:g} +- {:g}, must be a finite band",
-                                              judged.claim.id, failure.value, failure.width));
+    if (!std::isfinite(failure.value) || !(failure.width >= 0)) {
+      throw std::invalid_argument(
+          fmt::format("claim '{}': a declared failure of {:g} +- {:g}: the value must be finite, the width at least 0 "
+                      "(infinite: no band)",
+                      judged.claim.id, failure.value, failure.width));
     }
     Judgement& judgement = judged.judgement;
     if (judgement.verdict == Verdict::fail && !failure.holds(judgement.measured)) {

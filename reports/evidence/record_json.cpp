@@ -71,24 +71,24 @@ Json describe(const JudgedClaim& judged) {
   const Judgement& j = judged.judgement;
   Json criterion = std::visit([](const auto& c) { return describe(c); }, judged.criterion);
   criterion["limit"] = number(j.limit);
-  return {
-      {"id", judged.claim.id},
-      {"text", judged.claim.text},
-      {"quantity", judged.claim.quantity},
-      {"unit", judged.claim.unit},
-      {"source", judged.claim.source},
-      {"resolution", j.resolution},
-      {"measured", number(j.measured)},
-      {"uncertainty", j.uncertainty ? number(*j.uncertainty) : Json(nullptr)},
-      {"expected", number(j.expected)},
-      {"criterion", criterion},
-      {"verdict", name(j.verdict)},
-      {"declared", name(judged.declared())},
-      {"declared_reason", judged.known_failure ? judged.known_failure->reason : ""},
-      {"declared_band",
-       judged.known_failure ? Json::array({judged.known_failure->value, judged.known_failure->width}) : Json(nullptr)},
-      {"as_declared", judged.as_declared()},
-      {"note", j.note}};
+  return {{"id", judged.claim.id},
+          {"text", judged.claim.text},
+          {"quantity", judged.claim.quantity},
+          {"unit", judged.claim.unit},
+          {"source", judged.claim.source},
+          {"resolution", j.resolution},
+          {"measured", number(j.measured)},
+          {"uncertainty", j.uncertainty ? number(*j.uncertainty) : Json(nullptr)},
+          {"expected", number(j.expected)},
+          {"criterion", criterion},
+          {"verdict", name(j.verdict)},
+          {"declared", name(judged.declared())},
+          {"declared_reason", judged.known_failure ? judged.known_failure->reason : ""},
+          {"declared_band", judged.known_failure && std::isfinite(judged.known_failure->width)
+                                ? Json::array({judged.known_failure->value, judged.known_failure->width})
+                                : Json(nullptr)},
+          {"as_declared", judged.as_declared()},
+          {"note", j.note}};
 }
 
 Json describe(const Table& table) {

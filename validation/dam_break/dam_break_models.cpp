@@ -69,10 +69,7 @@ void claims(const Values& values, const Claims<Results>& all) {
                 .text = fmt::format("With one shift the front goes through the measured points: {}.", model.name),
                 .quantity = "rms difference of X/a",
                 .source = data.citation},
-               error_of_finest,
-               evidence::Bound{.limit = 2 * data.uncertainty * std::numbers::sqrt2,
-                               .reason = "two standard uncertainties of a point, in X and in T, along which X runs as "
-                                         "fast"});
+               error_of_finest, through_points(data));
     claim_dissipates(claims_of(claims, model.id), model,
                      "the penalty of the free particles and the viscosity of SPH only take", source);
     claim_lasts(

@@ -22,6 +22,7 @@ $a/71$, where the points say 1.28.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -97,27 +98,30 @@ double front_speed(const SphCollapse& run) {
   return speed_of(run.free_front());
 }
 
-void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data) {
+void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, long cells) {
   const auto fitted = [data](double ShiftedFront::*member) {
     return [data, member](const SphCollapse& run) -> Measurement {
       return {.value = fit_of(run, data).*member, .resolution = run.resolution()};
     };
   };
-  claims.check({.id = "shift",
-                .text = "The experiment is late by what its diaphragm explains.",
-                .quantity = "shift of the time origin, in sqrt(a/2g)",
-                .source = experiment},
-               fitted(&ShiftedFront::shift),
-               Bound{.limit = 0.125,
-                     .reason = "0.05 to 0.30: delays of a released column that other computations of these "
-                               "columns find",
-                     .expected = 0.175});
+  const evidence::Claim shift{
+      .id = "shift",
+      .text = "The measured front lags the computed one by the time that the diaphragm takes to melt, 0.1 to 0.3.",
+      .quantity = "shift of the time origin, in sqrt(a/2g)",
+      .source = experiment};
+  if (cells < 50) {
+    claims.known_failure(shift, fitted(&ShiftedFront::shift), release_delay(),
+                         {.width = std::numeric_limits<double>::infinity(),
+                          .reason = "artificial viscosity, which goes with the spacing, holds the column back as well: "
+                                    "the shift is 0.09 with a/30, 0.15 with a/50, 0.20 with a/71"});
+  } else {
+    claims.check(shift, fitted(&ShiftedFront::shift), release_delay());
+  }
   claims.check({.id = "rms",
                 .text = "With this one shift the front goes through the measured points.",
                 .quantity = "rms difference of X/a",
                 .source = experiment},
-               fitted(&ShiftedFront::rms),
-               Bound{.limit = 0.03, .reason = "a point is known to 0.05; one number was fitted to the four points"});
+               fitted(&ShiftedFront::rms), through_points(data));
   claims.check(
       {.id = "ahead",
        .text = "Let go at once, the column is ahead of one behind a diaphragm that has to melt.",
@@ -178,7 +182,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<long> ladder = ladder_of(values);
   const auto finest = claims.of([](const Results& runs) -> const SphCollapses& { return runs.back(); });
   claim_sound(finest, values);
-  claim_front(finest.of(&SphCollapses::run), data);
+  claim_front(finest.of(&SphCollapses::run), data, ladder.back());
   const auto same = std::ranges::find(ladder, 50) - ladder.begin();
   claim_speed(claims.of([same](const Results& runs) -> const SphCollapse& {
     return same < std::ssize(runs) ? runs[static_cast<std::size_t>(same)].run : runs.back().run;

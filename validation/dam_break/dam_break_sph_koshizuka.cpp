@@ -2,18 +2,20 @@
 Koshizuka and Oka (1996) pulled a wall away from a column of water, $L = 14.6$ cm wide and twice as high, in a tank $4L$
 long, and computed it with their moving-particle semi-implicit method. Here it is computed by weakly compressible SPH.
 
-**Set-up.** Spacing $L/40$, artificial viscosity $\alpha = 0.1$, density filter every 30 steps. The sound speed is 12.5
-times the largest speed of a first run with $c_0 = 10\sqrt{2g \cdot 2L}$, so that no particle moves at more than a tenth
-of it. $T = t\sqrt{2g/L}$.
+**Set-up.** Spacing $L/40$, artificial viscosity $\alpha = 0.3$ as for the other columns, density filter every 30 steps.
+The sound speed is 12.5 times the largest speed of a first run with $c_0 = 10\sqrt{2g \cdot 2L}$, so that no particle
+moves at more than a tenth of it. $T = t\sqrt{2g/L}$.
 
 **What is compared.** The front with their computation and with two digitisations of their experiment, each as it
 stands and with one shift of the time origin. The digitisations differ by up to a third of $L$: how late the
-experiment is and how well a shift explains it depend on who read the figure.
+experiment is and how well a shift explains it depend on who read the figure. No source says how long the wall took to
+be pulled away: the shifts of the experiment are shown and not judged.
 
 **What to look at.** The two computations, which release the water at once, agree without a shift to speak of. The
 experiment is later than both.
 */
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -41,14 +43,6 @@ SphDam dam_of(const Values& values, long cells) {
           .settings = sph_settings(values, gravity, 1000, std::sqrt(gravity * 2 * width))};
 }
 
-struct Required {
-  std::string id, text;
-  double shift, shift_limit;
-  std::string shift_reason;
-  double rms;
-  std::string rms_reason;
-};
-
 using Results = std::vector<SphCollapses>;  ///< by the lattices of the ladder
 
 Results compute(const Run& run) {
@@ -65,24 +59,20 @@ ShiftedFront fit_of(const SphCollapse& run, const ColumnFront& data) {
   return shifted_front(run.free_front(), data.curve(), tank - 0.1);
 }
 
-void claim_front(const Claims<Results>& claims, const ColumnFront& data, const Required& required) {
-  const auto on_finest = [data](double ShiftedFront::*member) {
-    return [data, member](const Results& runs) -> Measurement {
-      const SphCollapse& finest = runs.back().run;
-      return {.value = fit_of(finest, data).*member, .resolution = finest.resolution()};
-    };
+auto on_finest(const ColumnFront& data, double ShiftedFront::*member) {
+  return [data, member](const Results& runs) -> Measurement {
+    const SphCollapse& finest = runs.back().run;
+    return {.value = fit_of(finest, data).*member, .resolution = finest.resolution()};
   };
-  claims.check({.id = "shift-" + required.id,
-                .text = required.text,
-                .quantity = "shift of the time origin, in sqrt(L/2g)",
-                .source = data.citation},
-               on_finest(&ShiftedFront::shift),
-               Bound{.limit = required.shift_limit, .reason = required.shift_reason, .expected = required.shift});
-  claims.check({.id = "rms-" + required.id,
-                .text = fmt::format("With this shift the front is that of {}.", data.label),
+}
+
+void claim_rms(const Claims<Results>& claims, const ColumnFront& data, const std::string& id, const Bound& bound) {
+  claims.check({.id = "rms-" + id,
+                .text = fmt::format("With one shift of time the SPH front agrees with {} within {:.2g}.", data.label,
+                                    bound.limit.value()),
                 .quantity = "rms difference of X/L",
                 .source = data.citation},
-               on_finest(&ShiftedFront::rms), Bound{.limit = required.rms, .reason = required.rms_reason});
+               on_finest(data, &ShiftedFront::rms), bound);
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -90,32 +80,25 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const ColumnFront first = column_front("koshizuka_oka_1", values);
   const ColumnFront second = column_front("koshizuka_oka_2", values);
   claim_sound(claims.of([](const Results& runs) -> const SphCollapses& { return runs.back(); }), values);
-  const std::string late = "0.05 to 0.35: a wall that is pulled up lets the water go from below";
-  const double reading = shifted_front(first.curve(), second.curve(), tank - 0.1).rms;
-  claim_front(claims, mps,
-              {.id = "mps",
-               .text = "The other computation starts at the same time.",
-               .shift = 0,
-               .shift_limit = 0.1,
-               .shift_reason = "both columns are free at once",
-               .rms = 2 * mps.uncertainty,
-               .rms_reason = "twice the reading of the curve"});
-  claim_front(claims, first,
-              {.id = "first",
-               .text = "The experiment is late, by the first digitisation.",
-               .shift = 0.2,
-               .shift_limit = 0.15,
-               .shift_reason = late,
-               .rms = reading,
-               .rms_reason = "what one shift leaves between the two digitisations of the same figure"});
-  claim_front(claims, second,
-              {.id = "second",
-               .text = "The experiment is late, by the second digitisation.",
-               .shift = 0.2,
-               .shift_limit = 0.15,
-               .shift_reason = late,
-               .rms = reading,
-               .rms_reason = "what one shift leaves between the two digitisations of the same figure"});
+  const evidence::Claim shift{.id = "shift-mps",
+                              .text = "The SPH front and the MPS computation start at the same time within 0.1.",
+                              .quantity = "shift of the time origin, in sqrt(L/2g)",
+                              .source = mps.citation};
+  const Bound at_once{.limit = 0.1, .reason = "both columns are free at once"};
+  if (values.integer("cells") < 80) {
+    claims.known_failure(
+        shift, on_finest(mps, &ShiftedFront::shift), at_once,
+        {.width = std::numeric_limits<double>::infinity(),
+         .reason = "artificial viscosity holds the column back: with L/40 the shift is -0.14 for alpha "
+                   "= 0.3 and -0.07 for 0.1"});
+  } else {
+    claims.check(shift, on_finest(mps, &ShiftedFront::shift), at_once);
+  }
+  claim_rms(claims, mps, "mps", {.limit = 2 * mps.uncertainty, .reason = "twice the reading of the curve"});
+  const Bound reading{.limit = shifted_front(first.curve(), second.curve(), tank - 0.1).rms,
+                      .reason = "what one shift leaves between the two digitisations of the same figure"};
+  claim_rms(claims, first, "first", reading);
+  claim_rms(claims, second, "second", reading);
 }
 
 void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit) {
@@ -154,7 +137,7 @@ Case dam_break_sph_koshizuka() {
   c.source = "S. Koshizuka, Y. Oka, Nucl. Sci. Eng. 123 (1996) 421";
   c.tiers = {Tier::full};
   c.parameters = with({integer("cells", 80, {10, 1000}, "particle spacings in the width of the column")},
-                      sph_dam_parameters({.alpha = 0.1, .filter = 30}));
+                      sph_dam_parameters({.alpha = 0.3, .filter = 30}));
   c.study = Study(claims, compute, show);
   return c;
 }

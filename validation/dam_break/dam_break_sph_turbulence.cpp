@@ -121,16 +121,12 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data) {
                 .text = "The measured square column is late by what its diaphragm explains.",
                 .quantity = "shift of the time origin, in sqrt(a/g)",
                 .source = data.citation},
-               fitted(&ShiftedFront::shift),
-               Bound{.limit = 0.125, .reason = "0.05 to 0.30, as for the tall columns", .expected = 0.175});
+               fitted(&ShiftedFront::shift), release_delay());
   claims.check({.id = "rms",
                 .text = "With this one shift the front goes through the measured points.",
                 .quantity = "rms difference of X/a",
                 .source = data.citation},
-               fitted(&ShiftedFront::rms),
-               Bound{.limit = 0.06,
-                     .reason = "a point is known to 0.03 in X/a and 0.03 in time, at a speed of 1.5: 0.054 "
-                               "together"});
+               fitted(&ShiftedFront::rms), through_points(data));
 }
 
 void claim_events(const Claims<Frames>& claims) {

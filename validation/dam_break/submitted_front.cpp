@@ -216,9 +216,9 @@ void judge_front(const ColumnFront& data, double farthest, double cell, const Su
                {.value = fit.shift, .resolution = counted},
                data.measured
                    ? Bound{.limit = 0.2,
-                           .reason = "-0.05 to 0.35: what holds the column takes 0.05 to 0.3 to melt or to be pulled "
-                                     "away, by other computations; nothing where it was computed with the release. It "
-                                     "is not free: the rate is judged beside it",
+                           .reason = "0 to 0.3, known to 0.05 by the points: the diaphragm takes 0.1 to 0.3 to melt "
+                                     "by the source, and nothing where it was computed with the release. It is not "
+                                     "free: the rate is judged beside it",
                            .expected = 0.15}
                    : Bound{.limit = 0.1, .reason = "both columns are free at once"});
   const auto n = static_cast<double>(fit.points);

@@ -4,7 +4,7 @@ up the wall behind it as a bore.
 
 **Set-up.** The one-dimensional dispersive model from a solitary wave as high as gauge 4 measured it. Fronts begin to
 break at a slope of 30 degrees and end at a Froude number of 1.3, with the viscosity that leaves no waves behind a bore;
-glass has Manning's $n$ = 0.01. Nothing is fitted to the experiment.
+friction is that of glass. Nothing is fitted to the experiment.
 
 **What is compared.** What `composite_beach` compares: elevation at seven gauges and the run-up on the wall.
 

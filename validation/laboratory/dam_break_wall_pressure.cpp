@@ -3,18 +3,19 @@ Water of a broken dam, 0.3 m high, runs over a dry floor and hits a wall 1.01 m 
 pressure 0.015 m above the floor was recorded in about a hundred repeats.
 
 **What is compared.** Impulse of the impact, the plateau after it, and the root mean square difference from the
-median; the band of the repeats is the uncertainty. One shift of time, of the impact, is fitted and reported: a gate
-that takes 0.1 s to go delays it. The case scores others, and weakly compressible SPH is judged by the same claims in
-the longer tiers.
+median from T = 2.6 on: before, the pressure rises, and the band of the repeats is one of time. Times are counted from
+where the pressure first reaches 0.3, as the source has it, since a gate that takes 0.1 s to go delays the impact. The
+band of the repeats is the uncertainty. The case scores others, and weakly compressible SPH is judged by the same
+claims in the longer tiers.
 
-**Our model.** Density diffusion, walls that take their pressure from the water, Wendland kernel of $h = 2\,dx$. Its
-viscosity is that of the boundary layer, which at the wall fills all of the thin water: $\nu_t = \kappa u_* d/6$, the
-mean over the depth of a turbulent stream. At $T = 3$ shallow water has $u$ = 2.4 m/s and $d$ = 0.026 m there; with
-$u_* = u/21$, of a smooth floor, that is 2e-4 m²/s. Without friction the water would keep its head,
-$(u^2/2g + d)/H$ = 0.99 to 0.79 by shallow water for $T$ from 3.4 to 5.4; measured are 0.6.
+**Our model.** Water with its viscosity, 8.9e-7 m²/s, density diffusion, walls that take their pressure from the water,
+Wendland kernel of $h = 2\,dx$. With `--set nu0=2e-4`, the eddy viscosity $\kappa u_* d/6$ of a boundary layer that
+fills the water at the wall at $T = 3$, used in the whole tank, the plateau sinks to the measured one: a statement about
+that closure, not about the model.
 
 **What to look at.** The median of single peaks that come at different times is lower than each of them: no peak is
-asked for. Average a computed pressure over 5 ms and over the sensor's face of 4 mm.
+asked for. Average a computed pressure over 5 ms and over the sensor's face of 4 mm. Shallow water without friction has
+the head $(u^2/2g + d)/H$ = 0.99 to 0.79 at the wall for $T$ from 3.4 to 5.4, where 0.6 was measured.
 */
 #include <cmath>
 
@@ -39,6 +40,7 @@ constexpr double wall = 0.6;
 constexpr double sensor = 0.015;
 constexpr double face = 0.004;
 constexpr double averaged = 0.005;  // [s]
+constexpr double gate = 0.57;       // 0.1 s, the time that it takes to go, in T
 
 /// Means over `averaged` of a record, by the trapezoidal rule, every millisecond.
 SubmittedGroup smoothed(const std::vector<double>& times, const std::vector<double>& pressures) {
@@ -74,17 +76,6 @@ Submitted compute(const Run& run, double coarsening) {
   return {{"pressure", {smoothed(times, pressures)}}};
 }
 
-const std::string blunt =
-    "water that sticks to the floor comes with a blunt front, a few spacings high, which strikes the wall like a "
-    "hammer and rings for 0.2 in T; the shift of time follows that peak, 0.38 with spacings of 10 and 7.5 mm, 0.04 "
-    "with 5 mm";
-
-/// At the standard parameters; the band is an eighth of the value.
-std::map<std::string, evidence::KnownFailure> misses(const Values& values) {
-  if (!values.standard() || values.tier() != Tier::full) return {};
-  return {{"pressure-misfit", {.value = 0.297, .width = 0.037, .reason = blunt}}};
-}
-
 Experiment experiment(const Values& values) {
   return {
       .source = source,
@@ -93,11 +84,10 @@ Experiment experiment(const Values& values) {
                  .abscissa = {"T", "1", "time t sqrt(g/H) since the gate starts"},
                  .quantity = {"p", "1", "pressure over rho g H on the wall"},
                  .band = {"p_low", "p_high"},
-                 .clock = Clock{.group = 0, .range = 0.4, .window = {2.3, 3.2}},
+                 .clock = Clock{.range = gate, .by = arrival(0, 0.3, {1.9, 4.0})},
                  .readings = {impulse(0, {2.46, 4.0}), mean(0, {3.4, 5.4}, Kind::pressure), misfit(0, {2.6, 5.5})}}},
       .compute = values.tier() == Tier::quick ? nullptr : compute,  // what it has time for decides nothing
-      .model = "weakly compressible SPH",
-      .misses = misses(values)};
+      .model = "weakly compressible SPH"};
 }
 
 }  // namespace
@@ -112,7 +102,7 @@ Case dam_break_wall_pressure() {
                       sph_parameters({.kernel = std::string("wendland_c2"),
                                       .smoothing = 2.0,
                                       .viscosity = "laminar",
-                                      .kinematic_viscosity = 2e-4,
+                                      .kinematic_viscosity = 8.9e-7,
                                       .xsph = 0,
                                       .sound = 15,
                                       .walls = "extrapolated",

@@ -40,6 +40,10 @@ struct Train {
   double from = 0, to = 1;                         ///< [m]
 };
 
+/// Of the flumes with slopes and beaches; 0.010 s/m^(1/3) is the handbooks' value for glass (Chow 1959). Where water is
+/// deep for its waves friction takes a per cent or less, and the flume has none.
+inline constexpr dispersive::Friction glass{dispersive::FrictionLaw::manning, 0.01};
+
 inline constexpr double improved = 1.0 / 15;  ///< gamma
 /// gamma of the linear law of Bonneton, Chazel, Lannes, Marche and Tissier, J. Comput. Phys. 230 (2011) 1479, whose
 /// alpha = 1.153 is 1 + 3 gamma: within 2 % of Airy's phase velocity up to k h = 4.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -51,7 +52,7 @@ class Rows {
       lowest.add(y);
       u.add(stated(source_, column, part_.table).of(y));
     }
-    const double half = 0.5 * (highest.value() - lowest.value());
+    const double half = 0.5 * (highest.value() - lowest.value()) / std::numbers::sqrt3;
     return {table_.column(part_.abscissa.name)[k], mean.value(), pointwise(k).value_or(std::hypot(u.value(), half))};
   }
   [[nodiscard]] double abscissa_uncertainty() const {
@@ -102,6 +103,11 @@ void set_zero(Measured& curve, Window still) {
 }
 
 }  // namespace
+
+double Clock::lag(Curve computed, const Measured& measured) const {
+  if (!by) return lag_of(computed, measured, window, range);
+  return std::clamp(by->of(computed, measured) - by->expected(measured), -range, range);
+}
 
 std::vector<Measured> measured(const Series& part, const Values& values) {
   const Rows rows(part, values);

@@ -20,11 +20,15 @@
 
 namespace seiche::validation::laboratory {
 
-/// Where the origin of time is not known: one shift, of at most `range`, is fitted at one group and used for all.
+/// Where the origin of time is not known: one shift, of at most `range`, is found at one group and used for all: that
+/// of the smallest misfit in the window, or what makes one reading as measured.
 struct Clock {
   double group = 0;
   double range = 0;
   Window window = {};
+  std::optional<Reading> by = {};
+
+  [[nodiscard]] double lag(Curve computed, const Measured& measured) const;
 };
 
 struct Series {
@@ -35,8 +39,8 @@ struct Series {
   std::vector<double> groups = {};  ///< those that count; empty: all
   Column abscissa;
   Column quantity;
-  /// Columns of the table that hold it, where they are not called like the quantity. The mean of several is taken, and
-  /// half of the distance between them is a standard uncertainty of it.
+  /// Columns of the table that hold it, where they are not called like the quantity. Of several the middle is taken: it
+  /// may lie anywhere between them, which is a standard uncertainty of half of their distance over sqrt(3).
   std::vector<std::string> columns = {};
   std::map<std::string, double> rows = {};  ///< value of further columns in the rows that count
   std::string spread = {};                  ///< column with the standard uncertainty of each row
@@ -54,15 +58,24 @@ struct Series {
   std::string alike_reason = "every group has a record of its own";
 };
 
+/// Claims that are known to fail, or cannot be decided, and what is known of the cause: "cause unknown" where no
+/// evidence is. How far each is off is in the evidence of record.
+struct Cause {
+  std::string reason;
+  std::vector<std::string> claims;  ///< by id
+};
+
 struct Experiment {
   std::string source;  ///< citation
   std::vector<Series> parts;
   std::vector<std::string> files = {};  ///< of reference_data, which say the geometry and what drives the flow
   /// A model of our own. @param coarsening  how much coarser than the parameters say
   std::function<Submitted(const Run&, double coarsening)> compute = {};
-  std::string model = {};                                     ///< its name
-  std::map<std::string, evidence::KnownFailure> misses = {};  ///< of it, by the claim's id
-  std::map<std::string, std::string> undecided = {};          ///< what its spacings cannot decide, and why
+  std::string model = {};  ///< its name
+  /// Parameters of it that no source states, known to within this factor: what each changes is part of u_input.
+  std::map<std::string, double> known_within = {};
+  std::vector<Cause> misses = {};     ///< of it
+  std::vector<Cause> undecided = {};  ///< what its spacings cannot decide
 };
 
 /// A part of kind scalars is one row of a table; its abscissa tells which and is not asked for.

@@ -3,16 +3,17 @@ A dam breaks over water behind a gate (`gated_dam_break`), by weakly compressibl
 carries the jet, its fall and the air it shuts off.
 
 **Set-up.** Both waters in hydrostatic balance, the gate gone at once; a tank of 1.5 m, whose far end nothing reaches.
-Spacings of 0.15 m/40 and twice that, of which the depth ahead has 10 and 5: 0.0375 m for 0.038; 0.15 m/25 in the tier
-`quick`, where the front falls behind in the end by what the artificial viscosity of so wide a spacing takes. Cubic
-spline, $h = 1.3\,dx$, artificial viscosity $\alpha = 0.1$, XSPH, walls of dynamic particles, $c_0 = 10\sqrt{g H}$: as
-for a collapsing column (`dam_break_sph_koshizuka`); nothing is fitted to this experiment.
+Spacings of 0.15 m/40 and twice that, of which the depth ahead has 10 and 5: 0.0375 m for 0.038; 0.15 m/25 in the
+tier `quick`. Cubic spline,
+$h = 1.3\,dx$, artificial viscosity $\alpha = 0.3$, XSPH, walls of dynamic particles, $c_0 = 10\sqrt{g H}$: as the
+publication has it for a collapsing column (`dam_break_sph_front`). What half of that viscosity changes is part of
+u_input.
 
 **What is compared.** What `gated_dam_break` compares: the place of the front, on one fitted clock. A front is where
 half of the volume is water, at 0.055 m or higher.
 
-**What to look at.** The bore of shallow water has fallen behind by 2.6 cm after 0.6 s: here a jet runs ahead,
-and the front is within what is known of the measured one.
+**What to look at.** The bore of shallow water has fallen behind by 3.3 cm after 0.6 s: here a jet runs ahead. How far
+depends on the artificial viscosity, with $\alpha = 0.1$ farther than with 0.3.
 */
 #include <algorithm>
 #include <cmath>
@@ -79,8 +80,12 @@ Experiment experiment(const Values& values) {
   Experiment one = gated_dam_break_experiment();
   one.compute = compute;
   one.model = "weakly compressible SPH";
+  one.known_within = {{"alpha", 2}};
   if (values.tier() == Tier::quick) {
     one.undecided = {{"front-at-0_593", "the spacing of the quick tier is too wide for the end of the way"}};
+  } else {
+    one.misses = {{"cause unknown: half of the artificial viscosity brings the front forward by less than is missed",
+                   {"front-at-0_531", "front-at-0_593"}}};
   }
   return one;
 }
@@ -94,7 +99,7 @@ Case gated_dam_break_sph() {
   c.tiers = {Tier::quick, Tier::full};
   c.parameters =
       with({real("dx", {0.006, 0.00375, 0.00375}, "m", {0.001, 0.01}, "spacing of the particles; and twice it")},
-           sph_parameters({.alpha = 0.1}, "sqrt(g times the depth behind the gate)"));
+           sph_parameters({.alpha = 0.3}, "sqrt(g times the depth behind the gate)"));
   set_laboratory<experiment>(c);
   c.submission = {};  // others submit to gated_dam_break
   return c;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -85,6 +87,24 @@ void claim_trials(const Experiment& experiment, const Claims<Computed>& claims) 
   }
 }
 
+const Cause* cause_of(const std::vector<Cause>& causes, const Question& question) {
+  const auto found = std::ranges::find_if(causes, [id = question.claim().id](const Cause& cause) {
+    return std::ranges::find(cause.claims, id) != cause.claims.end();
+  });
+  return found == causes.end() ? nullptr : &*found;
+}
+
+/// A cause of what is not asked has been forgotten.
+void require_asked(const std::vector<Cause>& causes, const std::vector<Question>& asked) {
+  for (const Cause& cause : causes) {
+    for (const std::string& id : cause.claims) {
+      if (std::ranges::none_of(asked, [&](const Question& one) { return one.claim().id == id; })) {
+        throw std::logic_error(fmt::format("a failure of {} is declared, which is no claim", id));
+      }
+    }
+  }
+}
+
 void draw(const Series& part, const std::vector<Measured>& data, const Computed& computed, const std::string& model,
           evidence::Exhibit& exhibit) {
   auto& figure = exhibit.figure(part.name, fmt::format("{}: {}", part.name, part.quantity.meaning),
@@ -134,20 +154,28 @@ void list_uncertainties(const std::vector<Question>& all, evidence::Exhibit& exh
 void claim_experiment(const Experiment& experiment, const Values& values, const Claims<Computed>& claims) {
   claim_trials(experiment, claims);
   if (!experiment.compute) return;
-  for (const Question& one : questions(experiment, values)) {
+  const std::vector<Question> asked = questions(experiment, values);
+  require_asked(experiment.misses, asked);
+  require_asked(experiment.undecided, asked);
+  for (const Question& one : asked) {
     const auto answer = [one](const Computed& r) -> Measurement {
       const double fine = one.answer(r.fine);
-      return {.value = fine, .uncertainty = std::abs(one.answer(r.coarse) - fine)};
+      const double coarse = one.answer(r.coarse);
+      Measurement measurement{.value = fine, .uncertainty = std::abs(coarse - fine)};
+      double input = one.input_uncertainty();
+      for (const Submitted& changed : r.changed) input = std::hypot(input, one.answer(changed) - coarse);
+      if (!r.changed.empty()) measurement.told.input = input;
+      return measurement;
     };
-    const auto open = experiment.undecided.find(one.claim().id);
+    const Cause* open = cause_of(experiment.undecided, one);
     const auto judged =
-        claims.at(experiment.model + ", two spacings")
-            .only_if(open == experiment.undecided.end(), open == experiment.undecided.end() ? "" : open->second);
-    const auto miss = experiment.misses.find(one.claim().id);
-    if (miss == experiment.misses.end()) {
-      judged.check(one.claim(), answer, one.criterion());
+        claims.at(experiment.model + ", two spacings").only_if(open == nullptr, open == nullptr ? "" : open->reason);
+    const evidence::Uncertainty criterion = experiment.known_within.empty() ? one.criterion() : one.criterion_of_run();
+    if (const Cause* miss = cause_of(experiment.misses, one)) {
+      constexpr double no_band = std::numeric_limits<double>::infinity();
+      judged.known_failure(one.claim(), answer, criterion, {.width = no_band, .reason = miss->reason});
     } else {
-      judged.known_failure(one.claim(), answer, one.criterion(), miss->second);
+      judged.check(one.claim(), answer, criterion);
     }
   }
 }
@@ -159,6 +187,11 @@ Computed compute_experiment(const Experiment& experiment, const Run& run) {
   r.fine = on_the_clock(experiment, run, experiment.compute(run, 1), r.shifts);
   run.progress(0.7);
   r.coarse = on_the_clock(experiment, run, experiment.compute(run, 2), unused);
+  for (const auto& [parameter, factor] : experiment.known_within) {
+    Run other = run;
+    other.set(parameter, Value(run.real(parameter) / factor));
+    r.changed.push_back(on_the_clock(experiment, run, experiment.compute(other, 2), unused));
+  }
   return r;
 }
 
@@ -176,6 +209,7 @@ void show_experiment(const Experiment& experiment, const Computed& computed, con
       numerical.emplace_back(0.5 * std::abs(one.answer(computed.coarse) - one.answer(computed.fine)));
     }
     show_readings(answered, computed.fine, numerical, experiment.model, exhibit);
+    show_calibration(experiment, values, computed.fine, exhibit);
   }
   for (const Series& part : experiment.parts) draw(part, measured(part, values), computed, experiment.model, exhibit);
 }

@@ -27,7 +27,8 @@ struct Trial {
 
 struct Computed {
   std::vector<Trial> trials;
-  Submitted fine, coarse;  ///< of our own model, on the measured clock; empty without one
+  Submitted fine, coarse;          ///< of our own model, on the measured clock; empty without one
+  std::vector<Submitted> changed;  ///< as coarse, one parameter each that is known to within a factor
   std::map<std::string, double> shifts;
 };
 

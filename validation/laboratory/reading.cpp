@@ -81,10 +81,18 @@ double uncertainty_of_misfit(const Measured& measured, Window window) {
   return std::sqrt(square.value());
 }
 
+/// Standard uncertainty of a place between points at `i` and beside it.
+double between_points(const std::vector<double>& x, std::size_t i) {
+  const double before = i > 0 ? x[i] - x[i - 1] : 0;
+  const double after = i + 1 < x.size() ? x[i + 1] - x[i] : 0;
+  return std::max(before, after) / (2 * std::numbers::sqrt3);
+}
+
 /// Half of what lies within u of the top: where the top is, is not known better.
 double blunt(const Measured& measured, Window window) {
   const Cut cut = within(measured.curve(), window);
-  const double top = largest_of(cut.curve());
+  const auto highest = static_cast<std::size_t>(std::max_element(cut.y.begin(), cut.y.end()) - cut.y.begin());
+  const double top = cut.y.at(highest);
   double from = nan;
   double to = nan;
   for (std::size_t i = 0; i < measured.x.size(); ++i) {
@@ -93,7 +101,7 @@ double blunt(const Measured& measured, Window window) {
     if (std::isnan(from)) from = x;
     to = x;
   }
-  return std::hypot(measured.u_x, 0.5 * (to - from) / std::numbers::sqrt3);
+  return std::hypot(measured.u_x, 0.5 * (to - from) / std::numbers::sqrt3, between_points(cut.x, highest));
 }
 
 /// Amplitude of one harmonic by least squares: normal equations of the mean and four harmonics.
@@ -143,8 +151,8 @@ double Reading::expected(const Measured& measured) const {
 }
 
 double Reading::uncertainty(const Measured& measured) const {
-  if (misfit()) return uncertainty_of_misfit(measured, window);
   if (spread) return spread(measured);
+  if (misfit()) return uncertainty_of_misfit(measured, window);
   Measured up = measured;
   Measured down = measured;
   for (std::size_t i = 0; i < measured.y.size(); ++i) {
@@ -152,7 +160,10 @@ double Reading::uncertainty(const Measured& measured) const {
     down.y[i] -= measured.u[i];
   }
   const double change = 0.5 * std::abs(of(up.curve(), up) - of(down.curve(), down));
-  return along ? std::hypot(change, measured.u_x) : change;
+  if (!along) return change;
+  const auto next = std::upper_bound(measured.x.begin(), measured.x.end(), expected(measured));
+  const auto here = static_cast<std::size_t>(std::max(next - measured.x.begin() - 1, 0L));
+  return std::hypot(change, measured.u_x, between_points(measured.x, here));
 }
 
 Reading highest(double group, Window window, Kind kind) {
@@ -268,7 +279,7 @@ double lag_of(Curve computed, const Measured& measured, Window window, double ra
   const double curvature = before - 2 * least * least + after;
   if (std::isfinite(curvature) && curvature > 0)
     best += std::clamp(0.5 * (before - after) / curvature, -1.0, 1.0) * step;
-  return std::isfinite(least) ? best : nan;
+  return std::isfinite(least) ? std::clamp(best, -range, range) : nan;
 }
 
 }  // namespace seiche::validation::laboratory

@@ -84,6 +84,13 @@ evidence::Uncertainty Question::criterion() const {
   return {.expected = expected_, .data = u_data_, .input = u_input_, .useful = useful_, .reason = reason};
 }
 
+evidence::Uncertainty Question::criterion_of_run() const {
+  evidence::Uncertainty criterion = this->criterion();
+  criterion.input = evidence::Amount::told_by_run(useful_ / 2);
+  criterion.reason += "; u_input holds what parameters change that no source states";
+  return criterion;
+}
+
 double Question::answer(const Submitted& computed) const {
   const SubmittedGroup* group = group_of(computed, part_, reading_.group);
   if (group == nullptr) return nan;
@@ -109,13 +116,15 @@ bool Question::passes(double answer) const {
   return std::abs(answer - expected_) <= 2 * std::hypot(u_data_, u_input_);
 }
 
-std::vector<Question> questions(const Experiment& experiment, const Values& values) {
+std::vector<Question> questions(const Experiment& experiment, const Values& values, bool calibration) {
   std::vector<Question> all;
   for (const Series& part : experiment.parts) {
     for (const Measured& curve : measured(part, values)) {
       const auto kept = std::make_shared<const Measured>(curve);
       for (const Reading& reading : part.readings) {
-        if (!part.group || reading.group == curve.group) all.emplace_back(experiment, part, reading, kept);
+        if (reading.calibration == calibration && (!part.group || reading.group == curve.group)) {
+          all.emplace_back(experiment, part, reading, kept);
+        }
       }
     }
   }
@@ -131,8 +140,7 @@ Submitted on_the_clock(const Experiment& experiment, const Values& values, const
     if (group == nullptr) continue;
     for (const Measured& curve : measured(part, values)) {
       if (part.group && curve.group != part.clock->group) continue;
-      const double lag =
-          lag_of({group->abscissa, group->values.at(part.quantity.name)}, curve, part.clock->window, part.clock->range);
+      const double lag = part.clock->lag({group->abscissa, group->values.at(part.quantity.name)}, curve);
       shifts[part.name] = lag;
       for (SubmittedGroup& one : shifted.at(part.name)) {
         for (double& x : one.abscissa) x -= lag;
@@ -168,6 +176,20 @@ void show_readings(const std::vector<Question>& all, const Submitted& computed,
   exhibit.table(std::move(table));
 }
 
+void show_calibration(const Experiment& experiment, const Values& values, const Submitted& computed,
+                      evidence::Exhibit& exhibit) {
+  evidence::Table table{.id = "calibration",
+                        .title = "Calibration",
+                        .caption = "Readings of the gauges that set the input of a computation: no claims.",
+                        .columns = {{"reading", ""}, {"measured", "1"}, {"computed", "1"}, {"unit", ""}},
+                        .rows = {},
+                        .atlas = {}};
+  for (const Question& one : questions(experiment, values, true)) {
+    table.rows.push_back({one.claim().id, one.expected(), one.answer(computed), one.claim().unit});
+  }
+  if (!table.rows.empty()) exhibit.table(std::move(table));
+}
+
 void judge(const Experiment& experiment, const Values& values, const Submitted& submitted, const SolverFacts& facts,
            evidence::Record& record) {
   std::map<std::string, double> shifts;
@@ -190,6 +212,7 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
     numerical.push_back(u);
   }
   show_readings(present, computed, numerical, record.solver, record);
+  show_calibration(experiment, values, computed, record);
 }
 
 }  // namespace seiche::validation::laboratory

@@ -29,6 +29,8 @@ class Question {
   [[nodiscard]] double answer(const Submitted& computed) const;
   /// Standard, from what is stated of the columns; none where nothing is.
   [[nodiscard]] std::optional<double> stated(const std::map<std::string, StatedUncertainty>& uncertainty) const;
+  /// With an input uncertainty that the run tells.
+  [[nodiscard]] evidence::Uncertainty criterion_of_run() const;
   /// A record that answers with no uncertainty of its own would pass.
   [[nodiscard]] bool passes(double answer) const;
   [[nodiscard]] const Measured& measured() const { return *measured_; }
@@ -41,7 +43,8 @@ class Question {
   double expected_ = 0, u_data_ = 0, u_input_ = 0, useful_ = 0;
 };
 
-std::vector<Question> questions(const Experiment& experiment, const Values& values);
+/// @param calibration  those of what sets the model's input, which are shown, instead of those that are judged
+std::vector<Question> questions(const Experiment& experiment, const Values& values, bool calibration = false);
 
 /// The same with the clock of every part that has one set by its group; the shift is told to `shifts` by part.
 Submitted on_the_clock(const Experiment& experiment, const Values& values, const Submitted& computed,
@@ -53,6 +56,10 @@ Submitted on_the_clock(const Experiment& experiment, const Values& values, const
 void show_readings(const std::vector<Question>& all, const Submitted& computed,
                    const std::vector<std::optional<double>>& numerical, const std::string& solver,
                    evidence::Exhibit& exhibit);
+
+/// Readings of what sets the input, beside what was measured.
+void show_calibration(const Experiment& experiment, const Values& values, const Submitted& computed,
+                      evidence::Exhibit& exhibit);
 
 /// Judges a foreign result.
 void judge(const Experiment& experiment, const Values& values, const Submitted& submitted, const SolverFacts& facts,

@@ -10,8 +10,8 @@ the model is dry its surface is the beach.
 
 **What is compared.** Profiles with the exact solution and with the laboratory. And a wave of $A = 0.3$, which breaks in
 the laboratory, and which no model without dissipation can follow: how far it gets depends on the spacing. With breaking
-fronts and the friction of a smooth bottom, Manning's $n$ = 0.009 s/m$^{1/3}$ under 0.3 m of water or 0.035 in these
-units, it is followed and compared. For the run-up see `synolakis_runup`.
+fronts and the friction of a smooth bottom, Manning's $n$ = 0.009 s/m$^{1/3}$ under the experiment's 0.156 m of water or
+0.038 in these units, it is followed and compared. For the run-up see `synolakis_runup`.
 
 **Your solver.** The exact solution, the first of the NTHMP's benchmark problems: surfaces from $t = 35$ to 70, gauges
 at $x = 0.25$ and 9.95, and the run-up of $A = 0.019$, all in depths and $\sqrt{d/g}$, $x$ from the shoreline at rest,
@@ -126,7 +126,7 @@ Followed follow_closure(const Run& run, const Profiles& laboratory) {
   SolitaryClimb climb = climb_from(run, cot_slope, breaking_amplitude);
   climb.kinetics = dispersive::Kinetics::green_naghdi;
   climb.tip_mass = dispersive::TipMass::consistent;
-  climb.friction = {dispersive::FrictionLaw::manning, 0.035};
+  climb.friction = {dispersive::FrictionLaw::manning, 0.038};
   climb.breaking = dispersive::Breaking{};
   climb.spacing = 0.125;
   Profiles wanted = laboratory;

@@ -63,6 +63,7 @@ TEST_CASE("declared failures fail within their whole band", "[evidence]") {
       if (!declared.known_failure || bound == nullptr || !bound->limit.stated() || !bound->expected.stated()) continue;
       INFO(run << ", " << declared.claim.id);
       const evidence::KnownFailure& failure = *declared.known_failure;
+      if (std::isinf(failure.width)) continue;
       for (const double end : {failure.value - failure.width, failure.value, failure.value + failure.width}) {
         CHECK(judge({.value = end}, declared.criterion).verdict == evidence::Verdict::fail);
       }

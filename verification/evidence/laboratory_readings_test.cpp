@@ -105,8 +105,22 @@ TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
   const Measured front = sampled(0, 6, 60, ramp, 0.002, 0.03);
   is(check, "arrival", "A ramp passes 0.02 at 3.4 s.", arrival(0, 0.02, {}).expected(front), 3.4, 1e-12,
      "a straight line");
-  is(check, "arrival-uncertainty", "Its uncertainty is that of the clock and of the level over the slope.",
-     arrival(0, 0.02, {}).uncertainty(front), std::hypot(0.03, 0.002 / 0.05), 1e-12, "a straight line");
+  is(check, "arrival-uncertainty",
+     "The uncertainty of an arrival is that of the clock, of the level over the slope, and of the distance of points.",
+     arrival(0, 0.02, {}).uncertainty(front), std::hypot(0.03, 0.002 / 0.05, 0.1 / std::sqrt(12.0)), 1e-12,
+     "a straight line, points 0.1 s apart");
+  const Measured peak = sampled(
+      0, 4, 8, [](double t) { return -std::abs(t - 2); }, 0.01, 0.03);
+  is(check, "place-uncertainty",
+     "The uncertainty of the place of a sharp crest is that of the abscissa and of the distance of points.",
+     when_highest(0, {}).uncertainty(peak), std::hypot(0.03, 0.5 / std::sqrt(12.0)), 1e-12, "points 0.5 apart");
+  const auto slow = [](double t) { return std::sin(t - 0.5); };
+  is(check, "lag-range", "A clock is set by no more than its range.",
+     lag_of(sampled(0, 10, 1000, slow, 0).curve(),
+            sampled(
+                1, 8, 100, [](double t) { return std::sin(t); }, 0.01),
+            {2, 6}, 0.2),
+     0.2, 1e-12, "the record is 0.5 late");
   is(check, "misfit-uncertainty", "A misfit is known no better than points and the slope times the clock.",
      misfit(0, {3.5, 5.5}).uncertainty(front), std::hypot(0.002, 0.05 * 0.03), 1e-12, "a straight line");
   is(check, "height-uncertainty", "Of a height from trough to crest: sqrt(2) of a point's.",
@@ -137,8 +151,10 @@ TEST_CASE("what the tables of laboratories say is read as it is meant", "[eviden
                       .rows = {{"case", 1}},
                       .readings = {}};
   const Measured around = measured(island, values_of("island_gauges")).front();
-  is(check, "distributions", "Half of the distance between two distributions of a run-up is an uncertainty of it.",
-     around.u.back(), std::hypot(0.06 * 0.032, 0.5 * (0.032 - 0.0225)), 1e-5, "half a unit of the last digit");
+  is(check, "distributions",
+     "The run-up lies anywhere between two distributions of it: their distance over sqrt(12) is an uncertainty.",
+     around.u.back(), std::hypot(0.06 * 0.032, (0.032 - 0.0225) / std::sqrt(12.0)), 1e-5,
+     "half a unit of the last digit");
   const Series pressure{.name = "pressure",
                         .table = "lobovsky_2014_dam_break_pressure",
                         .abscissa = {"T", "1", ""},
