@@ -316,8 +316,10 @@ Results compute(const Run& run) {
     std::vector<Passed>& passed = r.passed.emplace_back();
     for (const double factor : {1.0, 2.0}) {
       const double between = factor * finest_spacing(run);
-      const ConicalIsland one({.height = wave.height, .spacing = between});
-      passed.push_back(pass(one, between, wave.nominal * depth));
+      passed.push_back(k == 0 && known && between == spacing
+                           ? r.shown
+                           : pass(ConicalIsland({.height = waves[k].height, .spacing = between}), between,
+                                  waves[k].nominal * depth));
     }
     run.progress(0.2 + 0.8 * static_cast<double>(k + 1) / static_cast<double>(waves.size()));
   }
@@ -404,7 +406,7 @@ Case conical_island() {
       "M. J. Briggs, C. E. Synolakis, G. S. Harkins, D. R. Green, Laboratory experiments of tsunami runup on a "
       "circular island, Pure Appl. Geophys. 144 (1995) 569; P. L.-F. Liu et al., J. Fluid Mech. 302 (1995) 259";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
-  c.parameters = {real("height", 0.045, "depth", {0.01, 0.25}, "height of the wave"),
+  c.parameters = {real("height", waves[0].height, "depth", {0.01, 0.25}, "height of the wave"),
                   real("depth", 0.32, "m", {0.25, 0.45}, "of the water"),
                   real("spacing", {0.45, 0.5, 0.5}, "m", {0.2, 1}, "of the columns along the walls of the basin")};
   c.study = Study(claims, compute, show);
