@@ -9,7 +9,8 @@ using lagrangian_mesh_2d::Flow;
 using lagrangian_mesh_2d::Mesh;
 using lagrangian_mesh_2d::Slide;
 
-MomentumBalance::MomentumBalance(const Flow& flow) : flow_(&flow) {
+MomentumBalance::MomentumBalance(const Flow& flow)
+    : flow_(&flow), tau_(flow.time() / static_cast<double>(flow.state().steps)) {
   remember();
 }
 
@@ -66,7 +67,7 @@ MomentumBalance::Step MomentumBalance::after_step() {
   const std::size_t n = mesh.nodes();
   const auto& q = flow_->state().q;
   const auto& u = flow_->state().u;
-  const double tau = flow_->time() - time_;
+  const double tau = tau_;
   std::vector<double> middle(q_.size());
   for (std::size_t i = 0; i < 2 * n; ++i) middle[i] = q_[i] + 0.5 * tau * u_[i];
   const auto slides = model.nodes().slides();

@@ -25,7 +25,7 @@ namespace seiche::validation {
 
 class MomentumBalance {
  public:
-  /// @param flow  must outlive this; any time between two steps
+  /// @param flow  must outlive this; after its first step, which all others are as long as
   explicit MomentumBalance(const lagrangian_mesh_2d::Flow& flow);
 
   /// Of one step: forces on the water along x, without those of still water.
@@ -50,6 +50,7 @@ class MomentumBalance {
 
   const lagrangian_mesh_2d::Flow* flow_;
   std::vector<double> q_, u_;
+  double tau_;  // exact, unlike differences of times
   double time_ = 0;
 };
 

@@ -37,8 +37,8 @@ class ConicalIsland {
     double raster = 0.1;    ///< spacing of the elevations [m]
     dispersive_shallow_water_2d::Scheme scheme = {};
     /// Smooth concrete; the edge of the water keeps to what is beside it within a tenth of a second; what is steeper
-    /// than 10 degrees breaks.
-    dispersive_shallow_water_2d::DragSettings drag = {.manning = 0.012, .shore_rate = 10, .breaking_slope = 0.176};
+    /// than 30 degrees breaks, as in one dimension (Tissier et al. 2012).
+    dispersive_shallow_water_2d::DragSettings drag = {.manning = 0.012, .shore_rate = 10, .breaking_slope = 0.577};
   };
 
   /// Throws std::invalid_argument.

@@ -101,10 +101,10 @@ std::vector<Cause> misses(const Values& values) {
 }
 
 /// With the spacings of the quick tier.
-std::map<std::string, std::string> undecided(const Values& values) {
+std::vector<Cause> undecided(const Values& values) {
   if (values.tier() != Tier::quick) return {};
-  const std::string why = "twice these spacings change it by more than what finer ones miss it by";
-  return {{"heights-misfit-1", why}, {"levels-misfit-2", why}};
+  return {{"twice these spacings change it by more than what finer ones miss it by",
+           {"heights-misfit-1", "levels-misfit-2"}}};
 }
 
 Experiment experiment(const Values& values) {

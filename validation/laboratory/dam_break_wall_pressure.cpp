@@ -87,7 +87,10 @@ Experiment experiment(const Values& values) {
                  .clock = Clock{.range = gate, .by = arrival(0, 0.3, {1.9, 4.0})},
                  .readings = {impulse(0, {2.46, 4.0}), mean(0, {3.4, 5.4}, Kind::pressure), misfit(0, {2.6, 5.5})}}},
       .compute = values.tier() == Tier::quick ? nullptr : compute,  // what it has time for decides nothing
-      .model = "weakly compressible SPH"};
+      .model = "weakly compressible SPH",
+      .misses = {{"cause unknown: the water keeps the head that shallow water without friction has, 0.8 to 1, where "
+                  "0.6 was measured",
+                  {"pressure-impulse", "pressure-mean-3_4-5_4"}}}};
 }
 
 }  // namespace

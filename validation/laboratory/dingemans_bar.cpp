@@ -92,8 +92,7 @@ Case dingemans_bar() {
   Case c;
   c.title = "Regular waves over a submerged bar: the flume of Dingemans";
   c.source = source;
-  c.tiers = {Tier::quick, Tier::full};
-  c.parameters = {real("spacing", {0.06, 0.04, 0.04}, "m", {0.02, 0.2}, "of the markers"), dispersion_parameter()};
+  c.parameters = {real("spacing", 0.04, "m", {0.02, 0.2}, "of the markers"), dispersion_parameter()};
   set_laboratory<experiment>(c);
   return c;
 }

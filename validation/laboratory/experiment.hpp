@@ -48,7 +48,7 @@ struct Series {
   std::optional<Window> still = {};         ///< in which the quantity's mean is its zero
   double input = 0;                         ///< relative standard uncertainty of the incident wave
   std::string input_reason = {};
-  double telling = 0;     ///< largest expanded uncertainty of a time or place that still decides
+  double telling = 0;     ///< largest expanded uncertainty of a time, place or statistic that still decides
   double useful = 0.5;    ///< ... of everything else, over what is measured
   double origin = 0;      ///< what arrivals are counted from in the summary
   double highest = 1e30;  ///< abscissae beyond it do not count

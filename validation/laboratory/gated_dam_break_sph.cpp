@@ -82,10 +82,11 @@ Experiment experiment(const Values& values) {
   one.model = "weakly compressible SPH";
   one.known_within = {{"alpha", 2}};
   if (values.tier() == Tier::quick) {
-    one.undecided = {{"front-at-0_593", "the spacing of the quick tier is too wide for the end of the way"}};
+    one.undecided = {Cause{"the spacing of the quick tier is too wide for the end of the way", {"front-at-0_593"}}};
   } else {
-    one.misses = {{"cause unknown: half of the artificial viscosity brings the front forward by less than is missed",
-                   {"front-at-0_531", "front-at-0_593"}}};
+    one.misses = {
+        Cause{"cause unknown: half of the artificial viscosity brings the front forward by less than is missed",
+              {"front-at-0_531", "front-at-0_593"}}};
   }
   return one;
 }

@@ -105,10 +105,13 @@ std::vector<Cause> misses() {
   const std::string smeared =
       "the fronts of breaking waves are smeared by the viscosity that leaves no waves behind a bore: with 0.3 of it "
       "the asymmetry near the shore is half as large again, and the waves are then a fifth too high";
-  return {{brief, {"std-at-0_1", "std-at-0_15", "std-at-0_2", "std-at-0_35"}},
+  return {{brief,
+           {"std-at-0_1", "std-at-0_125", "std-at-0_15", "std-at-0_175", "std-at-0_2", "std-at-0_25", "std-at-0_3",
+            "std-at-0_35"}},
+          {"cause unknown", {"skewness-at-0_125", "skewness-at-0_175", "skewness-at-0_3", "asymmetry-at-0_35"}},
           {smeared,
            {"skewness-at-0_05", "skewness-at-0_075", "skewness-at-0_1", "asymmetry-at-0_025", "asymmetry-at-0_05",
-            "asymmetry-at-0_075", "asymmetry-at-0_1"}}};
+            "asymmetry-at-0_075", "asymmetry-at-0_1", "asymmetry-at-0_125"}}};
 }
 
 Series statistic(const std::string& name, const Column& quantity) {
@@ -118,6 +121,7 @@ Series statistic(const std::string& name, const Column& quantity) {
               .abscissa = {"depth", "m", "still depth"},
               .quantity = quantity,
               .spread = quantity.name + "_se",
+              .telling = name == "asymmetry" ? 0.15 : 0,  // seaward of breaking it is 0
               .readings = {}};
   for (const double one : depths) part.readings.push_back(at(0, one, Kind::statistic));
   return part;

@@ -52,7 +52,7 @@ Question::Question(const Experiment& experiment, const Series& part, const Readi
     : part_(part), reading_(reading), source_(experiment.source), measured_(std::move(measured)) {
   expected_ = reading.expected(*measured_);
   u_data_ = reading.uncertainty(*measured_);
-  if (reading.along) {
+  if (reading.along || (reading.kind == Kind::statistic && part.telling > 0)) {
     useful_ = part.telling;
     return;
   }
