@@ -228,7 +228,7 @@ WatchedWave run_high(const SetUp& s, const Run& run) {
                                 {.height = s.height, .time = end, .tau = s.tau, .hourglass = run.real("hourglass")},
                                 [&](const Flow& flow) {
                                   if (!balance) {
-                                    balance.emplace(flow);
+                                    balance.emplace(flow, end / std::ceil(end / s.tau - 1e-9));
                                     first_energy = flow.energy();
                                     return;
                                   }

@@ -9,8 +9,7 @@ using lagrangian_mesh_2d::Flow;
 using lagrangian_mesh_2d::Mesh;
 using lagrangian_mesh_2d::Slide;
 
-MomentumBalance::MomentumBalance(const Flow& flow)
-    : flow_(&flow), tau_(flow.time() / static_cast<double>(flow.state().steps)) {
+MomentumBalance::MomentumBalance(const Flow& flow, double tau) : flow_(&flow), tau_(tau) {
   remember();
 }
 
@@ -67,21 +66,20 @@ MomentumBalance::Step MomentumBalance::after_step() {
   const std::size_t n = mesh.nodes();
   const auto& q = flow_->state().q;
   const auto& u = flow_->state().u;
-  const double tau = tau_;
   std::vector<double> middle(q_.size());
-  for (std::size_t i = 0; i < 2 * n; ++i) middle[i] = q_[i] + 0.5 * tau * u_[i];
+  for (std::size_t i = 0; i < 2 * n; ++i) middle[i] = q_[i] + 0.5 * tau_ * u_[i];
   const auto slides = model.nodes().slides();
   for (std::size_t i = 0; i < slides.size(); ++i) {
     const Slide& slide = slides[i];
     const Point before = slide.curve->tangent(q_[2 * n + i]);
     const double speed = before.x * u_[slide.node] + before.y * u_[n + slide.node];
-    middle[2 * n + i] = q_[2 * n + i] + 0.5 * tau * speed;
+    middle[2 * n + i] = q_[2 * n + i] + 0.5 * tau_ * speed;
     const Point place = slide.curve->position(middle[2 * n + i]);
     middle[slide.node] = place.x;
     middle[n + slide.node] = place.y;
   }
   const Forces f = forces(middle);
-  Step step{.time = time_ + 0.5 * tau};
+  Step step{.time = time_ + 0.5 * tau_};
   for (std::size_t j = 0; j <= mesh.rows; ++j) {
     step.left -= f.x[mesh.node(0, j)];
     step.right -= f.x[mesh.node(mesh.columns, j)];
@@ -94,10 +92,10 @@ MomentumBalance::Step MomentumBalance::after_step() {
     const double speed0 = t0.x * u_[k] + t0.y * u_[n + k];
     const double speed1 = t1.x * u[k] + t1.y * u[n + k];
     const double along = f.x[k] * t.x + f.y[k] * t.y;
-    const double turning = (speed1 * (t1.x - t.x) - speed0 * (t0.x - t.x)) / tau;
+    const double turning = (speed1 * (t1.x - t.x) - speed0 * (t0.x - t.x)) / tau_;
     step.bottom += along * t.x - f.x[k] + model.nodes().mass()[k] * turning;
   }
-  for (std::size_t k = 0; k < n; ++k) step.rate += model.nodes().mass()[k] * (u[k] - u_[k]) / tau;
+  for (std::size_t k = 0; k < n; ++k) step.rate += model.nodes().mass()[k] * (u[k] - u_[k]) / tau_;
   remember();
   return step;
 }

@@ -25,8 +25,9 @@ namespace seiche::validation {
 
 class MomentumBalance {
  public:
-  /// @param flow  must outlive this; after its first step, which all others are as long as
-  explicit MomentumBalance(const lagrangian_mesh_2d::Flow& flow);
+  /// @param flow  must outlive this; any time between two steps
+  /// @param tau  length of its steps: differences of times are rounded
+  MomentumBalance(const lagrangian_mesh_2d::Flow& flow, double tau);
 
   /// Of one step: forces on the water along x, without those of still water.
   struct Step {
@@ -50,7 +51,7 @@ class MomentumBalance {
 
   const lagrangian_mesh_2d::Flow* flow_;
   std::vector<double> q_, u_;
-  double tau_;  // exact, unlike differences of times
+  double tau_;
   double time_ = 0;
 };
 
