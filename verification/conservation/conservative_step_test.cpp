@@ -227,7 +227,7 @@ TEST_CASE("implicit steps do not depend on when they begin nor on who counts the
       for (const bool to_a_time : {false, true}) {
         const Result other = run(begin, to_a_time, composed);
         different += other.state.q == first.state.q && other.state.u == first.state.u ? 0 : 1;
-        most = std::max(most, other.sweeps);
+        if (other.sweeps > most) most = other.sweeps;
       }
     }
     const std::string id = composed ? "composed-" : "plain-";

@@ -110,7 +110,7 @@ double largest_difference(const ExactSolution& solution, const Numbers& one, con
   std::vector<double> scale(std::max(solution.outputs.size(), solution.scalars.size()), 0.0);
   for (std::size_t r = 1; r < one.size(); ++r) {
     for (std::size_t i = 0; one[r] && i < one[r]->size(); ++i) {
-      if (std::isfinite((*one[r])[i])) scale[i] = std::max(scale[i], std::abs((*one[r])[i]));
+      if (const double size = std::abs((*one[r])[i]); std::isfinite(size) && size > scale[i]) scale[i] = size;
     }
   }
   for (std::size_t r = 0; r < one.size(); ++r) {
