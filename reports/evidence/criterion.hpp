@@ -93,7 +93,7 @@ using Criterion = std::variant<Roundoff, Order, Bound, Uncertainty, Qualitative>
 /// amount, it is as unexpected as a failure elsewhere.
 struct KnownFailure {
   double value = 0;  ///< what is measured
-  double width = 0;  ///< measured values lie within value +- width
+  double width = 0;  ///< measured values lie within value +- width; infinite where no cause gives a band
   std::string reason;
 
   [[nodiscard]] bool holds(double measured) const { return measured >= value - width && measured <= value + width; }

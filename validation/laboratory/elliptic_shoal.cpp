@@ -4,7 +4,8 @@ Regular waves of 1 s are focused by an elliptic shoal on a slope (Berkhoff, Booi
 **What is compared.** Amplitude over the incident one along eight sections: the largest, where it is, and the root
 mean square difference. The case scores others, and in the full tier the plan model with improved dispersion is judged
 by the same claims: a paddle at x = -10 m, the depth cut at 0.1 m, and a layer beyond 11 m in which waves are absorbed;
-of 40 periods the last five are compared, as the source has it.
+of 32 periods the last four are compared. The source has the last five to ten of 40: the lattice folds beside a side
+wall after 33.8 periods.
 
 **What to look at.** The focus lies on the shallower side, y < 0: a result of another handedness is mirrored. Linear
 theory has the pattern right and the peaks behind the focus a tenth too high; the waves are steep enough for that.
@@ -61,7 +62,7 @@ Submitted compute(const Run& run, double coarsening) {
                           .absorption = 4},
                          {.depth = 0.45, .amplitude = amplitude, .period = period});
   const long steps = std::lround(4 * period / spacing);
-  constexpr double settled = 35 * period;
+  constexpr double settled = 28 * period;
   flow.advance_to(settled, period / static_cast<double>(steps));
   std::vector<SubmittedGroup> groups;
   std::vector<Point> places;
@@ -72,7 +73,7 @@ Submitted compute(const Run& run, double coarsening) {
     places.insert(places.end(), own.begin(), own.end());
     groups.push_back(std::move(group));
   }
-  const std::vector<double> amplitudes = harmonics_at(flow, places, 1, period, steps, 5).front();
+  const std::vector<double> amplitudes = harmonics_at(flow, places, 1, period, steps, 4).front();
   auto next = amplitudes.begin();
   for (SubmittedGroup& group : groups) {
     for (std::size_t k = 0; k < group.abscissa.size(); ++k) group.values["a"].push_back(*next++ / amplitude);
