@@ -186,5 +186,4 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
   }
 }
 
-
 }  // namespace lagrangian_mesh_surface_pressure_test

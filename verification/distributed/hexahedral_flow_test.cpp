@@ -133,5 +133,4 @@ TEST_CASE("a flow of hexahedra in a moving window shared out among processes is 
   compare_with_one("window", " in a moving window", in_plan.what, mesh, velocity, in_plan.window);
 }
 
-
 }  // namespace hexahedral_flow_test

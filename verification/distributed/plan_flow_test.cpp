@@ -304,5 +304,4 @@ TEST_CASE("what all processes write is read back as it was") {
              Bound{.limit = 0, .reason = "the file keeps all digits"});
 }
 
-
 }  // namespace plan_flow_test

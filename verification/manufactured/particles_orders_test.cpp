@@ -5,7 +5,6 @@
 #include <numbers>
 #include <vector>
 
-
 #include "seiche/exact/lagrangian_manufactured.hpp"
 #include "seiche/exact/simple_wave.hpp"
 #include "seiche/exact/thacker.hpp"

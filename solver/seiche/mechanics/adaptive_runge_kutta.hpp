@@ -36,8 +36,8 @@ long integrate_adaptive(AdaptiveMethod method, Model& model, State& state, doubl
     model.advance(origin, at.subspan(n), 1, result.first(n));
   };
   long evaluations = 0;
-  StepParts<Model>::guarded(
-      state, [&] { evaluations = integrate_adaptive(method, slope, x, state.time, end, tolerance); });
+  StepParts<Model>::guarded(state,
+                            [&] { evaluations = integrate_adaptive(method, slope, x, state.time, end, tolerance); });
   state.q.assign(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n));
   state.u.assign(x.begin() + static_cast<std::ptrdiff_t>(n), x.end());
   state.time = end;
