@@ -61,6 +61,7 @@ NOT_RUN = {
     "CONTRIBUTING.md": {
         "ci/build release seiche_command": WHOLE_BUILD,
         "ci/checks/verify evidence": WHOLE_BUILD,
+        "ci/checks/verify --tier full": LONG,
         "ci/checks/time-build": WHOLE_BUILD,
         "ci/test": WHOLE_BUILD,
         "ci/checks/tidy": WHOLE_BUILD,
