@@ -27,6 +27,9 @@ class NotBuilt(RuntimeError):
     """The broken program could not be made: the defect says nothing about the checks."""
 
 
+MEMBER = re.compile(r'^#include "(.*)"', re.MULTILINE)
+
+
 def value_after(words, option):
     return words[words.index(option) + 1]
 
@@ -50,19 +53,25 @@ class Build:
     def __init__(self, folder):
         self.folder = folder.resolve()
         self.sources = Sources(ROOT)
+        self.together = {}  # (target, file) -> the source that includes it
         cache = (self.folder / "CMakeCache.txt").read_text()
         self.ninja = re.search(r"^CMAKE_MAKE_PROGRAM:\w+=(.*)$", cache, re.M)[1]
 
     @functools.cache
     def commands(self, target):
-        """(source -> words of its compile command, words of the link) of a program."""
+        """(source -> words of its compile command, words of the link) of a program. A file that is compiled together with
+        others is a source through the one that includes them (self.together)."""
         said = subprocess.run([self.ninja, "-C", self.folder, "-t", "commands", target], check=True,
                               capture_output=True, text=True).stdout.splitlines()
         compile_of = {}
         for line in said:
             words = shlex.split(line)
             if "-c" in words and "-o" in words and "c++-header" not in words:
-                compile_of[os.path.relpath(value_after(words, "-c"), ROOT)] = words
+                source = os.path.relpath(value_after(words, "-c"), ROOT)
+                compile_of[source] = words
+                if "/Unity/unity_" in source and (ROOT / source).is_file():
+                    for member in MEMBER.findall((ROOT / source).read_text()):
+                        self.together[target, os.path.relpath(member, ROOT)] = source
         link = shlex.split(said[-1].split(" && ")[1])
         return compile_of, link
 
@@ -83,15 +92,17 @@ class Build:
 
     def touched(self, defect):
         """The sources to compile anew."""
-        compile_of, _ = self.commands(defect.check.target)
+        target = defect.check.target
+        compile_of, _ = self.commands(target)
         if defect.file.endswith(".cpp"):
             found = [defect.file]
         else:
             found = [path for path in self.sources.deciding(defect.check.file)
-                     if path in compile_of and defect.file in self.read_by(path)]
+                     if (path in compile_of or (target, path) in self.together) and defect.file in self.read_by(path)]
+        found = list(dict.fromkeys(self.together.get((target, path), path) for path in found))
         missing = [path for path in found if path not in compile_of]
         if missing or not found:
-            raise NotBuilt(f"{defect.check.target} is not made from {' '.join(missing) or defect.file}")
+            raise NotBuilt(f"{target} is not made from {' '.join(missing) or defect.file}")
         return found
 
     def compile(self, defect, source, tree, target_object):
@@ -102,6 +113,9 @@ class Build:
             first = next(i for i, word in enumerate(words) if word.startswith("-I"))
             words[first:first] = [f"-I{tree}/solver", f"-I{tree}"]
         text = tree / source if (tree / source).is_file() else ROOT / source
+        if (defect.check.target, defect.file) in self.together and defect.file.endswith(".cpp"):
+            text = tree / pathlib.PurePath(source).name
+            text.write_text((ROOT / source).read_text().replace(f'"{ROOT / defect.file}"', f'"{tree / defect.file}"'))
         for option, value in (("-o", target_object), ("-MT", target_object), ("-MF", f"{target_object}.d"),
                               ("-c", text)):
             if option in words:
