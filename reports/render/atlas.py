@@ -113,7 +113,7 @@ def fill(sources, records, drawn, kept=None):
 
 def _illustrate(tile, record, drawn):
     """The figure that names the tile, else the table that does, else (for the case as a whole) its first figure."""
-    pictures = sorted(record.figures, key=lambda figure: tile.id not in figure["atlas"])
+    pictures = sorted(record.shown, key=lambda figure: tile.id not in figure["atlas"])
     named = [figure for figure in pictures if tile.id in figure["atlas"]]
     own_tables = [table for table in record.tables if tile.id in table["atlas"]]
     for figure in named or ([] if own_tables else pictures):
@@ -138,6 +138,12 @@ def kept_sets(folder=RECORD):
                     verdicts.setdefault((row["case"], row["set"]), []).append(row["verdict"])
         kept.update({place: tier for place, found in verdicts.items() if all(one in AS_DECLARED for one in found)})
     return kept
+
+
+def strip(sources, most=8):
+    """Tiles with a picture, for the first screen: as many of each source as there is room for."""
+    shown = [[tile for tile in members if tile.picture] for _, members in sources]
+    return [tile for members in shown for tile in members[:most // max(len(shown), 1) + 1]][:most]
 
 
 def count(sources):

@@ -62,6 +62,7 @@ def _options(arguments):
                         help="drawing processes (default: %(default)s)")
     parser.add_argument("--title", default="Verification and validation of water-wave solvers")
     parser.add_argument("--pdf", metavar="FILE", help="also print the whole report to FILE")
+    parser.add_argument("--with-data", action="store_true", help="also copy the records and their arrays")
     parser.add_argument("--scorable", metavar="PHENOMENON/CASE,...", default="",
                         help="cases that score others, as the overview names them")
     options = parser.parse_args(arguments)

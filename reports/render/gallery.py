@@ -44,7 +44,7 @@ def draw_all(directory, records, surveys, store, jobs):
     drawn, missing = {}, {}
     for record in records:
         held = surveys[record.stem]
-        for figure in record.figures:
+        for figure in record.shown:
             place = (record.stem, figure["id"])
             if held["problem"]:
                 drawn[place] = Drawn(problem=held["problem"])

@@ -7,10 +7,9 @@ import re
 import jinja2
 from markupsafe import Markup
 
-from render import costs, quantities, trust
+from render import costs, matrix, quantities
 from render.experiments import scatter_figure
-from render.records import KINDS, VERDICTS
-from render.store import digest
+from render.records import KINDS, VERDICTS, slug
 
 _HERE = pathlib.Path(__file__).resolve().parent
 SIGNS = {"pass": "✓", "fail": "✗", "inconclusive": "?", "error": "!", "none": "–"}
@@ -28,15 +27,9 @@ def environment(typesetter):
                          words=lambda text: text.replace("_", " "), slug=slug, plural=plural, capital=capital)
     pages.globals.update(SIGNS=SIGNS, KINDS=KINDS, KIND_NAMES=KIND_NAMES, with_uncertainty=quantities.with_uncertainty,
                          gauge=gauge, tally=tally, limit_html=limit_html, readable=readable, short_commit=short_commit,
-                         scatter_figure=scatter_figure, plain=quantities.plain, SHOWN=trust.SHOWN, cost_figure=costs.figure,
+                         scatter_figure=scatter_figure, plain=quantities.plain, cost_figure=costs.figure,
                          cost_of=costs.of)
     return pages
-
-
-def slug(text):
-    """A name for files and anchors; distinct texts keep distinct slugs."""
-    plain = re.sub(r"[^A-Za-z0-9_.-]+", "-", text)
-    return plain if plain == text else f"{plain}-{digest(text)[:6]}"
 
 
 def plural(count, noun, many=None):
@@ -130,11 +123,34 @@ def overview(cases, broken, problems):
         "broken": broken, "problems": problems,
         "unexpected_count": len(surprises),
         "unexpected_elsewhere": sum(1 for record, _ in surprises if record not in own),
+        "evidence": _evidence(own), "deviations": _by_group(declared),
         "wall_time": sum(record.wall_time or 0 for record in own),
         "slowest": sorted(own, key=lambda record: -(record.wall_time or 0))[:5],
         "quiet": not (surprises or broken or any(record.status == "error" for record in records)),
         "provenance": facts(own), "tiers": sorted({record.tier for record in own}),
     }
+
+
+def _evidence(records):
+    """[(title, what it is, claims that hold, claims)] of verification, theory and laboratory; readings of experiments."""
+    kinds = {"Verification": "orders, invariants, exact solutions", "Theory and sources": "exact solutions, published figures",
+             "Laboratory": "readings within their uncertainty"}
+    found = {name: [] for name in kinds}
+    for record in records:
+        name = ("Verification" if record.kind == "verification" else
+                "Laboratory" if record.group == "laboratory" else "Theory and sources")
+        found[name] += [claim for claim in record.claims if name != "Laboratory" or claim.kind == "uncertainty"]
+    return [(name, kinds[name], sum(1 for claim in claims if claim.verdict == "pass"), len(claims))
+            for name, claims in found.items()]
+
+
+def _by_group(declared):
+    """[(group, [(case, page, its declared failures)])], the largest group first."""
+    groups = collections.defaultdict(collections.Counter)
+    for record, _ in declared:
+        groups[record.group][record.case, record.page] += 1
+    return [(group, counts.most_common()) for group, counts in
+            sorted(groups.items(), key=lambda item: (-item[1].total(), item[0]))]
 
 
 def facts(records):
@@ -184,7 +200,7 @@ def case_view(case, drawn, tile_titles):
     figures, tables, claims, parameters, measurements = ({} for _ in range(5))
     first_looks = []
     for record in case.records:
-        for figure in record.figures:
+        for figure in record.shown:
             figures.setdefault(figure["id"], []).append((record, figure, drawn[record.stem, figure["id"]]))
         for table in record.tables:
             if is_first_look(table):

@@ -7,16 +7,24 @@ import functools
 import hashlib
 import json
 import pathlib
+import re
 
 import jsonschema
 
 from render import files, seal
+from render.store import digest
 
 SCHEMA = pathlib.Path(__file__).resolve().parent.parent / "schema" / "record.schema.json"
 KINDS = ("roundoff", "order", "bound", "uncertainty", "qualitative")
 VERDICTS = ("pass", "fail", "inconclusive", "error")
 OWN_SOLVER = "seiche"
 TIERS = ("quick", "full", "paper")
+
+
+def slug(text):
+    """A name for files and anchors; distinct texts keep distinct slugs."""
+    plain = re.sub(r"[^A-Za-z0-9_.-]+", "-", text)
+    return plain if plain == text else f"{plain}-{digest(text)[:6]}"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -66,6 +74,19 @@ class Record:
     @property
     def own(self):
         return self.raw["solver"] == OWN_SOLVER
+
+    @property
+    def page(self):
+        """Where the report shows it: validation case by case, verification by group."""
+        if self.raw["kind"] == "validation":
+            return f"cases/{self.raw['case']}.html"
+        return f"verification/{slug(self.raw['group'])}.html"
+
+    @property
+    def shown(self):
+        """Its figures that the report draws: of a verification those where a claim fails or an order is fitted, and tiles."""
+        tells = self.raw["kind"] == "validation" or any(c.verdict != "pass" or c.kind == "order" for c in self.claims)
+        return [figure for figure in self.raw["figures"] if tells or figure["atlas"]]
 
     @property
     def by(self):

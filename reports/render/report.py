@@ -3,13 +3,18 @@ import importlib.util
 import pathlib
 import shutil
 
-from render import (atlas, badge, coverage, defects, experiments, files, gallery, league, pages, records, seal,
-                    sharpness, side_by_side, speed, trust)
+from markupsafe import Markup
+
+from render import (atlas, badge, coverage, defects, experiments, files, gallery, league, matrix, pages, records, seal,
+                    search, sharpness, speed)
 from render.formulas import Formulas
 from render.records import Broken
 from render.store import MARKER, Store, user_cache
 from render.text import Typesetter
 
+PAGES = {"cases": "Cases and tests", "agreement": "Data agreement", "atlas": "Figures of the sources",
+         "league": "Solvers", "deviations": "Known deviations", "quality": "Test quality", "reading": "How to read",
+         "provenance": "Provenance"}
 _HERE = pathlib.Path(__file__).resolve().parent
 
 
@@ -29,59 +34,74 @@ def build(evidence, stage, out, options):
     problems = _problems(loaded, surveys, drawn, unknown, evidence)
     fonts = _fonts(stage)
     others = league.survey(cases)
-    shared = {"has_others": bool(others), "title": options.title, "fonts": fonts, "surveys": surveys, "drawn": drawn}
-    environment = pages.environment(typesetter)
-
-    write = _Writer(environment, stage, shared)
-    views = {}
-    for position, case in enumerate(cases):
-        view = pages.case_view(case, drawn, titles)
-        around = {"before": cases[position - 1] if position else None,
-                  "after": cases[position + 1] if position + 1 < len(cases) else None}
-        try:
-            write("case.html.j2", f"cases/{case.name}.html", "../", **view, **around)
-            views[case.name] = view
-        except Exception as error:      # a record that passed the check but cannot be set: shown, not hidden
-            reason = f"{type(error).__name__}: {error}"
-            write("broken.html.j2", f"cases/{case.name}.html", "../", case=case, reason=reason)
-            broken += [Broken(record.file, [f"page not made: {reason}"]) for record in case.records]
-    cases = [case for case in cases if case.name in views]
-    summary = pages.overview(cases, broken, problems)
+    shared = {"title": options.title, "fonts": fonts, "surveys": surveys, "drawn": drawn,
+              "with_data": options.with_data, "menu": _menu(bool(others))}
+    write = _Writer(pages.environment(typesetter), stage, shared)
+    made = [case for case in cases if _made(case, cases, drawn, titles, write, broken)]
+    kept = {case.name for case in made}
+    cases = [case for case in cases if case.name in kept or case.first.kind != "validation"]
     counts = atlas.count(sources)
-    whole = {"summary": summary, "kinds": pages.grouped(cases), "sources": sources, "counts": counts,
-             "counts_in_words": atlas.in_words(counts), "has_junit": files.is_regular(evidence / "junit.xml"),
+    whole = {"summary": pages.overview(cases, broken, problems), "kinds": pages.grouped(cases), "sources": sources,
+             "counts": counts, "counts_in_words": atlas.in_words(counts), "strip": atlas.strip(sources),
+             "has_junit": files.is_regular(evidence / "junit.xml"),
              "sharpness": sharpness.survey([record for case in cases for record in case.records if record.own]),
              "defects": defects.survey(defects.read(), loaded), "experiments": experiments.survey(loaded),
-             "models": side_by_side.survey(cases, drawn), "speed": speed.survey(speed.read(), speed.build_time()),
-             "rooms": coverage.survey(coverage.read()), "wanted_lines": coverage.WANTED,
-             "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
-    whole["trust"] = trust.survey(cases, whole["models"]["problems"], others)
-    whole["scorable"] = trust.scorable(options.scorable, cases)
-    whole["others"] = len(others)
+             "speed": speed.survey(speed.read(), speed.build_time()),
+             "rooms": coverage.survey(coverage.read()), "wanted_lines": coverage.WANTED, "LOOSEST": sharpness.SHOWN,
+             "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE},
+             "matrix": matrix.survey(cases, drawn, others), "scorable": matrix.scorable(options.scorable, cases),
+             "others": len(others), "league": others}
     write("index.html.j2", "index.html", "", **whole)
-    write("atlas.html.j2", "atlas.html", "", **whole)
-    write("models.html.j2", "models.html", "", **whole)
-    if others:
-        write("league.html.j2", "league.html", "", league=others, **whole)
-    write("sharpness.html.j2", "sharpness.html", "", **whole)
-    write("defects.html.j2", "defects.html", "", **whole)
-    write("speed.html.j2", "speed.html", "", **whole)
-    write("coverage.html.j2", "coverage.html", "", **whole)
-    write("experiments.html.j2", "experiments.html", "", **whole)
-    write("reading.html.j2", "reading.html", "", **whole)
+    for name, words in PAGES.items():
+        if name != "league" or others:
+            write("page.html.j2", f"{name}.html", "", name=name, heading=words, **whole)
+    for problem in whole["matrix"]["problems"]:
+        write("page.html.j2", f"problems/{problem.id}.html", "../", name="problem", heading=problem.title, problem=problem, **whole)
+    for model in whole["matrix"]["models"]:
+        write("page.html.j2", f"models/{model['id']}.html", "../", name="model", heading=model["title"], model=model, **whole)
+    for group, members in dict(whole["kinds"]).get("verification", []):
+        tests = [record for case in members for record in case.records]
+        write("page.html.j2", tests[0].page, "../", name="verification", heading=pages.capital(group.replace("_", " ")),
+              claims=[claim for record in tests for claim in record.claims],
+              members=[(record, write.part("verification_body.html.j2", record, broken)) for record in tests], **whole)
     if options.pdf:
-        write("print.html.j2", "print.html", "", views=views, **whole)
+        write("print.html.j2", "print.html", "", **whole)
+    search.write(stage / "assets" / "search.js", whole["matrix"], cases)
 
     for asset in ("report.css", "report.js"):
         _copy(_HERE / "assets" / asset, stage / "assets" / asset)
     _copy_figures(loaded, drawn, stage)
-    _copy_data(evidence, loaded, broken, stage / "data")
+    if options.with_data:
+        _copy_data(evidence, loaded, broken, stage / "data")
     badge.write(stage / "badge.json", cases, broken)
     (stage / MARKER).write_text("A report made by reports/render; replaced as a whole by its next run.\n")
     store.save()
-    return (f"{pages.plural(summary['claims'], 'claim')} in {pages.plural(len(cases), 'case')}, "
-            f"{summary['unexpected_count']} unexpected, {pages.plural(len(broken), 'broken record')}, "
+    return (f"{pages.plural(whole['summary']['claims'], 'claim')} in {pages.plural(len(cases), 'case')}, "
+            f"{whole['summary']['unexpected_count']} unexpected, {pages.plural(len(broken), 'broken record')}, "
             f"{counts['reproduced']} of {counts['all']} tiles reproduced, {counts['reduced']} at reduced size")
+
+
+def _menu(others):
+    """[(page, words)] of the links above every page."""
+    return [("index.html", "Overview")] + [(f"{name}.html", words) for name, words in PAGES.items()
+                                           if name != "provenance" and (others or name != "league")]
+
+
+def _made(case, cases, drawn, titles, write, broken):
+    """Writes the page of a validation case; whether it could be: a record that passed the check but cannot be set is
+    shown, not hidden."""
+    if case.first.kind != "validation":
+        return False
+    position, own = cases.index(case), [one for one in cases if one.first.kind == "validation"]
+    try:
+        write("case.html.j2", case.first.page, "../", **pages.case_view(case, drawn, titles),
+              before=own[position - 1] if position else None, after=own[position + 1] if position + 1 < len(own) else None)
+        return True
+    except Exception as error:
+        reason = f"{type(error).__name__}: {error}"
+        write("broken.html.j2", case.first.page, "../", case=case, reason=reason)
+        broken += [Broken(record.file, [f"page not made: {reason}"]) for record in case.records]
+        return False
 
 
 class _Writer:
@@ -96,6 +116,16 @@ class _Writer:
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(html, encoding="utf-8")
 
+    def part(self, template, record, broken):
+        """The test of one record as HTML; the reason where it cannot be set."""
+        try:
+            part = self._environment.get_template(template).make_module({"root": "../", "page": record.page, **self._shared})
+            return part.test(record)
+        except Exception as error:
+            reason = f"page not made: {type(error).__name__}: {error}"
+            broken.append(Broken(record.file, [reason]))
+            return Markup("<p class=missing>{}</p>").format(reason)
+
 
 def _problems(loaded, surveys, drawn, unknown, evidence):
     """Sentences about what the report itself could not show, each with its record."""
@@ -103,7 +133,7 @@ def _problems(loaded, surveys, drawn, unknown, evidence):
     for record in loaded:
         if surveys[record.stem]["problem"]:
             found.append((record, surveys[record.stem]["problem"]))
-        for figure in record.figures:
+        for figure in record.shown:
             problem = drawn[record.stem, figure["id"]].problem
             if problem and problem != surveys[record.stem]["problem"]:
                 found.append((record, f"figure “{figure['id']}”: {problem}"))
@@ -134,7 +164,7 @@ def _fonts(stage):
 
 def _copy_figures(loaded, drawn, stage):
     for record in loaded:
-        for figure in record.figures:
+        for figure in record.shown:
             result = drawn[record.stem, figure["id"]]
             if result.path is not None:
                 folder = stage / "figures" / pages.slug(record.stem)

@@ -8,10 +8,6 @@ COLUMNS = ("model", "size of", "size", "error", "uncertainty", "processor time",
            "asked", "broke by")
 WORDS = ("model", "size of", "broke by")
 EXACT = 1e-9                # a change below it is round-off
-PROBLEMS = (("drop", "A drop is stretched", "drop_models"),
-            ("standing-wave", "A standing wave", "standing_wave_models"),
-            ("solitary-wave", "A solitary wave travels", "solitary_wave_models"),
-            ("dam-break", "A column of water collapses", "dam_break_models"))
 ALSO = ("stokes_models", "mach_reflection_models")      # cases that set several models side by side in their own way
 
 
@@ -48,19 +44,15 @@ class Problem:
         return next((row for row in reversed(rows) if not row.failed), rows[-1])
 
 
-def survey(cases, drawn):
-    """What the page shows: every problem, found or not, and the other cases that compare models.
+def problem(name, title, case, record, drawn):
+    """The table of a record, or why there is none.
 
     @param drawn  {(record stem, figure id): gallery.Drawn}
     """
-    own = {case.name: next((record for record in case.records if record.own), None) for case in cases}
-    problems = [_problem(Problem(*about), own.get(about[2]), drawn) for about in PROBLEMS]
-    return {"problems": problems, "found": sum(1 for problem in problems if problem.models),
-            "models": len({row[-1].cells["model"] for problem in problems for row in problem.models}),
-            "also": [own[name] for name in ALSO if own.get(name)], "exact": EXACT}
+    return _fill(Problem(name, title, case), record, drawn)
 
 
-def _problem(problem, record, drawn):
+def _fill(problem, record, drawn):
     problem.record = record
     if record is None:
         problem.reason = "This report holds no record of the case."
