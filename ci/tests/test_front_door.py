@@ -66,7 +66,7 @@ NOT_RUN = {
         "ci/test": WHOLE_BUILD,
         "ci/checks/tidy": WHOLE_BUILD,
         "ci/docs": DOCS,
-        "ci/checks/defects linear/periodic_schur_one_neighbour": DEFECTS,
+        "ci/checks/defects linear/gmres_nearest_vector_kept": DEFECTS,
         "ci/checks/defects --random 6 --seed 1": DEFECTS,
         "ci/checks/sanitize": WHOLE_BUILD,
         "ci/setup": INSTALLS,

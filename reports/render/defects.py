@@ -36,17 +36,17 @@ def read(path=RECORD):
 
 
 def survey(rows, records):
-    """What the page shows: the defects by room and by what is broken, each with its claim in our own record.
+    """What the page shows: the defects by room, each with its claim in our own record.
 
     @param records  sorted by file: the first of a case is that of its shortest tier
     """
     by_name = {record.case: record for record in reversed(records) if record.own}
-    rooms = collections.defaultdict(lambda: collections.defaultdict(list))
+    rooms = collections.defaultdict(list)
     for row in rows:
         name, _, claim_id = row["claim"].partition(": ")
         record = by_name.get(name)
         claim = next((one for one in record.claims if one.id == claim_id), None) if record else None
-        rooms[row["defect"].split("/")[0]][row["of"]].append(Planted(row, record, claim))
-    planted = [one for room in rooms.values() for members in room.values() for one in members]
+        rooms[row["defect"].split("/")[0]].append(Planted(row, record, claim))
+    planted = [one for members in rooms.values() for one in members]
     return {"rooms": rooms, "count": len(planted), "found": sum(one.found for one in planted),
             "claims": len({one.row["claim"] for one in planted if one.found})}

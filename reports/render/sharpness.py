@@ -8,6 +8,7 @@ import math
 
 MARGINAL = 0.9
 LOOSE = 0.01
+SHOWN = 40          # of the loose ones
 EDGES = (0.0, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 0.6, 0.9, 1.0)
 
 

@@ -303,9 +303,9 @@ class Report(unittest.TestCase):
         self.assertEqual(experiments.scatter_figure(lines).count("<circle"), 2)
 
     def test_planted_defects_are_listed_with_the_claims_that_found_them(self):
-        rows = [{"defect": "linear/a", "of": "solver", "what": "a sign", "file": "a.cpp", "check": "a_test.cpp",
+        rows = [{"defect": "linear/a", "what": "a sign", "file": "a.cpp", "check": "a_test.cpp",
                  "claim": "sharp: marginal", "measured": "0.5", "limit": "1e-12", "verdict": "fail", "others": "2"},
-                {"defect": "linear/b", "of": "solver", "what": "a factor", "file": "a.cpp", "check": "a_test.cpp",
+                {"defect": "linear/b", "what": "a factor", "file": "a.cpp", "check": "a_test.cpp",
                  "claim": "gone: claim", "measured": "", "limit": "", "verdict": "not found", "others": "0"}]
         memo = Store(self.cache).memo
         loaded, _ = records.load(self.evidence, memo)
