@@ -88,7 +88,7 @@ class Interruptions(unittest.TestCase):
         self.ends(seiche("compare", self.out, changed), 1, "riemann.h5 is not the file", "something got worse")
         report = seiche("report", changed, "--jobs", 1)
         self.ends(report, 0)
-        self.assertIn("riemann.h5 is not the file", (changed / "report/index.html").read_text())
+        self.assertIn("riemann.h5 is not the file", (changed / "report/provenance.html").read_text())
         record = changed / "riemann.json"
         record.write_text(record.read_text().replace('"wall_time": ', '"wall_time": 1', 1))
         self.ends(seiche("compare", self.out, changed), 1, "changed after it was written")
@@ -102,7 +102,7 @@ class Interruptions(unittest.TestCase):
         self.json.write_text(json.dumps(record))
         self.ends(seiche("compare", self.out, self.out), 0, "carry no digest")
         self.ends(seiche("report", self.out, "--jobs", 1), 0)
-        self.assertIn("carries no digest", (self.out / "report/index.html").read_text())
+        self.assertIn("carries no digest", (self.out / "report/provenance.html").read_text())
 
     def test_a_second_writer_is_told(self):
         slow = ["run", "lake_at_rest_1d", "--set", "time=1000000", "--out", self.out]

@@ -3,7 +3,6 @@
 import os
 import pathlib
 import re
-import tomllib
 import unittest
 
 SOURCE = pathlib.Path(os.environ["SEICHE_SOURCE"])
@@ -95,16 +94,6 @@ class Rooms(unittest.TestCase):
                 if module not in seen:
                     seen.add(module)
                     todo |= imports[module]
-
-    def test_the_report_knows_what_every_case_computes_with(self):
-        names = tomllib.loads((SOURCE / "reports/models.toml").read_text())
-        told = {*names["cases"], *names["several"]["cases"], *names["none"]["cases"]}
-        cases = {name for path in (SOURCE / "validation").glob("*/*.cpp")
-                 for name in re.findall(r"^Case (\w+)\(\)", path.read_text(), re.MULTILINE)}
-        self.assertGreater(len(cases), 100)
-        self.assertEqual(told - cases, set(), "named in reports/models.toml and no case")
-        by_name = {case for case in cases if not names["words"].keys().isdisjoint(case.split("_"))}
-        self.assertEqual(cases - told - by_name, set(), "say in reports/models.toml which model it is")
 
     def test_the_map_of_the_readme_is_the_tree(self):
         layout = (SOURCE / "README.md").read_text().split("## Layout")[1].split("\n## ")[0]

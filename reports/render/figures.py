@@ -39,7 +39,11 @@ def draw(data_file, figure_id, drawing_name, small, key, target):
 
 
 def _slim(svg):
-    """Drops what a browser does not need: comments, metadata, doctype, line indentation."""
+    """Drops what a browser does not need: comments, metadata, doctype, line indentation, digits below .1 of a point,
+    the style of markers that are alike."""
     import re
     svg = re.sub(r"<!--.*?-->|<!DOCTYPE.*?>|<metadata>.*?</metadata>", "", svg, flags=re.DOTALL)
-    return re.sub(r"\n\s*", "\n", svg)
+    svg = re.sub(r"\n\s*", "\n", svg)
+    svg = re.sub(r' (?:d|x|y)="[^"]*"', lambda found: re.sub(r"(\.\d)\d+", r"\1", found[0]), svg)
+    alike = r'<use xlink:href="([^"]+)" x="[^"]*" y="[^"]*" style="([^"]*)"/>(?:\s*<use xlink:href="\1" x="[^"]*" y="[^"]*" style="\2"/>)+'
+    return re.sub(alike, lambda run: f'<g style="{run[2]}">' + run[0].replace(f' style="{run[2]}"', "") + "</g>", svg)

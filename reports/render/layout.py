@@ -36,7 +36,7 @@ def span_of(panel, axis):
         if axis not in series or (axis == "y" and series.get("style") == "vertical"):
             continue
         values.append(series[axis].ravel())
-        if axis == "y" and len(series.get("y_error", ())) == len(series["y"]):
+        if axis == "y" and "y_error" in series and len(series["y_error"]) == len(series["y"]):
             values += [series["y"] - series["y_error"], series["y"] + series["y_error"]]
     values = numpy.concatenate(values)
     values = values[numpy.isfinite(values)]

@@ -111,8 +111,8 @@ def _problem(about, cases, own, runs, drawn, by_name):
 
 
 def _number(value, record):
-    """A number, or that of a parameter of the record."""
-    return record.parameters[value]["value"] if isinstance(value, str) else value
+    """A number, or that of a parameter of the record; None where it has no such parameter."""
+    return record.parameters.get(value, {}).get("value") if isinstance(value, str) else value
 
 
 def _regime(said, own):
@@ -120,6 +120,8 @@ def _regime(said, own):
     if "case" in said and record is None:
         return regime()
     sizes = {name: _number(said[name], record) for name in ("height", "depth", "length") if name in said}
+    if None in sizes.values():
+        return regime()
     if said.get("both"):        # an amplitude: from trough to crest it is two
         sizes["height"] *= 2
     return regime(**sizes)

@@ -54,14 +54,14 @@ def build(evidence, stage, out, options):
     write("index.html.j2", "index.html", "", **whole)
     for name, words in PAGES.items():
         if name != "league" or others:
-            write("page.html.j2", f"{name}.html", "", name=name, heading=words, **whole)
+            write("page.html.j2", f"{name}.html", "", body=name, heading=words, **whole)
     for problem in whole["matrix"]["problems"]:
-        write("page.html.j2", f"problems/{problem.id}.html", "../", name="problem", heading=problem.title, problem=problem, **whole)
+        write("page.html.j2", f"problems/{problem.id}.html", "../", body="problem", heading=problem.title, problem=problem, **whole)
     for model in whole["matrix"]["models"]:
-        write("page.html.j2", f"models/{model['id']}.html", "../", name="model", heading=model["title"], model=model, **whole)
+        write("page.html.j2", f"models/{model['id']}.html", "../", body="model", heading=model["title"], model=model, **whole)
     for group, members in dict(whole["kinds"]).get("verification", []):
         tests = [record for case in members for record in case.records]
-        write("page.html.j2", tests[0].page, "../", name="verification", heading=pages.capital(group.replace("_", " ")),
+        write("page.html.j2", tests[0].page, "../", body="verification", heading=pages.capital(group.replace("_", " ")),
               claims=[claim for record in tests for claim in record.claims],
               members=[(record, write.part("verification_body.html.j2", record, broken)) for record in tests], **whole)
     if options.pdf:

@@ -40,6 +40,7 @@ struct ReportOptions {
   std::string evidence = "evidence";
   std::string out;
   std::string pdf;
+  bool with_data = false;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
 };
 int report(const ReportOptions& options);

@@ -90,6 +90,7 @@ void add_report(CLI::App& app, Action& action) {
   command->add_option("DIR", options->evidence, "folder with the records")->capture_default_str();
   command->add_option("--out", options->out, "folder for the report; DIR/report if not given");
   command->add_option("--pdf", options->pdf, "also print the report to this PDF file (needs Chromium)");
+  command->add_flag("--with-data", options->with_data, "also copy the records and their arrays into the report");
   command->add_option("--jobs,-j", options->jobs, "how many figures are drawn at once")->check(CLI::Range(1U, 1024U));
   command->footer(
       "The environment's SEICHE_PYTHON names the Python interpreter, which needs numpy, h5py, matplotlib, jinja2 and\n"

@@ -45,6 +45,7 @@ int report(const ReportOptions& options) {
                                  std::to_string(options.jobs),
                                  "--scorable",
                                  scorable()};
+  if (options.with_data) words.emplace_back("--with-data");
   if (!options.pdf.empty()) words.insert(words.end(), {"--pdf", options.pdf});
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());

@@ -22,8 +22,8 @@ validation/bore/bore_flow.cpp,10,9
 
 def page_of(rooms, folder):
     memo = Store(folder / "cache").memo
-    return pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("coverage.html.j2").render(
-        root="", page="coverage.html", title="T", fonts=False, rooms=rooms, wanted_lines=coverage.WANTED)
+    return pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("coverage_body.html.j2").make_module(
+        dict(root="", rooms=rooms, wanted_lines=coverage.WANTED)).body()
 
 
 class Coverage(unittest.TestCase):

@@ -212,7 +212,7 @@ class Report(unittest.TestCase):
         cls.cache = cls.folder / "cache" / "seiche" / "report"
         os.environ["XDG_CACHE_HOME"] = str(cls.folder / "cache")
         write_evidence(cls.evidence)
-        cls.status, cls.said = render(cls.evidence, cls.out)
+        cls.status, cls.said = render(cls.evidence, cls.out, "--with-data")
         cls.pages = {path: Page(path.read_text(encoding="utf-8")) for path in cls.out.rglob("*.html")}
         cls.index = (cls.out / "index.html").read_text(encoding="utf-8")
 
@@ -240,10 +240,17 @@ class Report(unittest.TestCase):
                 if address.fragment:
                     self.assertIn(address.fragment, self.pages[self.out / target.relative_to(self.out.resolve())].ids, reference)
 
+    def hostile(self):
+        """The page of the only verification group with a hostile name."""
+        name = records.Record("hostile.json", record("hostile", kind="verification", group=HOSTILE)).page
+        return (self.out / name).read_text(encoding="utf-8")
+
     def test_every_record_appears(self):
-        for case in ("two_solvers", "hostile", "nulls", "crashed", "lost_figure"):
+        listed = (self.out / "cases.html").read_text(encoding="utf-8")
+        for case in ("two_solvers", "nulls", "crashed", "lost_figure"):
             self.assertTrue((self.out / "cases" / f"{case}.html").is_file(), case)
-            self.assertIn(f"cases/{case}.html", self.index)
+            self.assertIn(f"cases/{case}.html", listed)
+        self.assertIn('id="hostile-claim-one"', self.hostile())
         for broken in ("truncated.json", "not a record.json", "incomplete.json", "two_solvers_again.json"):
             self.assertIn(broken, self.index)
         self.assertIn("tier", self.index)
@@ -257,8 +264,8 @@ class Report(unittest.TestCase):
         self.assertIn('id="nulls-table-first-look"', (self.out / "cases/nulls.html").read_text(encoding="utf-8"))
 
     def test_surprises_are_called_out_and_declared_failures_explained(self):
-        alarm = self.index[self.index.index('id="unexpected"'):self.index.index('id="trust"')]
-        declared = self.index[self.index.index('id="declared"'):self.index.index('id="cases"')]
+        alarm = self.index[self.index.index('id="unexpected"'):self.index.index('id="matrix"')]
+        declared = (self.out / "deviations.html").read_text(encoding="utf-8")
         self.assertIn("nulls-claim-one", alarm)
         self.assertIn("nulls-claim-surprise", alarm)
         self.assertIn("unexpected pass", alarm)
@@ -269,9 +276,10 @@ class Report(unittest.TestCase):
         self.assertIn("hostile-claim-one", declared)
 
     def test_sharpness_lists_what_is_marginal_and_what_is_loose(self):
-        page = (self.out / "sharpness.html").read_text(encoding="utf-8")
+        page = (self.out / "quality.html").read_text(encoding="utf-8")
         marginal = page[page.index('id="marginal"'):page.index('id="loose"')]
-        loose = page[page.index('id="loose"'):]
+        loose = page[page.index('id="loose"'):page.index('id="faults"')]
+        page = page[:page.index('id="faults"')]
         self.assertIn("sharp-claim-marginal", marginal)
         self.assertIn("sharp-claim-loose", loose)
         self.assertIn("sharp-claim-wide", marginal)     # its uncertainty uses up the limit
@@ -311,25 +319,24 @@ class Report(unittest.TestCase):
         loaded, _ = records.load(self.evidence, memo)
         others = [records.Record(f"sharp{name}.json", record("sharp", **what))
                   for name, what in ((".theirs", {"solver": "theirs"}), ("@full", {"tier": "full"}))]
-        page = pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("defects.html.j2").render(
-            root="", page="defects.html", title="T", fonts=False, defects=defects.survey(rows, loaded + others))
+        page = pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("defects_body.html.j2").make_module(
+            {"root": "", "defects": defects.survey(rows, loaded + others)}).body()
         self.assertIn("1 of 2 defects are found, by 1 different claim.", page)
         self.assertIn("cases/sharp.html#sharp-claim-marginal", page)
         self.assertIn("not found", page[page.index('id="linear-b'):])
 
     def test_every_planted_defect_of_the_record_is_shown(self):
-        page = (self.out / "defects.html").read_text(encoding="utf-8")
-        rows = defects.read()
-        self.assertEqual(page.count("<tr id="), len(rows))
-        self.assertIn("defects.html", self.index)
+        page = (self.out / "quality.html").read_text(encoding="utf-8")
+        faults = page[page.index('id="faults"'):page.index('id="coverage"')]
+        self.assertEqual(faults.count("<tr id="), len(defects.read()))
+        self.assertIn("quality.html", self.index)
 
     def tile(self, name):
         atlas = (self.out / "atlas.html").read_text(encoding="utf-8")
         return atlas[atlas.index(f'<li id="{name}"'):].split("</li>")[0]
 
     def test_a_tile_is_reproduced_only_with_the_parameters_of_its_source_and_as_declared(self):
-        self.assertIn("2 of", self.index[self.index.index("reproduces"):][:40])
-        self.assertIn("shows 1 at reduced size", self.index)
+        self.assertIn("</a>: 2 of 58 reproduced, 1 at reduced size", self.index)
         for name in ("frank-fig-9", "frank-table-celerity", "bzz-fig-6"):   # no set; a verification; a surprise
             self.assertIn("shown, not reproduced", self.tile(name), name)
         for name in ("bzz-fig-12", "frank-fig-4"):
@@ -370,8 +377,10 @@ class Report(unittest.TestCase):
         page = (self.out / "cases/lost_figure.html").read_text(encoding="utf-8")
         self.assertIn("holds no figure", page)
         self.assertIn("no drawing is called", page)
-        self.assertIn("no-such-tile", self.index)
-        self.assertIn("gone.h5 cannot be read", self.index)
+        said = (self.out / "provenance.html").read_text(encoding="utf-8")
+        self.assertIn("no-such-tile", said)
+        self.assertIn("gone.h5 cannot be read", said)
+        self.assertIn("provenance.html#problems", self.index)
 
     def test_every_tile_of_the_atlas_appears(self):
         page = self.pages[self.out / "atlas.html"]
@@ -389,7 +398,7 @@ class Report(unittest.TestCase):
             self.assertNotIn("<script>alert", text, path.name)
             self.assertNotIn("javascript:", "".join(page.references))
             self.assertEqual(page.names.count("script"), 1, path.name)
-        self.assertIn("&lt;script&gt;alert", (self.out / "cases/hostile.html").read_text(encoding="utf-8"))
+        self.assertIn("&lt;script&gt;alert", self.hostile())
         for path in self.out.rglob("*.svg"):
             self.assertNotIn("<script>alert", path.read_text(encoding="utf-8"), path.name)
 
@@ -409,12 +418,12 @@ class Report(unittest.TestCase):
     def test_second_run_draws_nothing_and_gives_the_same_bytes(self):
         first = contents(self.out)
         cached = {path: path.stat().st_mtime_ns for path in (self.cache / "figures").iterdir()}
-        self.assertEqual(render(self.evidence, self.out)[0], 0)
+        self.assertEqual(render(self.evidence, self.out, "--with-data")[0], 0)
         self.assertEqual(contents(self.out), first)
         self.assertEqual({path: path.stat().st_mtime_ns for path in (self.cache / "figures").iterdir()}, cached)
 
     def test_a_fresh_report_elsewhere_has_the_same_bytes(self):
-        self.assertEqual(render(self.evidence, self.folder / "elsewhere", "--jobs", "1")[0], 0)
+        self.assertEqual(render(self.evidence, self.folder / "elsewhere", "--jobs", "1", "--with-data")[0], 0)
         self.assertEqual(contents(self.folder / "elsewhere"), contents(self.out))
 
     def test_stale_pages_go_and_nothing_is_left_beside(self):
@@ -466,13 +475,11 @@ shutil.copy(urllib.parse.unquote(urllib.parse.urlsplit(sys.argv[-1]).path), targ
         self.assertEqual(status, 0, said)
         text = file.read_text(encoding="utf-8")
         self.assertEqual(Page(text).faults, [])
-        cases = len(list((self.out / "cases").iterdir()))
-        self.assertEqual(text.count('<div class="sheet">'), cases + 2)      # how to read it, and the atlas
-        self.assertIn("that of nobody", text)
+        self.assertEqual(text.count('<div class="sheet">'), 3)      # deviations, agreement, figures of the sources
         if pdf.find_browser():
             status, said, file = self.printed(os.environ["PATH"])
             self.assertEqual(status, 0, said)
-            self.assertGreater(len(re.findall(rb"/Type\s*/Page\b", file.read_bytes())), cases + 2)
+            self.assertGreater(len(re.findall(rb"/Type\s*/Page\b", file.read_bytes())), 3)
 
 
 class Schema(unittest.TestCase):

@@ -22,8 +22,8 @@ wcsph,steps/2,36,8.5e9,0.43,4e9,0.12,321,A processor,2026-01-02
 
 def page_of(rows, folder, build=()):
     memo = Store(folder / "cache").memo
-    return pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("speed.html.j2").render(
-        root="", page="speed.html", title="T", fonts=False, speed=speed.survey(rows, build))
+    return pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("speed_body.html.j2").make_module(
+        dict(root="", speed=speed.survey(rows, build))).body()
 
 
 class Speed(unittest.TestCase):

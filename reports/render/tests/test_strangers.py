@@ -42,9 +42,9 @@ class Strangers(unittest.TestCase):
             fill(file)
 
     def report(self):
-        """Index page of the report; the honest record is in it, the secret nowhere."""
+        """Index and provenance of the report; the honest record is in it, the secret nowhere."""
         started = time.monotonic()
-        status, said = render(self.evidence, self.out, "--jobs", "1")
+        status, said = render(self.evidence, self.out, "--jobs", "1", "--with-data")
         self.assertEqual(status, 0, said)
         self.assertLess(time.monotonic() - started, 60)
         self.assertTrue((self.out / "cases/honest.html").is_file())
@@ -52,7 +52,7 @@ class Strangers(unittest.TestCase):
             self.assertFalse(path.is_symlink(), path)
             if path.is_file():
                 self.assertNotIn(SECRET.encode(), path.read_bytes(), path)
-        return (self.out / "index.html").read_text(encoding="utf-8")
+        return "".join((self.out / name).read_text(encoding="utf-8") for name in ("index.html", "provenance.html"))
 
     def test_links_and_pipes_are_not_followed(self):
         (self.evidence / "junit.xml").symlink_to(self.secret)

@@ -1,16 +1,20 @@
-"""What the overview says first: how far models are trusted, from the records; and what costs are set beside errors.
+"""The matrix of problems and models on the first screen; and what costs are set beside errors.
 
-    /usr/bin/python3 reports/render/tests/test_trust.py
+    /usr/bin/python3 reports/render/tests/test_matrix.py
 """
+import csv
+import fnmatch
 import json
+import math
 import pathlib
 import sys
 import tempfile
+import tomllib
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
-from render import costs, league, records, side_by_side, trust  # noqa: E402
+from render import costs, matrix, records  # noqa: E402
 from render.tests.test_report import HOSTILE, Page, claim, record, render  # noqa: E402
 from render.tests.test_side_by_side import row, table  # noqa: E402
 
@@ -28,71 +32,72 @@ def number(value, unit="m"):
     return {"value": value, "unit": unit, "default": value, "meaning": "a meaning"}
 
 
-class Trusted(unittest.TestCase):
-    def survey(self, *raw):
-        cases = loaded(*raw)
-        return {(group, one.model): one for group, all_of in
-                trust.survey(cases, side_by_side.survey(cases, {})["problems"], league.survey(cases)) for one in all_of}
+class Matrix(unittest.TestCase):
+    def test_an_error_is_a_share_of_what_is_expected_or_of_what_it_is_said_to_be_over(self):
+        for measured, expected, unit, over, wanted in ((1.01, 1.0, "m", None, 0.01), (-0.04, 0.0, "1", None, 0.04),
+                                                       (0.2, 0.0, "m", 2.0, 0.1), (0.2, 0.0, "m", None, None),
+                                                       (None, 1.0, "m", None, None)):
+            self.assertEqual(matrix.share(records.Claim(compared("a", measured, expected, 0.1, unit=unit)), over) is None,
+                             wanted is None)
+            if wanted:
+                self.assertAlmostEqual(
+                    matrix.share(records.Claim(compared("a", measured, expected, 0.1, unit=unit)), over), wanted)
 
-    def test_a_model_is_told_by_the_case_s_name_or_by_the_list(self):
-        models = trust.Models()
-        self.assertEqual(models.of_case("a_wave_mesh_figures"), "Lagrangian mesh")
-        self.assertEqual(models.of_case("breakwater"), "Lagrangian mesh")
-        self.assertEqual(models.of_case("wave_attenuation"), "")
-        self.assertIsNone(models.of_case("nobody_told"))
-        self.assertEqual(models.of_claim("variable-mass-height"), "variable mass")
-        self.assertEqual(models.of_claim("height"), "")
+    def test_the_ursell_number_is_that_of_height_depth_and_length(self):
+        found = matrix.regime(0.2, 2.0, 10.0)
+        self.assertAlmostEqual(found["kh"], 0.4 * math.pi)
+        self.assertAlmostEqual(found["H/h"], 0.1)
+        self.assertAlmostEqual(found["Ur"], 2.5)
+        self.assertEqual(matrix.regime(0.2)["Ur"], None)
 
-    def test_ranges_errors_times_and_limits_are_those_of_all_records_of_a_model(self):
-        first = record("wave_sph", wall_time=2.0, parameters={"alpha": number(1, "1"), "height": number(0.1)},
-                       claims=[compared("a", 1.01, 1.0, 0.1), compared("b", 2.4, 2.0, 0.45), claim("kept", "roundoff")])
-        second = record("bore_sph", wall_time=8.0, parameters={"alpha": number(3, "1"), "on": number(True, "1")},
-                        claims=[compared("c", 0.97, 1.0, 0.1),
-                                compared("d", 9.0, 1.0, 0.1, verdict="fail", declared="fail", declared_reason="known")])
-        one = self.survey(first, second)["bore", "SPH"]
-        self.assertEqual([(t.name, t.least, t.most) for t in one.tried], [("alpha", 1, 3), ("height", 0.1, 0.1)])
-        self.assertEqual([round(c.error, 9) for c in one.comparisons], [0.2, 0.03, 0.01])
-        self.assertAlmostEqual(one.typical, 0.03)
-        self.assertEqual((one.kept, one.seconds), (1, (2.0, 8.0)))
-        self.assertEqual([limit.id for _, limit in one.limits], ["d"])
+    def test_failures_count_and_the_worst_is_linked(self):
+        made = record("wave", wall_time=3.0, claims=[
+            compared("a-1", 1.1, 1.0, 0.2), compared("a-2", 1.3, 1.0, 0.2, verdict="fail", declared="fail", declared_reason="r"),
+            compared("b", 9.0, 1.0, 0.2)])
+        cell = matrix.of_claims(records.Record("wave.json", made), "a-*", None, False)
+        self.assertAlmostEqual(cell.error, math.sqrt((0.01 + 0.09) / 2))
+        self.assertEqual((cell.anchor, cell.readings, cell.seconds, cell.flaws), ("claim-a-2", 2, 3.0, ["1 of 2 exceed"]))
+        self.assertAlmostEqual(cell.worst, 0.3)
+        self.assertEqual(cell.shade, 3)
+        self.assertIsNone(matrix.of_claims(records.Record("wave.json", made), "c", None, False))
 
-    def test_what_bounds_counts_or_covers_is_no_error(self):
-        for made in (compared("a", 0.5, 0.0, 1.0, unit="1"), compared("a", 1.2, 1.0, 0.25), compared("a", 3.0, 3.0, 0.0),
-                     compared("a", 0.1, 0.0, 0.2), compared("a", None, 1.0, 0.1), compared("x-coverage", 1.0, 1.0, 0.1)):
-            one = self.survey(record("wave_sph", claims=[made]))["bore", "SPH"]
-            self.assertEqual(one.comparisons, [], made["id"])
-        self.assertEqual(trust.share(records.Claim(compared("a", -0.04, 0.0, 0.2, unit="1"))), 0.04)
+    def test_every_claim_that_is_named_is_in_the_record(self):
+        kept = set()
+        with (matrix.PROBLEMS.parent / "record" / "quick.csv").open(encoding="utf-8", newline="") as file:
+            kept = {(row["case"], row["claim"]) for row in csv.DictReader(file)}
+        for problem in tomllib.loads(matrix.PROBLEMS.read_text(encoding="utf-8"))["problem"]:
+            for what in problem.get("cells", {}).values():
+                case, _, pattern = (what if isinstance(what, str) else what["claims"]).partition(": ")
+                self.assertTrue(any(one == case and fnmatch.fnmatchcase(claim, pattern) for one, claim in kept), what)
 
-    def test_side_by_side_gives_size_time_and_where_a_model_breaks(self):
-        rows = [row("Lagrangian mesh", size=0.2, error=0.5), row("Lagrangian mesh", size=0.1, **{"broke by": "it folds"})]
-        found = self.survey(record("drop_models", group="drop", tables=table(rows),
-                                   claims=[compared("mesh-order", 1.0, 1.0, 0.1), compared("all", 1.0, 1.0, 0.1)]))
-        self.assertEqual(list(found), [("drop", "Lagrangian mesh")])
-        one = found["drop", "Lagrangian mesh"]
-        self.assertEqual((one.tried[0].least, one.tried[0].most, one.seconds), (0.1, 0.2, (0.25, 0.25)))
-        self.assertEqual([len(one.broken), [c.id for _, c in one.claims]], [1, ["mesh-order"]])
+    def test_a_contest_says_where_a_model_stops(self):
+        rows = [row("Lagrangian mesh", size=0.2, error=0.5),
+                row("Lagrangian mesh", size=0.1, error=None, lasted=0.7, **{"broke by": "it folds"}),
+                row("SPH", error=0.03, energy=-0.2)]
+        cases = loaded(record("drop_models", group="drop", tables=table(rows)))
+        drop = next(one for one in matrix.survey(cases, {}, [])["problems"] if one.id == "drop")
+        self.assertEqual((drop.cells["lagrangian-mesh"].error, drop.cells["lagrangian-mesh"].flaws), (0.5, ["stops at 0.7 s"]))
+        self.assertEqual(drop.cells["sph"].flaws, ["energy -20 %"])
+        self.assertEqual([model for model, _ in drop.sorted_cells], ["sph", "lagrangian-mesh"])
 
-    def test_the_page_has_all_of_it_before_declared_failures_and_escapes(self):
+    def test_the_page_has_counts_matrix_and_other_solvers_and_escapes(self):
         with tempfile.TemporaryDirectory() as folder:
             evidence, out = pathlib.Path(folder, "evidence"), pathlib.Path(folder, "report")
             evidence.mkdir()
             known = compared("d", 9.0, 1.0, 0.1, verdict="fail", declared="fail", declared_reason="known")
             for made in (record("wave_sph", parameters={HOSTILE: number(1, HOSTILE)}, claims=[known]),
-                         record("riemann", solver="boxes", measurements={"h_relative_l1": 0.025},
+                         record("riemann", group="dam_break", solver="boxes", measurements={"h_relative_l1": 0.025},
                                 claims=[compared("a", 1.01, 1.0, 0.1)])):
                 (evidence / f"{made['case']}.{made['solver']}.json").write_text(json.dumps(made))
             self.assertEqual(render(evidence, out, "--scorable", f"bore/riemann,bore/{HOSTILE}")[0], 0)
             page = (out / "index.html").read_text(encoding="utf-8")
             self.assertEqual(Page(page).faults, [])
             self.assertNotIn("<script>alert", page)
-            places = [page.index(f'id="{name}"') for name in ("trust", "yours", "declared", "cases")]
+            places = [page.index(f'id="{name}"') for name in ("matrix", "declared", "agreement", "figures", "yours")]
             self.assertEqual(places, sorted(places))
-            trusted, yours = page[places[0]:places[1]], page[places[1]:places[2]]
-            for text in ("SPH", "boxes", "0.025", "relative L1 error of h", "wave_sph.seiche-claim-d"):
-                self.assertIn(text, trusted)
-            for text in ("2 cases score others", 'href="cases/riemann.html"', "seiche score CASE --data"):
-                self.assertIn(text, yours)
-            self.assertIn("<details><summary><h2>1 failure declared beforehand</h2>", page)
+            for text in ("boxes 2.5 %", "1 known deviation", "2 cases</a> compare your results", "seiche score CASE --data"):
+                self.assertIn(text, page)
+            self.assertIn("wave_sph.seiche-claim-d", (out / "deviations.html").read_text(encoding="utf-8"))
 
 
 class Costs(unittest.TestCase):

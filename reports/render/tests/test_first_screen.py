@@ -1,0 +1,127 @@
+"""The first screen of a report of the suite's size: its budget, and in Chromium its search, filters and order.
+
+    /usr/bin/python3 reports/render/tests/test_first_screen.py
+"""
+import html
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
+
+from render import matrix, pdf  # noqa: E402
+from render.tests.test_report import claim, record, render  # noqa: E402
+from render.tests.test_side_by_side import row, table  # noqa: E402
+
+CASES, TESTS, GROUPS = 130, 430, 11      # as many as the suite has
+PAGES, INDEX_BYTES, INDEX_NODES, SEARCH_BYTES = 180, 120_000, 2_500, 250_000
+SCREENS = {1440: 3 * 900, 390: 5 * 860}     # width of a window and what its page may be high
+# What a person does on the page, and what is then to be seen.
+STEPS = """<!DOCTYPE html><body><script>
+const found = {errors: []};
+const rows = d => [...d.querySelectorAll(".grid tbody tr")].filter(r => !r.hidden).map(r => r.querySelector("a").textContent);
+const open = (width, hash) => new Promise(done => {
+  const frame = document.createElement("iframe");
+  frame.style = `width:${width}px;height:900px;border:0`;
+  frame.addEventListener("load", () => done(frame));
+  frame.src = "INDEX" + hash;
+  document.body.append(frame);
+});
+const soon = () => new Promise(done => setTimeout(done, 400));
+(async () => {
+  for (const width of [1440, 390]) {
+    const frame = await open(width, "");
+    found[width] = frame.contentDocument.documentElement.scrollHeight;
+  }
+  const frame = await open(1440, ""), d = frame.contentDocument, w = frame.contentWindow;
+  w.addEventListener("error", e => found.errors.push(e.message));
+  const find = d.getElementById("find"), type = async text => {
+    find.value = text;
+    find.dispatchEvent(new w.Event("input"));
+    await soon();
+  };
+  w.dispatchEvent(new w.KeyboardEvent("keydown", {key: "/", cancelable: true}));
+  found.focused = d.activeElement === find;
+  await soon();
+  await type("hydraulic jump");
+  found.jump = rows(d);
+  found.address = w.location.hash;
+  await type("openfoam");
+  found.openfoam = [...d.querySelectorAll("#hits a")].map(a => a.getAttribute("href"));
+  w.dispatchEvent(new w.KeyboardEvent("keydown", {key: "Escape"}));
+  found.all = rows(d).length;
+  const box = d.querySelector("[value=exact]");
+  box.click();
+  found.without_exact = rows(d);
+  box.click();
+  d.getElementById("failures").click();
+  found.flawed = rows(d);
+  d.getElementById("failures").click();
+  d.querySelector(".grid th[data-sort=text] button").click();
+  found.sorted = rows(d);
+  found.linked = rows((await open(1440, "#q=bar&without=exact")).contentDocument);
+  document.body.innerHTML = "<pre id=found></pre>";
+  document.getElementById("found").textContent = JSON.stringify(found);
+})();
+</script></body>"""
+
+
+class FirstScreen(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        folder = pathlib.Path(cls.temporary.name)
+        evidence, cls.report = folder / "evidence", folder / "report"
+        evidence.mkdir()
+        claims = [claim(f"c{k}", text="The front of the bore agrees with the exact solution.") for k in range(9)]
+        made = [record(f"case_{k}", group=f"group_{k % 14}", claims=claims, article="A word of many. " * 60) for k in range(CASES)]
+        made += [record(f"test_{k}", kind="verification", group=f"room_{k % GROUPS}", claims=claims) for k in range(TESTS)]
+        made += [record("drop_models", group="drop", tables=table([row("SPH", **{"broke by": "it stops"})]))]
+        made += [record("case_3", group="group_3", solver="OpenFOAM", claims=claims)]
+        for one in made:
+            (evidence / f"{one['case']}.{one['solver']}.json").write_text(json.dumps(one))
+        cls.status, cls.said = render(evidence, cls.report)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def test_the_report_keeps_its_budget(self):
+        self.assertEqual(self.status, 0, self.said)
+        self.assertLessEqual(len(list(self.report.rglob("*.html"))), PAGES)
+        index = (self.report / "index.html").read_text(encoding="utf-8")
+        self.assertLessEqual(len(index.encode()), INDEX_BYTES)
+        self.assertLessEqual(len(re.findall(r"<[a-z]", index)), INDEX_NODES)
+        self.assertLessEqual((self.report / "assets/search.js").stat().st_size, SEARCH_BYTES)
+
+    @unittest.skipUnless(pdf.find_browser(), "no Chromium: search, filters and order are not tried")
+    def test_what_a_reader_does_is_answered(self):
+        with tempfile.TemporaryDirectory() as folder:
+            steps = pathlib.Path(folder, "steps.html")
+            steps.write_text(STEPS.replace("INDEX", (self.report / "index.html").as_uri()), encoding="utf-8")
+            said = subprocess.run([pdf.find_browser(), *pdf.FLAGS, "--allow-file-access-from-files", "--dump-dom",
+                                   "--virtual-time-budget=60000", f"--user-data-dir={folder}/user", steps.as_uri()],
+                                  capture_output=True, text=True, timeout=300, check=True).stdout
+        found = json.loads(html.unescape(re.search(r'<pre id="found">(.*?)</pre>', said, re.DOTALL)[1]))
+        for width, high in SCREENS.items():
+            self.assertLessEqual(found[str(width)], high)
+        self.assertEqual(found["errors"], [])
+        self.assertTrue(found["focused"])
+        self.assertIn("Bore into still water, 2:1", found["jump"])
+        self.assertNotIn("Free drop, stretched", found["jump"])
+        self.assertEqual(found["address"], "#q=hydraulic+jump")
+        self.assertEqual(found["openfoam"], ["cases/case_3.html"])
+        problems = matrix.tomllib.loads(matrix.PROBLEMS.read_text(encoding="utf-8"))["problem"]
+        self.assertEqual(found["all"], len(problems))
+        self.assertEqual(found["without_exact"], [one["title"] for one in problems if one["evidence"] != "exact"])
+        self.assertEqual(found["flawed"], ["Free drop, stretched"])
+        self.assertEqual(found["sorted"], sorted(found["sorted"]))
+        self.assertEqual(found["linked"], ["Submerged bar (Luth et al., A)"])
+
+
+if __name__ == "__main__":
+    unittest.main()
