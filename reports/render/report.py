@@ -3,7 +3,7 @@ import importlib.util
 import pathlib
 import shutil
 
-from render import (atlas, badge, coverage, defects, experiments, files, gallery, league, pages, records, seal,
+from render import (atlas, badge, coverage, experiments, files, gallery, league, mutants, pages, records, seal,
                     sharpness, side_by_side, speed, trust)
 from render.formulas import Formulas
 from render.records import Broken
@@ -51,7 +51,7 @@ def build(evidence, stage, out, options):
     whole = {"summary": summary, "kinds": pages.grouped(cases), "sources": sources, "counts": counts,
              "counts_in_words": atlas.in_words(counts), "has_junit": files.is_regular(evidence / "junit.xml"),
              "sharpness": sharpness.survey([record for case in cases for record in case.records if record.own]),
-             "defects": defects.survey(defects.read(), loaded), "experiments": experiments.survey(loaded),
+             "mutants": mutants.survey(mutants.read()), "experiments": experiments.survey(loaded),
              "models": side_by_side.survey(cases, drawn), "speed": speed.survey(speed.read(), speed.build_time()),
              "rooms": coverage.survey(coverage.read()), "wanted_lines": coverage.WANTED,
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE}}
@@ -64,7 +64,7 @@ def build(evidence, stage, out, options):
     if others:
         write("league.html.j2", "league.html", "", league=others, **whole)
     write("sharpness.html.j2", "sharpness.html", "", **whole)
-    write("defects.html.j2", "defects.html", "", **whole)
+    write("mutants.html.j2", "mutants.html", "", **whole)
     write("speed.html.j2", "speed.html", "", **whole)
     write("coverage.html.j2", "coverage.html", "", **whole)
     write("experiments.html.j2", "experiments.html", "", **whole)
