@@ -26,7 +26,7 @@ DOCUMENTS = [path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md",
 DOCS = "ctest ci.docs runs it"
 WHOLE_BUILD = "sets up and builds everything; ci/checks/time-build and CI run it (.ci/run, .github/workflows)"
 LONG = "a tier of an hour or more"
-DEFECTS = "builds first; ctest ci.defects does the same"
+MUTANTS = "builds first; ctest ci.mutate does the same with two faults"
 PETSC = "needs PETSc and MPI"
 PATTERN = "a pattern, its words are to be replaced"
 INSTALLS = "installs packages"
@@ -40,7 +40,7 @@ NOT_RUN = {
         "ci/report": WHOLE_BUILD,
         "ci/test": WHOLE_BUILD,
         "ci/setup": INSTALLS,
-        "ci/checks/defects": LONG,
+        "ci/mutate": LONG,
         "ci/checks/fuzz": "damages a million files; ctest robustness damages a hundred thousand",
         "ci/checks/long full": LONG,
         "ci/checks/long paper": LONG,
@@ -66,8 +66,9 @@ NOT_RUN = {
         "ci/test": WHOLE_BUILD,
         "ci/checks/tidy": WHOLE_BUILD,
         "ci/docs": DOCS,
-        "ci/checks/defects linear/gmres_nearest_vector_kept": DEFECTS,
-        "ci/checks/defects --random 6 --seed 1": DEFECTS,
+        "ci/mutate --seed 20261126 --count 600": LONG,
+        "ci/mutate --changed origin/main": MUTANTS,
+        "ci/mutate --seeded linear": MUTANTS,
         "ci/checks/sanitize": WHOLE_BUILD,
         "ci/setup": INSTALLS,
         "ci/setup clang-format": INSTALLS,

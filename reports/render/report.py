@@ -5,8 +5,8 @@ import shutil
 
 from markupsafe import Markup
 
-from render import (atlas, badge, coverage, defects, experiments, files, gallery, league, matrix, pages, records, seal,
-                    search, sharpness, speed)
+from render import (atlas, badge, coverage, experiments, files, gallery, league, matrix, mutants, pages, records,
+                    seal, search, sharpness, speed)
 from render.formulas import Formulas
 from render.records import Broken
 from render.store import MARKER, Store, user_cache
@@ -45,7 +45,7 @@ def build(evidence, stage, out, options):
              "counts": counts, "counts_in_words": atlas.in_words(counts), "strip": atlas.strip(sources),
              "has_junit": files.is_regular(evidence / "junit.xml"),
              "sharpness": sharpness.survey([record for case in cases for record in case.records if record.own]),
-             "defects": defects.survey(defects.read(), loaded), "experiments": experiments.survey(loaded),
+             "mutants": mutants.survey(mutants.read()), "experiments": experiments.survey(loaded),
              "speed": speed.survey(speed.read(), speed.build_time()),
              "rooms": coverage.survey(coverage.read()), "wanted_lines": coverage.WANTED, "LOOSEST": sharpness.SHOWN,
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE},

@@ -24,7 +24,7 @@ sys.path.insert(0, str(REPORTS))
 import h5py  # noqa: E402
 import numpy  # noqa: E402
 
-from render import atlas, defects, experiments, layout, marks, pages, pdf, quantities, records  # noqa: E402
+from render import atlas, experiments, layout, marks, mutants, pages, pdf, quantities, records  # noqa: E402
 from render.command import main  # noqa: E402
 from render.formulas import Formulas  # noqa: E402
 from render.store import Store  # noqa: E402
@@ -278,8 +278,8 @@ class Report(unittest.TestCase):
     def test_sharpness_lists_what_is_marginal_and_what_is_loose(self):
         page = (self.out / "quality.html").read_text(encoding="utf-8")
         marginal = page[page.index('id="marginal"'):page.index('id="loose"')]
-        loose = page[page.index('id="loose"'):page.index('id="faults"')]
-        page = page[:page.index('id="faults"')]
+        loose = page[page.index('id="loose"'):page.index('id="random-mutants"')]
+        page = page[:page.index('id="random-mutants"')]
         self.assertIn("sharp-claim-marginal", marginal)
         self.assertIn("sharp-claim-loose", loose)
         self.assertIn("sharp-claim-wide", marginal)     # its uncertainty uses up the limit
@@ -310,25 +310,43 @@ class Report(unittest.TestCase):
         self.assertAlmostEqual(lines[0].pairs[0].computed, 1.1)
         self.assertEqual(experiments.scatter_figure(lines).count("<circle"), 2)
 
-    def test_planted_defects_are_listed_with_the_claims_that_found_them(self):
-        rows = [{"defect": "linear/a", "what": "a sign", "file": "a.cpp", "check": "a_test.cpp",
-                 "claim": "sharp: marginal", "measured": "0.5", "limit": "1e-12", "verdict": "fail", "others": "2"},
-                {"defect": "linear/b", "what": "a factor", "file": "a.cpp", "check": "a_test.cpp",
-                 "claim": "gone: claim", "measured": "", "limit": "", "verdict": "not found", "others": "0"}]
-        memo = Store(self.cache).memo
-        loaded, _ = records.load(self.evidence, memo)
-        others = [records.Record(f"sharp{name}.json", record("sharp", **what))
-                  for name, what in ((".theirs", {"solver": "theirs"}), ("@full", {"tier": "full"}))]
-        page = pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("defects_body.html.j2").make_module(
-            {"root": "", "defects": defects.survey(rows, loaded + others)}).body()
-        self.assertIn("1 of 2 defects are found, by 1 different claim.", page)
-        self.assertIn("cases/sharp.html#sharp-claim-marginal", page)
-        self.assertIn("not found", page[page.index('id="linear-b'):])
+    def cells(self, page, mark):
+        """The text of each cell, row by row, of the first table after a mark."""
+        table = page[page.index(mark):].split("</table>")[0]
+        return [[re.sub("<[^>]*>", "", cell).strip() for cell in re.split("</t[dh]>", row)[:-1]]
+                for row in re.split("<tr[^>]*>", table)[1:]]
 
-    def test_every_planted_defect_of_the_record_is_shown(self):
+    def test_mutants_are_counted_by_room_and_survivors_named(self):
+        def row(seed, room, line, outcome, reason=""):
+            return {"seed": seed, "number": str(line), "room": room, "file": f"{room}.cpp", "line": str(line),
+                    "change": f"sign: {line}", "outcome": outcome, "by": f"by {line}", "seconds": "1", "commit": "abc",
+                    "reason": reason}
+        rows = [*(row("7", "linear", line, "killed") for line in range(7)), row("7", "linear", 8, "survived"),
+                row("7", "linear", 9, "survived"), row("7", "linear", 10, "record only"),
+                row("7", "linear", 11, "equivalent", "never read"), row("7", "exact", 12, "killed"),
+                row("seeded", "exact", 13, "killed"), row("seeded", "exact", 14, "survived")]
+        found = mutants.survey(rows)
+        # Wilson's interval of 7 of 10, as printed by Newcombe's method 3.
+        self.assertEqual([round(end, 4) for end in found["rooms"][1].interval], [0.3968, 0.8922])
+        memo = Store(self.cache).memo
+        page = pages.environment(Typesetter(memo, Formulas(memo).html)).get_template("mutants_body.html.j2").make_module(
+            {"root": "", "mutants": found}).body()
+        self.assertEqual(self.cells(page, 'id="rates"')[1:],
+                         [["Exact", "1", "1", "0", "0", "0", "100 %", "21 % to 100 %"],
+                          ["Linear", "11", "7", "1", "2", "1", "70 %", "40 % to 89 %"],
+                          ["All rooms", "12", "8", "1", "2", "1", "73 %", "43 % to 90 %"]])
+        self.assertEqual(self.cells(page, 'id="survivors"')[1:],
+                         [["Linear"], ["linear.cpp:8", "sign: 8", "survived by 8"],
+                          ["linear.cpp:9", "sign: 9", "survived by 9"],
+                          ["linear.cpp:10", "sign: 10", "baseline only by 10"],
+                          ["linear.cpp:11", "sign: 11", "equivalent never read"]])
+        self.assertEqual(self.cells(page, 'id="seeded"')[1:], [["Exact", "2", "1", "sign: 14 exact.cpp:14"]])
+        self.assertIn("12 mutants of seed 7 at commit abc", page)
+
+    def test_the_report_has_the_mutants_of_the_record(self):
         page = (self.out / "quality.html").read_text(encoding="utf-8")
-        faults = page[page.index('id="faults"'):page.index('id="coverage"')]
-        self.assertEqual(faults.count("<tr id="), len(defects.read()))
+        found = mutants.survey(mutants.read())
+        self.assertEqual(len(self.cells(page, 'id="seeded"')), 1 + len(found["seeded"]))
         self.assertIn("quality.html", self.index)
 
     def tile(self, name):
