@@ -305,7 +305,7 @@ class Readme(unittest.TestCase):
 
     def test_the_readme_names_the_cases_that_score_others(self):
         listed = json.loads(self.place.run(SEICHE, "list", "--json").stdout)["cases"]
-        section = (SOURCE / "README.md").read_text().split("## A solver, judged")[1].split("\n## ")[0]
+        section = (SOURCE / "README.md").read_text().split("## Example: a score of OpenFOAM")[1].split("\n## ")[0]
         named = re.findall(r"\w+", " ".join(re.findall(r"^\|.*?\|(.*)\|$", section, re.M)[1:]))
         self.assertEqual(sorted(named), sorted(one["name"] for one in listed if one["scores"]))
 
