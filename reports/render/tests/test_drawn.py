@@ -50,6 +50,8 @@ class Drawn(unittest.TestCase):
         self.assertEqual((axis.get_xlim()[0], axis.get_ylim()[1]), (0.25, 20.0))
         self.assertGreater(axis.get_xlim()[1], 4)
         self.assertLess(axis.get_ylim()[0], -3)
+        (axis,) = drawn(panel(series("a"), x_max=9.0, y_min=-8.0)).axes
+        self.assertEqual((axis.get_xlim()[1], axis.get_ylim()[0]), (9, -8))
 
     def test_error_bars_reach_from_value_less_error_to_value_and_error(self):
         error = numpy.array([0.5, 1.0, math.nan, 2.0])
@@ -76,6 +78,37 @@ class Drawn(unittest.TestCase):
                              {(X[0], base), (X[-1], base), *((x, base) for x in X), *zip(X, y)})
         (axis,) = drawn(panel(series("w", "water", "fill", y=Y + 10))).axes
         self.assertEqual(axis.get_ylim()[0], 0)
+
+    def test_steps_of_water_are_filled_columns_with_edges_to_the_lower_neighbour(self):
+        edges = numpy.append(X, 6.0)
+        (axis,) = drawn(panel(series("w", "water", "steps", x=edges, y=Y + 10), y_min=1.0)).axes
+        (columns,) = axis.patches
+        self.assertEqual([list(values) for values in columns.get_data()[:2]], [list(Y + 10), list(edges)])
+        self.assertEqual(columns.get_data().baseline, 1)
+        (upright,) = axis.collections
+        self.assertEqual([segment.tolist() for segment in upright.get_segments()],
+                         [[[x, 1], [x, top]] for x, top in zip(edges, [17, 7, 7, 15, 21])])
+
+    def test_an_equal_aspect_is_kept_but_for_logarithms(self):
+        aspects = [drawn(panel(series("a"), aspect="equal", **more)).axes[0].get_aspect() for more in ({}, {"log_x": 1})]
+        self.assertEqual(aspects, [1, "auto"])
+
+    def test_no_marker_is_cut_in_half_and_many_are_small(self):
+        (axis,) = drawn(panel(series("a", "data", "points"))).axes
+        self.assertEqual(axis.get_xlim(), (0.5 - 0.03 * 3.5, 4 + 0.03 * 3.5))
+        sizes = []
+        for count in (60, 61, 400, 401, 3000, 3001, 5001):
+            (axis,) = drawn(panel(series("a", "data", "points", x=numpy.arange(count), y=numpy.arange(count)))).axes
+            sizes.append((axis.lines[0].get_markersize(), bool(axis.lines[0].get_rasterized())))
+        self.assertEqual(sizes, [(4.2, False), (2.8, False), (2.8, False), (1.6, False), (1.6, False), (0.8, False),
+                                 (0.8, True)])
+
+    def test_logarithmic_axes_of_a_decade_say_one_two_and_five(self):
+        for high, shown in ((20.0, True), (2000.0, False)):
+            (axis,) = drawn(panel(series("a", x=numpy.array([1.0, 2, 5, high])), log_x=1, x_min=1.0, x_max=high)).axes
+            axis.figure.canvas.draw()
+            said = [text.get_text() for text in axis.get_xticklabels()]
+            self.assertEqual({"2", "5"} <= set(said), shown, said)
 
     def test_logarithms_are_of_the_axis_that_asks(self):
         for name, scales in (("log_x", ("log", "linear")), ("log_y", ("linear", "log"))):
