@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "seiche/models/wcsph/free_surface.hpp"
-#include "seiche/models/wcsph/front.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/sph_free_surface.hpp"
+#include "validation/instruments/sph_front.hpp"
 #include "verification/check.hpp"
 
 namespace wcsph_free_surface_test {

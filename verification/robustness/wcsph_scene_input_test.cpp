@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "seiche/models/wcsph/free_surface.hpp"
-#include "seiche/models/wcsph/front.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "validation/instruments/sph_free_surface.hpp"
+#include "validation/instruments/sph_front.hpp"
 #include "verification/robustness/refusals.hpp"
 
 namespace wcsph_scene_input_test {

@@ -15,14 +15,13 @@
 ///
 ///     Flow flow(dam.particles(), dam.spacing, {.sound_speed = 15, .viscosity = ArtificialViscosity{0.3}});
 ///     flow.advance_to(0.25);
-///     const double front = front_position(flow.particles(), ...);
 ///
 /// Evaluation: particles are kept sorted in tiles, so that few consecutive ones (a cluster, one SIMD register) share a
 /// list of candidates within 2h and a skin. Every particle gathers its own sums: no write conflicts, the same bytes
 /// from any number of threads.
 ///
 /// When not to use it: incompressible flow to more than about a per cent; pressures at walls without
-/// WallPressure::extrapolated and density diffusion (wall_gauge.hpp reads them); vortices at Reynolds numbers above
+/// WallPressure::extrapolated and density diffusion; vortices at Reynolds numbers above
 /// about 30 without particle shifting.
 ///
 /// References: Monaghan (1994), cited in equation_of_state.hpp; Dalrymple and Rogers, Numerical modeling of water waves
