@@ -66,6 +66,7 @@ NOT_RUN = {
         "ci/test": WHOLE_BUILD,
         "ci/checks/tidy": WHOLE_BUILD,
         "ci/docs": DOCS,
+        "ci/mutate": LONG,
         "ci/mutate --seed 20261126 --count 600": LONG,
         "ci/mutate --changed origin/main": MUTANTS,
         "ci/mutate --seeded linear": MUTANTS,

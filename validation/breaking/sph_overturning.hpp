@@ -7,10 +7,10 @@
 
 #include "seiche/exact/overturning_wave.hpp"
 #include "seiche/models/wcsph/flow.hpp"
-#include "seiche/models/wcsph/free_surface.hpp"
 #include "seiche/models/wcsph/lattice.hpp"
 #include "validation/case/checkpoints.hpp"
 #include "validation/instruments/polyline_distance.hpp"
+#include "validation/instruments/sph_free_surface.hpp"
 
 namespace seiche::validation {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "seiche/models/wcsph/free_surface.hpp"
-#include "seiche/models/wcsph/front.hpp"
+#include "validation/instruments/sph_free_surface.hpp"
+#include "validation/instruments/sph_front.hpp"
 #include "validation/studies/wcsph/kept_flow.hpp"
 
 namespace seiche::validation {

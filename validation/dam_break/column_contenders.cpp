@@ -11,10 +11,10 @@
 #include "seiche/models/overlapping_particles/flow.hpp"
 #include "seiche/models/variable_mass/flow.hpp"
 #include "seiche/models/wcsph/flow.hpp"
-#include "seiche/models/wcsph/front.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"
 #include "validation/dam_break/gauss_column.hpp"
+#include "validation/instruments/sph_front.hpp"
 
 namespace seiche::validation {
 namespace {

@@ -24,10 +24,10 @@ passes between them (`--set wall_rows=2`); how much of it the publication lost, 
 
 #include <fmt/format.h>
 
-#include "seiche/models/wcsph/front.hpp"
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/sph_sound.hpp"
 #include "validation/instruments/shifted_front.hpp"
+#include "validation/instruments/sph_front.hpp"
 #include "validation/studies/wcsph/kept_flow.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "seiche/models/wcsph/front.hpp"
+#include "validation/instruments/sph_front.hpp"
 
 namespace seiche::validation {
 

@@ -7,9 +7,9 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/models/wcsph/scene.hpp"
-#include "seiche/models/wcsph/volume_fraction.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/sph_volume_fraction.hpp"
 #include "validation/studies/wcsph/kept_flow.hpp"
 
 namespace seiche::validation {

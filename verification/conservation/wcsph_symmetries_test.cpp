@@ -179,7 +179,7 @@ TEST_CASE("any number of threads gives the same bytes", "[conservation]") {
   Check check("wcsph_threads", "Threads",
               "The beginning of a dam break, 60 steps with rebuilds, with one, two and three threads: every bit of "
               "every particle is the same, for both viscosities, with density filter, density diffusion, "
-              "extrapolated wall pressure and particle shifting, and in mixed storage.");
+              "extrapolated wall pressure and particle shifting.");
   const int before = omp_get_max_threads();
   std::vector<std::pair<std::string, Settings>> runs;
   const Settings plain{.sound_speed = 15, .viscosity = ArtificialViscosity{0.3}, .filter_every = 20};
@@ -190,7 +190,6 @@ TEST_CASE("any number of threads gives the same bytes", "[conservation]") {
   runs.back().second.density_diffusion = 0.1;
   runs.back().second.walls = WallPressure::extrapolated;
   runs.back().second.particle_shifting = true;
-  runs.emplace_back("mixed storage", Settings{.sound_speed = 15, .viscosity = LaminarSps{}, .storage = Storage::mixed});
   for (const auto& [name, settings] : runs) {
     const double a = 0.057;
     const Scene scene = dam_break(

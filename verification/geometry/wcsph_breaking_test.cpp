@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "seiche/models/wcsph/free_surface.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/sph_free_surface.hpp"
 #include "verification/check.hpp"
 
 namespace wcsph_breaking_test {

@@ -41,9 +41,7 @@ double operations_per_pair(const Settings& settings) {
 /// operations); record and mass are read, and rates written; state and rates are read and the new state is written
 /// (10). Records of neighbours are in the cache; lists of candidates are a few bytes.
 performance::Work work_of(const Settings& settings, double particles, double interactions) {
-  // In mixed storage record, mass and rates are half as wide.
-  const double narrow = settings.storage == Storage::mixed ? 0.5 : 1;
-  return (2 * particles) * performance::pass(5 + 3 + narrow * (8 + 8 + 1 + 5 + 5) + 10, 28) +
+  return (2 * particles) * performance::pass(5 + 3 + 8 + 8 + 1 + 5 + 5 + 10, 28) +
          performance::Work{0, interactions * operations_per_pair(settings)};
 }
 
@@ -73,8 +71,6 @@ void dam_break_steps(benchmark::State& state, Settings settings) {
 }
 
 const Settings standard{.viscosity = ArtificialViscosity{0.3}};
-const Settings mixed{.viscosity = ArtificialViscosity{0.3}, .storage = Storage::mixed};
-const Settings mixed_turbulent{.viscosity = LaminarSps{}, .storage = Storage::mixed};
 const Settings diffusive{.viscosity = ArtificialViscosity{0.3}, .density_diffusion = 0.1};
 const Settings extrapolated{.viscosity = ArtificialViscosity{0.3}, .walls = WallPressure::extrapolated};
 const Settings filtered{.viscosity = ArtificialViscosity{0.3}, .filter_every = 1};
@@ -89,18 +85,6 @@ BENCHMARK_CAPTURE(dam_break_steps, artificial_viscosity, standard)
 BENCHMARK_CAPTURE(dam_break_steps, laminar_and_sps, Settings{.viscosity = LaminarSps{}})
     ->Args({50, 1})
     ->Args({50, 2})
-    ->Args({690, 1})
-    ->Args({690, 2})
-    ->UseRealTime();
-
-BENCHMARK_CAPTURE(dam_break_steps, mixed_storage, mixed)
-    ->Args({50, 1})
-    ->Args({50, 2})
-    ->Args({690, 1})
-    ->Args({690, 2})
-    ->UseRealTime();
-BENCHMARK_CAPTURE(dam_break_steps, mixed_storage_and_sps, mixed_turbulent)
-    ->Args({50, 1})
     ->Args({690, 1})
     ->Args({690, 2})
     ->UseRealTime();

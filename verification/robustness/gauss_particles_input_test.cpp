@@ -10,7 +10,6 @@
 #include "seiche/divergence.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/polynomial_space.hpp"
-#include "seiche/models/gauss_particles/spatial_model.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "verification/robustness/refusals.hpp"
 
@@ -93,20 +92,6 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
   refusals.refused("penalty-dissipative", "The penalty in the dissipative scheme, where it would do nothing.",
                    {"penalty", "0.01", "dissipative", "allowed: 0"},
                    [] { Flow flow(layer(water()), splines(), {}, {}, {}, Stepping::dissipative); });
-
-  refusals.refused("spatial-mass", "A particle in space without a mass.", {"mass of particle 1", "0"}, [] {
-    SpatialParticles drop = ball(1, 2);
-    drop.mass[1] = 0;
-    const SpatialModel model(drop, SpatialFields());
-  });
-  refusals.refused("spatial-plane", "Linear fields in space on particles of a plane.",
-                   {"11 fields", "independent", "particles"}, [] {
-                     SpatialParticles drop = ball(1, 2);
-                     drop.z.assign(drop.size(), 0);
-                     const SpatialModel model(drop, SpatialFields());
-                   });
-  refusals.refused("spatial-potential", "No vector potential.", {"no vector potential"},
-                   [] { const SpatialFields fields(std::vector<VectorPotential>{}); });
 
   const auto with_plan = [&](const std::string& id, const std::string& text, const std::vector<std::string>& words,
                              auto change) {

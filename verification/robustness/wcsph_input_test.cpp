@@ -57,19 +57,6 @@ TEST_CASE("settings out of range are refused by name", "[robustness]") {
   refuse(water, with([](Settings& s) { s.gravity = std::numeric_limits<double>::quiet_NaN(); }), "gravity");
   // Three supports with their skin: 3 x 2 x 0.13 x 1.15 m.
   refuse(lattice(8, 8, spacing, 1000), with([](Settings& s) { s.period = {0.8, 0.8}; }), "period");
-  const auto mixed = [](const auto& change) {
-    return with([&change](Settings& s) {
-      s.storage = Storage::mixed;
-      change(s);
-    });
-  };
-  refuse(water, mixed([](Settings& s) { s.density_diffusion = 0.1; }), "density_diffusion");
-  refuse(water, mixed([](Settings& s) { s.filter_every = 20; }), "filter_every");
-  refuse(water, mixed([](Settings& s) { s.particle_shifting = true; }), "particle_shifting");
-  refuse(water, mixed([](Settings& s) { s.walls = WallPressure::extrapolated; }), "walls");
-  Particles far = water;
-  far.add(5000, 0, 1, 1000);
-  refuse(far, mixed([](Settings& /*s*/) {}), "storage");
   CHECK_THROWS_WITH(kernel_named("gaussian"), Catch::Contains("cubic_spline") && Catch::Contains("wendland_c2"));
 }
 
@@ -176,19 +163,6 @@ TEST_CASE("a computation that breaks down says when and where, and keeps the las
     CHECK(p.density[a] <= 1500);
   }
   CHECK_THROWS_AS(Flow(water, spacing, good).advance(std::numeric_limits<double>::quiet_NaN()), std::exception);
-}
-
-TEST_CASE("a particle that flies farther than mixed storage tells places is reported", "[robustness]") {
-  Particles water = lattice(12, 12, spacing, 1000);
-  water.add(4259, 0, 10, 1000, Kind::fluid, 10);
-  Settings settings = good;
-  settings.storage = Storage::mixed;
-  Flow flow(water, spacing, settings);
-  const auto fly = [&flow] {
-    for (int step = 0; step < 100; ++step) flow.advance(0.004);
-  };
-  CHECK_THROWS_WITH(fly(), Catch::Contains("storage = mixed") && Catch::Contains("after"));
-  CHECK(flow.time() > 0);
 }
 
 }  // namespace wcsph_input_test

@@ -51,13 +51,10 @@ std::vector<Problem> problems() {
                                      fast);
   Settings periodic = fast;
   periodic.period = layer.period;
-  Settings mixed = periodic;
-  mixed.storage = Storage::mixed;
   return {{"dam", "dam break, stress of eddies and filter", dam_break(column, filtered), filtered},
           {"shifting", "extrapolated walls, diffusion and shifting", dam_break(column, shifted), shifted},
           {"flap", "flume with a flap", flume_scene, fast},
-          {"periodic", "periodic layer", layer, periodic},
-          {"mixed", "periodic layer in mixed storage", layer, mixed}};
+          {"periodic", "periodic layer", layer, periodic}};
 }
 
 bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "seiche/models/wcsph/free_surface.hpp"
-#include "seiche/models/wcsph/front.hpp"
 #include "seiche/models/wcsph/scene.hpp"
+#include "validation/instruments/sph_free_surface.hpp"
+#include "validation/instruments/sph_front.hpp"
 #include "verification/robustness/refusals.hpp"
 
 namespace wcsph_scene_input_test {
@@ -167,7 +167,6 @@ TEST_CASE("the reading of surfaces refuses what has no answer", "[robustness]") 
   });
   refusals.refused("strip", "A strip of no width.", {"right - left", "= 0"},
                    [&] { column_height(scene.particles, 0.065, 0.3, 0.3); });
-  refusals.refused("gauge", "A gauge that is nowhere.", {"place of a gauge", "nan"}, [] { Gauges({not_a_number}); });
   CHECK_FALSE(fraction.elevation(7).has_value());
   CHECK_FALSE(fraction.mean_elevation(7, 8).has_value());
   CHECK(VolumeFraction(Particles{}, 0.1).at(0, 0) == 0);

@@ -41,8 +41,6 @@ std::vector<Parameter> sph_parameters(const SphDefaults& defaults, const std::st
       real("diffusion", defaults.diffusion, "1", {0, 1}, "coefficient of the density diffusion of delta-SPH; 0: none"),
       toggle("shifting", false, "particle shifting away from the free surface"),
       real("courant", defaults.courant, "1", {0.01, 0.5}, "time step over h/(c + sigma)"),
-      choice("storage", std::string("full"), {"full", "mixed"},
-             "particles in double precision, or in single with sums in double: two thirds of the memory"),
   };
 }
 
@@ -59,8 +57,7 @@ wcsph::Settings sph_settings(const Values& values, double gravity, double densit
           .particle_shifting = values.toggle("shifting"),
           .walls = walls_of(values.text("walls")),
           .courant = values.real("courant"),
-          .limit_by_viscosity = true,
-          .storage = values.text("storage") == "mixed" ? wcsph::Storage::mixed : wcsph::Storage::full};
+          .limit_by_viscosity = true};
 }
 
 std::vector<Parameter> with(std::vector<Parameter> a, std::vector<Parameter> b) {

@@ -4,15 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "seiche/linear/vector_operations.hpp"
-
 namespace seiche::gauss_particles {
 
 namespace {
 
 constexpr double shift = 1e-13;
-constexpr double digits_of_iteration = 1e-8;
-constexpr int most_iterations = 1000;
 
 }  // namespace
 
@@ -51,7 +47,7 @@ void GramSystem::begin(const Lattice& lattice, const ActiveFunctions& functions)
   }
   if (!complete_ || !same || !fit(functions)) {
     choose_slots(lattice, functions);
-    analyse(lattice);
+    analyse();
     fit(functions);
   }
   complete_ = true;
@@ -131,7 +127,7 @@ void GramSystem::couple(Place a, Place b) {
   if (std::find(extra_reach_.begin(), extra_reach_.end(), reach) == extra_reach_.end()) extra_reach_.push_back(reach);
 }
 
-void GramSystem::analyse(const Lattice& lattice) {
+void GramSystem::analyse() {
   const int slots = static_cast<int>(place_.size()) + (constant_ ? 1 : 0);
   std::vector<std::vector<int>> below(static_cast<std::size_t>(slots));
   for (int a = 0; a < static_cast<int>(place_.size()); ++a) {
@@ -168,17 +164,9 @@ void GramSystem::analyse(const Lattice& lattice) {
   }
   values_.assign(row_.size(), 0.0);
   solver_.reset();
-  preconditioner_.reset();
-  if (place_.size() > iterate_above_) {
-    preconditioner_ = std::make_unique<LatticePreconditioner>(
-        lattice, LatticePreconditioner::Range{columns_ > 0 ? 0 : corner_.i - offset_.i, window_columns_},
-        LatticePreconditioner::Range{corner_.j - offset_.j, window_rows_});
-    window_.resize(slot_at_.size());
-  } else {
-    Eigen::SparseMatrix<double> pattern = Eigen::Map<const Eigen::SparseMatrix<double>>(
-        slots, slots, static_cast<Eigen::Index>(row_.size()), column_begin_.data(), row_.data(), values_.data());
-    solver_ = std::make_unique<linear::SparseCholesky>(std::move(pattern));
-  }
+  Eigen::SparseMatrix<double> pattern = Eigen::Map<const Eigen::SparseMatrix<double>>(
+      slots, slots, static_cast<Eigen::Index>(row_.size()), column_begin_.data(), row_.data(), values_.data());
+  solver_ = std::make_unique<linear::SparseCholesky>(std::move(pattern));
   ++analyses_;
   const long reach = 2 * degree_ + 1;
   stencil_.assign(place_.size() * static_cast<std::size_t>(reach * reach), -1);
@@ -267,45 +255,7 @@ void GramSystem::factor() {
     for (std::size_t k = begin; k < end; ++k) values_[k] *= scale_[a] * scale_[static_cast<std::size_t>(row_[k])];
     values_[begin] = 1 + shift;
   }
-  if (solver_) {
-    solver_->factor(values_);
-  } else {
-    factor_strip();
-  }
-}
-
-/// The unknowns that have, within a function's reach and one more, a place that is none.
-void GramSystem::factor_strip() {
-  std::vector<char> unknown(scale_.size(), 0);
-  for (const int slot : slot_of_) unknown[static_cast<std::size_t>(slot)] = 1;
-  in_strip_.assign(scale_.size(), -1);
-  int count = 0;
-  for (std::size_t a = 0; a < scale_.size(); ++a) {
-    if (unknown[a] == 0) continue;
-    bool inside = a < place_.size();
-    for (long i = -degree_ - 1; inside && i <= degree_ + 1; ++i) {
-      for (long j = -degree_ - 1; inside && j <= degree_ + 1; ++j) {
-        const int near = slot(moved(place_[a], i, j));
-        inside = near >= 0 && unknown[static_cast<std::size_t>(near)] != 0;
-      }
-    }
-    if (!inside) in_strip_[a] = count++;
-  }
-  Eigen::SparseMatrix<double> matrix(count, count);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t a = 0; a < scale_.size(); ++a) {
-    if (in_strip_[a] < 0) continue;
-    for (int k = column_begin_[a]; k < column_begin_[a + 1]; ++k) {
-      const auto entry = static_cast<std::size_t>(k);
-      const int b = in_strip_[static_cast<std::size_t>(row_[entry])];
-      if (b >= 0) entries.emplace_back(b, in_strip_[a], values_[entry]);
-    }
-  }
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  const std::vector<double> values(matrix.valuePtr(), matrix.valuePtr() + matrix.nonZeros());
-  strip_values_.resize(static_cast<std::size_t>(count));
-  strip_ = std::make_unique<linear::SparseCholesky>(std::move(matrix));
-  strip_->factor(values);
+  solver_->factor(values_);
 }
 
 void GramSystem::gather(std::span<const double> r) {
@@ -325,70 +275,9 @@ double GramSystem::scaled_largest(std::span<const double> r) const {
   return largest;
 }
 
-/// q = (scaled matrix) p; returns p . q.
-double GramSystem::multiply(std::span<const double> p, std::span<double> q) const {
-  std::fill(q.begin(), q.end(), 0.0);
-  for (std::size_t a = 0; a < p.size(); ++a) {
-    const auto begin = static_cast<std::size_t>(column_begin_[a]);
-    const auto end = static_cast<std::size_t>(column_begin_[a + 1]);
-    double sum = values_[begin] * p[a];
-    for (std::size_t k = begin + 1; k < end; ++k) {
-      const auto b = static_cast<std::size_t>(row_[k]);
-      sum += values_[k] * p[b];
-      q[b] += values_[k] * p[a];
-    }
-    q[a] += sum;
-  }
-  return linear::dot(p, q);
-}
-
-/// Only the unknowns of this step: other slots have no load, and keep none.
-void GramSystem::precondition(std::span<const double> r, std::span<double> z, double magnitude) {
-  std::fill(window_.begin(), window_.end(), 0.0);
-  std::fill(z.begin(), z.end(), 0.0);
-  const auto place = [this](std::size_t slot) {
-    const Place at = place_[slot];
-    return static_cast<std::size_t>((at.i - corner_.i) * window_rows_ + at.j - corner_.j);
-  };
-  double largest_scale = 0;
-  for (const int slot : slot_of_) {
-    const auto s = static_cast<std::size_t>(slot);
-    if (s >= place_.size()) continue;  // the wall's constant
-    window_[place(s)] = r[s] / scale_[s];
-    largest_scale = std::max(largest_scale, 1 / scale_[s]);
-  }
-  preconditioner_->apply(window_, magnitude * largest_scale);
-  for (const int slot : slot_of_) {
-    const auto s = static_cast<std::size_t>(slot);
-    if (s < place_.size()) z[s] = window_[place(s)] / scale_[s];
-  }
-  for (std::size_t a = 0; a < r.size(); ++a) {
-    if (in_strip_[a] >= 0) strip_values_[static_cast<std::size_t>(in_strip_[a])] = r[a];
-  }
-  strip_->solve(strip_values_, strip_values_);
-  for (std::size_t a = 0; a < r.size(); ++a) {
-    if (in_strip_[a] >= 0) z[a] += strip_values_[static_cast<std::size_t>(in_strip_[a])];
-  }
-}
-
-void GramSystem::iterate() {
-  load_.entries = work_;
-  solution_.entries.assign(work_.size(), 0.0);
-  const auto result = gradients_.solve(
-      [this](const Vector& p, Vector& q) { return multiply(p.values(), q.values()); },
-      [this](std::span<const double> r, std::span<double> z, double magnitude) { precondition(r, z, magnitude); },
-      load_, solution_, {.tolerance = digits_of_iteration, .most_iterations = most_iterations});
-  iterations_ += result.iterations;
-  work_ = solution_.entries;
-}
-
 double GramSystem::correct(std::span<const double> r, std::span<double> z) {
   gather(r);
-  if (solver_) {
-    solver_->solve(work_, work_);
-  } else {
-    iterate();
-  }
+  solver_->solve(work_, work_);
   for (std::size_t k = 0; k < z.size(); ++k) {
     const auto slot = static_cast<std::size_t>(slot_of_[k]);
     z[k] += work_[slot] * scale_[slot];

@@ -4,10 +4,6 @@
 /// alone; its symbolic factorisation is kept while the unknowns stay within the set, also when the lattice moves by
 /// whole cells or fractions of one. The matrix is scaled to a diagonal of 1 and shifted by 1e-13: fields that vanish on
 /// all particles then do no harm, and two corrections with the true residual take the shift out again.
-///
-/// Beyond so many unknowns a correction is made of conjugate gradients instead, to eight digits: as many more
-/// corrections give the same residual. The preconditioner is the sum of a lattice's (lattice_preconditioner.hpp) and of
-/// the exact inverse for the strip of unknowns along the surface, of which only a tail is in the water.
 #pragma once
 
 #include <cstddef>
@@ -15,17 +11,13 @@
 #include <span>
 #include <vector>
 
-#include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/sparse_cholesky.hpp"
 #include "seiche/models/gauss_particles/active_functions.hpp"
-#include "seiche/models/gauss_particles/lattice_preconditioner.hpp"
 
 namespace seiche::gauss_particles {
 
 class GramSystem {
  public:
-  /// @param iterate_above  unknowns beyond which conjugate gradients take the factors' place
-  explicit GramSystem(std::size_t iterate_above) : iterate_above_(iterate_above) {}
   /// Clears the matrix for these unknowns.
   void begin(const Lattice& lattice, const ActiveFunctions& functions);
   /// Adds the matrix of a cell whose (p + 1)^2 functions are these unknowns or none.
@@ -36,17 +28,13 @@ class GramSystem {
   [[nodiscard]] bool complete() const { return complete_; }
   /// Throws linear::NotPositiveDefinite.
   void factor();
-  /// z += (matrix)^-1 r, up to the shift. Returns the largest |r| with fields of norm 1. Throws linear::NotConverged,
-  /// NotPositiveDirection.
+  /// z += (matrix)^-1 r, up to the shift. Returns the largest |r| with fields of norm 1.
   double correct(std::span<const double> r, std::span<double> z);
   /// Only the measure that correct returns.
   [[nodiscard]] double scaled_largest(std::span<const double> r) const;
 
   [[nodiscard]] long analyses() const { return analyses_; }
-  /// Of the normal equations' factor; nothing where conjugate gradients solve them.
   [[nodiscard]] linear::FactorWork factor_work() const { return solver_ ? solver_->work() : linear::FactorWork{}; }
-  /// Of conjugate gradients, so far.
-  [[nodiscard]] long iterations() const { return iterations_; }
 
  private:
   struct Place {
@@ -65,13 +53,9 @@ class GramSystem {
   [[nodiscard]] Place moved(Place from, long columns, long rows) const;
   bool fit(const ActiveFunctions& functions);
   void choose_slots(const Lattice& lattice, const ActiveFunctions& functions);
-  void analyse(const Lattice& lattice);
+  void analyse();
   [[nodiscard]] int entry(int a, int b) const;
   void gather(std::span<const double> r);
-  double multiply(std::span<const double> p, std::span<double> q) const;
-  void precondition(std::span<const double> r, std::span<double> z, double magnitude);
-  void iterate();
-  void factor_strip();
 
   long degree_ = 0;
   long columns_ = 0;  // of a periodic lattice, else 0
@@ -88,27 +72,11 @@ class GramSystem {
   std::vector<int> stencil_;        // entry of a slot's coupling with its neighbours; -1: none
   std::vector<int> column_begin_, row_;
   std::vector<double> values_;
-  std::unique_ptr<linear::SparseCholesky> solver_;  // or
-  std::unique_ptr<LatticePreconditioner> preconditioner_;
+  std::unique_ptr<linear::SparseCholesky> solver_;
   long analyses_ = 0;
 
   std::vector<int> slot_of_;  // of the unknowns
   std::vector<double> scale_, work_;
-
-  /// What ConjugateGradients asks for.
-  struct Vector {
-    std::vector<double> entries;
-    [[nodiscard]] std::span<const double> values() const { return entries; }
-    [[nodiscard]] std::span<double> values() { return entries; }
-  };
-  std::size_t iterate_above_;
-  linear::ConjugateGradients<Vector> gradients_;
-  Vector load_, solution_;
-  std::vector<double> window_;  // values of the window's functions
-  long iterations_ = 0;
-  std::vector<int> in_strip_;  // of slots: number among those of the strip; -1: none
-  std::unique_ptr<linear::SparseCholesky> strip_;
-  std::vector<double> strip_values_;
   bool complete_ = true;
 };
 

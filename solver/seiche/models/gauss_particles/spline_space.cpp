@@ -43,7 +43,7 @@ SplineSpace::SplineSpace(const LatticePlan& plan, Settings settings) : SplineSpa
 }
 
 SplineSpace::SplineSpace(Ground ground, LatticeAt at, Settings settings)
-    : ground_(std::move(ground)), at_(std::move(at)), settings_(settings), system_(settings.iterate_above) {
+    : ground_(std::move(ground)), at_(std::move(at)), settings_(settings) {
   require_positive("density", settings_.density);
   require_within("inner_fraction", settings_.inner_fraction, 0.05, 1);
   require_at_least("margin", settings_.margin, 2);

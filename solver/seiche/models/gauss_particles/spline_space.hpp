@@ -23,15 +23,13 @@ class SplineSpace final : public FieldSpace {
     double density = 1;  ///< [kg/m^3]
     /// f: mass of an inner cell, of a full one; 0.25 to 0.3 for thin tongues, 0.9 with gravity on the surface
     double inner_fraction = 0.5;
-    /// Of the normal equations: with more unknowns conjugate gradients solve them, and no factors are kept.
-    std::size_t iterate_above = 50000;
     long margin = 2;  ///< cells between particles and a free end of the lattice
   };
   /// Wall time that the parts of the work took so far [s]: where a step's cost lies.
   struct Seconds {
     double binning = 0;        ///< particles into cells, the choice of functions
     double assembly = 0;       ///< Gram matrix
-    double factorisation = 0;  ///< of it, or the lattice's modes
+    double factorisation = 0;  ///< of it
     double solution = 0;       ///< loads, the first solution and its velocities
     double refinement = 0;     ///< the corrections of it
   };
@@ -56,12 +54,10 @@ class SplineSpace final : public FieldSpace {
   [[nodiscard]] const ActiveFunctions& functions() const { return functions_; }
   /// Coefficients of the splines of the last projection, function by function.
   [[nodiscard]] std::span<const double> coefficients() const { return coefficients_; }
-  /// Iterations of conjugate gradients so far.
-  [[nodiscard]] long iterations() const { return system_.iterations(); }
   [[nodiscard]] const Seconds& seconds() const { return seconds_; }
   /// Symbolic factorisations so far.
   [[nodiscard]] long analyses() const { return system_.analyses(); }
-  /// Of the normal equations' factor; nothing where conjugate gradients solve them.
+  /// Of the normal equations' factor.
   [[nodiscard]] linear::FactorWork factor_work() const { return system_.factor_work(); }
 
  private:

@@ -18,9 +18,9 @@ struct EdgeState {
   double thrust;
 };
 
-/// Solves f_L(h) + f_R(h) + u_R - u_L = 0 by `steps` Newton steps from the depth that two simple waves would give.
+/// Solves f_L(h) + f_R(h) + u_R - u_L = 0 by four Newton steps from the depth that two simple waves would give.
 /// Depths must be positive; when the middle dries, the thrust is zero to round-off.
-inline EdgeState edge_state(double gravity, double h_left, double u_left, double h_right, double u_right, int steps) {
+inline EdgeState edge_state(double gravity, double h_left, double u_left, double h_right, double u_right) {
   const double c_left = std::sqrt(gravity * h_left);
   const double c_right = std::sqrt(gravity * h_right);
   const double sum = c_left + c_right;
@@ -31,8 +31,6 @@ inline EdgeState edge_state(double gravity, double h_left, double u_left, double
   const double inv_left = 1 / h_left;
   const double inv_right = 1 / h_right;
 
-  double f_left = 2 * (c - c_left);
-  double f_right = 2 * (c - c_right);
   // f and its derivative at h for the side with depth h_side: jump where h is above it, simple wave otherwise.
   const auto wave = [&](double inv, double h_side, double c_side, double inv_h, double& slope) {
     const double q = std::sqrt(0.5 * gravity * (inv_h + inv));
@@ -41,22 +39,20 @@ inline EdgeState edge_state(double gravity, double h_left, double u_left, double
     slope = jump ? q - 0.25 * gravity * rise * inv_h * inv_h / q : c * inv_h;
     return jump ? rise * q : 2 * (c - c_side);
   };
-  for (int k = 0; k < steps; ++k) {
+  for (int k = 0; k < 4; ++k) {
     const double inv_h = 1 / h;
     double slope_left = 0;
     double slope_right = 0;
-    f_left = wave(inv_left, h_left, c_left, inv_h, slope_left);
-    f_right = wave(inv_right, h_right, c_right, inv_h, slope_right);
+    const double f_left = wave(inv_left, h_left, c_left, inv_h, slope_left);
+    const double f_right = wave(inv_right, h_right, c_right, inv_h, slope_right);
     const double next = h - (f_left + f_right + u_right - u_left) / (slope_left + slope_right);
     h = next > 0.1 * h ? next : 0.1 * h;
     c = std::sqrt(gravity * h);
   }
-  if (steps > 0) {
-    const double inv_h = 1 / h;
-    double unused = 0;
-    f_left = wave(inv_left, h_left, c_left, inv_h, unused);
-    f_right = wave(inv_right, h_right, c_right, inv_h, unused);
-  }
+  const double inv_h = 1 / h;
+  double unused = 0;
+  const double f_left = wave(inv_left, h_left, c_left, inv_h, unused);
+  const double f_right = wave(inv_right, h_right, c_right, inv_h, unused);
   return {0.5 * (u_left + u_right) + 0.5 * (f_right - f_left), 0.5 * gravity * h * h};
 }
 

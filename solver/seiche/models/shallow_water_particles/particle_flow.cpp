@@ -44,11 +44,8 @@ void ParticleFlow::validate() const {
   require_positive("gravity", forcing_.gravity);
   require_not_negative("manning", forcing_.manning);
   require_within("theta", scheme_.theta, 1, 2);
-  require_within("newton_steps", scheme_.newton_steps, 0, 20);
   require_positive("courant", scheme_.courant);
   require_within("courant", scheme_.courant, 0, hard_courant);
-  require_positive("jump_threshold", scheme_.jump_threshold);
-  require_not_negative("isolation", scheme_.isolation);
   if (forcing_.bed) forcing_.bed->validate(now_.edge.front(), now_.edge.back());
   for (const bool right : {false, true}) {
     const Side s = side(right);

@@ -141,7 +141,7 @@ void ParticleFlow::solve_end(Side s, double tau) {
     const double out = s.outward() * inner.velocity;
     const double mirror = 2 * s.outward() * *wall - out;
     edge_velocity_[k] = *wall;
-    edge_thrust_[k] = edge_state(g, inner.depth, out, inner.depth, mirror, scheme_.newton_steps).thrust;
+    edge_thrust_[k] = edge_state(g, inner.depth, out, inner.depth, mirror).thrust;
   } else if (end_is<Free>(s)) {
     edge_velocity_[k] = now_.velocity[i];
     edge_thrust_[k] = shallow_water::thrust(g, depth_[i]);

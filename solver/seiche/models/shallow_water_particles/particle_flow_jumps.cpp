@@ -5,6 +5,12 @@
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 
 namespace seiche::shallow_water_particles {
+namespace {
+
+/// A jump must exceed this many times the variation beside it.
+constexpr double isolation = 2;
+
+}  // namespace
 
 const Structure* ParticleFlow::structure_at(std::size_t i) const {
   if (structures_.empty()) return nullptr;
@@ -36,10 +42,10 @@ void ParticleFlow::detect_jumps() {
   for (const std::size_t i : suspects_) {
     if (!(now_.velocity[i - 1] > now_.velocity[i + 1])) continue;
     if (!collisions_.empty() && followed(i)) continue;
-    auto jump = jump_between(forcing_.gravity, state(i - 1), state(i), state(i + 1), scheme_.jump_threshold);
+    auto jump = jump_between(forcing_.gravity, state(i - 1), state(i), state(i + 1), jump_threshold);
     if (!jump) continue;
     const double beside = (i >= 2 ? difference(i - 1, i - 2) : 0) + (i + 2 < count ? difference(i + 2, i + 1) : 0);
-    if (jump->size() < scheme_.isolation * beside) continue;
+    if (jump->size() < isolation * beside) continue;
     jump->particle = i;
     jumps_.push_back(*jump);
   }
@@ -79,7 +85,7 @@ void ParticleFlow::detect_at_wall(Side s) {
   }
   if (ahead) {
     // The jump has entered the end particle: its mean is mixed, the state ahead is remembered.
-    auto jump = jump_between(forcing_.gravity, towards(1), towards(0), *ahead, scheme_.jump_threshold);
+    auto jump = jump_between(forcing_.gravity, towards(1), towards(0), *ahead, jump_threshold);
     if (jump && jump->facing == Facing::right) {
       const State mirror = {jump->behind.depth, 2 * wall_out - jump->behind.velocity};
       jump->leaves_through_wall = true;
@@ -93,7 +99,7 @@ void ParticleFlow::detect_at_wall(Side s) {
   // Of the two equal jumps of this symmetric problem the one that has left the wall is wanted.
   if (!(inner.velocity > mirror.velocity)) return;
   const State star = shallow_water::star_state(forcing_.gravity, inner, mirror);
-  if (star.depth - inner.depth <= scheme_.jump_threshold * inner.depth) return;
+  if (star.depth - inner.depth <= jump_threshold * inner.depth) return;
   const State mean = towards(0);
   InteriorJump jump;
   jump.facing = Facing::left;

@@ -82,7 +82,7 @@ void ParticleFlow::solve_stretch(double tau, std::size_t first, std::size_t last
   predict_particles(tau, from, last, values);
   const std::size_t edge = from + 1;
   solve_row({values.right_depth.data(), values.right_velocity.data(), &values.left_depth[1], &values.left_velocity[1],
-             &edge_velocity_[edge], &edge_thrust_[edge], forcing_.gravity, scheme_.newton_steps},
+             &edge_velocity_[edge], &edge_thrust_[edge], forcing_.gravity},
             last - edge);
   if (!keeps_edge_values()) return;
   const auto keep = [&](const Array& some, Array& all) {
@@ -148,7 +148,7 @@ void ParticleFlow::find_suspects() {
   suspicious_.resize(blocks);
   share(blocks, threads(), [&](std::size_t b, std::size_t /*thread*/) {
     const std::size_t first = 1 + b * searched_together;
-    suspicious_[b] = may_hold_jump(&depth_[first], &now_.velocity[first], forcing_.gravity, scheme_.jump_threshold,
+    suspicious_[b] = may_hold_jump(&depth_[first], &now_.velocity[first], forcing_.gravity, jump_threshold,
                                    std::min(searched_together, inner - b * searched_together))
                          ? 1
                          : 0;

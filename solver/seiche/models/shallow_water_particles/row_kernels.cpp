@@ -20,8 +20,7 @@ SEICHE_INLINE double limited(double backward, double central, double forward, do
   return backward * forward > 0 ? std::copysign(magnitude, backward) : 0.0;
 }
 
-template <int Steps>
-SEICHE_INLINE void newton(const EdgeRow& row, std::size_t first, std::size_t last, int steps) {
+SEICHE_INLINE void newton(const EdgeRow& row, std::size_t first, std::size_t last) {
   const double* __restrict hl = row.depth_before;
   const double* __restrict ul = row.velocity_before;
   const double* __restrict hr = row.depth_behind;
@@ -30,7 +29,7 @@ SEICHE_INLINE void newton(const EdgeRow& row, std::size_t first, std::size_t las
   double* __restrict ps = row.edge_thrust;
   const double g = row.gravity;
   for (std::size_t k = first; k < last; ++k) {
-    const EdgeState e = edge_state(g, hl[k], ul[k], hr[k], ur[k], Steps >= 0 ? Steps : steps);
+    const EdgeState e = edge_state(g, hl[k], ul[k], hr[k], ur[k]);
     us[k] = e.velocity;
     ps[k] = e.thrust;
   }
@@ -111,13 +110,7 @@ void solve_row(const EdgeRow& row, std::size_t count) {
       sharp |= static_cast<int>(!smooth);
     }
     if (sharp != 0) {
-      if (row.newton_steps == 4) {
-        newton<4>(row, start, stop, 4);
-      } else if (row.newton_steps == 1) {
-        newton<1>(row, start, stop, 1);
-      } else {
-        newton<-1>(row, start, stop, row.newton_steps);
-      }
+      newton(row, start, stop);
     }
   }
 }

@@ -34,7 +34,6 @@ struct EdgeRow {
   double* edge_velocity;
   double* edge_thrust;
   double gravity;
-  int newton_steps;
 };
 /// Where both differences over an edge are below 1e-4 (of depth and celerity), jump and simple wave differ by less
 /// than 1e-13: the two-wave state is taken without iteration, a block of edges at a time, counted from the row's first.

@@ -1,4 +1,4 @@
-/// Choices of the conservative particle method that do not change the equations: level, limiter, thresholds.
+/// Choices of the conservative particle method that do not change the equations: level, limiter, step.
 #pragma once
 
 namespace seiche::shallow_water_particles {
@@ -14,11 +14,11 @@ enum class Level {
 /// Numerical parameters with the values recommended for all flows.
 struct Scheme {
   Level level = Level::hand_over;
-  double theta = 2;              ///< generalised minmod: 1 most dissipative, 2 monotonised central
-  int newton_steps = 4;          ///< fixed steps per edge; 4 reach round-off, conservation holds for any number
-  double courant = 0.4;          ///< largest tau c / w that largest_step() proposes, at most 0.9
-  double jump_threshold = 0.02;  ///< smallest relative depth jump that is handed over
-  double isolation = 2;          ///< a jump must exceed this many times the variation beside it
+  double theta = 2;      ///< generalised minmod: 1 most dissipative, 2 monotonised central
+  double courant = 0.4;  ///< largest tau c / w that largest_step() proposes, at most 0.9
 };
+
+/// Smallest relative depth jump that is handed over.
+inline constexpr double jump_threshold = 0.02;
 
 }  // namespace seiche::shallow_water_particles

@@ -1,64 +1,183 @@
 #include "seiche/models/wcsph/flow.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <span>
+#include <stdexcept>
 #include <utility>
+#include <variant>
 
-#include "seiche/models/wcsph/engine.hpp"
+#include <fmt/format.h>
+
+#include "seiche/divergence.hpp"
+#include "seiche/models/wcsph/input_checks.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::wcsph {
+namespace {
+
+/// Neighbours beyond this many times those of a lattice are a clump.
+constexpr double clump = 8;
+
+double mean_spacing(const Particles& particles, double density) {
+  double mass = 0;
+  double count = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.kind[i] != Kind::fluid) continue;
+    mass += particles.mass[i];
+    count += 1;
+  }
+  return std::sqrt((count > 0 ? mass / count : particles.mass.front()) / density);
+}
+
+/// Where particles may fly without slowing down the search: the box of the beginning and as much around it.
+Box expected_box(const Particles& particles) {
+  const auto [left, right] = std::minmax_element(particles.x.begin(), particles.x.end());
+  const auto [bottom, top] = std::minmax_element(particles.z.begin(), particles.z.end());
+  const double margin = std::max(*right - *left, *top - *bottom);
+  return {*left - margin, *right + margin, *bottom - margin, *top + margin};
+}
+
+Particles checked(Particles particles, const Settings& settings, double spacing, std::span<const Paddle> paddles) {
+  validate(settings);
+  require_positive("spacing", spacing);
+  check_period(settings, settings.smoothing * spacing);
+  check_particles(particles, paddles);
+  return particles;
+}
+
+}  // namespace
 
 Flow::Flow(Particles particles, double spacing, Settings settings, std::vector<Paddle> paddles)
-    : engine_(std::make_unique<Engine>(std::move(particles), spacing, settings, std::move(paddles))) {}
-Flow::Flow(Flow&&) noexcept = default;
-Flow& Flow::operator=(Flow&&) noexcept = default;
-Flow::~Flow() = default;
-
-double Flow::advance() {
-  return engine_->advance_at_most(std::numeric_limits<double>::infinity());
+    : settings_(settings),
+      spacing_(spacing),
+      fluid_(settings.density, settings.sound_speed, settings.exponent),
+      smoothing_(settings.smoothing * spacing),
+      paddles_(std::move(paddles)),
+      particles_(checked(std::move(particles), settings, spacing, paddles_)),
+      reference_x_(paddles_.empty() ? std::vector<double>{} : particles_.x),
+      reference_z_(paddles_.empty() ? std::vector<double>{} : particles_.z),
+      mean_spacing_(mean_spacing(particles_, settings.density)),
+      rates_(settings, spacing),
+      corrections_(settings, spacing),
+      stage_(fluid_, smoothing_, rates_.sound_scale(), rates_.turbulent()),
+      neighbours_(mean_spacing_, expected_box(particles_), settings.period, pair_loops(settings.kernel).lanes),
+      reserve_(settings.skin * support * smoothing_),
+      listed_reserve_(reserve_) {
+  rates_.resize(particles_.size());
+  const PaddlePoses poses = paddles_at(0);
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    if (particles_.kind[i] != Kind::paddle) continue;
+    const PointMotion motion = carried_by_paddle(i, poses);
+    particles_.x[i] = motion.x;
+    particles_.z[i] = motion.z;
+    particles_.u[i] = motion.u;
+    particles_.w[i] = motion.w;
+  }
+  sort(reserve_);
+  check_start();
 }
 
-double Flow::advance(double tau) {
-  require_positive("tau", tau);
-  engine_->advance_by(tau);
-  return tau;
+void Flow::check_start() const {
+  if (const auto* laminar = std::get_if<LaminarSps>(&settings_.viscosity)) {
+    const double highest = viscous_courant * smoothing_ * settings_.sound_speed / (shortest_step * settings_.courant);
+    if (laminar->kinematic_viscosity > highest) {
+      throw std::invalid_argument(fmt::format(
+          "kinematic viscosity nu0 = {:.17g} m^2/s is out of range: must be in [0, {:g}], or a stable step, 0.125 "
+          "h^2/nu0, is below a thousandth of the acoustic one",
+          laminar->kinematic_viscosity, highest));
+    }
+  }
+  check_distances(particles_, neighbours_.images(), neighbours_.clusters(), spacing_);
 }
 
-void Flow::advance_to(double time, const std::function<void()>& after_step) {
-  require_finite("time", time);
-  while (engine_->time() < time) {
-    const double remaining = time - engine_->time();
-    if (engine_->advance_at_most(remaining) == remaining) engine_->set_time(time);
-    if (after_step) after_step();
+void Flow::sort(double reserve) {
+  const double lowest = *std::min_element(particles_.density.begin(), particles_.density.end());
+  const double widest = smoothing_ * std::max(1.0, std::sqrt(settings_.density / lowest));
+  neighbours_.sort(particles_, widest, reserve);
+  if (!paddles_.empty()) {
+    std::vector<double> scratch;
+    neighbours_.reorder(reference_x_, scratch);
+    neighbours_.reorder(reference_z_, scratch);
+  }
+  stage_.adopt(particles_, neighbours_.images());
+  const CandidateSearch search = pair_loops(settings_.kernel).search;
+  neighbours_.list(particles_, [&](const Cluster& cluster, std::span<const IndexRange> ranges, std::int32_t* to) {
+    return search(stage_.records().data(), reserve, cluster, ranges.data(), ranges.size(), to);
+  });
+  listed_reserve_ = reserve;
+  ++extremes_.rebuilds;
+
+  const double usual = std::numbers::pi * std::pow(support * smoothing_ / mean_spacing_, 2);
+  if (neighbours_.most_neighbours() > clump * usual) {
+    throw Divergence(
+        fmt::format("{:.0f} neighbours of a particle, {:.0f} are usual", neighbours_.most_neighbours(), usual), time_,
+        steps_, particles_.x[neighbours_.most_crowded()]);
   }
 }
 
-double Flow::time() const {
-  return engine_->time();
+void Flow::fill_level() {
+  const double used = stage_.fill(particles_);
+  if (used + half_travel_ > reserve_) sort(reserve_);
 }
-long Flow::steps() const {
-  return engine_->steps();
+
+void Flow::evaluate(double time, bool limited) {
+  if (settings_.walls == WallPressure::extrapolated) {
+    // Paddles' accelerations: means over the time that sound takes for h before and after, from time 0 on.
+    const double shift = smoothing_ / settings_.sound_speed;
+    const PaddlePoses before = paddles_at(std::max(time - shift, 0.0));
+    const PaddlePoses after = paddles_at(time + shift);
+    const double between = std::min(2 * shift, time + shift);
+    const auto felt_gravity = [&](std::size_t i) {
+      std::array<double, 2> gravity{0, -settings_.gravity};
+      if (particles_.kind[i] == Kind::paddle) {
+        const PointMotion from = carried_by_paddle(i, before);
+        const PointMotion to = carried_by_paddle(i, after);
+        gravity[0] -= (to.u - from.u) / between;
+        gravity[1] -= (to.w - from.w) / between;
+      }
+      return gravity;
+    };
+    corrections_.extrapolate(felt_gravity, stage_, neighbours_);
+  }
+  rates_.evaluate(stage_, neighbours_, limited);
+  std::vector<double>& ddensity = rates_.rates().ddensity;
+  if (settings_.walls == WallPressure::extrapolated) {
+    std::fill(ddensity.begin() + static_cast<std::ptrdiff_t>(neighbours_.fluid()), ddensity.end(), 0.0);
+  }
+  corrections_.add_diffusion(stage_, neighbours_, ddensity);
+  extremes_.interactions += neighbours_.pairs();
 }
-double Flow::spacing() const {
-  return engine_->spacing();
+
+void Flow::evaluate_level(bool limited) {
+  evaluate(time_, limited);
+  if (settings_.walls != WallPressure::extrapolated) return;
+  for (std::size_t i = neighbours_.fluid(); i < particles_.size(); ++i) {
+    particles_.density[i] = stage_.records()[i].density;
+  }
 }
-double Flow::smoothing_length() const {
-  return engine_->smoothing_length();
-}
-const Settings& Flow::settings() const {
-  return engine_->settings();
-}
-const TaitFluid& Flow::fluid() const {
-  return engine_->fluid();
-}
-const Particles& Flow::particles() const {
-  return engine_->particles();
-}
-const Extremes& Flow::extremes() const {
-  return engine_->extremes();
-}
+
 Rates Flow::rates() {
-  return engine_->rates();
+  fill_level();
+  evaluate_level(false);
+  return rates_.rates();
+}
+
+Flow::PaddlePoses Flow::paddles_at(double time) const {
+  PaddlePoses poses;
+  for (const Paddle& paddle : paddles_) {
+    poses.pose.push_back(paddle.pose(time));
+    poses.rate.push_back(paddle.rate(time));
+  }
+  return poses;
+}
+
+PointMotion Flow::carried_by_paddle(std::size_t i, const PaddlePoses& poses) const {
+  const auto body = static_cast<std::size_t>(particles_.body[i]);
+  const Paddle& paddle = paddles_[body];
+  return carried(poses.pose[body], poses.rate[body], paddle.hinge_x, paddle.hinge_z, reference_x_[i], reference_z_[i]);
 }
 
 std::vector<double> Flow::pressure() const {

@@ -15,14 +15,13 @@
 ///
 ///     Flow flow(dam.particles(), dam.spacing, {.sound_speed = 15, .viscosity = ArtificialViscosity{0.3}});
 ///     flow.advance_to(0.25);
-///     const double front = front_position(flow.particles(), ...);
 ///
 /// Evaluation: particles are kept sorted in tiles, so that few consecutive ones (a cluster, one SIMD register) share a
 /// list of candidates within 2h and a skin. Every particle gathers its own sums: no write conflicts, the same bytes
-/// from any number of threads. For a million particles and more there is Storage::mixed.
+/// from any number of threads.
 ///
 /// When not to use it: incompressible flow to more than about a per cent; pressures at walls without
-/// WallPressure::extrapolated and density diffusion (wall_gauge.hpp reads them); vortices at Reynolds numbers above
+/// WallPressure::extrapolated and density diffusion; vortices at Reynolds numbers above
 /// about 30 without particle shifting.
 ///
 /// References: Monaghan (1994), cited in equation_of_state.hpp; Dalrymple and Rogers, Numerical modeling of water waves
@@ -35,14 +34,16 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <memory>
-#include <span>
 #include <vector>
 
+#include "seiche/models/wcsph/corrections.hpp"
 #include "seiche/models/wcsph/equation_of_state.hpp"
+#include "seiche/models/wcsph/neighbours.hpp"
 #include "seiche/models/wcsph/paddle.hpp"
 #include "seiche/models/wcsph/particles.hpp"
+#include "seiche/models/wcsph/right_hand_side.hpp"
 #include "seiche/models/wcsph/settings.hpp"
+#include "seiche/models/wcsph/stage.hpp"
 
 namespace seiche::wcsph {
 
@@ -67,11 +68,6 @@ struct Extremes {
   long long interactions = 0;  ///< ordered pairs within the support, at rebuilds, times evaluations since: useful work
 };
 
-/// Rates of change at the present state, in the order of particles().
-struct Rates {
-  std::vector<double> dx, dz, du, dw, ddensity;
-};
-
 struct FlowState;
 
 class Flow {
@@ -84,9 +80,9 @@ class Flow {
   Flow(Particles particles, double spacing, Settings settings, std::vector<Paddle> paddles = {});
   Flow(const Flow&) = delete;
   Flow& operator=(const Flow&) = delete;
-  Flow(Flow&&) noexcept;
-  Flow& operator=(Flow&&) noexcept;
-  ~Flow();
+  Flow(Flow&&) noexcept = default;
+  Flow& operator=(Flow&&) noexcept = default;
+  ~Flow() = default;
 
   /// One step of length tau, or of the rule's length when none is given; returns it.
   /// Throws seiche::Divergence with time, step and place: values not finite, density outside [0.5, 1.5] rho_0, a step
@@ -103,26 +99,68 @@ class Flow {
   /// others: settings, spacing, particles by identity, paddles by where they were. A throw leaves the flow as it was.
   void resume(const FlowState& state);
 
-  [[nodiscard]] double time() const;
-  [[nodiscard]] long steps() const;
-  [[nodiscard]] double spacing() const;
-  [[nodiscard]] double smoothing_length() const;  ///< h_0 [m]
-  [[nodiscard]] const Settings& settings() const;
-  [[nodiscard]] const TaitFluid& fluid() const;
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] long steps() const { return steps_; }
+  [[nodiscard]] double spacing() const { return spacing_; }
+  [[nodiscard]] double smoothing_length() const { return smoothing_; }  ///< h_0 [m]
+  [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] const TaitFluid& fluid() const { return fluid_; }
   /// Particles in the order of the last sorting: `identity` says which is which.
-  [[nodiscard]] const Particles& particles() const;
+  [[nodiscard]] const Particles& particles() const { return particles_; }
   /// Pressure of each particle [Pa].
   [[nodiscard]] std::vector<double> pressure() const;
   /// Right-hand sides at the present state, for checks.
   [[nodiscard]] Rates rates();
   [[nodiscard]] Totals totals() const;
-  [[nodiscard]] const Extremes& extremes() const;
+  [[nodiscard]] const Extremes& extremes() const { return extremes_; }
   /// Fluid particles outside the rectangle: left the domain. Nothing is deleted.
   [[nodiscard]] long outside(double left, double right, double bottom, double top) const;
 
  private:
-  class Engine;
-  std::unique_ptr<Engine> engine_;
+  /// One step of the rule's length, at most `longest`; returns it.
+  double advance_at_most(double longest);
+  void check_start() const;
+  /// See FlowState.
+  [[nodiscard]] std::vector<double> parameters(double time) const;
+  void check_state(const FlowState& state) const;
+  void adopt(const FlowState& state);
+  void sort(double reserve);
+  void fill_level();
+  void evaluate(double time, bool limited);
+  void evaluate_level(bool limited);
+  [[nodiscard]] double step_by_rule() const;
+  void finish_step(double tau);
+  /// Where paddles are at one instant.
+  struct PaddlePoses {
+    std::vector<Pose> pose, rate;
+  };
+  [[nodiscard]] PaddlePoses paddles_at(double time) const;
+  [[nodiscard]] PointMotion carried_by_paddle(std::size_t i, const PaddlePoses& poses) const;
+  /// Level n and tau times the rates; particles of paddles as they are carried then.
+  void moved(double tau, const PaddlePoses& poses, std::size_t first, std::size_t count, StateBlock& to) const;
+  double fill_moved(double tau);
+  void commit(double tau);
+  void rearrange(double tau);
+  [[noreturn]] void report_bad_state(double tau, const PaddlePoses& poses) const;
+
+  Settings settings_;
+  double spacing_;
+  TaitFluid fluid_;
+  double smoothing_;  ///< h_0
+  std::vector<Paddle> paddles_;
+  Particles particles_;                            ///< level n
+  std::vector<double> reference_x_, reference_z_;  ///< of paddle particles, in the pose {0, 0}; empty without paddles
+  double mean_spacing_;
+  RightHandSide rates_;
+  Corrections corrections_;
+  Stage stage_;
+  Neighbours neighbours_;
+  double reserve_;          ///< of the lists [m]
+  double listed_reserve_;   ///< of the present lists
+  double half_travel_ = 0;  ///< what half a step is going to use, by the last one
+  Extremes extremes_;
+  double time_ = 0;
+  long steps_ = 0;
 };
 
 }  // namespace seiche::wcsph

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "seiche/models/wcsph/engine.hpp"
 #include "seiche/models/wcsph/input_checks.hpp"
 #include "seiche/require.hpp"
 
@@ -23,11 +22,11 @@ std::vector<double> numbers(Values... values) {
   return {static_cast<double>(values)...};
 }
 
-/// Of a parameter of Flow::Engine::parameters().
+/// Of a parameter of Flow::parameters().
 std::string name_of(std::size_t parameter) {
   std::istringstream names(
       "spacing kernel smoothing gravity density sound_speed exponent xsph filter_every density_diffusion "
-      "particle_shifting walls courant limit_by_viscosity period.x period.z storage skin viscosity alpha "
+      "particle_shifting walls courant limit_by_viscosity period.x period.z skin viscosity alpha "
       "kinematic_viscosity smagorinsky isotropic paddles");
   std::string name;
   for (std::size_t k = 0; k <= parameter; ++k) {
@@ -46,26 +45,17 @@ auto lasting(const Particles& p) {
 
 }  // namespace
 
-FlowState Flow::state() const {
-  return engine_->state();
-}
-
-void Flow::resume(const FlowState& state) {
-  engine_->resume(state);
-}
-
-std::vector<double> Flow::Engine::parameters(double time) const {
+std::vector<double> Flow::parameters(double time) const {
   // All settings that there are: with one more this does not compile.
   const auto& [kernel, smoothing, gravity, density, sound_speed, exponent, viscosity, xsph, filter_every, diffusion,
-               shifting, walls, courant, limit_by_viscosity, period, storage, skin] = settings_;
+               shifting, walls, courant, limit_by_viscosity, period, skin] = settings_;
   const auto* artificial = std::get_if<ArtificialViscosity>(&viscosity);
   const auto* given = std::get_if<LaminarSps>(&viscosity);
   const LaminarSps sps = given != nullptr ? *given : LaminarSps{0, 0, 0};
-  std::vector<double> all =
-      numbers(spacing_, kernel, smoothing, gravity, density, sound_speed, exponent, xsph, filter_every, diffusion,
-              shifting, walls, courant, limit_by_viscosity, period.x, period.z, storage, skin, viscosity.index(),
-              artificial != nullptr ? artificial->alpha : 0, sps.kinematic_viscosity, sps.smagorinsky, sps.isotropic,
-              paddles_.size());
+  std::vector<double> all = numbers(spacing_, kernel, smoothing, gravity, density, sound_speed, exponent, xsph,
+                                    filter_every, diffusion, shifting, walls, courant, limit_by_viscosity, period.x,
+                                    period.z, skin, viscosity.index(), artificial != nullptr ? artificial->alpha : 0,
+                                    sps.kinematic_viscosity, sps.smagorinsky, sps.isotropic, paddles_.size());
   const PaddlePoses at = paddles_at(time);
   for (std::size_t k = 0; k < paddles_.size(); ++k) {
     for (const double value : numbers(paddles_[k].hinge_x, paddles_[k].hinge_z, at.pose[k].displacement,
@@ -75,7 +65,7 @@ std::vector<double> Flow::Engine::parameters(double time) const {
   return all;
 }
 
-FlowState Flow::Engine::state() const {
+FlowState Flow::state() const {
   return {.parameters = parameters(time_),
           .particles = particles_,
           .reference_x = reference_x_,
@@ -87,7 +77,7 @@ FlowState Flow::Engine::state() const {
           .extremes = extremes_};
 }
 
-void Flow::Engine::check_state(const FlowState& state) const {
+void Flow::check_state(const FlowState& state) const {
   require_not_negative("time of the state", state.time);
   const std::vector<double> mine = parameters(state.time);
   const auto& theirs = state.parameters;
@@ -111,7 +101,7 @@ void Flow::Engine::check_state(const FlowState& state) const {
   }
 }
 
-void Flow::Engine::resume(const FlowState& state) {
+void Flow::resume(const FlowState& state) {
   check_state(state);
   const FlowState before = this->state();
   try {
@@ -122,7 +112,7 @@ void Flow::Engine::resume(const FlowState& state) {
   }
 }
 
-void Flow::Engine::adopt(const FlowState& state) {
+void Flow::adopt(const FlowState& state) {
   particles_ = state.particles;
   reference_x_ = state.reference_x;
   reference_z_ = state.reference_z;

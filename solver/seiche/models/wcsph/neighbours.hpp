@@ -79,6 +79,11 @@ class Neighbours {
     }
   }
 
+  /// The loop over all clusters of the fluid.
+  void over_fluid(PairLoop loop, const PairWork& work) const {
+    share(0, fluid_clusters_, [&](std::size_t first, std::size_t last) { loop(work, first, last); });
+  }
+
  private:
   /// Clusters below which one thread does it all: a pass over 4096 particles takes a millisecond, less than a time
   /// slice on a machine whose cores are busy.

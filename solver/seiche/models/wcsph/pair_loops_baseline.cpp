@@ -1,19 +1,14 @@
 #include <cmath>
 
-#include "seiche/models/wcsph/candidate_packs.hpp"
-#include "seiche/models/wcsph/pair_loops.hpp"
 #include "seiche/models/wcsph/pair_sums.hpp"
 
 namespace seiche::wcsph {
 namespace {
 
 /// Any machine whose compiler knows the vector types of GCC.
-struct TwoLanes : FullLanes {
+struct TwoLanes {
   static constexpr int width = 2;
   using Pack [[gnu::vector_size(16)]] = double;
-  using Places = Pack;
-  using Wide = Pack;
-  SEICHE_INLINE static Pack distances(Places a, double b, double /*unit*/) { return a - b; }
   SEICHE_INLINE static Pack largest(Pack a, Pack b) { return a > b ? a : b; }
   SEICHE_INLINE static Pack positive(Pack a) { return a > 0.0 ? a : Pack{}; }
   SEICHE_INLINE static Pack negative(Pack a) { return a < 0.0 ? a : Pack{}; }
@@ -28,48 +23,17 @@ struct TwoLanes : FullLanes {
   }
 };
 
-struct FourSingleLanes : MixedLanes {
-  static constexpr int width = 4;
-  using Pack [[gnu::vector_size(16)]] = float;
-  using Places [[gnu::vector_size(16)]] = std::uint32_t;
-  using Signed [[gnu::vector_size(16)]] = std::int32_t;
-  using Half [[gnu::vector_size(16)]] = double;
-  struct Wide {
-    Half low, high;
-  };
-  SEICHE_INLINE static Pack distances(Places a, std::int32_t b, float unit) {
-    return __builtin_convertvector(Signed(a - static_cast<std::uint32_t>(b)), Pack) * unit;
-  }
-  SEICHE_INLINE static void add(Wide& sum, Pack part) {
-    sum.low += Half{part[0], part[1]};
-    sum.high += Half{part[2], part[3]};
-  }
-  SEICHE_INLINE static Pack narrow(double factor, const Wide& sum) {
-    const Half low = factor * sum.low;
-    const Half high = factor * sum.high;
-    return Pack{static_cast<float>(low[0]), static_cast<float>(low[1]), static_cast<float>(high[0]),
-                static_cast<float>(high[1])};
-  }
-  SEICHE_INLINE static Pack largest(Pack a, Pack b) { return a > b ? a : b; }
-  SEICHE_INLINE static Pack positive(Pack a) { return a > 0.0F ? a : Pack{}; }
-  SEICHE_INLINE static Pack negative(Pack a) { return a < 0.0F ? a : Pack{}; }
-  SEICHE_INLINE static unsigned less(Pack a, Pack b) {
-    unsigned bits = 0;
-    for (int l = 0; l < width; ++l) bits |= a[l] < b[l] ? 1U << static_cast<unsigned>(l) : 0U;
-    return bits;
-  }
-  SEICHE_INLINE static Pack where_less(Pack a, float b, Pack value) { return a < b ? value : Pack{}; }
-  template <int count>
-  SEICHE_INLINE static SideBySide<FourSingleLanes, count> inverse_root(const SideBySide<FourSingleLanes, count>& a) {
-    return SideBySide<FourSingleLanes, count>::of([&](int k) {
-      const Pack& of = a.at[k];
-      return 1.0F / Pack{std::sqrt(of[0]), std::sqrt(of[1]), std::sqrt(of[2]), std::sqrt(of[3])};
-    });
-  }
-};
-
 }  // namespace
 
-const PairLoops versions::baseline = loops_of<TwoLanes, FourSingleLanes>();
+const PairLoops versions::baseline[2] = {loops_of<TwoLanes, CubicSpline>(), loops_of<TwoLanes, WendlandC2>()};
+
+const PairLoops& pair_loops(KernelName kernel) {
+  const auto k = static_cast<std::size_t>(kernel);
+#if SEICHE_PAIR_LOOPS_X86
+  if (__builtin_cpu_supports("x86-64-v4")) return versions::avx512[k];
+  if (__builtin_cpu_supports("x86-64-v3")) return versions::avx2[k];
+#endif
+  return versions::baseline[k];
+}
 
 }  // namespace seiche::wcsph

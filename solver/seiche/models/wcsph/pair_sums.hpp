@@ -1,12 +1,9 @@
-/// The loops of pair_loops.hpp for one kind of lanes; included by each version after its target is chosen, so nothing
-/// of the standard library is used here.
+/// The rates of change and the search for candidates, for one kind of lanes; included by each version after its target
+/// is chosen, so nothing of the standard library is used here.
 #pragma once
 
-#include "seiche/models/wcsph/diffusion_sums.hpp"
-#include "seiche/models/wcsph/filter_sums.hpp"
-#include "seiche/models/wcsph/lane_blocks.hpp"
-#include "seiche/models/wcsph/shifting_sums.hpp"
-#include "seiche/models/wcsph/wall_pressure_sums.hpp"
+#include "seiche/models/wcsph/correction_sums.hpp"
+#include "seiche/models/wcsph/lanes.hpp"
 
 namespace seiche::wcsph {
 
@@ -16,16 +13,16 @@ inline constexpr double softening = 0.0025;
 /// What depends on the places, smoothing lengths and densities of pairs.
 template <class Lanes>
 struct Separation {
-  using Values = SideBySide<Lanes, abreast>;
+  using Values = SideBySide<Lanes>;
   Values x, z, s;
   Values inverse_area;  ///< 1/(r (h_a + h_b))
   Values inverse_width, inverse_densities;
   Values viscous;  ///< (h_a + h_b)/((rho_a + rho_b) (r^2 + eta^2))
 
-  SEICHE_INLINE Separation(const Block<Lanes>& a, const typename Lanes::Record* const (&b)[abreast]) {
-    x = Values::of([&](int k) { return Lanes::distances(a.x, b[k]->x, a.place_unit); });
-    z = Values::of([&](int k) { return Lanes::distances(a.z, b[k]->z, a.place_unit); });
-    const Values square = x * x + (z * z + Lanes::least_square);
+  SEICHE_INLINE Separation(const Block<Lanes>& a, const Record* const (&b)[abreast]) {
+    x = Values::of([&](int k) { return a.x - b[k]->x; });
+    z = Values::of([&](int k) { return a.z - b[k]->z; });
+    const Values square = x * x + (z * z + least_square);
     const Values width = Values::of([&](int k) { return a.smoothing + b[k]->smoothing; });
     const Values densities = Values::of([&](int k) { return a.density + b[k]->density; });
     const Values softened = square + softening * (width * width);
@@ -44,28 +41,52 @@ struct Separation {
   }
 };
 
+template <class Lanes>
+SEICHE_INLINE typename Lanes::Pack magnitude(typename Lanes::Pack value) {
+  return Lanes::largest(value, -value);
+}
+
+/// Adds (or subtracts) a b of each candidate.
+template <class Lanes>
+SEICHE_INLINE void add(typename Lanes::Pack& sum, const SideBySide<Lanes>& a, const SideBySide<Lanes>& b) {
+  for (int k = 0; k < abreast; ++k) sum += a.at[k] * b.at[k];
+}
+template <class Lanes>
+SEICHE_INLINE void subtract(typename Lanes::Pack& sum, const SideBySide<Lanes>& a, const SideBySide<Lanes>& b) {
+  for (int k = 0; k < abreast; ++k) sum -= a.at[k] * b.at[k];
+}
+
+/// Takes sigma of the next candidates into account: a pair counts within its support.
+template <class Lanes, class Records>
+SEICHE_INLINE void add_limit(typename Lanes::Pack& sigma, const Block<Lanes>& a, const Records& b,
+                             const Separation<Lanes>& pair, const SideBySide<Lanes>& approach) {
+  for (int k = 0; k < abreast; ++k) {
+    const auto rate = magnitude<Lanes>(approach.at[k]) * (pair.viscous.at[k] * (a.density + b[k]->density));
+    sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1, rate));
+  }
+}
+
 /// Largest (c + sigma)/h of the particles of a cluster, sigma of its pairs given.
 template <class Lanes>
-SEICHE_INLINE typename Lanes::Scalar largest_limit(const RateWork<typename Lanes::Record>& work, const Block<Lanes>& a,
-                                                   typename Lanes::Pack sigma, const Cluster& cluster) {
-  using Scalar = typename Lanes::Scalar;
-  const auto per_scale = static_cast<Scalar>(1 / work.sound_scale);
-  const typename Lanes::Pack limit = (a.sound * per_scale + Scalar(0.5) * sigma) / a.smoothing;
-  Scalar largest = 0;
+SEICHE_INLINE double largest_limit(const PairWork& work, const Block<Lanes>& a, typename Lanes::Pack sigma,
+                                   const Cluster& cluster) {
+  const double per_scale = 1 / work.sound_scale;
+  const typename Lanes::Pack limit = (a.sound * per_scale + 0.5 * sigma) / a.smoothing;
+  double largest = 0;
   for (int l = 0; l < cluster.count; ++l) {
     if (limit[l] > largest) largest = limit[l];
   }
-  return static_cast<Scalar>(work.per_length) * largest;
+  return largest;
 }
 
 template <class Lanes, class Kernel, Friction friction, bool limited>
-void fluid_rates(const RateWork<typename Lanes::Record>& work, std::size_t first, std::size_t last) {
+void fluid_rates(const PairWork& work, std::size_t first, std::size_t last) {
   using Pack = typename Lanes::Pack;
-  using Values = SideBySide<Lanes, abreast>;
+  using Values = SideBySide<Lanes>;
   using Shape = LaneKernel<Values, Kernel>;
   for (std::size_t c = first; c < last; ++c) {
     const Cluster cluster = work.clusters[c];
-    const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first, work.place_unit);
+    const Block<Lanes> a(work.records + cluster.first);
     Pack xx{}, xz{}, zz{};
     if constexpr (friction == Friction::turbulent) {
       for (int l = 0; l < Lanes::width; ++l) {
@@ -75,8 +96,7 @@ void fluid_rates(const RateWork<typename Lanes::Record>& work, std::size_t first
         zz[l] = stress.zz;
       }
     }
-    Sum<Lanes> du, dw, ddensity, smooth_u, smooth_w;
-    Pack sigma{};
+    Pack du{}, dw{}, ddensity{}, smooth_u{}, smooth_w{}, sigma{};
     visit_candidates<Kernel, Separation<Lanes>>(
         work.records, cluster, a,
         [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
@@ -93,56 +113,49 @@ void fluid_rates(const RateWork<typename Lanes::Record>& work, std::size_t first
             pressures = pressures + sound * negative(approach) * pair.viscous;
           }
           const Values push = pressures * slope;
-          ddensity.add(slope, approach);
-          du.subtract(push, pair.x);
-          dw.subtract(push, pair.z);
-          smooth_u.add(weight, u);
-          smooth_w.add(weight, w);
+          add<Lanes>(ddensity, slope, approach);
+          subtract<Lanes>(du, push, pair.x);
+          subtract<Lanes>(dw, push, pair.z);
+          add<Lanes>(smooth_u, weight, u);
+          add<Lanes>(smooth_w, weight, w);
           if constexpr (friction == Friction::laminar || friction == Friction::turbulent) {
             const Values square = pair.x * pair.x + pair.z * pair.z;
-            const double viscosity = 4 * work.kinematic_viscosity * work.per_length;
+            const double viscosity = 4 * work.kinematic_viscosity;
             const Values drag = viscosity * square * (pair.viscous * pair.inverse_width) * slope;
-            du.add(drag, u);
-            dw.add(drag, w);
+            add<Lanes>(du, drag, u);
+            add<Lanes>(dw, drag, w);
           }
           if constexpr (friction == Friction::turbulent) {
             const Values sum_xz = Values::of([&](int k) { return xz + work.stress[candidate[k]].xz; });
-            du.add(slope, Values::of([&](int k) {
-                     return (xx + work.stress[candidate[k]].xx) * pair.x.at[k] + sum_xz.at[k] * pair.z.at[k];
-                   }));
-            dw.add(slope, Values::of([&](int k) {
-                     return sum_xz.at[k] * pair.x.at[k] + (zz + work.stress[candidate[k]].zz) * pair.z.at[k];
-                   }));
+            add<Lanes>(du, slope, Values::of([&](int k) {
+                         return (xx + work.stress[candidate[k]].xx) * pair.x.at[k] + sum_xz.at[k] * pair.z.at[k];
+                       }));
+            add<Lanes>(dw, slope, Values::of([&](int k) {
+                         return sum_xz.at[k] * pair.x.at[k] + (zz + work.stress[candidate[k]].zz) * pair.z.at[k];
+                       }));
           }
-          if constexpr (limited) {
-            for (int k = 0; k < abreast; ++k) {
-              const Pack rate = magnitude<Lanes>(approach.at[k]) * (pair.viscous.at[k] * (a.density + b[k]->density));
-              sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1, rate));
-            }
-          }
+          if constexpr (limited) add_limit(sigma, a, b, pair, approach);
         });
     // Deferred constants; densities were sums, not means.
     const double xsph = 2 * work.xsph * Shape::weight_factor;
-    const double slope_factor = Shape::slope_factor * work.per_length;
-    store<Lanes>(a.u - smooth_u.times(xsph), work.dx, cluster);
-    store<Lanes>(a.w - smooth_w.times(xsph), work.dz, cluster);
-    store<Lanes>(du.times(slope_factor), work.du, cluster);
-    store<Lanes>(dw.times(slope_factor) - static_cast<typename Lanes::Scalar>(work.gravity), work.dw, cluster);
-    store<Lanes>(ddensity.times(slope_factor * work.density_unit), work.ddensity, cluster);
+    store<Lanes>(a.u - xsph * smooth_u, work.dx, cluster);
+    store<Lanes>(a.w - xsph * smooth_w, work.dz, cluster);
+    store<Lanes>(Shape::slope_factor * du, work.du, cluster);
+    store<Lanes>(Shape::slope_factor * dw - work.gravity, work.dw, cluster);
+    store<Lanes>(Shape::slope_factor * ddensity, work.ddensity, cluster);
     if constexpr (limited) work.limit[c] = largest_limit<Lanes>(work, a, sigma, cluster);
   }
 }
 
 template <class Lanes, class Kernel, bool limited>
-void wall_rates(const RateWork<typename Lanes::Record>& work, std::size_t first, std::size_t last) {
+void wall_rates(const PairWork& work, std::size_t first, std::size_t last) {
   using Pack = typename Lanes::Pack;
-  using Values = SideBySide<Lanes, abreast>;
+  using Values = SideBySide<Lanes>;
   using Shape = LaneKernel<Values, Kernel>;
   for (std::size_t c = first; c < last; ++c) {
     const Cluster cluster = work.clusters[c];
-    Sum<Lanes> ddensity;
-    Pack sigma{};
-    const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first, work.place_unit);
+    Pack ddensity{}, sigma{};
+    const Block<Lanes> a(work.records + cluster.first);
     visit_candidates<Kernel, Separation<Lanes>>(
         work.records, cluster, a,
         [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
@@ -152,30 +165,24 @@ void wall_rates(const RateWork<typename Lanes::Record>& work, std::size_t first,
             const Pack inverse_width = pair.inverse_width.at[k];
             return work.mass[candidate[k]] * (inverse_width * inverse_width) * shape.slope.at[k];
           });
-          ddensity.add(slope, approach);
-          if constexpr (limited) {
-            for (int k = 0; k < abreast; ++k) {
-              const Pack rate = magnitude<Lanes>(approach.at[k]) * (pair.viscous.at[k] * (a.density + b[k]->density));
-              sigma = Lanes::largest(sigma, Lanes::where_less(pair.s.at[k], 1, rate));
-            }
-          }
+          add<Lanes>(ddensity, slope, approach);
+          if constexpr (limited) add_limit(sigma, a, b, pair, approach);
         });
-    store<Lanes>(ddensity.times(Shape::slope_factor * work.per_length * work.density_unit), work.ddensity, cluster);
+    store<Lanes>(Shape::slope_factor * ddensity, work.ddensity, cluster);
     if constexpr (limited) work.limit[c] = largest_limit<Lanes>(work, a, sigma, cluster);
   }
 }
 
 /// tau/rho = 2 nu_t (S - (1/3) tr S) - (2/3) C_I Delta^2 |S|^2, nu_t = (C_S Delta)^2 |S|, |S| = sqrt(2 S:S).
 template <class Lanes, class Kernel>
-void strain_stress(const RateWork<typename Lanes::Record>& work, std::size_t first, std::size_t last) {
+void strain_stress(const PairWork& work, std::size_t first, std::size_t last) {
   using Pack = typename Lanes::Pack;
-  using Scalar = typename Lanes::Scalar;
-  using Values = SideBySide<Lanes, abreast>;
+  using Values = SideBySide<Lanes>;
   using Shape = LaneKernel<Values, Kernel>;
   for (std::size_t c = first; c < last; ++c) {
     const Cluster cluster = work.clusters[c];
-    const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first, work.place_unit);
-    Sum<Lanes> u_x, u_z, w_x, w_z;
+    const Block<Lanes> a(work.records + cluster.first);
+    Pack u_x{}, u_z{}, w_x{}, w_z{};
     visit_candidates<Kernel, Distance<Lanes>>(
         work.records, cluster, a,
         [&](const std::int32_t* candidate, const auto& b, const auto& pair, const auto& shape) {
@@ -184,20 +191,20 @@ void strain_stress(const RateWork<typename Lanes::Record>& work, std::size_t fir
               Values::of([&](int k) { return work.stress[candidate[k]].volume * squared.at[k] * shape.slope.at[k]; });
           const Values u = Values::of([&](int k) { return slope.at[k] * (a.u - b[k]->u); });
           const Values w = Values::of([&](int k) { return slope.at[k] * (a.w - b[k]->w); });
-          u_x.add(u, pair.x);
-          u_z.add(u, pair.z);
-          w_x.add(w, pair.x);
-          w_z.add(w, pair.z);
+          add<Lanes>(u_x, u, pair.x);
+          add<Lanes>(u_z, u, pair.z);
+          add<Lanes>(w_x, w, pair.x);
+          add<Lanes>(w_z, w, pair.z);
         });
-    const double factor = -Shape::slope_factor * work.per_length;
-    const Pack xx = u_x.times(factor);
-    const Pack zz = w_z.times(factor);
-    const Pack xz = u_z.plus(w_x).times(0.5 * factor);
-    const Pack norm2 = Scalar(2) * (xx * xx + zz * zz) + Scalar(4) * (xz * xz);
-    const Pack norm = norm2 * inverse_root(SideBySide<Lanes, 1>{{norm2 + Scalar(Lanes::least_square)}}).at[0];
-    const Pack eddy = Scalar(2 * work.eddy_factor) * norm;
-    const Pack trace = Scalar(1.0 / 3) * (xx + zz);
-    const Pack isotropic = Scalar(work.isotropic_factor) * norm2;
+    constexpr double factor = -Shape::slope_factor;
+    const Pack xx = factor * u_x;
+    const Pack zz = factor * w_z;
+    const Pack xz = (0.5 * factor) * (u_z + w_x);
+    const Pack norm2 = 2.0 * (xx * xx + zz * zz) + 4.0 * (xz * xz);
+    const Pack norm = norm2 * inverse_root(SideBySide<Lanes, 1>{{norm2 + least_square}}).at[0];
+    const Pack eddy = (2 * work.eddy_factor) * norm;
+    const Pack trace = (1.0 / 3) * (xx + zz);
+    const Pack isotropic = work.isotropic_factor * norm2;
     const Pack stress_xx = (eddy * (xx - trace) - isotropic) / a.density;
     const Pack stress_zz = (eddy * (zz - trace) - isotropic) / a.density;
     const Pack stress_xz = eddy * xz / a.density;
@@ -211,18 +218,17 @@ void strain_stress(const RateWork<typename Lanes::Record>& work, std::size_t fir
 }
 
 template <class Lanes>
-Found search(const SearchWork<typename Lanes::Record>& work, const Cluster& cluster, const IndexRange* ranges,
-             std::size_t count, std::int32_t* list) {
+Found search(const Record* records, double skin, const Cluster& cluster, const IndexRange* ranges, std::size_t count,
+             std::int32_t* list) {
   using Pack = typename Lanes::Pack;
   const unsigned valid = (1U << cluster.count) - 1;
-  const Block<Lanes> a = load_block<Lanes>(work.records + cluster.first, work.place_unit);
-  const auto skin = static_cast<typename Lanes::Scalar>(work.skin);
+  const Block<Lanes> a(records + cluster.first);
   Found found;
   for (std::size_t r = 0; r < count; ++r) {
     for (std::int32_t j = ranges[r].begin; j < ranges[r].end; ++j) {
-      const typename Lanes::Record& b = work.records[j];
-      const Pack x = Lanes::distances(a.x, b.x, a.place_unit);
-      const Pack z = Lanes::distances(a.z, b.z, a.place_unit);
+      const Record& b = records[j];
+      const Pack x = a.x - b.x;
+      const Pack z = a.z - b.z;
       const Pack square = x * x + z * z;
       const Pack width = a.smoothing + b.smoothing;
       const Pack reach = width + skin;
@@ -235,76 +241,26 @@ Found search(const SearchWork<typename Lanes::Record>& work, const Cluster& clus
   return found;
 }
 
-template <class Lanes, class Kernel, bool limited>
-RateLoop<typename Lanes::Record> fluid_loop(Friction friction) {
-  switch (friction) {
-    case Friction::none:
-      return fluid_rates<Lanes, Kernel, Friction::none, limited>;
-    case Friction::artificial:
-      return fluid_rates<Lanes, Kernel, Friction::artificial, limited>;
-    case Friction::laminar:
-      return fluid_rates<Lanes, Kernel, Friction::laminar, limited>;
-    case Friction::turbulent:
-      return fluid_rates<Lanes, Kernel, Friction::turbulent, limited>;
-  }
-  return nullptr;
-}
-
-template <class Lanes>
-constexpr RateLoops<typename Lanes::Record> rate_loops_of() {
-  using Loop = RateLoop<typename Lanes::Record>;
-  return {
-      .lanes = static_cast<std::size_t>(Lanes::width),
-      .fluid = [](KernelName kernel, Friction friction, bool limited) -> Loop {
-        if (kernel == KernelName::cubic_spline) {
-          return limited ? fluid_loop<Lanes, CubicSpline, true>(friction)
-                         : fluid_loop<Lanes, CubicSpline, false>(friction);
-        }
-        return limited ? fluid_loop<Lanes, WendlandC2, true>(friction) : fluid_loop<Lanes, WendlandC2, false>(friction);
-      },
-      .wall = [](KernelName kernel, bool limited) -> Loop {
-        if (kernel == KernelName::cubic_spline) {
-          return limited ? wall_rates<Lanes, CubicSpline, true> : wall_rates<Lanes, CubicSpline, false>;
-        }
-        return limited ? wall_rates<Lanes, WendlandC2, true> : wall_rates<Lanes, WendlandC2, false>;
-      },
-      .strain = [](KernelName kernel) -> Loop {
-        return kernel == KernelName::cubic_spline ? strain_stress<Lanes, CubicSpline>
-                                                  : strain_stress<Lanes, WendlandC2>;
-      },
-      .search = search<Lanes>,
-  };
-}
-
-/// @tparam Lanes  of doubles; @tparam MixedLanes  of single precision, with sums in double precision
-template <class Lanes, class MixedLanes>
+template <class Lanes, class Kernel>
 constexpr PairLoops loops_of() {
   return {
-      .full = rate_loops_of<Lanes>(),
-      .mixed = rate_loops_of<MixedLanes>(),
-      .density_gradient = [](KernelName kernel) -> DiffusionLoop {
-        return kernel == KernelName::cubic_spline ? density_gradient<Lanes, CubicSpline>
-                                                  : density_gradient<Lanes, WendlandC2>;
-      },
-      .diffusion = [](KernelName kernel) -> DiffusionLoop {
-        return kernel == KernelName::cubic_spline ? density_diffusion<Lanes, CubicSpline>
-                                                  : density_diffusion<Lanes, WendlandC2>;
-      },
-      .surface = [](KernelName kernel) -> ShiftLoop {
-        return kernel == KernelName::cubic_spline ? find_surface<Lanes, CubicSpline> : find_surface<Lanes, WendlandC2>;
-      },
-      .shift = [](KernelName kernel) -> ShiftLoop {
-        return kernel == KernelName::cubic_spline ? shift<Lanes, CubicSpline> : shift<Lanes, WendlandC2>;
-      },
-      .wall_pressure = [](KernelName kernel) -> WallPressureLoop {
-        return kernel == KernelName::cubic_spline ? wall_pressure<Lanes, CubicSpline>
-                                                  : wall_pressure<Lanes, WendlandC2>;
-      },
-      .filter = [](KernelName kernel) -> FilterLoop {
-        return kernel == KernelName::cubic_spline ? filter_moments<Lanes, CubicSpline>
-                                                  : filter_moments<Lanes, WendlandC2>;
-      },
-  };
+      .lanes = static_cast<std::size_t>(Lanes::width),
+      .search = search<Lanes>,
+      .fluid = {{fluid_rates<Lanes, Kernel, Friction::none, false>, fluid_rates<Lanes, Kernel, Friction::none, true>},
+                {fluid_rates<Lanes, Kernel, Friction::artificial, false>,
+                 fluid_rates<Lanes, Kernel, Friction::artificial, true>},
+                {fluid_rates<Lanes, Kernel, Friction::laminar, false>,
+                 fluid_rates<Lanes, Kernel, Friction::laminar, true>},
+                {fluid_rates<Lanes, Kernel, Friction::turbulent, false>,
+                 fluid_rates<Lanes, Kernel, Friction::turbulent, true>}},
+      .wall = {wall_rates<Lanes, Kernel, false>, wall_rates<Lanes, Kernel, true>},
+      .strain = strain_stress<Lanes, Kernel>,
+      .density_gradient = density_gradient<Lanes, Kernel>,
+      .diffusion = density_diffusion<Lanes, Kernel>,
+      .surface = find_surface<Lanes, Kernel>,
+      .shift = shift<Lanes, Kernel>,
+      .wall_pressure = wall_pressure<Lanes, Kernel>,
+      .filter = filter_moments<Lanes, Kernel>};
 }
 
 }  // namespace seiche::wcsph

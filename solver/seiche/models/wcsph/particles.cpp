@@ -17,15 +17,6 @@ void Particles::add(double x_, double z_, double mass_, double density_, Kind ki
   body.push_back(body_);
 }
 
-void Particles::append(const Particles& others) {
-  // By value of the count: `others` may be *this.
-  const std::size_t count_of_others = others.size();
-  for (std::size_t i = 0; i < count_of_others; ++i) {
-    add(others.x[i], others.z[i], others.mass[i], others.density[i], others.kind[i], others.u[i], others.w[i],
-        others.body[i]);
-  }
-}
-
 std::size_t Particles::count(Kind wanted) const {
   return static_cast<std::size_t>(std::count(kind.begin(), kind.end(), wanted));
 }

@@ -21,7 +21,6 @@ struct Particles {
   /// Appends one particle with the next identity.
   void add(double x_, double z_, double mass_, double density_, Kind kind_ = Kind::fluid, double u_ = 0, double w_ = 0,
            std::int32_t body_ = -1);
-  void append(const Particles& others);
   [[nodiscard]] std::size_t count(Kind wanted) const;
 };
 

@@ -5,12 +5,7 @@
 namespace seiche::wcsph {
 
 RightHandSide::RightHandSide(const Settings& settings, double spacing)
-    : storage_(settings.storage),
-      kernel_(settings.kernel),
-      diffusion_(settings),
-      frozen_walls_(settings.walls == WallPressure::extrapolated),
-      gravity_(settings.gravity),
-      xsph_(settings.xsph) {
+    : loops_(&pair_loops(settings.kernel)), gravity_(settings.gravity), xsph_(settings.xsph) {
   if (const auto* artificial = std::get_if<ArtificialViscosity>(&settings.viscosity);
       artificial && artificial->alpha > 0) {
     friction_ = Friction::artificial;
@@ -25,74 +20,45 @@ RightHandSide::RightHandSide(const Settings& settings, double spacing)
 }
 
 void RightHandSide::resize(std::size_t particles) {
-  const auto resize = [particles](auto& rates) {
-    for (auto* values : {&rates.dx, &rates.dz, &rates.du, &rates.dw, &rates.ddensity}) values->assign(particles, 0);
-  };
-  if (storage_ == Storage::mixed) {
-    resize(mixed_);
-  } else {
-    resize(full_);
-  }
+  for (auto* values : {&rates_.dx, &rates_.dz, &rates_.du, &rates_.dw, &rates_.ddensity}) values->assign(particles, 0);
 }
 
 void RightHandSide::evaluate(Stage& stage, const Neighbours& neighbours, bool limited) {
-  if (storage_ == Storage::mixed) {
-    evaluate<MixedRecord>(stage, neighbours, limited, mixed_);
-    return;
-  }
-  evaluate<Record>(stage, neighbours, limited, full_);
-  if (frozen_walls_) {
-    std::fill(full_.ddensity.begin() + static_cast<std::ptrdiff_t>(neighbours.fluid()), full_.ddensity.end(), 0.0);
-  }
-  // Step 3: density diffusion.
-  diffusion_.add(stage, neighbours, full_.ddensity);
-}
-
-template <class SomeRecord, class Real>
-void RightHandSide::evaluate(Stage& stage, const Neighbours& neighbours, bool limited, Arrays<Real>& rates) {
-  const std::span<const Cluster> clusters = neighbours.clusters();
-  rates.limit.resize(clusters.size());
-  auto& held = stage.held<SomeRecord>();
-  const RateWork<SomeRecord> work{.records = held.records.data(),
-                                  .mass = held.mass.data(),
-                                  .stress = held.stress.data(),
-                                  .clusters = clusters.data(),
-                                  .dx = rates.dx.data(),
-                                  .dz = rates.dz.data(),
-                                  .du = rates.du.data(),
-                                  .dw = rates.dw.data(),
-                                  .ddensity = rates.ddensity.data(),
-                                  .limit = rates.limit.data(),
-                                  .gravity = gravity_,
-                                  .xsph = xsph_,
-                                  .sound_scale = sound_scale_,
-                                  .kinematic_viscosity = kinematic_viscosity_,
-                                  .eddy_factor = eddy_factor_,
-                                  .isotropic_factor = isotropic_factor_,
-                                  .place_unit = stage.units().place * stage.units().per_length,
-                                  .per_length = stage.units().per_length,
-                                  .density_unit = stage.units().density};
-  const std::size_t fluid = neighbours.fluid_clusters();
-  const RateLoops<SomeRecord>& loops = rate_loops<SomeRecord>();
+  limit_.resize(neighbours.clusters().size());
+  PairWork work = stage.work(neighbours);
+  work.dx = rates_.dx.data();
+  work.dz = rates_.dz.data();
+  work.du = rates_.du.data();
+  work.dw = rates_.dw.data();
+  work.ddensity = rates_.ddensity.data();
+  work.limit = limit_.data();
+  work.stress = stage.stress().data();
+  work.gravity = gravity_;
+  work.xsph = xsph_;
+  work.sound_scale = sound_scale_;
+  work.kinematic_viscosity = kinematic_viscosity_;
+  work.eddy_factor = eddy_factor_;
+  work.isotropic_factor = isotropic_factor_;
 
   // Step 1: stresses of unresolved eddies (4).
   if (friction_ == Friction::turbulent) {
     stage.refresh_volumes();
-    const RateLoop<SomeRecord> strain = loops.strain(kernel_);
-    neighbours.share(0, fluid, [&](std::size_t first, std::size_t last) { strain(work, first, last); });
+    neighbours.over_fluid(loops_->strain, work);
     stage.refresh_image_stresses();
   }
   // Step 2: rates of the fluid and density of the walls.
-  const RateLoop<SomeRecord> fluid_rates = loops.fluid(kernel_, friction_, limited);
-  const RateLoop<SomeRecord> wall_rates = loops.wall(kernel_, limited);
-  neighbours.share(0, clusters.size(), [&](std::size_t first, std::size_t last) {
+  const std::size_t fluid = neighbours.fluid_clusters();
+  const PairLoop fluid_rates = loops_->fluid[static_cast<std::size_t>(friction_)][limited ? 1 : 0];
+  const PairLoop wall_rates = loops_->wall[limited ? 1 : 0];
+  neighbours.share(0, neighbours.clusters().size(), [&](std::size_t first, std::size_t last) {
     fluid_rates(work, first, std::min(last, fluid));
     wall_rates(work, std::max(first, fluid), last);
   });
   if (!limited) return;
-  const auto most = std::max_element(rates.limit.begin(), rates.limit.end());
+  const auto most = std::max_element(limit_.begin(), limit_.end());
   largest_limit_ = *most;
-  most_limited_ = static_cast<std::size_t>(clusters[static_cast<std::size_t>(most - rates.limit.begin())].first);
+  most_limited_ =
+      static_cast<std::size_t>(neighbours.clusters()[static_cast<std::size_t>(most - limit_.begin())].first);
 }
 
 }  // namespace seiche::wcsph

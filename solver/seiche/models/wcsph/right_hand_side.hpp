@@ -3,16 +3,19 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
-#include "seiche/models/wcsph/density_diffusion.hpp"
 #include "seiche/models/wcsph/neighbours.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"
 #include "seiche/models/wcsph/settings.hpp"
 #include "seiche/models/wcsph/stage.hpp"
 
 namespace seiche::wcsph {
+
+/// Rates of change, in the order of the particles. Walls have the density's only, the others are zero.
+struct Rates {
+  std::vector<double> dx, dz, du, dw, ddensity;
+};
 
 class RightHandSide {
  public:
@@ -23,13 +26,8 @@ class RightHandSide {
   /// Rates at the records of the stage; with `limited` also the limit of the step.
   void evaluate(Stage& stage, const Neighbours& neighbours, bool limited);
 
-  /// What use(rates) returns of the arrays of this storage: dx, dz, du, dw, ddensity. Walls have the density's only,
-  /// the others are zero.
-  template <class Use>
-  auto with_rates(const Use& use) const {
-    return storage_ == Storage::mixed ? use(mixed_) : use(full_);
-  }
-
+  [[nodiscard]] const Rates& rates() const { return rates_; }
+  [[nodiscard]] Rates& rates() { return rates_; }
   /// Largest (c + sigma)/h of the last evaluation with `limited` [1/s].
   [[nodiscard]] double largest_limit() const { return largest_limit_; }
   /// A particle beside it: the first of the cluster that has it.
@@ -40,27 +38,16 @@ class RightHandSide {
   [[nodiscard]] bool turbulent() const { return friction_ == Friction::turbulent; }
 
  private:
-  /// One per particle; the limit one per cluster.
-  template <class Real>
-  struct Arrays {
-    std::vector<Real> dx, dz, du, dw, ddensity, limit;
-  };
-  template <class SomeRecord, class Real>
-  void evaluate(Stage& stage, const Neighbours& neighbours, bool limited, Arrays<Real>& rates);
-
-  Storage storage_;
-  KernelName kernel_;
+  const PairLoops* loops_;
   Friction friction_ = Friction::none;
-  DensityDiffusion diffusion_;
-  bool frozen_walls_;
   double gravity_;
   double xsph_;
   double sound_scale_ = 1;
   double kinematic_viscosity_ = 0;
   double eddy_factor_ = 0;
   double isotropic_factor_ = 0;
-  Arrays<double> full_;
-  Arrays<float> mixed_;
+  Rates rates_;
+  std::vector<double> limit_;  ///< of each cluster
   std::size_t most_limited_ = 0;
   double largest_limit_ = 0;
 };

@@ -4,18 +4,201 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <stdexcept>
+#include <string_view>
 
-#include "seiche/models/wcsph/scene_builder.hpp"
+#include <fmt/format.h>
+
+#include "seiche/models/wcsph/equation_of_state.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::wcsph {
 namespace {
+
+/// Lengths are whole numbers of dx to this part of themselves.
+constexpr double whole_number_tolerance = 1e-9;
+
+/// A number of cells that fits no memory is a mistake in a length.
+constexpr double most_cells = 1e9;
+
+/// Of staggered particles.
+struct WallRows {
+  int count = 2;
+  bool corners_twice = false;
+};
+
+/// What all scenes have in common: lengths in whole spacings, densities, masses, walls.
+class SceneBuilder {
+ public:
+  SceneBuilder(double spacing, Lattice lattice, const Settings& settings)
+      : fluid_(settings.density, settings.sound_speed, settings.exponent),
+        gravity_(settings.gravity),
+        cell_mass_(settings.density * spacing * spacing),
+        particle_area_(area_per_particle(lattice)),
+        lattice_(lattice),
+        walls_continue_lattice_(settings.walls == WallPressure::extrapolated),
+        frame_cells_(static_cast<long>(std::ceil(support * settings.smoothing))) {
+    require_positive("spacing", spacing);
+    require_not_negative("gravity", gravity_);
+    scene.spacing = spacing;
+  }
+
+  /// Length in dx, rounded with a warning where it is no whole number.
+  long whole(std::string_view name, double length, long least = 1) {
+    require_positive(name, length);
+    const double steps = length / scene.spacing;
+    const double rounded = std::round(steps);
+    if (!(rounded >= static_cast<double>(least) && rounded <= most_cells)) {
+      throw std::invalid_argument(
+          fmt::format("{} = {:g} is {:g} spacings of {:g}: must be at least {} and at most {:g}", name, length, steps,
+                      scene.spacing, least, most_cells));
+    }
+    if (std::abs(steps - rounded) > whole_number_tolerance * rounded) {
+      scene.warnings.push_back(fmt::format("{} = {:.12g} is {:.12g} spacings: rounded to {:.12g}", name, length, steps,
+                                           rounded * scene.spacing));
+    }
+    return static_cast<long>(rounded);
+  }
+  [[nodiscard]] double length(long steps) const { return static_cast<double>(steps) * scene.spacing; }
+
+  /// rho in still water, rho_0 above its surface.
+  [[nodiscard]] double hydrostatic(double depth) const {
+    return depth > 0 ? fluid_.hydrostatic_density(gravity_, depth) : fluid_.reference_density();
+  }
+  [[nodiscard]] double density_at(double pressure) const { return fluid_.density_at(pressure); }
+
+  /// A particle that stands for an area of dx^2 times `area`.
+  void fluid(const Place& place, double area, double density, const Velocity& velocity = {0, 0}) {
+    scene.particles.add(place.x, place.z, area * cell_mass_, density, Kind::fluid, velocity.u, velocity.w);
+  }
+  /// Walls beside water that reaches up to `surface`; paddle particles with the velocity of scene.paddles.back().
+  template <class Surface>
+  void walls(std::span<const Place> places, Surface surface, Kind kind = Kind::wall) {
+    for (const Place& place : places) solid(place, hydrostatic(surface(place.x) - place.z), kind);
+  }
+  /// Walls of an open basin, columns x wall_rows cells from the origin: staggered rows along `corners`; or, for
+  /// pressures that are extrapolated and have to fill the whole support, the lattice of the water continued behind the
+  /// walls. Returns how far behind the effective walls they reach [m].
+  template <class Surface>
+  double basin_walls(std::span<const Place> corners, long columns, long wall_rows, const WallRows& rows,
+                     Surface surface) {
+    if (!walls_continue_lattice_) {
+      walls(wall(corners, scene.spacing, rows.count, rows.corners_twice), surface);
+      return scene.spacing / 2 * rows.count;
+    }
+    walls(lattice_frame(columns, wall_rows), surface);
+    return length(frame_cells_);
+  }
+  /// The same of a level bottom alone, `columns` cells long; `places` are its staggered rows.
+  template <class Surface>
+  void bottom(std::span<const Place> places, long columns, Surface surface) {
+    if (walls_continue_lattice_) {
+      const double thickness = length(frame_cells_);
+      walls(rectangle(lattice_, scene.spacing, 0, -thickness, columns, frame_cells_), surface);
+    } else {
+      walls(places, surface);
+    }
+  }
+  /// Lattice points in whole cells from the origin, at rest below a level surface.
+  void still_water(long columns, long rows, bool hydrostatic_start = true) {
+    scene.still_water = length(rows);
+    water_at_rest(0, columns, rows, hydrostatic_start);
+  }
+  /// The same in columns from number `first` on, with a surface of its own.
+  void water_at_rest(long first, long columns, long rows, bool hydrostatic_start) {
+    const double cells = static_cast<double>(columns) * static_cast<double>(rows);
+    if (cells > most_cells) {
+      throw std::invalid_argument(fmt::format("{} x {} cells of water at spacing = {:g}: must be at most {:g}", columns,
+                                              rows, scene.spacing, most_cells));
+    }
+    const double level = length(rows);
+    for (const Place& place : rectangle(lattice_, scene.spacing, length(first), 0, columns, rows)) {
+      fluid(place, particle_area_, hydrostatic(hydrostatic_start ? level - place.z : 0));
+    }
+  }
+
+  Scene scene;
+
+ private:
+  [[nodiscard]] std::vector<Place> lattice_frame(long columns, long wall_rows) const {
+    const double far = length(columns);
+    std::vector<Place> places = rectangle(lattice_, scene.spacing, -length(frame_cells_), -length(frame_cells_),
+                                          columns + 2 * frame_cells_, wall_rows + frame_cells_);
+    std::erase_if(places, [far](const Place& p) { return p.x > 0 && p.x < far && p.z > 0; });
+    return places;
+  }
+  void solid(const Place& place, double density, Kind kind) {
+    Velocity velocity{0, 0};
+    if (kind == Kind::paddle) {
+      const Paddle& paddle = scene.paddles.back();
+      const PointMotion motion =
+          carried(paddle.pose(0), paddle.rate(0), paddle.hinge_x, paddle.hinge_z, place.x, place.z);
+      velocity = {motion.u, motion.w};
+    }
+    const auto body = static_cast<std::int32_t>(kind == Kind::paddle ? scene.paddles.size() - 1 : 0);
+    scene.particles.add(place.x, place.z, particle_area_ * cell_mass_, density, kind, velocity.u, velocity.w,
+                        kind == Kind::paddle ? body : -1);
+  }
+
+  TaitFluid fluid_;
+  double gravity_;
+  double cell_mass_;      ///< rho_0 dx^2
+  double particle_area_;  ///< of the lattice, in dx^2: of wall particles too
+  Lattice lattice_;
+  bool walls_continue_lattice_;
+  long frame_cells_;  ///< thickness of walls that continue the lattice, in dx: the support
+};
 
 constexpr double dry = -std::numeric_limits<double>::infinity();
 
 /// Corners of an open basin from the top of the rear wall to that of the far one; places of the front rows.
 std::array<Place, 4> basin(double left, double right, double bottom, double top) {
   return {{{left, top}, {left, bottom}, {right, bottom}, {right, top}}};
+}
+
+/// How far behind its place at rest the paddle comes, its rows of particles included.
+double reach_behind(const Flume& flume, double paddle_top) {
+  const double amplitude = flume.stroke / 2;
+  const double rows = flume.spacing * flume.paddle_rows;
+  if (flume.wavemaking == Wavemaking::piston) return amplitude + rows;
+  const double depth = flume.depth - flume.hinge;
+  return (paddle_top - flume.hinge) * amplitude / std::hypot(amplitude, depth) + rows;
+}
+
+/// Depth of the water below its surface.
+class Depth {
+ public:
+  explicit Depth(const PeriodicLayer& layer) : layer_(layer) {}
+
+  [[nodiscard]] double at(double x) const {
+    const double elevation = layer_.elevation ? layer_.elevation(x) : 0;
+    if (!(std::isfinite(elevation) && elevation > -layer_.depth)) {
+      throw std::invalid_argument(
+          fmt::format("elevation = {:g} at x = {:g} is out of range: must be finite and above {:g}, the bottom",
+                      elevation, x, -layer_.depth));
+    }
+    return layer_.depth + elevation;
+  }
+  /// Mean over the strip of a line, by Gauss's rule of three points.
+  [[nodiscard]] double mean(const LatticeLine& line) const {
+    const double offset = std::sqrt(0.6) * line.width / 2;
+    return (5 * at(line.x - offset) + 8 * at(line.x) + 5 * at(line.x + offset)) / 18;
+  }
+
+ private:
+  const PeriodicLayer& layer_;
+};
+
+/// The rows of a level bottom that repeats itself; the first row has its particles below those of the square lattice.
+std::vector<Place> periodic_bottom(double spacing, long columns, int rows) {
+  std::vector<Place> places;
+  for (int row = 0; row < rows; ++row) {
+    for (long i = 0; i < columns; ++i) {
+      places.push_back({(static_cast<double>(i) + (row % 2 == 0 ? 0.5 : 0)) * spacing, -(row + 1) * spacing / 2});
+    }
+  }
+  return places;
 }
 
 }  // namespace
@@ -33,8 +216,8 @@ Scene dam_break(const DamBreak& dam, const Settings& settings) {
   require_within("water_ahead", dam.water_ahead, 0, dam.height);
   const long rows_ahead = dam.water_ahead > 0 ? builder.whole("water_ahead", dam.water_ahead) : 0;
 
-  builder.still_water(dam.lattice, columns, rows, dam.hydrostatic);
-  if (rows_ahead > 0) builder.water_at_rest(dam.lattice, columns, tank - 1 - columns, rows_ahead, dam.hydrostatic);
+  builder.still_water(columns, rows, dam.hydrostatic);
+  if (rows_ahead > 0) builder.water_at_rest(columns, tank - 1 - columns, rows_ahead, dam.hydrostatic);
   Scene& scene = builder.scene;
   scene.far_wall = builder.length(tank - 1);
   const std::array<Place, 4> corners = basin(-half, scene.far_wall + half, -half, builder.length(wall_height) - half);
@@ -59,7 +242,7 @@ Scene tank(const Tank& parameters, const Settings& settings) {
       parameters.wall_height > 0 ? builder.whole("wall_height", parameters.wall_height, rows) : rows + 4;
   require_within("wall_rows", parameters.wall_rows, 1, 3);
 
-  builder.still_water(parameters.lattice, columns, rows, parameters.hydrostatic);
+  builder.still_water(columns, rows, parameters.hydrostatic);
   Scene& scene = builder.scene;
   scene.far_wall = builder.length(columns);
   const std::array<Place, 4> corners = basin(-half, scene.far_wall + half, -half, builder.length(wall_height) + half);
@@ -87,6 +270,79 @@ Scene patch(const Patch& parameters, const Settings& settings) {
     builder.fluid(place, area_per_particle(parameters.lattice), builder.density_at(pressure),
                   parameters.velocity ? parameters.velocity(place.x, place.z) : Velocity{0, 0});
   }
+  return std::move(builder.scene);
+}
+
+Scene flume(const Flume& parameters, const Settings& settings) {
+  SceneBuilder builder(parameters.spacing, parameters.lattice, settings);
+  const double spacing = parameters.spacing;
+  const double half = spacing / 2;
+  const long columns = builder.whole("length", parameters.length);
+  const long rows = builder.whole("depth", parameters.depth);
+  require_not_negative("wall_height", parameters.wall_height);
+  require_not_negative("paddle_height", parameters.paddle_height);
+  const long wall_height =
+      parameters.wall_height > 0 ? builder.whole("wall_height", parameters.wall_height, rows) : 2 * rows;
+  const long paddle_height =
+      parameters.paddle_height > 0 ? builder.whole("paddle_height", parameters.paddle_height, rows) : wall_height;
+  require_within("wall_rows", parameters.wall_rows, 1, 3);
+  require_within("paddle_rows", parameters.paddle_rows, 1, 3);
+  require_within("stroke", parameters.stroke, 0, parameters.length);
+  require_within("hinge", parameters.hinge, -10 * parameters.depth, 0);
+  const double paddle_top = builder.length(paddle_height) + half;
+  const double sweep = parameters.sweep.value_or(reach_behind(parameters, paddle_top));
+  require_not_negative("sweep", sweep);
+  require_within("stroke", parameters.stroke, 0, 2 * sweep);
+
+  builder.still_water(columns, rows);
+  Scene& scene = builder.scene;
+  scene.far_wall = builder.length(columns);
+  scene.paddles.push_back(
+      parameters.wavemaking == Wavemaking::piston
+          ? piston(parameters.stroke, parameters.frequency)
+          : flap(0, parameters.hinge, scene.still_water - parameters.hinge, parameters.stroke, parameters.frequency));
+  const auto surface = [&](double) { return scene.still_water; };
+  const double behind = builder.length(static_cast<long>(std::ceil(sweep / spacing))) + half;
+  const double top = builder.length(wall_height) + half;
+  const std::array<Place, 3> standing{{{-behind, -half}, {scene.far_wall + half, -half}, {scene.far_wall + half, top}}};
+  builder.walls(wall(standing, spacing, parameters.wall_rows), surface);
+  // The paddle begins where the water does: its lowest particle is one spacing above the row of the bottom.
+  const std::array<Place, 2> moving{{{-half, paddle_top}, {-half, half}}};
+  builder.walls(wall(moving, spacing, parameters.paddle_rows), surface, Kind::paddle);
+  const double back = half * parameters.wall_rows;
+  scene.extents = {-behind, scene.far_wall + back, -back, std::max(top, paddle_top)};
+  return std::move(builder.scene);
+}
+
+Scene periodic_layer(const PeriodicLayer& layer, const Settings& settings) {
+  SceneBuilder builder(layer.spacing, layer.lattice, settings);
+  const long columns = builder.whole("period", layer.period, 3);
+  require_positive("depth", layer.depth);
+  const long rows = layer.fitting == Fitting::stretched ? builder.whole("depth", layer.depth)
+                                                        : std::lround(layer.depth / layer.spacing);
+  require_at_least("particles in the depth", rows, 1);
+  require_within("wall_rows", layer.wall_rows, 1, 3);
+  const double spacing = layer.spacing;
+  const Depth depth(layer);
+
+  for (const LatticeLine& line : lattice_lines(layer.lattice, spacing, 0, columns)) {
+    const double water = depth.mean(line);
+    const long count = layer.fitting == Fitting::stretched ? rows : std::max(1L, std::lround(water / spacing));
+    const double step = water / static_cast<double>(count);
+    for (long k = 0; k < count; ++k) {
+      const Place place{line.x, (static_cast<double>(k) + line.offset) * step};
+      const double density =
+          layer.pressure ? builder.density_at(layer.pressure(place.x, place.z)) : builder.hydrostatic(water - place.z);
+      builder.fluid(place, line.width * step / (spacing * spacing), density,
+                    layer.velocity ? layer.velocity(place.x, place.z) : Velocity{0, 0});
+    }
+  }
+  Scene& scene = builder.scene;
+  scene.period.x = builder.length(columns);
+  scene.far_wall = scene.period.x;
+  scene.still_water = layer.depth;
+  builder.bottom(periodic_bottom(spacing, columns, layer.wall_rows), columns, [&](double x) { return depth.at(x); });
+  scene.extents.bottom = -spacing / 2 * layer.wall_rows;
   return std::move(builder.scene);
 }
 

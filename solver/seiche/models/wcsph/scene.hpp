@@ -103,7 +103,6 @@ Scene flume(const Flume& parameters, const Settings& settings);
 enum class Fitting {
   stretched,  ///< as many particles in every column, masses in proportion to the depth: small amplitudes
   columns,    ///< per column the number that keeps the spacing nearest to dx, and the mass that keeps the volume
-  cut,        ///< lattice points below the surface; level to dx/2 only
 };
 
 /// Water between a level bottom and z = elevation(x), in a box that repeats itself in x.

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -26,19 +25,19 @@ void validate_period(std::string_view name, double length) {
   if (!(std::isinf(length) && length > 0)) require_positive(name, length);
 }
 
-/// The filter inverts moments and diffusion subtracts gradients: single precision would leave them few digits.
-void validate_mixed(const Settings& settings) {
-  const auto refuse = [](std::string_view name, const std::string& value, std::string_view needed) {
-    throw std::invalid_argument(
-        fmt::format("{} = {} does not go with storage = mixed: must be {}", name, value, needed));
-  };
-  if (settings.density_diffusion > 0) refuse("density_diffusion", fmt::format("{:g}", settings.density_diffusion), "0");
-  if (settings.filter_every > 0) refuse("filter_every", std::to_string(settings.filter_every), "0");
-  if (settings.particle_shifting) refuse("particle_shifting", "true", "false");
-  if (settings.walls == WallPressure::extrapolated) refuse("walls", "extrapolated", "dynamic or clamped");
+}  // namespace
+
+KernelName kernel_named(std::string_view name) {
+  for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
+    if (name == name_of(kernel)) return kernel;
+  }
+  throw std::invalid_argument(
+      fmt::format(R"(kernel = "{}" does not exist: must be "cubic_spline" or "wendland_c2")", name));
 }
 
-}  // namespace
+std::string_view name_of(KernelName kernel) {
+  return kernel == KernelName::cubic_spline ? "cubic_spline" : "wendland_c2";
+}
 
 double sound_speed_for(double gravity, double height, double coefficient) {
   require_positive("gravity", gravity);
@@ -61,7 +60,6 @@ void validate(const Settings& settings) {
   validate_period("period.x", settings.period.x);
   validate_period("period.z", settings.period.z);
   require_within("skin", settings.skin, 0.02, 1);
-  if (settings.storage == Storage::mixed) validate_mixed(settings);
 }
 
 }  // namespace seiche::wcsph

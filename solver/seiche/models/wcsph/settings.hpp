@@ -35,16 +35,6 @@ enum class WallPressure {
   extrapolated,
 };
 
-/// How the pair loops hold particles.
-enum class Storage {
-  full,  ///< in double precision
-  /// In single precision with sums in double precision, places in whole numbers: 161 bytes a particle instead of 228,
-  /// twice as many particles at a time, rates to 1e-6 of the largest. For many particles; the error of the method is
-  /// far above that. Not with density diffusion, filter, shifting or extrapolated walls, and not over more than 2^15
-  /// h_0.
-  mixed,
-};
-
 /// Extents of a box that repeats itself [m], from the origin; infinite: open in that direction.
 struct Period {
   double x = std::numeric_limits<double>::infinity();
@@ -69,10 +59,14 @@ struct Settings {
   double courant = 0.3;
   bool limit_by_viscosity = false;  ///< dt <= 0.125 h^2/nu_0
   Period period;
-  Storage storage = Storage::full;
   /// Part of the support by which candidate lists are wider, so that they last several steps.
   double skin = 0.15;
 };
+
+/// A step this much shorter than the acoustic one means that the run has broken down.
+inline constexpr double shortest_step = 1e-3;
+/// Of the limit of a step by viscosity.
+inline constexpr double viscous_courant = 0.125;
 
 /// The rule of the SPHysics generator: coefficient sqrt(g H). The front of a dam break moves at up to 2 sqrt(g H), and
 /// spray where it strikes a wall faster still: Extremes::mach says how much of the sound speed that was.

@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
-#include <type_traits>
 
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::wcsph {
 namespace {
-
-/// Places of mixed records, from the middle of the domain: any two of them differ by less than 2^31.
-constexpr double farthest_place = (1 << 30) - 1;
 
 /// (5) for gamma = 7 without powers.
 SEICHE_SIMD_CLONES void derive_seventh(const double* density, std::size_t count, double reference, double stiffness,
@@ -37,23 +31,6 @@ SEICHE_SIMD_CLONES void smoothing_lengths(const double* density, std::size_t cou
   }
 }
 
-/// Places in whole numbers; what lies beyond them, or nowhere, is kept at the edge: lists do not last so far, and steps
-/// report it.
-SEICHE_SIMD_CLONES void whole_places(const double* places, std::size_t count, double origin, double per_unit,
-                                     std::int32_t* whole) {
-  for (std::size_t k = 0; k < count; ++k) {
-    const double place = (places[k] - origin) * per_unit;
-    const double above = place > -farthest_place ? place : -farthest_place;
-    const double within = above < farthest_place ? above : farthest_place;
-    whole[k] = static_cast<std::int32_t>(within < 0 ? within - 0.5 : within + 0.5);
-  }
-}
-
-/// Wraps where a particle stands at the edge of what can be told.
-std::int32_t shifted(std::int32_t place, double shift) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(place) + static_cast<std::uint32_t>(std::lround(shift)));
-}
-
 void copy(const Particles& particles, std::size_t first, std::size_t count, StateBlock& block) {
   std::copy_n(&particles.x[first], count, block.x.data());
   std::copy_n(&particles.z[first], count, block.z.data());
@@ -68,54 +45,26 @@ struct Stage::Derived {
   std::array<double, StateBlock::size> pressure, sound, smoothing;
 };
 
-Stage::Stage(const TaitFluid& fluid, double smoothing, double sound_scale, bool stresses, Storage storage)
-    : fluid_(fluid), smoothing_(smoothing), sound_scale_(sound_scale), stresses_(stresses), storage_(storage) {}
+Stage::Stage(const TaitFluid& fluid, double smoothing, double sound_scale, bool stresses)
+    : fluid_(fluid), smoothing_(smoothing), sound_scale_(sound_scale), stresses_(stresses) {}
 
 void Stage::adopt(const Particles& particles, std::span<const Image> images) {
   count_ = particles.size();
   images_ = images;
   const std::size_t padded = count_ + images.size() + most_lanes;
-  if (storage_ == Storage::mixed) adopt_mixed(particles);
-  const auto adopt = [&](auto& held, const auto& nobody, double mass_unit) {
-    held.records.resize(padded);
-    std::fill(held.records.begin() + static_cast<std::ptrdiff_t>(count_ + images.size()), held.records.end(), nobody);
-    using Real = typename std::decay_t<decltype(held)>::Real;
-    held.mass.resize(padded);
-    for (std::size_t i = 0; i < count_; ++i) held.mass[i] = static_cast<Real>(particles.mass[i] / mass_unit);
-    for (std::size_t k = 0; k < images.size(); ++k) {
-      held.mass[count_ + k] = held.mass[static_cast<std::size_t>(images[k].source)];
-    }
-    std::fill(held.mass.begin() + static_cast<std::ptrdiff_t>(count_ + images.size()), held.mass.end(), Real{0});
-    if (stresses_) held.stress.assign(padded, {});
-  };
   // Far from everything, finite in all that the loops compute of it.
-  if (storage_ == Storage::mixed) {
-    constexpr std::int32_t far = std::numeric_limits<std::int32_t>::min();
-    adopt(mixed_,
-          MixedRecord{.x = far, .z = far, .u = 0, .w = 0, .density = 1, .pressure = 0, .smoothing = 1, .sound = 0},
-          units_.density * smoothing_ * smoothing_);
-  } else {
-    constexpr double far = 1e30;
-    adopt(full_, Record{.x = far, .z = far, .u = 0, .w = 0, .density = 1, .pressure = 0, .smoothing = 1, .sound = 0},
-          1);
-  }
+  constexpr double far = 1e30;
+  constexpr Record nobody{.x = far, .z = far, .u = 0, .w = 0, .density = 1, .pressure = 0, .smoothing = 1, .sound = 0};
+  records_.resize(padded);
+  std::fill(records_.begin() + static_cast<std::ptrdiff_t>(count_ + images.size()), records_.end(), nobody);
+  mass_.assign(padded, 0);
+  std::copy(particles.mass.begin(), particles.mass.end(), mass_.begin());
+  for (std::size_t k = 0; k < images.size(); ++k) mass_[count_ + k] = mass_[static_cast<std::size_t>(images[k].source)];
+  if (stresses_) stress_.assign(padded, {});
   base_.x = particles.x;
   base_.z = particles.z;
   base_.density = particles.density;
   fill(particles);
-}
-
-void Stage::adopt_mixed(const Particles& particles) {
-  const auto [left, right] = std::minmax_element(particles.x.begin(), particles.x.end());
-  const auto [bottom, top] = std::minmax_element(particles.z.begin(), particles.z.end());
-  // Images lie within a support around, and particles move by less than that before the next sorting.
-  const double margin = 4 * support * smoothing_;
-  const double extent = std::max(*right - *left, *top - *bottom) + 2 * margin;
-  units_ = {.place = 0.5 * extent / farthest_place,
-            .left = 0.5 * (*left + *right),
-            .bottom = 0.5 * (*bottom + *top),
-            .per_length = 1 / smoothing_,
-            .density = fluid_.reference_density()};
 }
 
 void Stage::smoothing_of(const double* density, std::size_t count, double* smoothing) const {
@@ -138,32 +87,15 @@ Stage::Derived Stage::derived(const double* density, std::size_t count) const {
 }
 
 void Stage::write_records(const StateBlock& state, const Derived& derived, std::size_t first, std::size_t count) {
-  if (storage_ == Storage::full) {
-    for (std::size_t k = 0; k < count; ++k) {
-      full_.records[first + k] = {.x = state.x[k],
-                                  .z = state.z[k],
-                                  .u = state.u[k],
-                                  .w = state.w[k],
-                                  .density = state.density[k],
-                                  .pressure = derived.pressure[k],
-                                  .smoothing = derived.smoothing[k],
-                                  .sound = derived.sound[k]};
-    }
-    return;
-  }
-  std::array<std::int32_t, StateBlock::size> x, z;
-  whole_places(state.x.data(), count, units_.left, 1 / units_.place, x.data());
-  whole_places(state.z.data(), count, units_.bottom, 1 / units_.place, z.data());
-  const double per_density = 1 / units_.density;
   for (std::size_t k = 0; k < count; ++k) {
-    mixed_.records[first + k] = {.x = x[k],
-                                 .z = z[k],
-                                 .u = static_cast<float>(state.u[k]),
-                                 .w = static_cast<float>(state.w[k]),
-                                 .density = static_cast<float>(state.density[k] * per_density),
-                                 .pressure = static_cast<float>(derived.pressure[k] * units_.density),
-                                 .smoothing = static_cast<float>(derived.smoothing[k] * units_.per_length),
-                                 .sound = static_cast<float>(derived.sound[k])};
+    records_[first + k] = {.x = state.x[k],
+                           .z = state.z[k],
+                           .u = state.u[k],
+                           .w = state.w[k],
+                           .density = state.density[k],
+                           .pressure = derived.pressure[k],
+                           .smoothing = derived.smoothing[k],
+                           .sound = derived.sound[k]};
   }
 }
 
@@ -204,7 +136,7 @@ double Stage::fill(const Particles& particles) {
 
 void Stage::set_density(std::size_t i, double density) {
   const Derived derived_of = derived(&density, 1);
-  Record& record = full_.records[i];
+  Record& record = records_[i];
   record.density = density;
   record.pressure = derived_of.pressure[0];
   record.sound = derived_of.sound[0];
@@ -212,47 +144,23 @@ void Stage::set_density(std::size_t i, double density) {
 }
 
 void Stage::refresh_images() {
-  const double per_unit = 1 / units_.place;
   for (std::size_t k = 0; k < images_.size(); ++k) {
-    const auto source = static_cast<std::size_t>(images_[k].source);
-    if (storage_ == Storage::mixed) {
-      // The shift is rounded alike in both directions: pairs across the border stay antisymmetric.
-      MixedRecord& record = mixed_.records[count_ + k];
-      record = mixed_.records[source];
-      record.x = shifted(record.x, images_[k].shift_x * per_unit);
-      record.z = shifted(record.z, images_[k].shift_z * per_unit);
-    } else {
-      Record& record = full_.records[count_ + k];
-      record = full_.records[source];
-      record.x += images_[k].shift_x;
-      record.z += images_[k].shift_z;
-    }
+    Record& record = records_[count_ + k];
+    record = records_[static_cast<std::size_t>(images_[k].source)];
+    record.x += images_[k].shift_x;
+    record.z += images_[k].shift_z;
   }
 }
 
 void Stage::refresh_volumes() {
   const std::size_t count = count_ + images_.size();
-  const auto refresh = [count](auto& held) {
 #pragma omp parallel for schedule(static) if (count > 2048)
-    for (std::size_t i = 0; i < count; ++i) held.stress[i].volume = held.mass[i] / held.records[i].density;
-  };
-  if (storage_ == Storage::mixed) {
-    refresh(mixed_);
-  } else {
-    refresh(full_);
-  }
+  for (std::size_t i = 0; i < count; ++i) stress_[i].volume = mass_[i] / records_[i].density;
 }
 
 void Stage::refresh_image_stresses() {
-  const auto refresh = [this](auto& stress) {
-    for (std::size_t k = 0; k < images_.size(); ++k) {
-      stress[count_ + k] = stress[static_cast<std::size_t>(images_[k].source)];
-    }
-  };
-  if (storage_ == Storage::mixed) {
-    refresh(mixed_.stress);
-  } else {
-    refresh(full_.stress);
+  for (std::size_t k = 0; k < images_.size(); ++k) {
+    stress_[count_ + k] = stress_[static_cast<std::size_t>(images_[k].source)];
   }
 }
 

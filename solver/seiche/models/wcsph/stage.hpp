@@ -12,7 +12,6 @@
 #include "seiche/models/wcsph/neighbours.hpp"
 #include "seiche/models/wcsph/pair_loops.hpp"
 #include "seiche/models/wcsph/particles.hpp"
-#include "seiche/models/wcsph/settings.hpp"
 
 namespace seiche::wcsph {
 
@@ -47,33 +46,13 @@ struct Base {
   std::vector<double> x, z, density;
 };
 
-/// Records of one kind, and what goes with them; padded for loops that load whole blocks.
-template <class SomeRecord>
-struct Held {
-  using Real = typename RealOf<SomeRecord>::Type;
-  std::vector<SomeRecord> records;
-  std::vector<Real> mass;
-  std::vector<StressOf<Real>> stress;  ///< empty where stresses were not asked for
-};
-
-/// What numbers of mixed records are in terms of; ones and zeros beside full records.
-struct Units {
-  double place = 1;             ///< [m]
-  double left = 0, bottom = 0;  ///< where places are 0 [m]
-  double per_length = 1;        ///< 1/h_0 [1/m]
-  double density = 1;           ///< rho_0 [kg/m^3]
-};
-
-/// Widest domain of mixed records, over h_0: places are resolved to 3e-5 of it there.
-inline constexpr double widest_mixed_domain = 1 << 15;
-
 class Stage {
  public:
   /// The state of particles first, ..., first + count - 1.
   using Source = std::function<void(std::size_t first, std::size_t count, StateBlock& block)>;
 
   /// @param smoothing  h_0; @param stresses  of eddies are asked for
-  Stage(const TaitFluid& fluid, double smoothing, double sound_scale, bool stresses, Storage storage);
+  Stage(const TaitFluid& fluid, double smoothing, double sound_scale, bool stresses);
 
   /// After a sorting: records of the particles and their images, new masses; what displacements are measured from.
   void adopt(const Particles& particles, std::span<const Image> images);
@@ -88,29 +67,22 @@ class Stage {
   void refresh_volumes();
   void refresh_image_stresses();
 
-  /// Of particles and images. Empty for the kind that is not this storage's.
-  template <class SomeRecord>
-  [[nodiscard]] Held<SomeRecord>& held() {
-    if constexpr (sizeof(SomeRecord) == sizeof(Record)) {
-      return full_;
-    } else {
-      return mixed_;
-    }
+  /// Of particles and images, padded for loops that load whole blocks.
+  [[nodiscard]] std::span<const Record> records() const { return records_; }
+  [[nodiscard]] const std::vector<double>& mass() const { return mass_; }
+  [[nodiscard]] std::vector<Stress>& stress() { return stress_; }  ///< empty where stresses were not asked for
+  /// What all loops read.
+  [[nodiscard]] PairWork work(const Neighbours& neighbours) const {
+    return {.records = records_.data(), .mass = mass_.data(), .clusters = neighbours.clusters().data()};
   }
-  /// In double precision.
-  [[nodiscard]] std::span<const Record> records() const { return full_.records; }
-  [[nodiscard]] const std::vector<double>& mass() const { return full_.mass; }
-  [[nodiscard]] const Units& units() const { return units_; }
   /// Of adopt().
   [[nodiscard]] const Base& base() const { return base_; }
-  [[nodiscard]] double sound_scale() const { return sound_scale_; }
 
  private:
   /// What follows from the densities of a block.
   struct Derived;
   [[nodiscard]] Derived derived(const double* density, std::size_t count) const;
   void smoothing_of(const double* density, std::size_t count, double* smoothing) const;
-  void adopt_mixed(const Particles& particles);
   void write_records(const StateBlock& state, const Derived& derived, std::size_t first, std::size_t count);
   [[nodiscard]] double used(const StateBlock& state, const Derived& derived, std::size_t first,
                             std::size_t count) const;
@@ -119,12 +91,11 @@ class Stage {
   double smoothing_;
   double sound_scale_;
   bool stresses_;
-  Storage storage_;
-  Units units_;
   std::size_t count_ = 0;
   std::span<const Image> images_;
-  Held<Record> full_;
-  Held<MixedRecord> mixed_;
+  std::vector<Record> records_;
+  std::vector<double> mass_;
+  std::vector<Stress> stress_;
   Base base_;
 };
 

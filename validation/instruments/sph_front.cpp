@@ -1,4 +1,4 @@
-#include "seiche/models/wcsph/front.hpp"
+#include "validation/instruments/sph_front.hpp"
 
 #include <algorithm>
 #include <cmath>

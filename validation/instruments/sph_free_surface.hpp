@@ -17,7 +17,7 @@
 
 #include <vector>
 
-#include "seiche/models/wcsph/volume_fraction.hpp"
+#include "validation/instruments/sph_volume_fraction.hpp"
 
 namespace seiche::wcsph {
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
-#include "seiche/models/wcsph/density_filter.hpp"
-#include "seiche/models/wcsph/engine.hpp"
+#include "seiche/models/wcsph/flow.hpp"
+#include "seiche/require.hpp"
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::wcsph {
@@ -19,10 +19,6 @@ SEICHE_SIMD_CLONES void add_scaled(const double* value, const double* rate, doub
                                    double* sum) {
   for (std::size_t i = 0; i < count; ++i) sum[i] = value[i] + tau * rate[i];
 }
-SEICHE_SIMD_CLONES void add_scaled(const double* value, const float* rate, double tau, std::size_t count, double* sum) {
-  for (std::size_t i = 0; i < count; ++i) sum[i] = value[i] + tau * static_cast<double>(rate[i]);
-}
-
 struct Survey {
   bool bad = false;
   double speed2 = 0;
@@ -59,13 +55,28 @@ SEICHE_SIMD_CLONES Survey survey(const StateBlock& state, std::size_t count, dou
 
 }  // namespace
 
-void Flow::Engine::advance_by(double tau) {
+double Flow::advance() {
+  return advance_at_most(std::numeric_limits<double>::infinity());
+}
+
+double Flow::advance(double tau) {
+  require_positive("tau", tau);
   fill_level();
   evaluate_level(false);
   finish_step(tau);
+  return tau;
 }
 
-double Flow::Engine::advance_at_most(double longest) {
+void Flow::advance_to(double time, const std::function<void()>& after_step) {
+  require_finite("time", time);
+  while (time_ < time) {
+    const double remaining = time - time_;
+    if (advance_at_most(remaining) == remaining) time_ = time;
+    if (after_step) after_step();
+  }
+}
+
+double Flow::advance_at_most(double longest) {
   fill_level();
   evaluate_level(true);
   const double tau = std::min(step_by_rule(), longest);
@@ -73,7 +84,7 @@ double Flow::Engine::advance_at_most(double longest) {
   return tau;
 }
 
-double Flow::Engine::step_by_rule() const {
+double Flow::step_by_rule() const {
   double tau = settings_.courant / rates_.largest_limit();
   if (settings_.limit_by_viscosity) {
     if (const auto* laminar = std::get_if<LaminarSps>(&settings_.viscosity);
@@ -91,7 +102,7 @@ double Flow::Engine::step_by_rule() const {
 
 /// From rates at level n: formulas (7), (8), which are y <- y + tau f(y + tau/2 f(y)). What is in the middle of the
 /// step is in the records alone.
-void Flow::Engine::finish_step(double tau) {
+void Flow::finish_step(double tau) {
   // Step 1: to the middle. Lists that do not last so far are made anew, wide enough.
   double used = fill_moved(0.5 * tau);
   if (used > reserve_) {
@@ -106,15 +117,13 @@ void Flow::Engine::finish_step(double tau) {
   rearrange(tau);
 }
 
-void Flow::Engine::moved(double tau, const PaddlePoses& poses, std::size_t first, std::size_t count,
-                         StateBlock& to) const {
-  rates_.with_rates([&](const auto& rates) {
-    add_scaled(&particles_.x[first], &rates.dx[first], tau, count, to.x.data());
-    add_scaled(&particles_.z[first], &rates.dz[first], tau, count, to.z.data());
-    add_scaled(&particles_.u[first], &rates.du[first], tau, count, to.u.data());
-    add_scaled(&particles_.w[first], &rates.dw[first], tau, count, to.w.data());
-    add_scaled(&particles_.density[first], &rates.ddensity[first], tau, count, to.density.data());
-  });
+void Flow::moved(double tau, const PaddlePoses& poses, std::size_t first, std::size_t count, StateBlock& to) const {
+  const Rates& rates = rates_.rates();
+  add_scaled(&particles_.x[first], &rates.dx[first], tau, count, to.x.data());
+  add_scaled(&particles_.z[first], &rates.dz[first], tau, count, to.z.data());
+  add_scaled(&particles_.u[first], &rates.du[first], tau, count, to.u.data());
+  add_scaled(&particles_.w[first], &rates.dw[first], tau, count, to.w.data());
+  add_scaled(&particles_.density[first], &rates.ddensity[first], tau, count, to.density.data());
   const bool clamped = settings_.walls == WallPressure::clamped;
   for (std::size_t i = std::max(first, neighbours_.fluid()); i < first + count; ++i) {
     const std::size_t k = i - first;
@@ -128,14 +137,14 @@ void Flow::Engine::moved(double tau, const PaddlePoses& poses, std::size_t first
   }
 }
 
-double Flow::Engine::fill_moved(double tau) {
+double Flow::fill_moved(double tau) {
   const PaddlePoses poses = paddles_at(time_ + tau);
   return stage_.fill(
       [&](std::size_t first, std::size_t count, StateBlock& block) { moved(tau, poses, first, count, block); });
 }
 
 /// Looks at all particles before it moves one: what moves them is computed twice, and no second state is kept.
-void Flow::Engine::commit(double tau) {
+void Flow::commit(double tau) {
   const std::size_t n = particles_.size();
   const std::size_t fluid = neighbours_.fluid();
   const double lowest = least_density * settings_.density;
@@ -170,17 +179,15 @@ void Flow::Engine::commit(double tau) {
   extremes_.highest_density = std::max(extremes_.highest_density, all.highest / settings_.density);
 }
 
-void Flow::Engine::rearrange(double tau) {
+void Flow::rearrange(double tau) {
   const bool filter = settings_.filter_every > 0 && steps_ % settings_.filter_every == 0;
   if (!filter && !settings_.particle_shifting) return;
   fill_level();
-  if (filter) {
-    filter_density(settings_.kernel, smoothing_, settings_.density, stage_, neighbours_, particles_.density);
-  }
-  if (settings_.particle_shifting) shifting_.apply(tau, stage_, neighbours_, particles_);
+  if (filter) corrections_.filter(stage_, neighbours_, particles_.density);
+  if (settings_.particle_shifting) corrections_.shift(tau, stage_, neighbours_, particles_);
 }
 
-void Flow::Engine::report_bad_state(double tau, const PaddlePoses& poses) const {
+void Flow::report_bad_state(double tau, const PaddlePoses& poses) const {
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     StateBlock next;
     moved(tau, poses, i, 1, next);

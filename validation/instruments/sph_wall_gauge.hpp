@@ -2,7 +2,7 @@
 ///
 ///     P(r) = sum_b (m_b/rho_b) [P_b + rho_b g . (r - r_b)] W(|r - r_b|, h_0) / sum_b (m_b/rho_b) W      over the fluid
 ///
-/// the mean of Shepard, with the hydrostatic gradient as walls feel it (wall_pressure.hpp); 0 where there is no water
+/// the mean of Shepard, with the hydrostatic gradient as walls feel it (corrections.hpp); 0 where there is no water
 /// within the kernel. The mean over a disc of diameter D about the height z_0 weighs heights by their chords, which is
 /// Gauss-Chebyshev quadrature of the second kind.
 ///

@@ -34,8 +34,6 @@ class VolumeFraction {
 
   /// Level where the fraction on the vertical falls to 1/2: the highest one. Nothing where there is no water.
   [[nodiscard]] std::optional<double> elevation(double x) const;
-  /// The same from below: where the lowest water ends, under whatever hangs over it.
-  [[nodiscard]] std::optional<double> lowest_elevation(double x) const;
   /// Mean elevation over [left, right], from points h/2 apart or nearer; dry points count as the lower end of the
   /// basin, and are left out if it has none. Nothing where all are dry.
   [[nodiscard]] std::optional<double> mean_elevation(double left, double right) const;
@@ -66,23 +64,6 @@ class VolumeFraction {
   double left_ = 0;                 ///< of the first strip, each 2h wide
   std::vector<Sample> samples_;     ///< images of periodic boxes included, sorted by strips and upwards in each
   std::vector<std::size_t> begin_;  ///< of each strip's samples
-};
-
-/// Elevations at fixed places against time.
-class Gauges {
- public:
-  explicit Gauges(std::vector<double> places);
-  void observe(double time, const VolumeFraction& fraction);
-
-  [[nodiscard]] const std::vector<double>& places() const { return places_; }
-  [[nodiscard]] const std::vector<double>& times() const { return times_; }
-  /// Series of place k; NaN where dry.
-  [[nodiscard]] const std::vector<double>& elevation(std::size_t k) const { return elevations_.at(k); }
-
- private:
-  std::vector<double> places_;
-  std::vector<double> times_;
-  std::vector<std::vector<double>> elevations_;
 };
 
 }  // namespace seiche::wcsph

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "seiche/models/wcsph/free_surface.hpp"
 #include "seiche/require.hpp"
+#include "validation/instruments/sph_free_surface.hpp"
 
 namespace seiche::wcsph {
 namespace {

@@ -1,4 +1,4 @@
-#include "seiche/models/wcsph/volume_fraction.hpp"
+#include "validation/instruments/sph_volume_fraction.hpp"
 
 #include <algorithm>
 #include <array>
@@ -201,21 +201,6 @@ std::optional<double> VolumeFraction::elevation(double x) const {
   return std::nullopt;
 }
 
-std::optional<double> VolumeFraction::lowest_elevation(double x) const {
-  const double step = h_ / 4;
-  const double highest = std::min(extents_.top + support * h_, basin_.top);
-  double below = std::max(extents_.bottom - support * h_, basin_.bottom);
-  bool wet = at(x, below) >= surface_fraction;
-  while (below < highest) {
-    const double z = std::min(below + step, highest);
-    const bool wet_here = at(x, z) >= surface_fraction;
-    if (wet && !wet_here) return crossing(x, below, z);
-    wet = wet_here;
-    below = z;
-  }
-  return wet ? std::optional(highest) : std::nullopt;
-}
-
 std::optional<double> VolumeFraction::mean_elevation(double left, double right) const {
   require_finite("left", left);
   require_positive("right - left", right - left);
@@ -232,17 +217,6 @@ std::optional<double> VolumeFraction::mean_elevation(double left, double right) 
     ++counted;
   }
   return wet ? std::optional(sum / static_cast<double>(counted)) : std::nullopt;
-}
-
-Gauges::Gauges(std::vector<double> places) : places_(std::move(places)), elevations_(places_.size()) {
-  for (const double place : places_) require_finite("place of a gauge", place);
-}
-
-void Gauges::observe(double time, const VolumeFraction& fraction) {
-  times_.push_back(time);
-  for (std::size_t k = 0; k < places_.size(); ++k) {
-    elevations_[k].push_back(fraction.elevation(places_[k]).value_or(std::numeric_limits<double>::quiet_NaN()));
-  }
 }
 
 }  // namespace seiche::wcsph

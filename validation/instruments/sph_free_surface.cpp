@@ -1,4 +1,4 @@
-#include "seiche/models/wcsph/free_surface.hpp"
+#include "validation/instruments/sph_free_surface.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "seiche/models/wcsph/wall_gauge.hpp"
+#include "validation/instruments/sph_wall_gauge.hpp"
 
 #include <array>
 #include <cmath>
