@@ -53,8 +53,9 @@ def pages_of(folder, *members):
     write_arrays(evidence / "a.h5", {"f": [[("a", "computed", "line", [0, 1], [0, 1])]]})
     status, said = render(evidence, folder / "report")
     assert status == 0, said
-    return {name: Tables((folder / "report" / f"{name}.html").read_text(encoding="utf-8"))
-            for name in ("cases/numbers", "sharpness", "index")}
+    report = folder / "report"
+    return {str(path.relative_to(report).with_suffix("")): Tables(path.read_text(encoding="utf-8"))
+            for path in report.rglob("*.html")}
 
 
 CLAIMS = [claim("a", "bound", measured=1.25, uncertainty=0.5, expected=1.5, unit="m",
@@ -117,21 +118,18 @@ class CasePage(unittest.TestCase):
 
     def test_margins_to_the_limits(self):
         # With the uncertainty: 0.25 / 0.2; (0.25 + 0.5) / 0.75; (0.125 + 0.25) / 0.375.
-        self.assertEqual([row[1:6] for row in self.rows("Case", "Claim", page="sharpness")], [
+        self.assertEqual([row[1:6] for row in self.rows("Case", "Claim", page="quality")], [
             ["Claim b holds.", "bound", "1.2", "2.25", "± 0.2 (10 %)"],
             ["Claim a holds.", "bound", "1", "1.25 ± 0.50", "± 0.75"],
             ["Claim c holds.", "order", "1", "2.12 ± 0.25", "± 0.375"]])
-        self.assertEqual([(row[0], row[-1]) for row in self.rows("Kind", page="sharpness")], [("Order", "1"), ("Bound", "2")])
+        self.assertEqual([(row[0], row[-1]) for row in self.rows("Kind", page="quality")], [("Order", "1"), ("Bound", "2")])
 
-    def test_models_and_cases_of_the_front_page(self):
-        # Of relative claims alone: 0.25 and 0.3125 of 2.
-        self.assertEqual(self.rows("Model", "Tried", page="index")[1:], [
-            ["The case numbersnumbers", "depth 0.5 mparticles 12", "12 % of 1 comparison", "1 min 15 s",
-             "✗fail: Claim d holds."],
-            ["theirs scorednumbers", "depth 2.5 mparticles 14", "16 % of 1 comparison", "30.0 s", "nowhere here"]])
-        self.assertEqual(self.rows("Case", "Round-off", page="index")[1:], [
-            ["The case numbers numbers seiche", "", "✓1pass", "✓2pass", "", "✗1fail", "1 min 15 s"],
-            ["the same by theirs numbers theirs", "", "✓1pass", "✓2pass", "", "", "30.0 s"]])
+    def test_cases_and_solvers(self):
+        self.assertEqual(self.rows("Case", "Round-off", page="cases")[1:], [
+            ["The case numbers", "", "✓1pass", "✓2pass", "", "✗1fail", "1 min 15 s"],
+            ["The case numbers theirs", "", "✓1pass", "✓2pass", "", "", "30.0 s"]])
+        self.assertEqual([[row[0], *row[4:]] for row in self.rows("Solver", "Cell", page="league")], [
+            ["seiche", "1 min 15 s", "1", "✗1fail ✓3pass"], ["theirs", "30.0 s", "", "✓3pass"]])
 
 
 if __name__ == "__main__":
