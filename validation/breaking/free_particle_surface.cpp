@@ -4,8 +4,8 @@
 #include <numbers>
 #include <utility>
 
-#include "seiche/models/gauss_particles/surface_contour.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/gauss_outline.hpp"
 
 namespace seiche::validation {
 namespace {

@@ -14,7 +14,8 @@
 
 namespace seiche::gauss_particles {
 
-/// Closed lines with the water on their left-hand side; the first point is not repeated. Markers count for nothing.
+/// Closed lines with the water on their left-hand side; the first point is not repeated; the longest first. Markers
+/// count for nothing.
 /// @param density  of the water [kg/m^3]. @param spacing  of the particles [m]
 /// Throws std::invalid_argument: arrays of different lengths, density or spacing not positive, a grid of more than 1e8
 /// points.

@@ -1,11 +1,9 @@
 // Particle-steps per second of free particles under Gauss's principle: a wave on cubic splines, 36 particles to a cell.
 //
 //   items_per_second   particles * steps / second
-//   binning ...        milliseconds of a step in each part of the work; "rest" moves the particles
 #include <benchmark/benchmark.h>
 #include <omp.h>
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -46,7 +44,6 @@ void wave_steps(benchmark::State& state) {
                                                          .ground = {.level = -std::numbers::pi},
                                                          .shift = true});
   const SplineSpace& splines = *space;
-  const SplineSpace::Seconds& spent = splines.seconds();
   Flow flow(layer({.begin = 0,
                    .end = length,
                    .columns = 6 * cells,
@@ -58,19 +55,7 @@ void wave_steps(benchmark::State& state) {
               return Point{speed * std::cos(r.x), speed * std::sin(r.x)};
             });
   flow.advance(0.2 * h);  // the analysis
-  const SplineSpace::Seconds start = spent;
-  const auto begin = std::chrono::steady_clock::now();
   for (auto _ : state) flow.advance(0.2 * h);
-  const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const auto per_step = [&](double seconds) { return 1e3 * seconds / static_cast<double>(state.iterations()); };
-  state.counters["binning"] = per_step(spent.binning - start.binning);
-  state.counters["assembly"] = per_step(spent.assembly - start.assembly);
-  state.counters["factorisation"] = per_step(spent.factorisation - start.factorisation);
-  state.counters["solution"] = per_step(spent.solution - start.solution);
-  state.counters["refinement"] = per_step(spent.refinement - start.refinement);
-  state.counters["rest"] = per_step(all - (spent.binning - start.binning) - (spent.assembly - start.assembly) -
-                                    (spent.factorisation - start.factorisation) - (spent.solution - start.solution) -
-                                    (spent.refinement - start.refinement));
   state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.model().size()));
   state.counters["unknowns"] = static_cast<double>(splines.facts().unknowns);
   performance::show(state, work_of(splines, static_cast<double>(flow.model().size())));

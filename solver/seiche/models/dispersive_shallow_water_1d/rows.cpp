@@ -193,47 +193,6 @@ template <bool level>
   }
 }
 
-SEICHE_SIMD_CLONES void assemble_level(Rows& rows, Range cells) {
-  assemble_body<true>(rows, cells);
-}
-SEICHE_SIMD_CLONES void assemble_tilted(Rows& rows, Range cells) {
-  assemble_body<false>(rows, cells);
-}
-SEICHE_SIMD_CLONES void couple_level(Rows& rows, Range markers) {
-  couple_body<true>(rows, markers);
-}
-SEICHE_SIMD_CLONES void couple_tilted(Rows& rows, Range markers) {
-  couple_body<false>(rows, markers);
-}
-SEICHE_SIMD_CLONES void rates_level(const Rows& rows, Range cells, const double* p, const double* r, double* w) {
-  rates_body<true>(rows, cells, p, r, w);
-}
-SEICHE_SIMD_CLONES void rates_tilted(const Rows& rows, Range cells, const double* p, const double* r, double* w) {
-  rates_body<false>(rows, cells, p, r, w);
-}
-SEICHE_SIMD_CLONES void kick_level(const Rows& rows, Range markers, GivenForces forces, double h, double* p,
-                                   double* r) {
-  kick_body<true>(rows, markers, forces, h, p, r);
-}
-SEICHE_SIMD_CLONES void kick_tilted(const Rows& rows, Range markers, GivenForces forces, double h, double* p,
-                                    double* r) {
-  kick_body<false>(rows, markers, forces, h, p, r);
-}
-SEICHE_SIMD_CLONES void react_level(const Rows& rows, Range markers, const double* mu, double* p, double* r) {
-  react_body<true>(rows, markers, mu, p, r);
-}
-SEICHE_SIMD_CLONES void react_tilted(const Rows& rows, Range markers, const double* mu, double* p, double* r) {
-  react_body<false>(rows, markers, mu, p, r);
-}
-SEICHE_SIMD_CLONES void advance_level(const Bed& bed, Range markers, const double* x, const double* y, const double* p,
-                                      const double* r, double h, double* to_x, double* to_y) {
-  advance_body<true>(bed, markers, x, y, p, r, h, to_x, to_y);
-}
-SEICHE_SIMD_CLONES void advance_tilted(const Bed& bed, Range markers, const double* x, const double* y, const double* p,
-                                       const double* r, double h, double* to_x, double* to_y) {
-  advance_body<false>(bed, markers, x, y, p, r, h, to_x, to_y);
-}
-
 }  // namespace
 
 SEICHE_SIMD_CLONES void measure_cells(Rows& rows, Range cells) {
@@ -266,30 +225,29 @@ SEICHE_SIMD_CLONES void gravity_forces(const Rows& rows, Range markers, Weights 
   }
 }
 
-void assemble(Rows& rows, bool level, Range cells) {
-  level ? assemble_level(rows, cells) : assemble_tilted(rows, cells);
+SEICHE_SIMD_CLONES void assemble(Rows& rows, bool level, Range cells) {
+  level ? assemble_body<true>(rows, cells) : assemble_body<false>(rows, cells);
 }
 
-void couple(Rows& rows, bool level, Range markers) {
-  level ? couple_level(rows, markers) : couple_tilted(rows, markers);
+SEICHE_SIMD_CLONES void couple(Rows& rows, bool level, Range markers) {
+  level ? couple_body<true>(rows, markers) : couple_body<false>(rows, markers);
 }
 
-void rates_of_cells(const Rows& rows, bool level, Range cells, const double* p, const double* r, double* w) {
-  level ? rates_level(rows, cells, p, r, w) : rates_tilted(rows, cells, p, r, w);
+SEICHE_SIMD_CLONES void rates_of_cells(const Rows& rows, bool level, Range cells, const double* p, const double* r, double* w) {
+  level ? rates_body<true>(rows, cells, p, r, w) : rates_body<false>(rows, cells, p, r, w);
 }
 
-void kick_rows(const Rows& rows, bool level, Range markers, GivenForces forces, double h, double* p, double* r) {
-  level ? kick_level(rows, markers, forces, h, p, r) : kick_tilted(rows, markers, forces, h, p, r);
+SEICHE_SIMD_CLONES void kick_rows(const Rows& rows, bool level, Range markers, GivenForces forces, double h, double* p, double* r) {
+  level ? kick_body<true>(rows, markers, forces, h, p, r) : kick_body<false>(rows, markers, forces, h, p, r);
 }
 
-void react_rows(const Rows& rows, bool level, Range markers, const double* mu, double* p, double* r) {
-  level ? react_level(rows, markers, mu, p, r) : react_tilted(rows, markers, mu, p, r);
+SEICHE_SIMD_CLONES void react_rows(const Rows& rows, bool level, Range markers, const double* mu, double* p, double* r) {
+  level ? react_body<true>(rows, markers, mu, p, r) : react_body<false>(rows, markers, mu, p, r);
 }
 
-void advance_rows(const Bed& bed, bool level, Range markers, const double* x, const double* y, const double* p,
+SEICHE_SIMD_CLONES void advance_rows(const Bed& bed, bool level, Range markers, const double* x, const double* y, const double* p,
                   const double* r, double h, double* to_x, double* to_y) {
-  level ? advance_level(bed, markers, x, y, p, r, h, to_x, to_y)
-        : advance_tilted(bed, markers, x, y, p, r, h, to_x, to_y);
+  level ? advance_body<true>(bed, markers, x, y, p, r, h, to_x, to_y) : advance_body<false>(bed, markers, x, y, p, r, h, to_x, to_y);
 }
 
 SEICHE_SIMD_CLONES Smallest smallest(const Rows& rows, Range cells, Range markers) {

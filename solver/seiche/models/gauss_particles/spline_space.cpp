@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -22,19 +21,6 @@ constexpr double fewest_per_cell = 8;            // particles, or the sums over 
 constexpr double most_cells_per_particle = 100;  // or some of them have flown away
 constexpr double largest_residual = 1e-10;
 constexpr int most_corrections = 4;
-
-/// Adds the time since it was made, or last asked, to a part of the work.
-class Stopwatch {
- public:
-  void lap(double& seconds) {
-    const auto now = std::chrono::steady_clock::now();
-    seconds += std::chrono::duration<double>(now - since_).count();
-    since_ = now;
-  }
-
- private:
-  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
-};
 
 }  // namespace
 
@@ -76,7 +62,6 @@ double SplineSpace::particles_per_cell(std::span<const double> mass) const {
 
 void SplineSpace::place(mechanics::Interval when, std::span<const double> x, std::span<const double> y,
                         std::span<const double> mass, double penalty) {
-  Stopwatch watch;
   const Bounds bounds = cells_.survey(ground_, x, y);
   lattice_.assign(1, at_(when, bounds));
   const Lattice& lattice = lattice_.front();
@@ -115,11 +100,8 @@ void SplineSpace::place(mechanics::Interval when, std::span<const double> x, std
       if (cells_.mass()[k] > 0) ++facts_.free_particles;
     }
   }
-  watch.lap(seconds_.binning);
   assemble();
-  watch.lap(seconds_.assembly);
   system_.factor();
-  watch.lap(seconds_.factorisation);
 }
 
 CellParticles SplineSpace::particles(std::size_t c) const {
@@ -326,7 +308,6 @@ double SplineSpace::penalty_form() {
 
 void SplineSpace::project(std::span<double> u, std::span<double> v, std::span<const double> impulse_x,
                           std::span<const double> impulse_y) {
-  Stopwatch watch;
   take_impulses(impulse_x, impulse_y);
   const std::span<const std::size_t> particle = cells_.particle();
   for (std::vector<double>* const w : {&wx_, &wy_, &ux_, &uy_, &dx_, &dy_}) w->assign(particle.size(), 0.0);
@@ -345,7 +326,6 @@ void SplineSpace::project(std::span<double> u, std::span<double> v, std::span<co
   // Of the velocities, or where these are small of what the impulses make of them.
   const double norm = std::max(std::sqrt(square), last);
   evaluate();
-  watch.lap(seconds_.solution);
   for (int k = 0; k < most_corrections && norm > 0; ++k) {
     residual(r_);
     const double now = system_.scaled_largest(r_);
@@ -359,7 +339,6 @@ void SplineSpace::project(std::span<double> u, std::span<double> v, std::span<co
     throw mechanics::Infeasible(
         fmt::format("normal equations solved to {:.2g} only; allowed: {:g}", facts_.residual, largest_residual), 0);
   }
-  watch.lap(seconds_.refinement);
   facts_.penalty = penalty_form();
   for (std::size_t c = 0; c < cells_.cells().size(); ++c) {
     if (functions_.free(c)) continue;

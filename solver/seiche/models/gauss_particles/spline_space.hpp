@@ -25,14 +25,6 @@ class SplineSpace final : public FieldSpace {
     double inner_fraction = 0.5;
     long margin = 2;  ///< cells between particles and a free end of the lattice
   };
-  /// Wall time that the parts of the work took so far [s]: where a step's cost lies.
-  struct Seconds {
-    double binning = 0;        ///< particles into cells, the choice of functions
-    double assembly = 0;       ///< Gram matrix
-    double factorisation = 0;  ///< of it
-    double solution = 0;       ///< loads, the first solution and its velocities
-    double refinement = 0;     ///< the corrections of it
-  };
 
   /// Throws std::invalid_argument: what LatticePlan::check says, density not positive, fraction not in [0.05, 1].
   explicit SplineSpace(const LatticePlan& plan) : SplineSpace(plan, Settings()) {}
@@ -54,7 +46,6 @@ class SplineSpace final : public FieldSpace {
   [[nodiscard]] const ActiveFunctions& functions() const { return functions_; }
   /// Coefficients of the splines of the last projection, function by function.
   [[nodiscard]] std::span<const double> coefficients() const { return coefficients_; }
-  [[nodiscard]] const Seconds& seconds() const { return seconds_; }
   /// Symbolic factorisations so far.
   [[nodiscard]] long analyses() const { return system_.analyses(); }
   /// Of the normal equations' factor.
@@ -91,7 +82,6 @@ class SplineSpace final : public FieldSpace {
   std::size_t local_ = 0;  // functions of a cell
   std::size_t particles_ = 0;
   SpaceFacts facts_;
-  Seconds seconds_;
   std::vector<std::uint8_t> free_;  // of particles; empty: none
 
   std::vector<double> matrices_;                    // of a chunk of cells
