@@ -20,8 +20,8 @@ and falls behind; asymmetry grows until the shore.
 
 #include "seiche/io/csv_table.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
-#include "seiche/models/dispersive_shallow_water_1d/wave_source.hpp"
 #include "validation/case/data_folder.hpp"
+#include "validation/instruments/wave_source.hpp"
 #include "validation/instruments/wave_statistics.hpp"
 #include "validation/laboratory/dispersive_flume.hpp"
 #include "validation/laboratory/laboratory_case.hpp"

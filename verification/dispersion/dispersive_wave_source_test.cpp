@@ -9,8 +9,8 @@
 
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
-#include "seiche/models/dispersive_shallow_water_1d/wave_source.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/wave_source.hpp"
 #include "validation/instruments/wave_statistics.hpp"
 #include "verification/check.hpp"
 

@@ -34,7 +34,6 @@ struct Law {
 
 const std::vector<Law> laws{
     {"manning", "Manning", {FrictionLaw::manning, 0.15}, gravity * 0.15 * 0.15 / std::pow(depth, 4.0 / 3)},
-    {"chezy", "Chezy", {FrictionLaw::chezy, 6}, gravity / (36 * depth)},
     {"quadratic", "A quadratic law", {FrictionLaw::quadratic, 0.25}, 0.25 / depth}};
 
 /// Uniform flow in a periodic channel, the component of gravity along its slope as a force per unit mass.

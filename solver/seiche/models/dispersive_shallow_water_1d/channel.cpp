@@ -1,8 +1,15 @@
 #include "seiche/models/dispersive_shallow_water_1d/channel.hpp"
 
+#include <cmath>
+
 #include "seiche/require.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
+
+double Friction::per_length(double gravity, double depth) const {
+  return law == FrictionLaw::quadratic ? coefficient / depth
+                                       : gravity * coefficient * coefficient / (depth * std::cbrt(depth));
+}
 
 void Channel::validate() const {
   if (!bottom) throw std::invalid_argument("channel without a bottom: set Channel::bottom");
@@ -14,7 +21,7 @@ void Channel::validate() const {
   require_not_negative("gamma", gamma);
   require_finite("depth_power", depth_power);
   require_positive("reference_depth", reference_depth);
-  friction.validate();
+  require_not_negative("friction coefficient", friction.coefficient);
   if (breaking) breaking->validate();
   if (kinetics == Kinetics::green_naghdi && alpha < 0.25) {
     throw std::invalid_argument(

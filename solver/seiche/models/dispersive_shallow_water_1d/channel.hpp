@@ -6,7 +6,6 @@
 
 #include "seiche/geometry/bottom_profile.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/breaking.hpp"
-#include "seiche/models/dispersive_shallow_water_1d/friction.hpp"
 
 namespace seiche::dispersive_shallow_water_1d {
 
@@ -30,6 +29,25 @@ enum class Kinetics { frank, green_naghdi };
 ///     elementary    V/4, the water nearer to it than to its neighbour (Frank 1994)
 ///     consistent    V/6, with which a plane surface over a plane slope accelerates as it should; converges much faster
 enum class TipMass { elementary, consistent };
+
+/// Friction at the bottom of a channel, on the rate p along it at depth H:
+///
+/// @f[ \dot{p} = - C \frac{|p| \, p}{H} @f]
+///
+///     manning      C = g n^2/H^(1/3)    n [s/m^(1/3)]; glass 0.009 to 0.01, smooth concrete 0.011 to 0.013
+///     quadratic    C = c                c [1], an eighth of the f of Darcy and Weisbach
+///
+/// Reference: V. T. Chow, Open-Channel Hydraulics, McGraw-Hill (1959), chapter 5.
+enum class FrictionLaw { manning, quadratic };
+
+struct Friction {
+  FrictionLaw law = FrictionLaw::manning;
+  double coefficient = 0;  ///< n or c; 0 for none
+
+  [[nodiscard]] bool active() const { return coefficient > 0; }
+  /// C/H [1/m], by which |p| gives the rate of decay.
+  [[nodiscard]] double per_length(double gravity, double depth) const;
+};
 
 struct Channel {
   std::shared_ptr<const BottomProfile> bottom;

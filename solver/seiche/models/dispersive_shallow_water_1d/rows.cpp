@@ -233,21 +233,25 @@ SEICHE_SIMD_CLONES void couple(Rows& rows, bool level, Range markers) {
   level ? couple_body<true>(rows, markers) : couple_body<false>(rows, markers);
 }
 
-SEICHE_SIMD_CLONES void rates_of_cells(const Rows& rows, bool level, Range cells, const double* p, const double* r, double* w) {
+SEICHE_SIMD_CLONES void rates_of_cells(const Rows& rows, bool level, Range cells, const double* p, const double* r,
+                                       double* w) {
   level ? rates_body<true>(rows, cells, p, r, w) : rates_body<false>(rows, cells, p, r, w);
 }
 
-SEICHE_SIMD_CLONES void kick_rows(const Rows& rows, bool level, Range markers, GivenForces forces, double h, double* p, double* r) {
+SEICHE_SIMD_CLONES void kick_rows(const Rows& rows, bool level, Range markers, GivenForces forces, double h, double* p,
+                                  double* r) {
   level ? kick_body<true>(rows, markers, forces, h, p, r) : kick_body<false>(rows, markers, forces, h, p, r);
 }
 
-SEICHE_SIMD_CLONES void react_rows(const Rows& rows, bool level, Range markers, const double* mu, double* p, double* r) {
+SEICHE_SIMD_CLONES void react_rows(const Rows& rows, bool level, Range markers, const double* mu, double* p,
+                                   double* r) {
   level ? react_body<true>(rows, markers, mu, p, r) : react_body<false>(rows, markers, mu, p, r);
 }
 
-SEICHE_SIMD_CLONES void advance_rows(const Bed& bed, bool level, Range markers, const double* x, const double* y, const double* p,
-                  const double* r, double h, double* to_x, double* to_y) {
-  level ? advance_body<true>(bed, markers, x, y, p, r, h, to_x, to_y) : advance_body<false>(bed, markers, x, y, p, r, h, to_x, to_y);
+SEICHE_SIMD_CLONES void advance_rows(const Bed& bed, bool level, Range markers, const double* x, const double* y,
+                                     const double* p, const double* r, double h, double* to_x, double* to_y) {
+  level ? advance_body<true>(bed, markers, x, y, p, r, h, to_x, to_y)
+        : advance_body<false>(bed, markers, x, y, p, r, h, to_x, to_y);
 }
 
 SEICHE_SIMD_CLONES Smallest smallest(const Rows& rows, Range cells, Range markers) {

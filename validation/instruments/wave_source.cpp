@@ -1,4 +1,4 @@
-#include "seiche/models/dispersive_shallow_water_1d/wave_source.hpp"
+#include "validation/instruments/wave_source.hpp"
 
 #include <cmath>
 #include <complex>
