@@ -5,6 +5,7 @@
 #include <string>
 
 #include "seiche/divergence.hpp"
+#include "seiche/models/shallow_water_particles/as_written.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/samples.hpp"
@@ -163,6 +164,43 @@ TEST_CASE("a breakdown stops with time, step and place", "[robustness]") {
               .source = "interface of the model"},
              {.value = place >= 5 && place <= 10 ? 1.0 : 0.0},
              Qualitative{"place within the stencil of x > 7", "the message must lead to the cause"});
+}
+
+TEST_CASE("a row as it is written keeps its momentum and refuses by name", "[robustness]") {
+  Check check("particles_as_written", "The rearrangement as it is written",
+              "A dam break between free ends: momentum changes by the impulses of the ends, whose pressures stay those "
+              "of still water; ends and steps that it has not, and pairs without room, are refused and leave it as it "
+              "was.");
+  AsWritten flow(dam_break(0, 20, 40, {2, 0}, {1, 0}, 60), {Free{}, Free{}});
+  const auto momentum = [&flow] {
+    double sum = 0;
+    for (std::size_t i = 0; i < flow.size(); ++i) sum += flow.mass(i) * flow.velocity(i);
+    return sum;
+  };
+  for (int k = 0; k < 40; ++k) flow.advance(0.05);
+  check.that({.id = "momentum",
+              .text = "The momentum is the time times the difference of the ends' thrusts.",
+              .quantity = "defect of the momentum",
+              .unit = "m^3/s",
+              .source = "formulas of the method"},
+             {.value = momentum() - flow.time() * 0.5 * 9.81 * (4 - 1)},
+             seiche::evidence::Bound{.limit = 2e-9 * 0.5 * 9.81 * (4 + 1) * 2,
+                                     .reason = "densities that differ by 1e-9 are equal, so that the thrusts of the "
+                                               "ends are known to 2e-9, for 2 s"});
+  const auto refused = [&](const std::string& id, const std::string& text, const std::string& word, auto action) {
+    check.that({.id = id, .text = text, .quantity = "refused by name", .source = "interface of the model"},
+               {.value = refusal(action).find(word) != std::string::npos ? 1.0 : 0.0},
+               Qualitative{"std::invalid_argument whose message contains \"" + word + "\"", "input must be refused"});
+  };
+  refused("vacuum", "A dry bed beyond an end.", "end", [] { AsWritten row(still_water(), {Wall{}, Vacuum{}}); });
+  refused("open", "A section that water passes.", "end", [] { AsWritten row(still_water(), {Open{}, Wall{}}); });
+  refused("step", "A step of no length.", "tau", [&] { flow.advance(0); });
+  AsWritten pressed(still_water(), {Piston{[](double) { return 5.0; }}, Wall{}});
+  const auto press = [&] {
+    for (int k = 0; k < 40; ++k) pressed.advance(0.1);
+  };
+  CHECK_THROWS_AS(press(), seiche::Divergence);
+  CHECK(pressed.time() == Approx(0.1 * static_cast<double>(pressed.steps())));
 }
 
 }  // namespace particles_input_test
