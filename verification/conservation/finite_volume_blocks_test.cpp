@@ -1,4 +1,4 @@
-// A step of the finite-volume schemes goes through the channel block by block: the seams leave no trace.
+// A step of the finite-volume schemes goes through the channel strip by strip: the seams leave no trace.
 #include <omp.h>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 //
 //   items_per_second  cells x steps / second
 //   bytes_per_step, operations_per_step   work.hpp. Arrays that stay in a register between two uses count once; in a
-//                     channel of several blocks what leaves a block: four arrays, read and written.
+//                     channel of several strips what leaves a strip: four arrays, read and written.
 #include <benchmark/benchmark.h>
 
 #include <omp.h>
@@ -27,9 +27,9 @@ using seiche::shallow_water_finite_volume::Scheme;
 /// MUSCL: reconstruction 2 reads, 4 writes, 2 x 12 + 8 operations; HLL 4 reads, 2 writes, 46 operations; that and the
 /// update twice; Heun 8 passes, 4 operations.
 performance::Work work_of(Scheme scheme, std::size_t cells) {
-  constexpr std::size_t several_blocks = 1024;
+  constexpr std::size_t several_strips = 1024;
   const auto work = [cells](double arrays, double operations) {
-    return performance::pass(cells < several_blocks ? arrays : 8, operations);
+    return performance::pass(cells < several_strips ? arrays : 8, operations);
   };
   switch (scheme) {
     case Scheme::lax_friedrichs:

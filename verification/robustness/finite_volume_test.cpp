@@ -56,9 +56,7 @@ TEST_CASE("finite-volume flow refuses bad input", "[robustness]") {
   CHECK_THROWS_AS(flow.step(1), Bad);
   CHECK_THROWS_AS(flow.advance_to(1, 1.5), Bad);
   CHECK_THROWS_AS(flow.advance_to(-1), Bad);
-  CHECK(shallow_water_finite_volume::scheme_from("roe") == Scheme::roe);
   CHECK(shallow_water_finite_volume::name(Scheme::muscl_hll) == "muscl_hll");
-  CHECK_THROWS_AS(shallow_water_finite_volume::scheme_from("superbee"), Bad);
 }
 
 TEST_CASE("on a dry bed MacCormack's scheme breaks down and the others do not", "[robustness]") {

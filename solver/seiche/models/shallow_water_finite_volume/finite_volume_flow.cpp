@@ -1,109 +1,232 @@
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
 #include "seiche/linear/worth_threads.hpp"
-#include "seiche/models/shallow_water_finite_volume/cell_passes.hpp"
+#include "seiche/models/shallow_water_finite_volume/faces.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::shallow_water_finite_volume {
 namespace {
 
-constexpr std::size_t least_of_a_block = 512;  // cells
-constexpr std::ptrdiff_t reach = 2 * ghosts;   // of a step of two stages, in cells to either side
-constexpr auto seam_cells = static_cast<std::size_t>(2 * reach);
+constexpr std::size_t least_of_a_strip = 512;  // cells: what a strip needs for a step stays near the core
 
-std::size_t blocks_for(std::size_t n) {
-  return std::max<std::size_t>(1, n / least_of_a_block);
-}
+}  // namespace
 
-void copy(const CellsView& from, std::ptrdiff_t n, const CellsView& to) {
-  std::copy_n(from.depth, n, to.depth);
-  std::copy_n(from.discharge, n, to.discharge);
-  std::copy_n(from.velocity, n, to.velocity);
-  std::copy_n(from.celerity, n, to.celerity);
-}
+/// Cells [begin, end) of the channel, and what a stage computes of n cells: these, or in the first of two stages all
+/// that the second needs. Face k lies left of cell k, face n is the right end.
+struct Strip {
+  using Row = std::array<double, 2 * least_of_a_strip + 4 * ghosts>;
+  std::size_t begin, end, n;
+  struct Faces {
+    Row mass, on_left, on_right;  // as the cell left and right of a face feels it
+  } faces;
+  Row source;  // centred, of the bed [m^3/s^2]
+  struct Edges {
+    Row hl, hr, ul, ur, zl, zr;  // of cells, from cell -1 on
+  } edges;
+  struct Middle {
+    Row h, q, u, c;  // cells after the first of two stages
+  } middle;
+};
 
-template <class Term>
-double sum(std::size_t n, Term term) {
-  CompensatedSum total;
-  for (std::size_t i = 0; i < n; ++i) total.add(term(i));
-  return total.value();
-}
+namespace {
 
-std::size_t checked_cells(std::span<const double> depth, std::span<const double> discharge) {
-  require_at_least("number of cells", static_cast<long>(depth.size()), 4);
-  if (discharge.size() != depth.size()) {
-    throw std::invalid_argument(
-        fmt::format("discharge has {} cells: must have {} like depth", discharge.size(), depth.size()));
+template <class TwoPointFlux>
+SEICHE_INLINE void two_point(const TwoPointFlux& flux, const CellsView& w, Strip& strip) {
+  auto& [mass, on_left, on_right] = strip.faces;
+  const auto faces = static_cast<std::ptrdiff_t>(strip.n + 1);
+#pragma GCC ivdep
+  for (std::ptrdiff_t k = 0; k < faces; ++k) {
+    const std::ptrdiff_t l = k - 1;
+    const Flux f = flux(Water{w.h[l], w.q[l], w.u[l], w.c[l]}, Water{w.h[k], w.q[k], w.u[k], w.c[k]});
+    mass[k] = f.mass;
+    on_left[k] = f.thrust;
   }
-  return depth.size();
 }
 
-/// Means of the bed over the cells; beyond the ends as the ghosts have it: mirrored at a wall, continued level
-/// otherwise.
-std::vector<double> bed_means(const std::optional<Bed>& bed, double start, double dx, std::size_t n, const End& left,
-                              const End& right) {
-  if (!bed) return {};
-  bed->validate(start, start + dx * static_cast<double>(n));
-  std::vector<double> means(n + 2 * ghosts);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double a = start + dx * static_cast<double>(i);
-    means[i + ghosts] = (bed->primitive(a + dx) - bed->primitive(a)) / dx;
+SEICHE_SIMD_CLONES
+void classical_fluxes(const FiniteVolumeFlow::Settings& settings, double ratio, const CellsView& cells, Strip& strip) {
+  const double g = settings.gravity;
+  switch (settings.scheme) {
+    case Scheme::lax_friedrichs:
+      return two_point(LaxFriedrichs{g, 0.5 * settings.viscosity / ratio}, cells, strip);
+    case Scheme::mac_cormack:
+      return two_point(MacCormack{g, ratio}, cells, strip);
+    default:
+      return two_point(Roe{g}, cells, strip);
   }
-  for (std::size_t k = 0; k < ghosts; ++k) {
-    means[ghosts - 1 - k] = means[ghosts + (left.kind == End::Kind::wall ? k : 0)];
-    means[n + ghosts + k] = means[n + ghosts - 1 - (right.kind == End::Kind::wall ? k : 0)];
-  }
-  return means;
 }
 
-void check_end(const char* side, const End& end) {
-  if (end.kind != End::Kind::inflow) return;
-  require_not_negative(fmt::format("depth of the {} inflow", side), end.state.depth);
-  require_finite(fmt::format("velocity of the {} inflow", side), end.state.velocity);
+/// Values at the edges of cells -1, ..., n. Null bed: flat.
+SEICHE_SIMD_CLONES
+void reconstruct(double theta, const CellsView& cells, const double* bed, Strip& strip) {
+  const double* h = cells.h - 1;
+  const double* u = cells.u - 1;
+  auto& [hl, hr, ul, ur, zl, zr] = strip.edges;
+  const auto entries = static_cast<std::ptrdiff_t>(strip.n + 2);
+#pragma GCC ivdep
+  for (std::ptrdiff_t j = 0; j < entries; ++j) {
+    const double dh = half_slope(h[j - 1], h[j], h[j + 1], theta);
+    const double du = half_slope(u[j - 1], u[j], u[j + 1], theta);
+    // The limiter keeps h - |dh| >= 0 for theta <= 2 but for its last bit.
+    hl[j] = std::max(h[j] - dh, 0.0);
+    hr[j] = std::max(h[j] + dh, 0.0);
+    // Weighted so that the two edges carry the cell's momentum: (hl ul + hr ur)/2 = h u. 1e-300: a dry cell divides 0
+    // by it.
+    const double inverse = 1 / std::max(h[j], 1e-300);
+    ul[j] = u[j] - du * hr[j] * inverse;
+    ur[j] = u[j] + du * hl[j] * inverse;
+  }
+  if (bed == nullptr) return;
+  const double* z = bed - 1;
+#pragma GCC ivdep
+  for (std::ptrdiff_t j = 0; j < entries; ++j) {
+    const double surface = h[j] + z[j];
+    const double de = half_slope(h[j - 1] + z[j - 1], surface, h[j + 1] + z[j + 1], theta);
+    zl[j] = (surface - de) - hl[j];
+    zr[j] = (surface + de) - hr[j];
+  }
 }
 
-double checked_spacing(double start, double end, std::size_t n) {
-  require_finite("start", start);
-  require_finite("end", end);
-  if (!(end > start)) {
-    throw std::invalid_argument(fmt::format("end = {:.17g} is out of range: must exceed start = {:g}", end, start));
+/// On an uneven bed with depths above the higher of the two beds, the thrust of the step added to either side (Audusse
+/// et al. 2004, formulas 2.9-2.14), and the centred source of the second-order scheme (formula 4.6).
+SEICHE_SIMD_CLONES
+void hll_fluxes(double g, bool uneven, Strip& strip) {
+  const auto& [hl, hr, ul, ur, zl, zr] = strip.edges;
+  auto& [mass, on_left, on_right] = strip.faces;
+  const std::size_t faces = strip.n + 1;
+  if (!uneven) {
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < faces; ++k) {
+      const Flux flux = hll(g, hr[k], ur[k], hl[k + 1], ul[k + 1]);
+      mass[k] = flux.mass;
+      on_left[k] = flux.thrust;
+    }
+    return;
   }
-  return (end - start) / static_cast<double>(n);
+  auto& source = strip.source;
+#pragma GCC ivdep
+  for (std::size_t k = 0; k < faces; ++k) {
+    const double step = std::max(zr[k], zl[k + 1]);
+    const double left = std::max(0.0, hr[k] + zr[k] - step);
+    const double right = std::max(0.0, hl[k + 1] + zl[k + 1] - step);
+    const Flux flux = hll(g, left, ur[k], right, ul[k + 1]);
+    mass[k] = flux.mass;
+    on_left[k] = flux.thrust + 0.5 * g * (hr[k] - left) * (hr[k] + left);
+    on_right[k] = flux.thrust + 0.5 * g * (hl[k + 1] - right) * (hl[k + 1] + right);
+  }
+#pragma GCC ivdep
+  for (std::size_t i = 0; i + 1 < faces; ++i) {
+    source[i] = -0.5 * g * (hl[i + 1] + hr[i + 1]) * (zr[i + 1] - zl[i + 1]);
+  }
+}
+
+/// What becomes of a depth below zero: -roundoff is cut, a cell that empties is the difference of larger numbers.
+struct Drying {
+  double gravity, dry_depth, roundoff;
+};
+
+/// U' = U - (tau/dx) (F_{i+1} - F_i) + (tau/dx) S_i, in Heun's second stage the mean of that and of the old state;
+/// velocity and celerity. Returns how many depths are negative or numbers not finite.
+template <bool uneven, bool mean>
+SEICHE_INLINE long update(const Drying& drying, double ratio, const Strip& strip, const CellsView& from,
+                          const CellsView& old, const CellsView& to) {
+  const auto& [mass, on_left, on_right] = strip.faces;
+  const auto [h, q, u, c] = to;
+  const auto [g, dry, roundoff] = drying;
+  const auto n = static_cast<std::ptrdiff_t>(strip.n);
+  long bad = 0;
+#pragma GCC ivdep
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    double depth = from.h[i] - ratio * (mass[i + 1] - mass[i]);
+    const double thrusts = uneven ? on_left[i + 1] - on_right[i] - strip.source[i] : on_left[i + 1] - on_left[i];
+    double discharge = from.q[i] - ratio * thrusts;
+    if (mean) depth = 0.5 * (old.h[i] + depth);
+    if (mean) discharge = 0.5 * (old.q[i] + discharge);
+    // x - x is 0 for finite numbers only; comparisons with NaN are false.
+    const double probe = (depth - depth) + (discharge - discharge);
+    bad += static_cast<long>(depth < -roundoff) + static_cast<long>(!(probe == 0));
+    depth = depth < 0 && !(depth < -roundoff) ? 0.0 : depth;
+    h[i] = depth;
+    q[i] = discharge;
+    // q/infinity = 0 in a dry cell: a select that vectorises, unlike a division under a condition.
+    u[i] = discharge / (depth > dry ? depth : std::numeric_limits<double>::infinity());
+    c[i] = std::sqrt(g * depth);
+  }
+  return bad;
+}
+
+SEICHE_SIMD_CLONES
+long update(bool uneven, bool mean, const Drying& drying, double ratio, const Strip& strip, const CellsView& from,
+            const CellsView& old, const CellsView& to) {
+  if (uneven && mean) return update<true, true>(drying, ratio, strip, from, old, to);
+  if (uneven) return update<true, false>(drying, ratio, strip, from, old, to);
+  if (mean) return update<false, true>(drying, ratio, strip, from, old, to);
+  return update<false, false>(drying, ratio, strip, from, old, to);
+}
+
+/// max(|u| + c) [m/s].
+SEICHE_SIMD_CLONES
+double fastest(const CellsView& cells, std::size_t n) {
+  // Independent maxima, one per lane: a single one would have to be found one cell after the other.
+  constexpr std::size_t lanes = 8;
+  std::array<double, lanes> most{};
+  std::size_t i = 0;
+  for (; i + lanes <= n; i += lanes) {
+    for (std::size_t k = 0; k < lanes; ++k) {
+      const double speed = std::abs(cells.u[i + k]) + cells.c[i + k];
+      most[k] = speed > most[k] ? speed : most[k];
+    }
+  }
+  for (; i < n; ++i) most[0] = std::max(most[0], std::abs(cells.u[i]) + cells.c[i]);
+  return *std::max_element(most.begin(), most.end());
 }
 
 }  // namespace
 
+std::string_view name(Scheme scheme) {
+  constexpr std::array<std::string_view, 4> names{"lax_friedrichs", "mac_cormack", "roe", "muscl_hll"};
+  return names[static_cast<std::size_t>(scheme)];
+}
+
 FiniteVolumeFlow::FiniteVolumeFlow(const Settings& settings, double start, double end, std::span<const double> depth,
                                    std::span<const double> discharge, const std::optional<Bed>& bed)
-    : settings_(settings),
-      start_(start),
-      dx_(checked_spacing(start, end, checked_cells(depth, discharge))),
-      n_(depth.size()),
-      bed_(bed_means(bed, start, dx_, n_, settings.left, settings.right)),
-      now_(n_),
-      blocks_(blocks_for(n_)),
-      seams_(seam_cells * blocks_.size()) {
+    : settings_(settings), start_(start), dx_((end - start) / static_cast<double>(depth.size())), n_(depth.size()) {
+  require_at_least("number of cells", static_cast<long>(n_), 4);
+  require_finite("start", start);
+  require_positive("end - start", end - start);
   require_positive("gravity", settings.gravity);
   require_within("viscosity", settings.viscosity, 1e-3, 1);
   require_within("theta", settings.theta, 1, 2);
   require_not_negative("manning", settings.manning);
   require_positive("dry_depth", settings.dry_depth);
-  check_end("left", settings.left);
-  check_end("right", settings.right);
+  for (const End& side : {settings.left, settings.right}) {
+    require_not_negative("depth of the inflow", side.state.depth);
+    require_finite("velocity of the inflow", side.state.velocity);
+    if (side.kind != End::Kind::inflow) continue;
+    const double celerity = shallow_water::celerity(settings.gravity, side.state.depth);
+    fastest_inflow_ = std::max(fastest_inflow_, std::abs(side.state.velocity) + celerity);
+  }
+  if (discharge.size() != n_) {
+    throw std::invalid_argument(fmt::format("discharge has {} cells: must have {} like depth", discharge.size(), n_));
+  }
   if (bed && settings.scheme != Scheme::muscl_hll) {
     throw std::invalid_argument(
         fmt::format("bed: scheme {} takes a flat bed only, use muscl_hll", name(settings.scheme)));
   }
+  for (Cells* cells : {&now_, &next_}) {
+    for (auto* row : {&cells->depth, &cells->discharge, &cells->velocity, &cells->celerity}) {
+      row->resize(n_ + 2 * ghosts);
+    }
+  }
+  const CellsView now = now_.from(0);
   for (std::size_t i = 0; i < n_; ++i) {
     require_not_negative("depth", depth[i]);
     require_finite("discharge", discharge[i]);
@@ -111,35 +234,32 @@ FiniteVolumeFlow::FiniteVolumeFlow(const Settings& settings, double start, doubl
       throw std::invalid_argument(
           fmt::format("discharge = {:.17g} is out of range: must be 0 where depth is 0", discharge[i]));
     }
-    now_.depth[i + ghosts] = depth[i];
-    now_.discharge[i + ghosts] = discharge[i];
+    now.h[i] = depth[i];
+    now.q[i] = discharge[i];
+    now.u[i] = depth[i] > settings.dry_depth ? discharge[i] / depth[i] : 0;
+    now.c[i] = shallow_water::celerity(settings.gravity, depth[i]);
     depth_scale_ = std::max(depth_scale_, depth[i]);
   }
-  update_primitives(settings_.gravity, settings_.dry_depth, n_, now_.view());
-  for (const End& inflow : {settings.left, settings.right}) {
-    if (inflow.kind != End::Kind::inflow) continue;
-    const double celerity = shallow_water::celerity(settings.gravity, inflow.state.depth);
-    fastest_inflow_ = std::max(fastest_inflow_, std::abs(inflow.state.velocity) + celerity);
+  if (bed) {  // means over the cells; beyond the ends as the ghosts have it
+    bed->validate(start, start + dx_ * static_cast<double>(n_));
+    bed_.resize(n_ + 2 * ghosts);
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double a = start + dx_ * static_cast<double>(i);
+      bed_[i + ghosts] = (bed->primitive(a + dx_) - bed->primitive(a)) / dx_;
+    }
+    for (std::size_t k = 0; k < ghosts; ++k) {
+      bed_[ghosts - 1 - k] = bed_[ghosts + (settings.left.kind == End::Kind::wall ? k : 0)];
+      bed_[n_ + ghosts + k] = bed_[n_ + ghosts - 1 - (settings.right.kind == End::Kind::wall ? k : 0)];
+    }
   }
-  fastest_ = std::max(fastest(n_, now_.view()), fastest_inflow_);
-  std::size_t most = 0;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    blocks_[b].begin = n_ * b / blocks_.size();
-    blocks_[b].end = n_ * (b + 1) / blocks_.size();
-    most = std::max(most, blocks_[b].end - blocks_[b].begin);
-  }
-  const int threads = n_ > linear::worth_threads ? omp_get_max_threads() : 1;
-  for (int k = 0; k < threads; ++k) workspaces_.emplace_back(most + 2 * ghosts, settings.scheme, bed.has_value());
+  reports_.resize(std::max<std::size_t>(1, n_ / least_of_a_strip));
+  fastest_ = std::max(fastest(now, n_), fastest_inflow_);
   initial_mass_ = mass();
   initial_momentum_ = momentum();
 }
 
 double FiniteVolumeFlow::courant_limit() const {
   return settings_.scheme == Scheme::lax_friedrichs ? std::sqrt(settings_.viscosity) : 1.0;
-}
-
-double FiniteVolumeFlow::courant_number(double tau) const {
-  return fastest_ * tau / dx_;
 }
 
 void FiniteVolumeFlow::step(double tau) {
@@ -152,21 +272,19 @@ void FiniteVolumeFlow::step(double tau) {
     if (steps_ == 0) throw std::invalid_argument(text);
     throw Divergence(text, time_, steps_, start_);
   }
-  largest_courant_ = std::max(largest_courant_, courant);
-
-  fill_ghosts(now_.view(), n_, true, true);
-  save_seams();
-  if (workspaces_.size() > 1) {
-    const auto threads = static_cast<int>(workspaces_.size());
-#pragma omp parallel for schedule(static) num_threads(threads)
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      advance(b, tau, workspaces_[static_cast<std::size_t>(omp_get_thread_num())]);
-    }
-  } else {
-    for (std::size_t b = 0; b < blocks_.size(); ++b) advance(b, tau, workspaces_.front());
+  fill_ghosts(now_.from(0), n_, true, true);
+  const std::size_t strips = reports_.size();
+  linear::share_out(strips, n_ > linear::worth_threads,
+                    [&](std::size_t k) { advance(n_ * k / strips, n_ * (k + 1) / strips, tau, reports_[k]); });
+  for (const Report& report : reports_) {
+    if (!report.broken) continue;
+    throw Divergence(fmt::format("cell {} of scheme {}: depth {} (tau = {:g})", *report.broken, name(settings_.scheme),
+                                 report.finite ? "became negative" : "or discharge is not finite", tau),
+                     time_, steps_, start_ + (static_cast<double>(*report.broken) + 0.5) * dx_);
   }
-  refuse_breakdown(tau);
   book(tau);
+  std::swap(now_, next_);
+  largest_courant_ = std::max(largest_courant_, courant);
   time_ += tau;
   ++steps_;
 }
@@ -174,23 +292,19 @@ void FiniteVolumeFlow::step(double tau) {
 long FiniteVolumeFlow::advance_to(double time, double courant) {
   require_finite("time", time);
   require_within("courant", courant, 1e-6, courant_limit());
-  if (time < time_) {
-    throw std::invalid_argument(fmt::format("time = {:.17g} is out of range: must not precede {:g}", time, time_));
-  }
+  require_not_negative("time from now on", time - time_);
   const long before = steps_;
   const double interval = time - time_;
   while (time_ < time) {
     const double per_second = courant_number(1);
     const double largest = per_second > 0 ? courant / per_second : time - time_;
     // Steps that shrink to a millionth of a millionth of the interval will never arrive.
-    if (!(largest > 1e-12 * interval))
+    if (!(largest > 1e-12 * interval)) {
       throw Divergence("admissible time step shrinks to nothing", time_, steps_, start_);
-    if (largest >= time - time_) {
-      step(time - time_);
-      time_ = time;
-    } else {
-      step(largest);
     }
+    const bool last = largest >= time - time_;
+    step(last ? time - time_ : largest);
+    if (last) time_ = time;
   }
   return steps_ - before;
 }
@@ -198,19 +312,14 @@ long FiniteVolumeFlow::advance_to(double time, double courant) {
 /// Beyond an end of the channel.
 void FiniteVolumeFlow::fill_ghosts(const CellsView& cells, std::size_t n, bool left, bool right) const {
   const auto fill = [&](const End& end, std::ptrdiff_t ghost, std::ptrdiff_t mirror, std::ptrdiff_t last) {
+    const bool held = end.kind == End::Kind::inflow;
     const std::ptrdiff_t from = end.kind == End::Kind::wall ? mirror : last;
     const double sign = end.kind == End::Kind::wall ? -1 : 1;
-    if (end.kind == End::Kind::inflow) {
-      cells.depth[ghost] = end.state.depth;
-      cells.discharge[ghost] = end.state.depth * end.state.velocity;
-      cells.velocity[ghost] = end.state.velocity;
-      cells.celerity[ghost] = shallow_water::celerity(settings_.gravity, end.state.depth);
-      return;
-    }
-    cells.depth[ghost] = cells.depth[from];
-    cells.discharge[ghost] = sign * cells.discharge[from];
-    cells.velocity[ghost] = sign * cells.velocity[from];
-    cells.celerity[ghost] = cells.celerity[from];
+    const auto [h, u] = end.state;
+    cells.h[ghost] = held ? h : cells.h[from];
+    cells.q[ghost] = held ? h * u : sign * cells.q[from];
+    cells.u[ghost] = held ? u : sign * cells.u[from];
+    cells.c[ghost] = held ? shallow_water::celerity(settings_.gravity, h) : cells.c[from];
   };
   const auto count = static_cast<std::ptrdiff_t>(n);
   for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(ghosts); ++k) {
@@ -219,164 +328,92 @@ void FiniteVolumeFlow::fill_ghosts(const CellsView& cells, std::size_t n, bool l
   }
 }
 
-/// Counted from the first cell of a block, from -reach to reach - 1.
-CellsView FiniteVolumeFlow::seam(std::size_t block) {
-  return seams_.view().from(static_cast<std::ptrdiff_t>(seam_cells * block) + reach);
-}
-
-void FiniteVolumeFlow::save_seams() {
-  for (std::size_t b = 1; b < blocks_.size(); ++b) {
-    copy(now_.view().from(static_cast<std::ptrdiff_t>(blocks_[b].begin) - reach), 2 * reach, seam(b).from(-reach));
+/// From the present state of the cells and of their neighbours to the next of [begin, end).
+void FiniteVolumeFlow::advance(std::size_t begin, std::size_t end, double tau, Report& report) {
+  Strip strip;  // NOLINT(cppcoreguidelines-pro-type-member-init): no number is read before it is written
+  strip.begin = begin;
+  strip.end = end;
+  report = {};
+  if (settings_.scheme != Scheme::muscl_hll) {
+    stage(strip, 0, begin, end, now_.from(begin), next_.from(begin), tau, report);
+  } else {
+    const bool at_left = begin == 0;
+    const bool at_right = end == n_;
+    const std::size_t first = at_left ? begin : begin - ghosts;
+    auto& [h, q, u, c] = strip.middle;
+    const CellsView middle{&h[ghosts], &q[ghosts], &u[ghosts], &c[ghosts]};
+    stage(strip, 0, first, at_right ? end : end + ghosts, now_.from(first), middle, tau, report);
+    fill_ghosts(middle, strip.n, at_left, at_right);
+    stage(strip, 1, begin, end, middle.from(static_cast<std::ptrdiff_t>(begin - first)), next_.from(begin), tau,
+          report);
   }
-}
-
-/// The cells [from, to) and two more at either side, as they were at the step's start. Counted from cell `from`.
-CellsView FiniteVolumeFlow::load(std::size_t block, std::size_t from, std::size_t to, Cells& into) {
-  const auto [begin, end] = std::pair(blocks_[block].begin, blocks_[block].end);
-  const auto n = static_cast<std::ptrdiff_t>(end - begin);
-  const auto before = static_cast<std::ptrdiff_t>(begin - from + ghosts);
-  const auto after = static_cast<std::ptrdiff_t>(to - end + ghosts);
-  const CellsView whole = now_.view();
-  const CellsView cells = into.view();
-  const CellsView own = cells.from(static_cast<std::ptrdiff_t>(begin - from));
-  copy(whole.from(static_cast<std::ptrdiff_t>(begin)), n, own);
-  copy((block > 0 ? seam(block) : whole).from(-before), before, own.from(-before));
-  copy(block + 1 < blocks_.size() ? seam(block + 1) : whole.from(static_cast<std::ptrdiff_t>(n_)), after, own.from(n));
-  return cells;
-}
-
-/// One step of a block. The first of two stages goes through the cells as well that the second one reaches.
-void FiniteVolumeFlow::advance(std::size_t number, double tau, Workspace& work) {
-  Block& block = blocks_[number];
-  const std::size_t n = block.end - block.begin;
-  const bool at_left = block.begin == 0;
-  const bool at_right = block.end == n_;
-  const std::size_t margin = (stages() - 1) * ghosts;
-  const std::size_t from = at_left ? 0 : block.begin - margin;
-  const std::size_t to = at_right ? n_ : block.end + margin;
-  const CellsView all = blocks_.size() > 1 ? load(number, from, to, work.cells) : now_.view();
-  const CellsView own = all.from(static_cast<std::ptrdiff_t>(block.begin - from));
-  const double ratio = tau / dx_;
-  if (stages() > 1) {
-    std::copy_n(own.depth, n, work.old_depth.data());
-    std::copy_n(own.discharge, n, work.old_discharge.data());
-  }
-  for (std::size_t stage = 0; stage < stages(); ++stage) {
-    const bool last = stage + 1 == stages();
-    const CellsView cells = last ? own : all;
-    const std::size_t first = last ? block.begin : from;
-    const std::size_t count = last ? n : to - from;
-    if (stage > 0) fill_ghosts(cells, count, at_left, at_right);
-    compute_fluxes(ratio, cells, first, count, work);
-    apply_fluxes(ratio, count, work.fluxes, cells);
-    // Heun: the mean of the old state and of two Euler steps.
-    if (stage > 0) average(work.old_depth.data(), work.old_discharge.data(), n, cells);
-    block.stages[stage] = booked(block, first, work.fluxes);
-    // A cell that empties is the difference of numbers of the size of the largest depth.
-    if (cut_negative(1e-13 * depth_scale_, count, cells) > 0) {
-      find_breakdown(block, first, cells, work.fluxes, block.stages[stage]);
-    }
-    update_primitives(settings_.gravity, settings_.dry_depth, count, cells);
-  }
-  if (settings_.manning > 0) {
+  const CellsView next = next_.from(begin);
+  for (std::size_t i = 0; settings_.manning > 0 && i < strip.n; ++i) {
+    // q' = q/(1 + tau g n^2 |u|/h^(4/3)): implicit in the discharge, so that shallow water comes to rest and not back.
+    const double h = next.h[i];
+    if (h <= settings_.dry_depth) continue;
     const double factor = tau * settings_.gravity * settings_.manning * settings_.manning;
-    block.friction = apply_friction(factor, settings_.dry_depth, n, own);
+    const double before = next.q[i];
+    next.q[i] = before / (1 + factor * std::abs(next.u[i]) / (h * std::cbrt(h)));
+    next.u[i] = next.q[i] / h;
+    report.friction += next.q[i] - before;
   }
-  block.fastest = fastest(n, own);
-  if (blocks_.size() > 1) {
-    copy(own, static_cast<std::ptrdiff_t>(n), now_.view().from(static_cast<std::ptrdiff_t>(block.begin)));
-  }
+  report.fastest = fastest(next, strip.n);
 }
 
-/// Of n cells, the channel's from `first` on.
-void FiniteVolumeFlow::compute_fluxes(double ratio, const CellsView& cells, std::size_t first, std::size_t n,
-                                      Workspace& work) const {
-  switch (settings_.scheme) {
-    case Scheme::lax_friedrichs:
-      lax_friedrichs_fluxes(settings_.gravity, settings_.viscosity, ratio, cells, n, work.fluxes);
-      break;
-    case Scheme::mac_cormack:
-      work.mac_cormack(settings_.gravity, ratio, cells, n, work.fluxes);
-      break;
-    case Scheme::roe:
-      roe_fluxes(settings_.gravity, cells, n, work.fluxes);
-      break;
-    case Scheme::muscl_hll:
-      work.muscl_hll(settings_.gravity, settings_.theta, cells, bed_.empty() ? nullptr : bed_.data() + ghosts + first,
-                     n, work.fluxes);
-      break;
+/// One of Euler's steps of the cells [first, last), the views counting from `first`; the second is the mean of it and
+/// of the present state.
+void FiniteVolumeFlow::stage(Strip& strip, std::size_t number, std::size_t first, std::size_t last,
+                             const CellsView& from, const CellsView& to, double tau, Report& report) {
+  const double ratio = tau / dx_;
+  const bool uneven = !bed_.empty();
+  strip.n = last - first;
+  if (settings_.scheme == Scheme::muscl_hll) {
+    reconstruct(settings_.theta, from, uneven ? &bed_[first + ghosts] : nullptr, strip);
+    hll_fluxes(settings_.gravity, uneven, strip);
+  } else {
+    classical_fluxes(settings_, ratio, from, strip);
   }
+  auto& [mass, on_left, own_right] = strip.faces;
   // A wall passes no mass: zero by symmetry in every scheme, and here to the last bit.
-  if (first == 0 && settings_.left.kind == End::Kind::wall) work.fluxes.mass[0] = 0;
-  if (first + n == n_ && settings_.right.kind == End::Kind::wall) work.fluxes.mass[n] = 0;
-}
+  if (first == 0 && settings_.left.kind == End::Kind::wall) mass[0] = 0;
+  if (last == n_ && settings_.right.kind == End::Kind::wall) mass[strip.n] = 0;
 
-/// What a stage books of fluxes that count from cell `first` on.
-FiniteVolumeFlow::Stage FiniteVolumeFlow::booked(const Block& block, std::size_t first, const Fluxes& fluxes) const {
-  const std::size_t begin = block.begin - first;
-  const std::size_t end = block.end - first;
-  const std::vector<double>& on_left = fluxes.momentum;
-  const std::vector<double>& on_right = bed_.empty() ? on_left : fluxes.momentum_right;
-  Stage stage{.mass_first = fluxes.mass[begin],
-              .mass_last = fluxes.mass[end],
-              .thrust_first = on_right[begin],
-              .thrust_last = on_left[end]};
-  if (!bed_.empty()) {
+  const auto& on_right = uneven ? own_right : on_left;
+  const std::size_t begin = strip.begin - first;
+  const std::size_t end = strip.end - first;
+  Report::Stage& passed = report.stages[number];
+  passed = {mass[begin], mass[end], on_right[begin], on_left[end], 0};
+  if (uneven) {
     // The bed acts through the sources and through the steps of the hydrostatic reconstruction at inner faces.
-    for (std::size_t i = begin; i < end; ++i) stage.reaction += fluxes.source[i];
-    for (std::size_t k = block.begin == 0 ? 1 : begin; k < end; ++k) stage.reaction += on_right[k] - on_left[k];
+    for (std::size_t i = begin; i < end; ++i) passed.reaction += strip.source[i];
+    for (std::size_t k = strip.begin == 0 ? 1 : begin; k < end; ++k) passed.reaction += on_right[k] - on_left[k];
   }
-  return stage;
-}
-
-void FiniteVolumeFlow::find_breakdown(const Block& block, std::size_t first, const CellsView& cells,
-                                      const Fluxes& fluxes, Stage& stage) const {
-  stage.broken = true;
-  for (std::size_t i = block.begin - first; i < block.end - first; ++i) {
-    // Negative depths were cut before: what is found is the first cell whose update explains one.
-    const bool finite = std::isfinite(cells.depth[i]) && std::isfinite(cells.discharge[i]);
-    if (finite && !(cells.depth[i] == 0 && fluxes.mass[i + 1] - fluxes.mass[i] > 0)) continue;
-    stage.where = first + i;
-    stage.finite = finite;
-    return;
-  }
-}
-
-void FiniteVolumeFlow::refuse_breakdown(double tau) const {
-  for (std::size_t k = 0; k < stages(); ++k) {
-    bool broken = false;
-    for (const Block& block : blocks_) {
-      const Stage& stage = block.stages[k];
-      broken = broken || stage.broken;
-      if (!stage.where) continue;
-      throw Divergence(fmt::format("cell {} of scheme {}: depth {} (tau = {:g})", *stage.where, name(settings_.scheme),
-                                   stage.finite ? "became negative" : "or discharge is not finite", tau),
-                       time_, steps_, centre(*stage.where));
-    }
-    if (broken) {
-      throw Divergence(fmt::format("depth of scheme {} became negative", name(settings_.scheme)), time_, steps_,
-                       start_);
-    }
+  const Drying drying{settings_.gravity, settings_.dry_depth, 1e-13 * depth_scale_};
+  if (update(uneven, number > 0, drying, ratio, strip, from, now_.from(first), to) == 0) return;
+  for (std::size_t i = begin; i < end && !report.broken; ++i) {
+    report.finite = std::isfinite(to.h[i]) && std::isfinite(to.q[i]);
+    if (!report.finite || to.h[i] < 0) report.broken = first + i;
   }
 }
 
 void FiniteVolumeFlow::book(double tau) {
-  const double part = tau / static_cast<double>(stages());
-  for (std::size_t k = 0; k < stages(); ++k) {
-    const Stage& left = blocks_.front().stages[k];
-    const Stage& right = blocks_.back().stages[k];
-    mass_left_.add(part * left.mass_first);
-    mass_right_.add(-part * right.mass_last);
-    impulse_left_.add(part * left.thrust_first);
-    impulse_right_.add(-part * right.thrust_last);
-    if (!bed_.empty()) {
-      for (const Block& block : blocks_) impulse_bed_.add(part * block.stages[k].reaction);
-    }
+  const std::size_t stages = settings_.scheme == Scheme::muscl_hll ? 2 : 1;
+  const double part = tau / static_cast<double>(stages);
+  auto& [mass_left, mass_right, impulse_left, impulse_right, impulse_bed, impulse_friction] = booked_;
+  for (std::size_t k = 0; k < stages; ++k) {
+    const Report::Stage& left = reports_.front().stages[k];
+    const Report::Stage& right = reports_.back().stages[k];
+    mass_left.add(part * left.mass_first);
+    mass_right.add(-part * right.mass_last);
+    impulse_left.add(part * left.thrust_first);
+    impulse_right.add(-part * right.thrust_last);
+    for (const Report& report : reports_) impulse_bed.add(part * report.stages[k].reaction);
   }
   fastest_ = fastest_inflow_;
-  for (const Block& block : blocks_) {
-    if (settings_.manning > 0) impulse_friction_.add(block.friction * dx_);
-    fastest_ = std::max(fastest_, block.fastest);
+  for (const Report& report : reports_) {
+    impulse_friction.add(report.friction * dx_);
+    fastest_ = std::max(fastest_, report.fastest);
   }
 }
 
@@ -386,39 +423,25 @@ std::vector<double> FiniteVolumeFlow::edges() const {
   return faces;
 }
 
-std::span<const double> FiniteVolumeFlow::bed() const {
-  return bed_.empty() ? std::span<const double>() : std::span<const double>(bed_.data() + ghosts, n_);
-}
-
-double FiniteVolumeFlow::mass() const {
-  return dx_ * sum(n_, [&](std::size_t i) { return now_.depth[i + ghosts]; });
-}
-
-double FiniteVolumeFlow::momentum() const {
-  return dx_ * sum(n_, [&](std::size_t i) { return now_.discharge[i + ghosts]; });
-}
-
-double FiniteVolumeFlow::energy() const {
-  return dx_ * sum(n_, [&](std::size_t i) {
-           const double h = now_.depth[i + ghosts];
-           const double u = now_.velocity[i + ghosts];
-           const double z = bed_.empty() ? 0.0 : bed_[i + ghosts];
-           return 0.5 * h * u * u + settings_.gravity * h * (0.5 * h + z);
-         });
+double FiniteVolumeFlow::sum(std::span<const double> values) {
+  CompensatedSum total;
+  for (const double value : values) total.add(value);
+  return total.value();
 }
 
 Ledger FiniteVolumeFlow::ledger() const {
-  return {mass_left_.value(),     mass_right_.value(),  impulse_left_.value(),
-          impulse_right_.value(), impulse_bed_.value(), impulse_friction_.value()};
+  return {booked_[0].value(), booked_[1].value(), booked_[2].value(),
+          booked_[3].value(), booked_[4].value(), booked_[5].value()};
 }
 
 double FiniteVolumeFlow::mass_defect() const {
-  return mass() - initial_mass_ - mass_left_.value() - mass_right_.value();
+  return mass() - initial_mass_ - booked_[0].value() - booked_[1].value();
 }
 
 double FiniteVolumeFlow::momentum_defect() const {
-  return momentum() - initial_momentum_ - impulse_left_.value() - impulse_right_.value() - impulse_bed_.value() -
-         impulse_friction_.value();
+  double defect = momentum() - initial_momentum_;
+  for (std::size_t k = 2; k < booked_.size(); ++k) defect -= booked_[k].value();
+  return defect;
 }
 
 }  // namespace seiche::shallow_water_finite_volume

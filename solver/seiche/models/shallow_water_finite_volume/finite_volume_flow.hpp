@@ -1,33 +1,40 @@
 /// Shallow water on a fixed grid of n equal cells by one of four finite-volume schemes: the peers that particle methods
 /// are measured against.
 ///
-/// @f[ U_i^{n+1} = U_i^n - \frac{\tau}{\Delta x} (F_{i+1} - F_i) + \frac{\tau}{\Delta x} S_i, \qquad U = (h, h u) @f]
+/// @f[ U_i^{n+1} = U_i^n - \frac{\tau}{\Delta x} (F_{i+1} - F_i) + \frac{\tau}{\Delta x} S_i, \qquad U = (h, q = h u)
+/// @f]
+///
+///     lax_friedrichs   F = (F_L + F_R)/2 - nu dx/(2 tau) (U_R - U_L)
+///     mac_cormack      F = (F(U_R) + F(U*_L))/2 - entropy correction, U* the forward predictor
+///     roe              F = (F_L + F_R)/2 - (1/2) sum psi(lam_k) alpha_k r_k
+///     muscl_hll        HLL flux of limited edge values, hydrostatic reconstruction over a bed, Heun's step in time
 ///
 /// Mass and momentum that pass the ends, and the impulses of bed and friction, are booked: what is left over is
-/// round-off.
-///
-/// A step goes through the channel block by block, each small enough to stay near the core for all of the step. A block
-/// takes its neighbours as they were before: every number is the same as in one piece, with any number of threads.
+/// round-off. A step that fails leaves the flow as it was. Results do not depend on the number of threads.
 ///
 /// When not to use it: dispersive waves; MacCormack on a dry bed (it breaks down with seiche::Divergence); any scheme
 /// but muscl_hll on an uneven bed (refused). Lax-Friedrichs at a small Courant number: its viscosity is of the size
 /// dx^2/tau.
 ///
-/// References: fluxes.hpp.
+/// References: Toro, Shock-capturing methods for free-surface shallow flows (2001); Harten and Hyman, J. Comput. Phys.
+/// 50 (1983) 235; Einfeldt, SIAM J. Numer. Anal. 25 (1988) 294; Audusse et al., SIAM J. Sci. Comput. 25 (2004) 2050;
+/// Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, section 7.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/geometry/bed.hpp"
-#include "seiche/models/shallow_water_finite_volume/fluxes.hpp"
-#include "seiche/models/shallow_water_finite_volume/scheme.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::shallow_water_finite_volume {
+
+enum class Scheme { lax_friedrichs, mac_cormack, roe, muscl_hll };
+std::string_view name(Scheme scheme);
 
 /// What lies beyond an end of the channel.
 struct End {
@@ -54,12 +61,21 @@ struct Ledger {
   double impulse_friction = 0;  ///< friction
 };
 
+/// Where cells are: h [m], q [m^2/s], u, 0 below the dry depth, and c = sqrt(g h) [m/s]. Cell i is entry i; ghosts and
+/// neighbours lie before and behind.
+struct CellsView {
+  double *h, *q, *u, *c;
+  [[nodiscard]] CellsView from(std::ptrdiff_t i) const { return {h + i, q + i, u + i, c + i}; }
+};
+inline constexpr std::size_t ghosts = 2;  ///< at either end, and the reach of a stage in cells
+struct Strip;
+
 class FiniteVolumeFlow {
  public:
   struct Settings {
     Scheme scheme = Scheme::muscl_hll;
     double gravity = 9.81;
-    double viscosity = 0.9;    ///< nu of Lax-Friedrichs, in (0, 1]
+    double viscosity = 0.9;    ///< nu of Lax-Friedrichs, in [0.001, 1]
     double theta = 1.5;        ///< limiter of muscl_hll, in [1, 2]
     double manning = 0;        ///< Manning's n [s/m^(1/3)], semi-implicit
     double dry_depth = 1e-12;  ///< below it the velocity counts as 0 [m]
@@ -82,7 +98,7 @@ class FiniteVolumeFlow {
   long advance_to(double time, double courant = 0.4);
 
   /// max(|u| + c) tau/dx of the present state and of what flows in.
-  [[nodiscard]] double courant_number(double tau) const;
+  [[nodiscard]] double courant_number(double tau) const { return fastest_ * tau / dx_; }
   /// Largest Courant number of a stable step: 1; sqrt(viscosity) for Lax-Friedrichs.
   [[nodiscard]] double courant_limit() const;
   /// Largest Courant number of any step so far.
@@ -91,91 +107,59 @@ class FiniteVolumeFlow {
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] long steps() const { return steps_; }
   [[nodiscard]] std::size_t cells() const { return n_; }
-  [[nodiscard]] double spacing() const { return dx_; }
-  [[nodiscard]] double centre(std::size_t i) const { return start_ + (static_cast<double>(i) + 0.5) * dx_; }
   /// The n + 1 faces [m].
   [[nodiscard]] std::vector<double> edges() const;
-  [[nodiscard]] std::span<const double> depth() const { return {now_.depth.data() + ghosts, n_}; }
-  [[nodiscard]] std::span<const double> discharge() const { return {now_.discharge.data() + ghosts, n_}; }
-  [[nodiscard]] std::span<const double> velocity() const { return {now_.velocity.data() + ghosts, n_}; }
-  /// Mean bed elevation of each cell; empty on a flat bed.
-  [[nodiscard]] std::span<const double> bed() const;
-  [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] std::span<const double> depth() const { return inner(now_.depth); }
+  [[nodiscard]] std::span<const double> discharge() const { return inner(now_.discharge); }
+  [[nodiscard]] std::span<const double> velocity() const { return inner(now_.velocity); }
 
-  [[nodiscard]] double mass() const;      ///< [m^2]
-  [[nodiscard]] double momentum() const;  ///< [m^3/s]
-  [[nodiscard]] double energy() const;    ///< of the cell means, sum dx (h u^2/2 + g h^2/2 + g h z) [m^4/s^2]
+  [[nodiscard]] double mass() const { return dx_ * sum(depth()); }          ///< [m^2]
+  [[nodiscard]] double momentum() const { return dx_ * sum(discharge()); }  ///< [m^3/s]
   [[nodiscard]] Ledger ledger() const;
   /// What the ledger does not explain: present minus initial minus booked.
   [[nodiscard]] double mass_defect() const;
   [[nodiscard]] double momentum_defect() const;
 
  private:
-  /// What a block needs for a step, one for each thread.
-  struct Workspace {
-    Workspace(std::size_t most, Scheme scheme, bool uneven)
-        : cells(most),
-          old_depth(most),
-          old_discharge(most),
-          fluxes(most, uneven),
-          mac_cormack(scheme == Scheme::mac_cormack ? most : 0),
-          muscl_hll(scheme == Scheme::muscl_hll ? most : 0, uneven) {}
-
-    Cells cells;
-    std::vector<double> old_depth, old_discharge;  // of the step's start, for Heun's mean
-    Fluxes fluxes;
-    MacCormackFluxes mac_cormack;
-    MusclHllFluxes muscl_hll;
+  struct Cells {  // with ghosts
+    std::vector<double> depth, discharge, velocity, celerity;
+    [[nodiscard]] CellsView from(std::size_t i) {
+      i += ghosts;
+      return {&depth[i], &discharge[i], &velocity[i], &celerity[i]};
+    }
+  };
+  /// What a strip of cells reports of a step: for each stage what passed its first and last face and the reaction of
+  /// its bed, then the change of its discharges by friction, and the first cell that broke down.
+  struct Report {
+    struct Stage {
+      double mass_first, mass_last, thrust_first, thrust_last, reaction;
+    };
+    std::array<Stage, 2> stages{};
+    double friction = 0, fastest = 0;
+    std::optional<std::size_t> broken;
+    bool finite = true;  // there
   };
 
-  /// What passed a block's first and last face in a stage of a step, the reaction of its bed, and what broke down.
-  struct Stage {
-    double mass_first = 0, mass_last = 0, thrust_first = 0, thrust_last = 0;
-    double reaction = 0;
-    bool broken = false;
-    std::optional<std::size_t> where = {};
-    bool finite = true;  ///< there
-  };
-
-  struct Block {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-    std::array<Stage, 2> stages;
-    double friction = 0;  ///< change of the discharges' sum
-    double fastest = 0;
-  };
-
-  [[nodiscard]] std::size_t stages() const { return settings_.scheme == Scheme::muscl_hll ? 2 : 1; }
+  [[nodiscard]] std::span<const double> inner(const std::vector<double>& all) const {
+    return {all.data() + ghosts, n_};
+  }
+  static double sum(std::span<const double> values);
   void fill_ghosts(const CellsView& cells, std::size_t n, bool left, bool right) const;
-  void save_seams();
-  [[nodiscard]] CellsView seam(std::size_t block);
-  [[nodiscard]] CellsView load(std::size_t block, std::size_t from, std::size_t to, Cells& into);
-  void advance(std::size_t block, double tau, Workspace& work);
-  void compute_fluxes(double ratio, const CellsView& cells, std::size_t first, std::size_t n, Workspace& work) const;
-  [[nodiscard]] Stage booked(const Block& block, std::size_t first, const Fluxes& fluxes) const;
-  void find_breakdown(const Block& block, std::size_t first, const CellsView& cells, const Fluxes& fluxes,
-                      Stage& stage) const;
-  void refuse_breakdown(double tau) const;
+  void advance(std::size_t begin, std::size_t end, double tau, Report& report);
+  void stage(Strip& strip, std::size_t number, std::size_t first, std::size_t last, const CellsView& from,
+             const CellsView& to, double tau, Report& report);
   void book(double tau);
 
   Settings settings_;
-  double start_;
-  double dx_;
+  double start_, dx_;
   std::size_t n_;
-  std::vector<double> bed_;  // with ghosts; empty if flat
-  Cells now_;
-  std::vector<Block> blocks_;
-  Cells seams_;  // what lies before and behind each block but the first, as it was at the step's start
-  std::vector<Workspace> workspaces_;
-  CompensatedSum mass_left_, mass_right_, impulse_left_, impulse_right_, impulse_bed_, impulse_friction_;
-  double depth_scale_ = 0;
-  double fastest_ = 0;         // |u| + c
-  double fastest_inflow_ = 0;  // of the states beyond ends
-  double initial_mass_ = 0;
-  double initial_momentum_ = 0;
-  double time_ = 0;
+  std::vector<double> bed_;  // cell means, with ghosts; empty if flat
+  Cells now_, next_;
+  std::vector<Report> reports_;           // of the strips
+  std::array<CompensatedSum, 6> booked_;  // in the order of the Ledger
+  double depth_scale_ = 0, fastest_inflow_ = 0, fastest_ = 0, initial_mass_ = 0, initial_momentum_ = 0;
+  double time_ = 0, largest_courant_ = 0;
   long steps_ = 0;
-  double largest_courant_ = 0;
 };
 
 }  // namespace seiche::shallow_water_finite_volume
