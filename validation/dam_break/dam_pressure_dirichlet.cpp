@@ -78,7 +78,7 @@ struct Pressure {
 
 Pressure pressure_of(const Values& values, const ReleasedColumn& exact, long ny, double stabilisation) {
   Pressure pressure{.mesh = column(values, ny), .values = {}};
-  dirichlet_mesh::Model model(pressure.mesh, {.stabilisation = stabilisation, .solver = linear::RingMethod::direct});
+  dirichlet_mesh::Model model(pressure.mesh, {.stabilisation = stabilisation});
   pressure.values = dirichlet_mesh::pressure_of_release(model, model.state());
   const Mesh& mesh = pressure.mesh;
   const double height = values.real("height");

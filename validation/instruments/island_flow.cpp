@@ -111,7 +111,7 @@ Velocity ConicalIsland::velocity(double x, double) const {
 }
 
 dispersive_shallow_water_2d::Settings ConicalIsland::model_settings() const {
-  return {.gravity = gravity, .solver = linear::NinePointMethod::banded, .drag = settings_.drag};
+  return {.gravity = gravity, .solver = linear::SolverMethod::banded, .drag = settings_.drag};
 }
 
 Flow ConicalIsland::flow() const {

@@ -70,7 +70,7 @@ PlanMode::Eigenvalue PlanMode::eigenvalue() const {
   Model model(lattice(), {.gravity = tank_.gravity,
                           .inertia = tank_.inertia,
                           .gamma = tank_.gamma,
-                          .solver = linear::NinePointMethod::sparse});
+                          .solver = linear::SolverMethod::banded});
   const Lattice& first = model.lattice();
   const mechanics::State rest = model.state();
   const std::size_t n = model.nodes();

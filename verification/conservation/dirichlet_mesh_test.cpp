@@ -21,14 +21,13 @@ using seiche::evidence::Roundoff;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 5.2";
 
 /// A free rectangle of 153 nodes without gravity, sheared, turned and bent by its first velocity.
-Flow moving_patch(double stabilisation, double drift_feedback = 0,
-                  linear::RingMethod solver = linear::RingMethod::automatic) {
+Flow moving_patch(double stabilisation, double drift_feedback = 0) {
   const auto velocity = [](Point r) {
     return Point{0.4 * r.x - 0.7 * r.y + 0.1 * std::sin(2 * r.y) + 0.3,
                  0.5 * r.x - 0.4 * r.y + 0.1 * std::cos(3 * r.x) - 0.2};
   };
   return Flow(jittered(free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1), velocity,
-              {.gravity = 0, .stabilisation = stabilisation, .solver = solver}, drift_feedback);
+              {.gravity = 0, .stabilisation = stabilisation}, drift_feedback);
 }
 
 /// Its ledger after t = 0.6, and the flow.
@@ -109,12 +108,11 @@ TEST_CASE("a free patch of Dirichlet cells keeps mass, momenta and energy over f
   struct Patch {
     std::string id, what;
     double stabilisation, feedback, tau;
-    linear::RingMethod solver = linear::RingMethod::direct;
   };
   for (const Patch& p :
        {Patch{"plain", "without stabilisation", 0, 0, 0.01}, Patch{"stabilised", "stabilised", 0.1, 0, 0.01},
         Patch{"fed-back", "stabilised, drift fed back", 0.1, 0.2, 0.01}}) {
-    const Flow flow = run(moving_patch(p.stabilisation, p.feedback, p.solver), p.tau);
+    const Flow flow = run(moving_patch(p.stabilisation, p.feedback), p.tau);
     const auto& ledger = flow.ledger();
     const auto steps = static_cast<double>(flow.steps());
     keeps(p.id + "-mass", p.what + ": mass.", ledger.largest_defect("mass"), steps);
@@ -159,19 +157,6 @@ TEST_CASE("a free patch of Dirichlet cells keeps mass, momenta and energy over f
                  evidence::Qualitative{"more than a millionth", "otherwise the balance would show nothing"});
     }
   }
-  const Flow iterated = run(moving_patch(0.1, 0, linear::RingMethod::iterative), 0.02);
-  check.that({.id = "iterative-energy",
-              .text = "Conjugate gradients: energy and what was booked.",
-              .quantity = "largest defect",
-              .source = source},
-             {.value = iterated.ledger().largest_defect("energy"), .resolution = "tolerance 1e-13"},
-             Bound{1e-11, "each of 30 steps errs by the tolerance times the work of the multipliers, at most 1"});
-  check.that({.id = "iterative-momentum",
-              .text = "Conjugate gradients: momenta, whatever the tolerance.",
-              .quantity = "largest defect",
-              .source = source},
-             {.value = iterated.ledger().largest_defect("momentum")},
-             Roundoff{.operations = 2 * coordinates + 300, .scale = 1, .reason = "as for the direct solver"});
 }
 
 TEST_CASE("areas of Dirichlet cells drift by the square of the step, as does energy under gravity", "[conservation]") {

@@ -77,7 +77,7 @@ plan::Flow plan_flow(const Slope& slope, std::size_t rows, Stepping stepping, bo
       [=](double x, double y) {
         return along_y ? plan::Velocity{0, jet(y), 0} : plan::Velocity{jet(x), 0, 0};
       },
-      {.stepping = stepping}, {.solver = linear::NinePointMethod::banded}, {}, {}, false);
+      {.stepping = stepping}, {.solver = linear::SolverMethod::banded}, {}, {}, false);
 }
 
 /// Largest difference of a coordinate or velocity, and of what is across the channel from nothing.

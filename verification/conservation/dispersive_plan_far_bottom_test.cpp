@@ -40,7 +40,7 @@ Flow basin() {
                       double y) { return 0.05 * std::exp(-2 * ((x - begin) * (x - begin) + (y - 1) * (y - 1))); },
       .bottom = surveyed_bottom()};
   return Flow(rectangular_lattice(rectangle), {}, {.stepping = mechanics::Stepping::conservative},
-              {.solver = linear::NinePointMethod::banded});
+              {.solver = linear::SolverMethod::banded});
 }
 
 TEST_CASE("conservative steps settle over a surveyed bottom far from where its integral begins", "[conservation]") {

@@ -20,7 +20,7 @@ using seiche::Largest;
 using seiche::worst;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
-using seiche::linear::NinePointMethod;
+using seiche::linear::SolverMethod;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 1 and 4.2";
 
@@ -61,7 +61,7 @@ TEST_CASE("water in plan that no side holds keeps its horizontal momenta to roun
   for (const bool stands : {true, false}) {
     const std::string where = stands ? "standing" : "in-still-water";
     for (const double tolerance : {1e-6, 1e-13}) {
-      PlanProblem problem = free_blob(stands, {.solver = NinePointMethod::iterative, .tolerance = tolerance});
+      PlanProblem problem = free_blob(stands, {.solver = SolverMethod::iterative, .tolerance = tolerance});
       const InvariantsLedger ledger = run(problem, {});
       const std::string id = where + (tolerance == 1e-6 ? "-loose-" : "-tight-");
       const auto keeps = [&](const std::string& what, double value, double arm) {
@@ -79,7 +79,7 @@ TEST_CASE("water in plan that no side holds keeps its horizontal momenta to roun
                       ledger.entry(name).largest_defect / ledger.entry(name).initial);
       }
     }
-    PlanProblem problem = free_blob(stands, {.solver = NinePointMethod::banded});
+    PlanProblem problem = free_blob(stands, {.solver = SolverMethod::banded});
     const InvariantsLedger ledger = run(problem, {.stepping = Stepping::conservative});
     const auto keeps = [&](const std::string& what, double value, const Roundoff& criterion) {
       check.that({.id = where + "-conservative-" + what,
@@ -122,7 +122,7 @@ TEST_CASE("without gravity the plan model keeps its kinetic energy in a box", "[
                           return Velocity{0.3 * std::sin(k * x) * std::cos(k * y) + 0.1 * std::sin(2 * k * x),
                                           -0.3 * std::cos(k * x) * std::sin(k * y), 0};
                         },
-                        {.gravity = 0, .solver = NinePointMethod::iterative, .tolerance = tolerance});
+                        {.gravity = 0, .solver = SolverMethod::iterative, .tolerance = tolerance});
     const InvariantsLedger ledger = run(problem, {});
     const double relative = ledger.entry("energy").largest_defect / ledger.entry("energy").initial;
     if (tolerance > 1e-12) {
@@ -156,7 +156,7 @@ TEST_CASE("the plan model returns when its velocities are reversed", "[conservat
   for (const Way& way : {Way{"level", plan_hump_in_box(), {}},
                          Way{"level-conservative", plan_hump_in_box(), {.stepping = Stepping::conservative}},
                          Way{"bump-conservative", hump_over_bump(), {.stepping = Stepping::conservative}}}) {
-    PlanProblem problem(way.lattice, {}, {.solver = NinePointMethod::sparse});
+    PlanProblem problem(way.lattice, {}, {.solver = SolverMethod::banded});
     SchemeStepper<Model> stepper(problem.model, way.scheme);
     State state = problem.start;
     const auto run_and_turn = [&] {
@@ -184,7 +184,7 @@ TEST_CASE("the plan model's volumes have no rates at the middle of a step", "[co
               "The mean velocity of a step, $\\tilde u$, changes no volume at the step's middle: $J(\\tilde q) \\tilde "
               "u = 0$ to the solver's tolerance, relative to the right-hand side of its system.");
   for (const double tolerance : {1e-6, 1e-10}) {
-    PlanProblem problem(plan_hump_in_box(), {}, {.solver = NinePointMethod::iterative, .tolerance = tolerance});
+    PlanProblem problem(plan_hump_in_box(), {}, {.solver = SolverMethod::iterative, .tolerance = tolerance});
     OneStep<Model> stepper(problem.model);
     State state = problem.start;
     Largest worst;

@@ -59,8 +59,8 @@ plan::Flow plan_flow(std::size_t rows, Stepping stepping, bool along_y, double g
       [=](double x, double y) {
         return along_y ? plan::Velocity{0, velocity(y), 0} : plan::Velocity{velocity(x), 0, 0};
       },
-      {.stepping = stepping}, {.inertia = 1.0 / 3 + gamma, .gamma = gamma, .solver = linear::NinePointMethod::banded},
-      {}, {}, false);
+      {.stepping = stepping}, {.inertia = 1.0 / 3 + gamma, .gamma = gamma, .solver = linear::SolverMethod::banded}, {},
+      {}, false);
 }
 
 TEST_CASE("waves of the plan model along one axis are those of the one-dimensional model", "[conservation]") {

@@ -115,7 +115,7 @@ TEST_CASE("loosely solved pressures: momenta of a free patch exact, energy chang
                {.value = d.momentum, .resolution = "1000 steps"}, rounding(1.5));
   }
   for (const double tolerance : {1e-13, 1e-10, 1e-6}) {
-    const Settings settings{.gravity = 0, .solver = seiche::linear::NinePointMethod::iterative, .tolerance = tolerance};
+    const Settings settings{.gravity = 0, .solver = seiche::linear::SolverMethod::iterative, .tolerance = tolerance};
     const auto velocity = [](Point r) { return Point{0.3 * std::sin(std::numbers::pi * r.x / 3), 0.1 * r.y}; };
     MeshProblem problem(layer_mesh({.begin = 0, .end = 6, .columns = 16, .rows = 4, .elevation = cosine_elevation}),
                         velocity, settings);

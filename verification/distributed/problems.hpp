@@ -210,7 +210,7 @@ inline Outcome shared_out(const Problem& problem, double tolerance,
 /// On one process, with the direct solver of its model.
 inline Outcome alone(const Problem& problem, mechanics::Stepping stepping = mechanics::Stepping::one_step) {
   plan::Settings settings = problem.settings;
-  settings.solver = linear::NinePointMethod::banded;
+  settings.solver = linear::SolverMethod::banded;
   plan::Flow flow(problem.lattice, problem.velocity, {.stepping = stepping}, settings, {}, problem.window,
                   problem.smooth_start);
   const double first_energy = flow.energy();

@@ -60,7 +60,7 @@ TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]")
   linear::NinePointMatrix nine(columns, rows);
   for (double& value : nine.own.values()) value = 1;
   left += left_by([&] {
-    nine.multiply(x, y);
+    nine.multiply_and_dot(x, y);
     return copy(y);
   });
   linear::TwentySevenPointMatrix twenty_seven(columns, rows, 1);
@@ -78,7 +78,7 @@ TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]")
     namespace plan = dispersive_shallow_water_2d;
     plan::Model model(plan::rectangular_lattice(
                           {.begin = 0, .end = columns, .south = 0, .north = rows, .columns = columns, .rows = rows}),
-                      {.solver = linear::NinePointMethod::iterative});
+                      {.solver = linear::SolverMethod::iterative});
     model.linearise({}, model.state().q);
     const std::vector<double> u(model.rates(), tiny);
     left += left_by([&] {
@@ -90,7 +90,7 @@ TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]")
   {
     namespace mesh = lagrangian_mesh_2d;
     mesh::Model model(mesh::layer_mesh({.begin = 0, .end = columns, .depth = rows, .columns = columns, .rows = rows}),
-                      {.solver = linear::NinePointMethod::iterative});
+                      {.solver = linear::SolverMethod::iterative});
     model.linearise({}, model.state().q);
     std::vector<double> u(model.rates());
     for (std::size_t i = 0; i < u.size(); ++i) u[i] = i % 3 == 0 ? tiny : 0;

@@ -1,4 +1,4 @@
-// Matrices of lattices beside the dense matrices that they stand for, and the sparse solvers of both.
+// Matrices of lattices beside the dense matrices that they stand for, and the banded solver.
 #include <cmath>
 #include <limits>
 #include <random>
@@ -8,10 +8,9 @@
 #include <Eigen/Dense>
 
 #include "seiche/linear/conjugate_gradients.hpp"
+#include "seiche/linear/constraint_solver.hpp"
 #include "seiche/linear/nine_point_matrix.hpp"
-#include "seiche/linear/nine_point_solver.hpp"
 #include "seiche/linear/twenty_seven_point_matrix.hpp"
-#include "seiche/linear/twenty_seven_point_solver.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
@@ -144,7 +143,7 @@ double largest_residual(const Shape& shape, Matrix (*matrix_of)(const Shape&, co
 TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[linear]") {
   Check check("lattice_matrices", "Matrices of lattices against dense ones",
               "Random couplings of all neighbours, filled in by their place in the lattice: products, scalar products "
-              "and single coefficients against a dense matrix, solutions of the sparse solvers by their residual.");
+              "and single coefficients against a dense matrix, solutions of the banded solver by their residual.");
   const std::string source = "the layouts stated in nine_point_matrix.hpp and twenty_seven_point_matrix.hpp";
   const auto claim = [&](const std::string& id, const std::string& text, double value, double operations,
                          const std::string& reason) {
@@ -177,15 +176,8 @@ TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[l
         Bound{.limit = 200 * std::numeric_limits<double>::epsilon() / 2,
               .reason = "one rounding per number in a row of the factor and of its transpose, at most 100 each"});
   };
-  residual(
-      "nine-sparse", "The sparse solver of nine-point systems, of one matrix after another.",
-      largest_residual({9, 8, 1}, nine_point, NinePointSolver(9, 8, NinePointMethod::sparse, std::nullopt, 1e-10)));
-  residual(
-      "nine-banded", "The banded solver of the same.",
-      largest_residual({9, 8, 1}, nine_point, NinePointSolver(9, 8, NinePointMethod::banded, std::nullopt, 1e-10)));
-  residual("twenty-seven-sparse", "The sparse solver of 27-point systems, of one matrix after another.",
-           largest_residual({4, 5, 3}, twenty_seven_point,
-                            TwentySevenPointSolver(TwentySevenPointMethod::sparse, {{4, 5, 3}, {}}, 1e-10)));
+  residual("nine-banded", "The banded solver of nine-point systems, of one matrix after another.",
+           largest_residual({9, 8, 1}, nine_point, NinePointSolver(9, 8, SolverMethod::banded, std::nullopt, 1e-10)));
 }
 
 TEST_CASE("conjugate gradients need as many iterations as there are eigenvalues", "[linear]") {

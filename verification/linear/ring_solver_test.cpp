@@ -19,7 +19,6 @@ namespace ring_solver_test {
 using namespace seiche;
 using namespace seiche::verification;
 using linear::RingMatrix;
-using linear::RingMethod;
 using linear::RingSolver;
 using seiche::evidence::Bound;
 using seiche::evidence::Roundoff;
@@ -66,7 +65,7 @@ struct Rings {
 TEST_CASE("matrices of rings are the sums of their blocks, and are solved", "[linear]") {
   Check check("ring_solver", "Systems whose pattern changes",
               "Rings of the nodes of a mesh with a positive definite block each. The sum and its products are compared "
-              "with dense matrices, solutions of both methods with Eigen's. A second mesh has another pattern: it is "
+              "with dense matrices, solutions with Eigen's. A second mesh has another pattern: it is "
               "analysed anew, and only then.");
   Rings first(1);
   Rings second(2);
@@ -90,49 +89,40 @@ TEST_CASE("matrices of rings are the sums of their blocks, and are solved", "[li
       {.id = "form", .text = "The product returns x.Ax.", .quantity = "relative difference", .source = "identity"},
       {.value = product / x.dot(b) - 1},
       Roundoff{.operations = 20.0 * static_cast<double>(n), .scale = 1, .reason = "a sum over the entries"});
-  for (const auto& [method, id, accuracy] :
-       {std::tuple{RingMethod::direct, std::string("direct"), 1e-13}, {RingMethod::iterative, "iterative", 1e-11}}) {
-    constexpr double shift = 1e-8;  // of the diagonal, for the factors alone: refinement takes it out
-    RingSolver solver(n, method, 1e-13);
-    std::vector<double> solution(n, 0.0);
-    solver.factor(first.matrix, shift);
-    solver.factor(first.matrix, shift);
-    const long once = solver.analyses();
-    solver.solve({b.data(), n}, solution);
-    Worst error;
-    for (std::size_t i = 0; i < n; ++i) error.add(solution[i] - x[static_cast<Eigen::Index>(i)]);
-    const Eigen::VectorXd other = second.dense * x;
-    second.matrix = first.matrix;
-    second.fill();
-    solver.factor(second.matrix, shift);
-    std::fill(solution.begin(), solution.end(), 0.0);
-    solver.solve({other.data(), n}, solution);
-    for (std::size_t i = 0; i < n; ++i) error.add(solution[i] - x[static_cast<Eigen::Index>(i)]);
-    check.that(
-        {.id = id,
-         .text = "Solutions before and after a change of the pattern.",
-         .quantity = "largest error, " + id,
-         .source = "made from the solution"},
-        {.value = error.value()},
-        Bound{accuracy, "condition number below 100 times rounding, or times the tolerance 1e-13 of the residual"});
-    check.that({.id = id + "-analyses",
-                .text = "The pattern is analysed when it is another one, and only then.",
-                .quantity = "analyses for two factorisations and one after a change, " + id,
-                .source = "interface"},
-               {.value = static_cast<double>(10 * once + solver.analyses())},
-               Bound{.limit = 0, .reason = "one, then two", .expected = 12});
-  }
-  RingSolver pivots(n, RingMethod::direct, 1e-13);
+  constexpr double shift = 1e-8;  // of the diagonal, for the factors alone: refinement takes it out
+  RingSolver solver;
+  std::vector<double> solution(n, 0.0);
+  solver.factor(first.matrix, shift);
+  solver.factor(first.matrix, shift);
+  const long once = solver.analyses();
+  solver.solve({b.data(), n}, solution);
+  Worst error;
+  for (std::size_t i = 0; i < n; ++i) error.add(solution[i] - x[static_cast<Eigen::Index>(i)]);
+  const Eigen::VectorXd other = second.dense * x;
+  second.matrix = first.matrix;
+  second.fill();
+  solver.factor(second.matrix, shift);
+  std::fill(solution.begin(), solution.end(), 0.0);
+  solver.solve({other.data(), n}, solution);
+  for (std::size_t i = 0; i < n; ++i) error.add(solution[i] - x[static_cast<Eigen::Index>(i)]);
+  check.that({.id = "direct",
+              .text = "Solutions before and after a change of the pattern.",
+              .quantity = "largest error",
+              .source = "made from the solution"},
+             {.value = error.value()}, Bound{1e-13, "condition number below 100 times rounding"});
+  check.that({.id = "direct-analyses",
+              .text = "The pattern is analysed when it is another one, and only then.",
+              .quantity = "analyses for two factorisations and one after a change",
+              .source = "interface"},
+             {.value = static_cast<double>(10 * once + solver.analyses())},
+             Bound{.limit = 0, .reason = "one, then two", .expected = 12});
+  RingSolver pivots;
   pivots.factor(first.matrix, 0);
   const Eigen::LLT<Eigen::MatrixXd> factor(first.dense);
   const Eigen::VectorXd diagonal = factor.matrixL().toDenseMatrix().diagonal();
   check.measure("smallest pivot over largest, elimination order of CHOLMOD", pivots.pivot_ratio());
   check.measure("in the order of the unknowns", std::pow(diagonal.minCoeff() / diagonal.maxCoeff(), 2));
   Refusals refusals(check);
-  refusals.refused("method", "A solver that does not exist.", {"multigrid", "direct", "iterative"},
-                   [] { linear::ring_method_named("multigrid"); });
-  refusals.refused("tolerance", "A tolerance at which nothing is solved.", {"tolerance", "0.1", "1e-06"},
-                   [] { RingSolver(3, RingMethod::iterative, 0.1); });
   refusals.refused("unknown", "An unknown without a ring.", {"unknown 2", "no ring"}, [] {
     RingMatrix matrix;
     const std::vector<int> begin{0, 2};

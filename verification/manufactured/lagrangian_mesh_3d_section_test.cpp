@@ -59,7 +59,7 @@ double difference(const Slope& slope, Stepping stepping, double tau) {
                                        .layers = layers,
                                        .elevation = [](double x, double) { return hump(x); },
                                        .bottom = slope.bottom()}),
-                    {}, {.stepping = stepping}, {.solver = linear::TwentySevenPointMethod::sparse});
+                    {}, {.stepping = stepping}, {.tolerance = 1e-15});
   plane.advance_to(duration, tau);
   water.advance_to(duration, tau);
   const space::Mesh& mesh = water.model().mesh();

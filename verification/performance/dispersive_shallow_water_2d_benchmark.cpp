@@ -20,12 +20,11 @@ namespace {
 
 using namespace seiche;
 using namespace seiche::dispersive_shallow_water_2d;
-using linear::NinePointMethod;
+using linear::SolverMethod;
 
 constexpr double amplitude = 0.3;
 
-Flow start(std::size_t columns, std::size_t rows, double h, Stepping stepping, NinePointMethod solver,
-           double tolerance) {
+Flow start(std::size_t columns, std::size_t rows, double h, Stepping stepping, SolverMethod solver, double tolerance) {
   const exact::SerreSolitary wave(amplitude);
   const double length = h * static_cast<double>(columns);
   const double width = h * static_cast<double>(rows);
@@ -65,7 +64,7 @@ performance::Work work_of(double solves, double iterations, linear::FactorWork f
   return work + solves * (performance::factorisation(factor) + performance::substitution(factor));
 }
 
-void step(benchmark::State& state, Stepping stepping, NinePointMethod solver, double tolerance) {
+void step(benchmark::State& state, Stepping stepping, SolverMethod solver, double tolerance) {
   const auto columns = static_cast<std::size_t>(state.range(0));
   const auto rows = static_cast<std::size_t>(state.range(1));
   const double h = static_cast<double>(state.range(2)) / 1000;
@@ -106,11 +105,10 @@ void medium_size(benchmark::internal::Benchmark* benchmark) {
   benchmark->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(10)->Args({320, 320, 500, 1});
 }
 
-BENCHMARK_CAPTURE(step, one_step, Stepping::one_step, NinePointMethod::iterative, 1e-7)->Apply(sizes);
-BENCHMARK_CAPTURE(step, one_step_sparse, Stepping::one_step, NinePointMethod::sparse, 1e-7)->Apply(sizes);
-BENCHMARK_CAPTURE(step, one_step_large, Stepping::one_step, NinePointMethod::iterative, 1e-7)->Apply(large_sizes);
-BENCHMARK_CAPTURE(step, one_step_spacing, Stepping::one_step, NinePointMethod::iterative, 1e-7)->Apply(spacings);
-BENCHMARK_CAPTURE(step, one_step_1e_12, Stepping::one_step, NinePointMethod::iterative, 1e-12)->Apply(medium_size);
-BENCHMARK_CAPTURE(step, conservative, Stepping::conservative, NinePointMethod::iterative, 1e-10)->Apply(medium_size);
+BENCHMARK_CAPTURE(step, one_step, Stepping::one_step, SolverMethod::iterative, 1e-7)->Apply(sizes);
+BENCHMARK_CAPTURE(step, one_step_large, Stepping::one_step, SolverMethod::iterative, 1e-7)->Apply(large_sizes);
+BENCHMARK_CAPTURE(step, one_step_spacing, Stepping::one_step, SolverMethod::iterative, 1e-7)->Apply(spacings);
+BENCHMARK_CAPTURE(step, one_step_1e_12, Stepping::one_step, SolverMethod::iterative, 1e-12)->Apply(medium_size);
+BENCHMARK_CAPTURE(step, conservative, Stepping::conservative, SolverMethod::iterative, 1e-10)->Apply(medium_size);
 
 }  // namespace

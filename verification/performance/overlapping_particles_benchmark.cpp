@@ -61,10 +61,9 @@ void steps(benchmark::State& state) {
   const linear::RingSolver& solver = flow.model().solver();
   state.counters["analyses"] = static_cast<double>(solver.analyses() - before) / taken;
   const auto particles = static_cast<double>(flow.model().size());
-  performance::show(state,
-                    performance::ring_factorisation(solver.factor_work(), particles, members) +
-                        performance::ring_solution(solver.factor_work(), particles,
-                                                   static_cast<double>(flow.model().matrix().values().size()), 0));
+  performance::show(state, performance::ring_factorisation(solver.factor_work(), particles, members) +
+                               performance::ring_solution(solver.factor_work(),
+                                                          static_cast<double>(flow.model().matrix().values().size())));
 }
 
 BENCHMARK(neighbours)->Arg(20)->Arg(50)->Arg(180)->Unit(benchmark::kMillisecond);

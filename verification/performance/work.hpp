@@ -86,14 +86,9 @@ inline Work ring_factorisation(linear::FactorWork factor, double rings, double m
   return rings * Work{4 * pairs, 4 * pairs} + factorisation(factor);
 }
 
-/// A solution by RingSolver: the direct one is refined twice; in an iteration the incomplete factor is as large as the
-/// matrix.
+/// A solution by RingSolver, refined twice.
 /// @param entries  of the matrix's triangle
-inline Work ring_solution(linear::FactorWork factor, double unknowns, double entries, double iterations) {
-  if (iterations > 0) {
-    const Work preconditioner{2 * (8 + 4) * entries, 2 * 2 * entries};
-    return iterations * (sparse_product(entries) + preconditioner + unknowns * iteration_vectors);
-  }
+inline Work ring_solution(linear::FactorWork factor, double entries) {
   return 3 * substitution(factor) + 2 * sparse_product(entries);
 }
 

@@ -19,7 +19,7 @@ using seiche::PlanBottom;
 using seiche::Point;
 using seiche::Worst;
 using seiche::evidence::Bound;
-using seiche::linear::NinePointMethod;
+using seiche::linear::SolverMethod;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 3 and section 4.2";
 
@@ -113,7 +113,7 @@ TEST_CASE("raised water at rest in plan stays at rest to round-off", "[rest]") {
     Lattice lattice = jittered(lake.lattice, 0.075, 3);
     std::fill(lattice.z.begin(), lattice.z.end(), 0.2);
     Settings settings = lake.settings;
-    settings.solver = NinePointMethod::banded;
+    settings.solver = SolverMethod::banded;
     PlanProblem problem(std::move(lattice), {}, settings);
     SchemeStepper<Model> stepper(problem.model, {});
     State state = problem.start;

@@ -136,9 +136,6 @@ TEST_CASE("regular lattices of Dirichlet cells are singular, staggered and jitte
   large.staggered = false;
   refusals.refused("large-lattice", "A lattice of 3721 nodes likewise.", {"singular configuration"},
                    [&] { Flow flow(layer_mesh(large), {}, {.stabilisation = 0}); });
-  refusals.refused("iterative", "The iterative solver without stabilisation.", {"stabilisation = 0", "positive"}, [&] {
-    Flow flow(layer_mesh(layer), {}, {.stabilisation = 0, .solver = linear::RingMethod::iterative});
-  });
   Flow cured(rectangular, {}, {.stabilisation = 0.1});
   cured.advance(0.05);
   check.that({.id = "cured",

@@ -114,7 +114,7 @@ TEST_CASE("bad lattices and settings of the plan model are refused with name, va
   settings("gamma", "Improved dispersion the wrong way.", {"gamma", "-0.1", "non-negative"}, {.gamma = -0.1});
   settings("inertia", "No vertical inertia.", {"inertia", "0", "[0.001, 1]"}, {.inertia = 0});
   settings("tolerance", "A tolerance too loose.", {"tolerance", "0.1"},
-           {.solver = linear::NinePointMethod::iterative, .tolerance = 0.1});
+           {.solver = linear::SolverMethod::iterative, .tolerance = 0.1});
   refusals.refused("velocity", "Velocities that are not numbers.", {"u[0]", "nan", "finite"}, [] {
     Flow flow(rectangular_lattice(still_water()), [](double, double) { return Velocity{not_a_number, 0, 0}; });
   });

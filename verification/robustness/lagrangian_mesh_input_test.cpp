@@ -103,10 +103,8 @@ TEST_CASE("bad constants and walls are refused with name, value and range", "[ro
   refused("hourglass", "A negative stiffness.", {"hourglass", "= -0.1", "non-negative"}, {.hourglass = -0.1});
   refused("tolerance", "A tolerance at which nothing is solved.", {"tolerance", "1e-05", "1e-06"}, {.tolerance = 1e-5});
   refused("tolerance_zero", "A tolerance below rounding.", {"tolerance", "= 0"}, {.tolerance = 0});
-  refusals.refused("solver", "A solver that does not exist.", {"multigrid", "banded", "sparse", "iterative"},
-                   [] { linear::nine_point_method_named("multigrid"); });
   refusals.refused("iterative_patch", "The iterative solver without walls and bottom.", {"iterative", "walls"}, [] {
-    Flow flow(free_patch(2, 2, {0, 0}, {1, 1}), {}, {}, {.solver = linear::NinePointMethod::iterative});
+    Flow flow(free_patch(2, 2, {0, 0}, {1, 1}), {}, {}, {.solver = linear::SolverMethod::iterative});
   });
   refusals.refused("line", "A wall without a direction.", {"direction", "= 0", "positive"}, [] {
     Line({0, 0}, {0, 0});

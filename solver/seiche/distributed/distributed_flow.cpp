@@ -25,7 +25,7 @@ namespace {
 std::unique_ptr<dispersive_shallow_water_2d::Model> local_model(dispersive_shallow_water_2d::Lattice part,
                                                                 dispersive_shallow_water_2d::Settings settings,
                                                                 const plan_lattice::Sides& sides) {
-  settings.solver = linear::NinePointMethod::iterative;
+  settings.solver = linear::SolverMethod::iterative;
   // The drag along the shore belongs to the patches that reach it.
   if (std::holds_alternative<plan_lattice::ShoreSide>(sides.south) &&
       !std::holds_alternative<plan_lattice::ShoreSide>(part.sides.south)) {
@@ -43,7 +43,6 @@ std::unique_ptr<dispersive_shallow_water_2d::Model> local_model(dispersive_shall
 std::unique_ptr<lagrangian_mesh_3d::Model> local_model(lagrangian_mesh_3d::Mesh part,
                                                        lagrangian_mesh_3d::Settings settings,
                                                        const plan_lattice::Sides&) {
-  settings.solver = linear::TwentySevenPointMethod::iterative;
   return std::make_unique<lagrangian_mesh_3d::Model>(std::move(part), settings);
 }
 

@@ -55,15 +55,9 @@ std::vector<double> first_areas(const Mesh& mesh, const Triangulation& triangula
   return areas;
 }
 
-CellPressure::CellPressure(const Mesh& mesh, double stabilisation, linear::RingMethod solver, double tolerance)
-    : stabilisation_(stabilisation),
-      triangulation_(triangulated(mesh), mesh.places()),
-      solver_(mesh.nodes(), solver, tolerance) {
+CellPressure::CellPressure(const Mesh& mesh, double stabilisation)
+    : stabilisation_(stabilisation), triangulation_(triangulated(mesh), mesh.places()) {
   require_not_negative("stabilisation", stabilisation);
-  if (solver_.method() == linear::RingMethod::iterative && stabilisation == 0) {
-    throw std::invalid_argument(
-        "stabilisation = 0; allowed with the iterative solver: positive, for it cannot tell that a mesh is singular");
-  }
 }
 
 void CellPressure::follow(Places at) {

@@ -23,9 +23,8 @@ namespace seiche::free_lagrangian {
 
 class CellPressure {
  public:
-  /// Throws std::invalid_argument (mesh.hpp, polygon_triangulation.hpp): a cell without area, a stabilisation that is
-  /// negative, or zero with the iterative solver, which cannot tell that a lattice is singular.
-  CellPressure(const Mesh& mesh, double stabilisation, linear::RingMethod solver, double tolerance);
+  /// Throws std::invalid_argument (mesh.hpp, polygon_triangulation.hpp): a cell without area, a negative stabilisation.
+  CellPressure(const Mesh& mesh, double stabilisation);
 
   /// Where the triangulation was last asked to be.
   [[nodiscard]] const MovingTriangulation& triangulation() const { return triangulation_; }
@@ -47,7 +46,6 @@ class CellPressure {
   void rates(std::span<const double> u, std::span<double> w) const;
   /// u += W G^T mu.
   void react(std::span<const double> mu, std::span<double> u) const;
-  /// @param mu  on entry a guess
   void solve(std::span<const double> right_hand_side, std::span<double> mu) { solver_.solve(right_hand_side, mu); }
   /// mu.(epsilon tr A/N) L^T L mu, never negative: what the stabilisation keeps G u from.
   [[nodiscard]] double roughness(std::span<const double> mu) const;

@@ -14,7 +14,7 @@ CellWater::CellWater(const Mesh& mesh, Settings settings)
       first_x_(mesh.x),
       first_y_(mesh.y),
       outline_(mesh.outline),
-      pressure_(mesh, settings.stabilisation, settings.solver, settings.tolerance),
+      pressure_(mesh, settings.stabilisation),
       freedom_(freedoms(mesh)),
       force_(mesh.nodes()) {
   require_not_negative("gravity", settings.gravity);

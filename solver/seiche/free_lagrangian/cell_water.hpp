@@ -31,8 +31,6 @@ struct Settings {
   double gravity = 1;          ///< [m/s^2]
   double density = 1;          ///< [kg/m^3]
   double stabilisation = 0.1;  ///< epsilon
-  linear::RingMethod solver = linear::RingMethod::automatic;
-  double tolerance = 1e-13;  ///< relative residual of the iterative solver: a looser one breaks the balance of energy
 };
 
 /// Velocity of the water at a place; empty: at rest.

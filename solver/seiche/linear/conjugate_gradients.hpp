@@ -20,6 +20,8 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "seiche/linear/nine_point_matrix.hpp"
 #include "seiche/linear/vector_operations.hpp"
 
@@ -28,13 +30,19 @@ namespace seiche::linear {
 /// The tolerance was not reached.
 class NotConverged : public std::runtime_error {
  public:
-  NotConverged(int iterations, double relative_residual, double tolerance);
+  NotConverged(int iterations, double relative_residual, double tolerance)
+      : std::runtime_error(
+            fmt::format("conjugate gradients: relative residual {:.3g} after {} iterations; wanted: {:.3g}",
+                        relative_residual, iterations, tolerance)) {}
 };
 
 /// A direction p or a residual r was found with p . A p or r . P r not positive: not positive definite, or not numbers.
 class NotPositiveDirection : public std::runtime_error {
  public:
-  NotPositiveDirection(const char* form, double value, int iteration);
+  NotPositiveDirection(const char* form, double value, int iteration)
+      : std::runtime_error(fmt::format("conjugate gradients: {} = {:.6g} in iteration {}; the matrix and the "
+                                       "preconditioner must be positive definite and all entries finite",
+                                       form, value, iteration)) {}
 };
 
 /// Keeps its work arrays from solution to solution.

@@ -31,15 +31,6 @@ SEICHE_SIMD_CLONES double multiply_cells(const NinePointMatrix& a, const double*
 
 }  // namespace
 
-void NinePointMatrix::multiply(const LatticeArray& x, LatticeArray& result) const {
-  const double* const in = x.data();
-  double* const out = result.data();
-  share_out(rows, size() >= worth_threads, [&](std::size_t j) {
-    const auto first = static_cast<std::ptrdiff_t>(j * columns);
-    multiply_cells(*this, in, out, first, first + static_cast<std::ptrdiff_t>(columns));
-  });
-}
-
 double NinePointMatrix::multiply_and_dot(const LatticeArray& x, LatticeArray& result) const {
   const double* const in = x.data();
   double* const out = result.data();

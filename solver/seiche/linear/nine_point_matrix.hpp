@@ -49,9 +49,8 @@ struct NinePointMatrix {
   [[nodiscard]] std::size_t size() const { return columns * rows; }
   /// The stored coefficient of cells a and b, in either order, which must be neighbours or one cell.
   [[nodiscard]] double& coefficient(std::size_t a, std::size_t b);
-  /// result = A x. Threads share the rows of the lattice.
-  void multiply(const LatticeArray& x, LatticeArray& result) const;
-  /// The same, and returns x . A x: one partial sum per row, summed in order, so the same for any number of threads.
+  /// result = A x; returns x . A x. Threads share the rows of the lattice: one partial sum per row, summed in order, so
+  /// the same for any number of threads.
   double multiply_and_dot(const LatticeArray& x, LatticeArray& result) const;
 
   std::size_t columns = 0;

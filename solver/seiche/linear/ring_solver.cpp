@@ -1,165 +1,145 @@
 #include "seiche/linear/ring_solver.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
-#include <vector>
 
 #include <fmt/format.h>
-#include <Eigen/IterativeLinearSolvers>
-
-#include "seiche/linear/conjugate_gradients.hpp"
-#include "seiche/linear/tridiagonal.hpp"
-#include "seiche/require.hpp"
 
 namespace seiche::linear {
 
-RingMethod ring_method_named(std::string_view name) {
-  if (name == "automatic") return RingMethod::automatic;
-  if (name == "direct") return RingMethod::direct;
-  if (name == "iterative") return RingMethod::iterative;
-  throw std::invalid_argument(fmt::format("solver = \"{}\"; allowed: automatic, direct, iterative", name));
+namespace {
+
+std::size_t index(int k) {
+  return static_cast<std::size_t>(k);
 }
 
-class RingSolver::Implementation {
- public:
-  virtual ~Implementation() = default;
-  virtual void analyse(const RingMatrix& a) = 0;
-  virtual void factor(const RingMatrix& a, double shift) = 0;
-  /// Returns the number of iterations.
-  virtual int solve(std::span<const double> right_hand_side, std::span<double> x) = 0;
-  [[nodiscard]] virtual double pivot_ratio() const = 0;
-  [[nodiscard]] virtual FactorWork factor_work() const = 0;
-};
-
-class RingSolver::Direct final : public Implementation {
- public:
-  void analyse(const RingMatrix& a) override {
-    if (cholesky_ && cholesky_->size() == a.size()) {
-      ordering_.assign(cholesky_->ordering().begin(), cholesky_->ordering().end());
-      cholesky_.emplace(a.lower(), ordering_);
-      if (cholesky_->work().entries <= fill_ * most_growth) return;
-    }
-    cholesky_.emplace(a.lower());
-    fill_ = cholesky_->work().entries;
-  }
-
-  void factor(const RingMatrix& a, double shift) override {
-    matrix_ = &a;
-    shifted_.assign(a.values().begin(), a.values().end());
-    for (std::size_t j = 0; j < a.size(); ++j) {
-      shifted_[static_cast<std::size_t>(a.lower().outerIndexPtr()[j])] += shift;
-    }
-    cholesky_->factor(shifted_);
-  }
-
-  int solve(std::span<const double> right_hand_side, std::span<double> x) override {
-    residual_.resize(x.size());
-    cholesky_->solve(right_hand_side, x);
-    for (int k = 0; k < refinements; ++k) {
-      matrix_->multiply(x, residual_);
-      for (std::size_t i = 0; i < x.size(); ++i) residual_[i] = right_hand_side[i] - residual_[i];
-      cholesky_->solve(residual_, residual_);
-      for (std::size_t i = 0; i < x.size(); ++i) x[i] += residual_[i];
-    }
-    return 0;
-  }
-
-  [[nodiscard]] double pivot_ratio() const override { return cholesky_->pivot_ratio(); }
-  [[nodiscard]] FactorWork factor_work() const override { return cholesky_->work(); }
-
- private:
-  static constexpr int refinements = 2;
-  static constexpr double most_growth = 1.2;  // of the factor, before another order is looked for
-
-  const RingMatrix* matrix_ = nullptr;
-  std::optional<SparseCholesky> cholesky_;
-  double fill_ = 0;
-  std::vector<int> ordering_;
-  std::vector<double> shifted_, residual_;
-};
-
-class RingSolver::Iterative final : public Implementation {
- public:
-  explicit Iterative(double tolerance) : tolerance_(tolerance) {}
-
-  void analyse(const RingMatrix& a) override { incomplete_.analyzePattern(a.lower()); }
-
-  void factor(const RingMatrix& a, double /*shift*/) override {
-    matrix_ = &a;
-    incomplete_.factorize(a.lower());
-    if (incomplete_.info() != Eigen::Success) throw NotPositiveDefinite(0);
-  }
-
-  int solve(std::span<const double> right_hand_side, std::span<double> x) override {
-    b_.numbers.assign(right_hand_side.begin(), right_hand_side.end());
-    x_.numbers.assign(x.begin(), x.end());
-    const auto multiply = [this](const Numbers& p, Numbers& q) { return matrix_->multiply(p.numbers, q.numbers); };
-    const auto precondition = [this](std::span<const double> r, std::span<double> z, double /*magnitude*/) {
-      const auto n = static_cast<Eigen::Index>(r.size());
-      Eigen::Map<Eigen::VectorXd>(z.data(), n) = incomplete_.solve(Eigen::Map<const Eigen::VectorXd>(r.data(), n));
-    };
-    const auto result =
-        gradients_.solve(multiply, precondition, b_, x_, {.tolerance = tolerance_, .most_iterations = most_iterations});
-    std::copy(x_.numbers.begin(), x_.numbers.end(), x.begin());
-    return result.iterations;
-  }
-
-  [[nodiscard]] double pivot_ratio() const override { return 1; }
-  [[nodiscard]] FactorWork factor_work() const override { return {}; }
-
- private:
-  static constexpr int most_iterations = 5000;
-
-  struct Numbers {
-    std::vector<double> numbers;
-    [[nodiscard]] std::span<double> values() { return numbers; }
-    [[nodiscard]] std::span<const double> values() const { return numbers; }
+/// For each unknown, the rings it is in and its number within them.
+struct Memberships {
+  struct In {
+    int ring, number;
   };
+  std::vector<int> begin;
+  std::vector<In> in;
 
-  double tolerance_;
-  const RingMatrix* matrix_ = nullptr;
-  Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>> incomplete_;
-  ConjugateGradients<Numbers> gradients_;
-  Numbers b_, x_;
+  Memberships(std::span<const int> ring_begin, std::span<const int> member, std::size_t unknowns)
+      : begin(unknowns + 1, 0), in(member.size()) {
+    for (const int i : member) ++begin[index(i) + 1];
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      if (begin[i + 1] == 0) throw std::invalid_argument(fmt::format("unknown {} is in no ring", i));
+      begin[i + 1] += begin[i];
+    }
+    std::vector<int> filled(begin.begin(), begin.end() - 1);
+    for (std::size_t k = 0; k + 1 < ring_begin.size(); ++k) {
+      for (int e = ring_begin[k]; e < ring_begin[k + 1]; ++e) {
+        in[index(filled[index(member[index(e)])]++)] = {static_cast<int>(k), e - ring_begin[k]};
+      }
+    }
+  }
 };
 
-RingSolver::RingSolver(std::size_t unknowns, RingMethod method, double tolerance) : method_(method) {
-  require_within("tolerance", tolerance, std::numeric_limits<double>::epsilon(), 1e-6);
-  if (method_ == RingMethod::automatic) {
-    method_ = unknowns <= most_direct ? RingMethod::direct : RingMethod::iterative;
+}  // namespace
+
+void RingMatrix::set_rings(std::span<const int> begin, std::span<const int> member, std::size_t unknowns) {
+  const Memberships memberships(begin, member, unknowns);
+  begin_.assign(begin.begin(), begin.end());
+  // Pairs p >= q of a ring of n members: p (p + 1)/2 + q, after those of the rings before.
+  std::vector<int> pairs(begin_.size());
+  for (std::size_t k = 0; k + 1 < begin_.size(); ++k) {
+    const int n = begin_[k + 1] - begin_[k];
+    pairs[k + 1] = pairs[k] + n * (n + 1) / 2;
   }
-  if (method_ == RingMethod::direct) {
-    implementation_ = std::make_unique<Direct>();
-  } else {
-    implementation_ = std::make_unique<Iterative>(tolerance);
+  place_.resize(index(pairs.back()));
+  std::vector<int> columns(unknowns + 1, 0);
+  std::vector<int> rows;
+  rows.reserve(12 * unknowns);
+  std::vector<int> at(unknowns, -1);
+  for (std::size_t j = 0; j < unknowns; ++j) {
+    const std::span in(memberships.in.data() + memberships.begin[j], memberships.in.data() + memberships.begin[j + 1]);
+    const std::size_t first = rows.size();
+    for (const auto& [ring, number] : in) {
+      for (int e = begin_[index(ring)]; e < begin_[index(ring) + 1]; ++e) {
+        const int i = member[index(e)];
+        if (index(i) < j || at[index(i)] >= static_cast<int>(first)) continue;
+        at[index(i)] = static_cast<int>(rows.size());
+        rows.push_back(i);
+      }
+    }
+    std::sort(rows.begin() + static_cast<std::ptrdiff_t>(first), rows.end());
+    for (std::size_t e = first; e < rows.size(); ++e) at[index(rows[e])] = static_cast<int>(e);
+    for (const auto& [ring, number] : in) {
+      for (int p = 0; p < begin_[index(ring) + 1] - begin_[index(ring)]; ++p) {
+        const int i = member[index(begin_[index(ring)] + p)];
+        if (index(i) < j) continue;
+        const int upper = std::max(p, number);
+        const int lower = std::min(p, number);
+        place_[index(pairs[index(ring)] + upper * (upper + 1) / 2 + lower)] = at[index(i)];
+      }
+    }
+    columns[j + 1] = static_cast<int>(rows.size());
   }
+  const std::vector<double> zeros(rows.size(), 0.0);
+  const auto n = static_cast<Eigen::Index>(unknowns);
+  lower_ = Eigen::Map<const Eigen::SparseMatrix<double>>(n, n, static_cast<Eigen::Index>(rows.size()), columns.data(),
+                                                         rows.data(), zeros.data());
+  ++pattern_;
 }
 
-RingSolver::~RingSolver() = default;
-RingSolver::RingSolver(RingSolver&&) noexcept = default;
-RingSolver& RingSolver::operator=(RingSolver&&) noexcept = default;
+void RingMatrix::clear() {
+  std::fill_n(lower_.valuePtr(), lower_.nonZeros(), 0.0);
+}
+
+double RingMatrix::multiply(std::span<const double> x, std::span<double> y) const {
+  const int* const column = lower_.outerIndexPtr();
+  const int* const row = lower_.innerIndexPtr();
+  const double* const value = lower_.valuePtr();
+  std::fill(y.begin(), y.end(), 0.0);
+  double product = 0;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    const double xj = x[j];
+    double sum = value[column[j]] * xj;
+    for (int e = column[j] + 1; e < column[j + 1]; ++e) {
+      sum += value[e] * x[index(row[e])];
+      y[index(row[e])] += value[e] * xj;
+    }
+    y[j] += sum;
+    // Rows beyond j are not complete yet, but x_j times what column j gives is all of it that is met twice.
+    product += xj * (2 * sum - value[column[j]] * xj);
+  }
+  return product;
+}
+
+void RingSolver::analyse(const RingMatrix& a) {
+  constexpr double most_growth = 1.2;  // of the factor, before another order is looked for
+  pattern_ = a.pattern();
+  ++analyses_;
+  if (cholesky_ && cholesky_->size() == a.size()) {
+    const std::vector<int> ordering(cholesky_->ordering().begin(), cholesky_->ordering().end());
+    cholesky_.emplace(a.lower(), ordering);
+    if (cholesky_->work().entries <= fill_ * most_growth) return;
+  }
+  cholesky_.emplace(a.lower());
+  fill_ = cholesky_->work().entries;
+}
 
 void RingSolver::factor(const RingMatrix& a, double shift) {
-  if (a.pattern() != pattern_) {
-    implementation_->analyse(a);
-    pattern_ = a.pattern();
-    ++analyses_;
-  }
-  implementation_->factor(a, shift);
+  if (a.pattern() != pattern_) analyse(a);
+  matrix_ = &a;
+  shifted_.assign(a.values().begin(), a.values().end());
+  for (std::size_t j = 0; j < a.size(); ++j) shifted_[index(a.lower().outerIndexPtr()[j])] += shift;
+  cholesky_->factor(shifted_);
   ++factorisations_;
 }
 
 void RingSolver::solve(std::span<const double> right_hand_side, std::span<double> x) {
-  iterations_ += implementation_->solve(right_hand_side, x);
-}
-
-double RingSolver::pivot_ratio() const {
-  return implementation_->pivot_ratio();
-}
-
-FactorWork RingSolver::factor_work() const {
-  return implementation_->factor_work();
+  constexpr int refinements = 2;
+  residual_.resize(x.size());
+  cholesky_->solve(right_hand_side, x);
+  for (int k = 0; k < refinements; ++k) {
+    matrix_->multiply(x, residual_);
+    for (std::size_t i = 0; i < x.size(); ++i) residual_[i] = right_hand_side[i] - residual_[i];
+    cholesky_->solve(residual_, residual_);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += residual_[i];
+  }
 }
 
 }  // namespace seiche::linear

@@ -1,69 +1,91 @@
-/// Solves symmetric positive definite systems whose pattern changes now and then (RingMatrix).
+/// Symmetric matrices that are sums of small dense blocks, one for each ring of unknowns, A = sum_k P_k B_k P_k^T, and
+/// their direct solution.
 ///
-///     direct      sparse Cholesky (CHOLMOD): analysed anew only when the pattern is another one, and then in the
-///                 elimination order of the first as long as that fits. A factor of A + shift I, whose solutions are
-///                 refined twice with A itself: the shift leaves no trace unless A is singular.
-///     iterative   conjugate gradients, preconditioned by an incomplete Cholesky factor
+/// The matrix of a free-Lagrangian mesh has a ring for each node, the cells whose volume the node changes: G W G^T is
+/// the sum of its blocks, and so is the square of a Laplacian on the same rings. The pattern, about 19 entries in a row
+/// for cells in the plane, follows the rings and is found anew when they change.
 ///
-/// Automatic takes `direct` up to 1e6 unknowns: iterations grow as the rows of a mesh, and the factor is the faster one
-/// there (11 times at 1e5 Dirichlet cells; at 1e6 a step takes 8 s and 3.3 GB). Only the direct method can tell that a
-/// matrix is singular.
+/// The solver is sparse Cholesky (CHOLMOD), analysed anew only when the pattern is another one, and then in the
+/// elimination order of the first as long as that fits. It factorises A + shift I and refines its solutions twice with
+/// A itself: the shift leaves no trace unless A is singular.
 ///
-/// References: Chen, Davis, Hager & Rajamanickam, Algorithm 887, ACM Trans. Math. Softw. 35 (2008) 22; Lin & More,
-/// Incomplete Cholesky factorizations with limited memory, SIAM J. Sci. Comput. 21 (1999) 24.
+/// When not to use it: beyond some million unknowns (1e6 Dirichlet cells: 8 s a step and 3.3 GB).
 #pragma once
 
 #include <cstddef>
-#include <memory>
+#include <optional>
 #include <span>
-#include <string_view>
+#include <vector>
 
-#include "seiche/linear/ring_matrix.hpp"
+#include <Eigen/SparseCore>
+
 #include "seiche/linear/sparse_cholesky.hpp"
 
 namespace seiche::linear {
 
-enum class RingMethod { automatic, direct, iterative };
-/// Throws std::invalid_argument listing the names there are.
-RingMethod ring_method_named(std::string_view name);
+class RingMatrix {
+ public:
+  /// @param begin    ring k are the members begin[k] to begin[k+1] - 1, each unknown at most once
+  /// @param unknowns  every one must be in a ring. Throws std::invalid_argument
+  void set_rings(std::span<const int> begin, std::span<const int> member, std::size_t unknowns);
+
+  /// Replaces the values. @param block  block(k, p, q): entry of B_k for the members p >= q of ring k, counted within
+  /// it
+  template <class Block>
+  void sum(Block&& block) {
+    clear();
+    double* const values = lower_.valuePtr();
+    std::size_t pair = 0;
+    for (std::size_t k = 0; k + 1 < begin_.size(); ++k) {
+      const int n = begin_[k + 1] - begin_[k];
+      for (int p = 0; p < n; ++p) {
+        for (int q = 0; q <= p; ++q) values[place_[pair++]] += block(k, p, q);
+      }
+    }
+  }
+
+  /// Lower triangle, compressed, each column beginning with its diagonal.
+  [[nodiscard]] const Eigen::SparseMatrix<double>& lower() const { return lower_; }
+  [[nodiscard]] std::span<const double> values() const {
+    return {lower_.valuePtr(), static_cast<std::size_t>(lower_.nonZeros())};
+  }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(lower_.cols()); }
+  /// Grows with every set_rings: whoever analysed a pattern knows whether it is the same.
+  [[nodiscard]] long pattern() const { return pattern_; }
+  /// y = A x; returns x . y.
+  double multiply(std::span<const double> x, std::span<double> y) const;
+
+ private:
+  void clear();
+
+  std::vector<int> begin_;
+  std::vector<int> place_;  // of each pair of each ring among the values
+  Eigen::SparseMatrix<double> lower_;
+  long pattern_ = 0;
+};
 
 class RingSolver {
  public:
-  static constexpr std::size_t most_direct = 1000000;  // unknowns
-
-  /// @param tolerance  relative residual of the iteration, in (0, 1e-6]. Throws std::invalid_argument
-  RingSolver(std::size_t unknowns, RingMethod method, double tolerance);
-  ~RingSolver();
-  RingSolver(RingSolver&&) noexcept;
-  RingSolver& operator=(RingSolver&&) noexcept;
-
-  /// The method in use, never `automatic`.
-  [[nodiscard]] RingMethod method() const { return method_; }
   /// @param a      must stay as it is until the last solution for it. Throws NotPositiveDefinite
   /// @param shift  added to the diagonal of what is factorised
   void factor(const RingMatrix& a, double shift);
-  /// x holds a guess for the iteration. Throws NotConverged, NotPositiveDirection.
   void solve(std::span<const double> right_hand_side, std::span<double> x);
 
-  /// Smallest pivot over the largest of the direct method, 1 of the other one.
-  [[nodiscard]] double pivot_ratio() const;
-  /// Of the last factor, without what the incomplete one of the iterative method takes.
-  [[nodiscard]] FactorWork factor_work() const;
+  /// Smallest pivot over the largest.
+  [[nodiscard]] double pivot_ratio() const { return cholesky_->pivot_ratio(); }
+  /// Of the last factor.
+  [[nodiscard]] FactorWork factor_work() const { return cholesky_->work(); }
   [[nodiscard]] long analyses() const { return analyses_; }
   [[nodiscard]] long factorisations() const { return factorisations_; }
-  [[nodiscard]] long iterations() const { return iterations_; }
 
  private:
-  class Implementation;
-  class Direct;
-  class Iterative;
+  void analyse(const RingMatrix& a);
 
-  RingMethod method_;
-  std::unique_ptr<Implementation> implementation_;
-  long pattern_ = 0;  // analysed last
-  long analyses_ = 0;
-  long factorisations_ = 0;
-  long iterations_ = 0;
+  const RingMatrix* matrix_ = nullptr;
+  std::optional<SparseCholesky> cholesky_;
+  double fill_ = 0;  // of the first factor in its order
+  std::vector<double> shifted_, residual_;
+  long pattern_ = 0, analyses_ = 0, factorisations_ = 0;
 };
 
 }  // namespace seiche::linear

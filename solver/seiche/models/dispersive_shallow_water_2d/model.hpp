@@ -45,8 +45,8 @@
 #include <variant>
 #include <vector>
 
+#include "seiche/linear/constraint_solver.hpp"
 #include "seiche/linear/nine_point_matrix.hpp"
-#include "seiche/linear/nine_point_solver.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/bottom_volume.hpp"
@@ -68,7 +68,7 @@ struct Settings {
   double inertia = 1.0 / 3;  ///< alpha, of the motion normal to the bottom
   /// Of improved dispersion (dispersion_energy.hpp): 1/15, with inertia 1/3 + 1/15; 0 in Frank's own model.
   double gamma = 0;
-  linear::NinePointMethod solver = linear::NinePointMethod::automatic;
+  linear::SolverMethod solver = linear::SolverMethod::automatic;
   double tolerance = 1e-10;  ///< relative residual of iterative solvers; 1e-13 where conservation is measured
   DragSettings drag = {};    ///< takes energy; none in Frank's own model
 };
@@ -123,7 +123,7 @@ class Model {
   void solve(Input right_hand_side, Output mu);
   /// Relative accuracy of solve, 0 for round-off: conservative steps go no further.
   [[nodiscard]] double solver_accuracy() const {
-    return solver_.method() == linear::NinePointMethod::iterative ? settings_.tolerance : 0;
+    return solver_.method() == linear::SolverMethod::iterative ? settings_.tolerance : 0;
   }
   void constraint_values(Input q, Output f) const;
   [[nodiscard]] double place(std::size_t rate) const { return lattice_.x[rate % nodes()]; }

@@ -1,7 +1,7 @@
 /// The undeformed lattice nearest to a given one, which preconditions its systems.
 #pragma once
 
-#include "seiche/linear/lattice_gradients.hpp"
+#include "seiche/linear/constraint_solver.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {

@@ -1,7 +1,5 @@
 #include "seiche/models/lagrangian_mesh_2d/impulsive_start.hpp"
 
-#include <algorithm>
-
 #include "seiche/models/lagrangian_mesh_2d/integrators.hpp"
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
 
@@ -9,10 +7,8 @@ namespace seiche::lagrangian_mesh_2d {
 
 std::vector<Point> impulsive_start(const Mesh& mesh, const std::function<double(double x)>& potential) {
   // Without gravity the surface pressure is the only force, and a kick of length one its impulse.
-  // Once, so directly where a direct solver fits: what it leaves of the rates of areas is round-off.
-  const auto solver = std::min(mesh.columns, mesh.rows) <= linear::widest_banded ? linear::NinePointMethod::banded
-                                                                                 : linear::NinePointMethod::automatic;
-  Model model(mesh, {.gravity = 0, .solver = solver, .tolerance = 1e-13},
+  // Once, so directly: what it leaves of the rates of areas is round-off.
+  Model model(mesh, {.gravity = 0, .solver = linear::SolverMethod::banded, .tolerance = 1e-13},
               {.surface_pressure = [&](double x, double) { return -potential(x); }});
   mechanics::State state = model.state();
   model.linearise({.begin = 0, .length = 0}, state.q);

@@ -1,6 +1,6 @@
 #include "seiche/models/lagrangian_mesh_2d/lattice.hpp"
 
-#include "seiche/linear/layered_lattice.hpp"
+#include "seiche/linear/hexahedral_lattice.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -19,7 +19,7 @@ std::optional<linear::UndeformedLattice> undeformed_lattice(const Mesh& mesh, do
   for (const double row : heights) height += row;
   const double width = area / (height * static_cast<double>(mesh.columns));
   return linear::UndeformedLattice{.shape = {.nx = mesh.columns, .nz = 1, .layers = mesh.rows},
-                                   .matrix = linear::LayeredLattice(width, heights, density)};
+                                   .matrix = linear::HexahedralLattice(width, 1, heights, density)};
 }
 
 }  // namespace seiche::lagrangian_mesh_2d

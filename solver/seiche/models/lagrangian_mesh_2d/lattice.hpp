@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "seiche/linear/lattice_gradients.hpp"
+#include "seiche/linear/constraint_solver.hpp"
 #include "seiche/models/lagrangian_mesh_2d/mesh.hpp"
 
 namespace seiche::lagrangian_mesh_2d {

@@ -38,8 +38,8 @@
 #include <variant>
 #include <vector>
 
+#include "seiche/linear/constraint_solver.hpp"
 #include "seiche/linear/nine_point_matrix.hpp"
-#include "seiche/linear/nine_point_solver.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/lagrangian_mesh_2d/corner_barrier.hpp"
@@ -68,7 +68,7 @@ struct Settings {
   /// Shape of a corner (mesh.hpp) at which the mesh counts as folded, for the largest cell. Areas stay positive, and
   /// the equations solvable, beyond a fold: minus infinity goes on as in the source.
   double lowest_corner = 0;
-  linear::NinePointMethod solver = linear::NinePointMethod::automatic;
+  linear::SolverMethod solver = linear::SolverMethod::automatic;
   double tolerance = 1e-10;  ///< relative residual of iterative solvers; 1e-13 where conservation is measured
 };
 
@@ -114,7 +114,7 @@ class Model {
   void solve(Input right_hand_side, Output mu);
   /// Relative accuracy of solve, 0 for round-off: conservative steps go no further.
   [[nodiscard]] double solver_accuracy() const {
-    return solver_.method() == linear::NinePointMethod::iterative ? settings_.tolerance : 0;
+    return solver_.method() == linear::SolverMethod::iterative ? settings_.tolerance : 0;
   }
   void constraint_values(Input q, Output f) const;
   void curvature(Input u, Input v, Output b) const;

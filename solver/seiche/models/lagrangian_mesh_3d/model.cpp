@@ -50,7 +50,7 @@ Model::Model(Mesh mesh, Settings settings, Forcing forcing)
       driven_place_(nodes_.driven().size()),
       no_cells_(mesh_.plan.columns + 1, 0.0),
       matrix_(mesh_.plan.columns, mesh_.plan.rows, mesh_.layers),
-      solver_(settings.solver, undeformed_lattice(mesh_, settings.density), settings.tolerance) {
+      solver_(undeformed_lattice(mesh_, settings.density), settings.tolerance) {
   require_not_negative("gravity", settings.gravity);
   for (auto& push : push_) push.assign(mesh_.plan.nodes(), 0.0);
 }

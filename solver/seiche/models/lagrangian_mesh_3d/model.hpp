@@ -38,8 +38,8 @@
 #include <variant>
 #include <vector>
 
+#include "seiche/linear/constraint_solver.hpp"
 #include "seiche/linear/twenty_seven_point_matrix.hpp"
-#include "seiche/linear/twenty_seven_point_solver.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/lagrangian_mesh_3d/bottom.hpp"
@@ -55,9 +55,8 @@ using mechanics::Interval;
 using mechanics::Output;
 
 struct Settings {
-  double gravity = 1;  ///< [m/s^2]
-  double density = 1;  ///< [kg/m^3]
-  linear::TwentySevenPointMethod solver = linear::TwentySevenPointMethod::iterative;
+  double gravity = 1;        ///< [m/s^2]
+  double density = 1;        ///< [kg/m^3]
   double tolerance = 1e-10;  ///< relative residual of the iteration; 1e-13 where conservation is measured
 };
 
@@ -100,10 +99,8 @@ class Model {
   void constraint_rates(Input u, Output w) const;
   void react(Input mu, Output u) const;
   void solve(Input right_hand_side, Output mu);
-  /// Relative accuracy of solve, 0 for round-off: conservative steps go no further.
-  [[nodiscard]] double solver_accuracy() const {
-    return solver_.method() == linear::TwentySevenPointMethod::iterative ? settings_.tolerance : 0;
-  }
+  /// Relative accuracy of solve: conservative steps go no further.
+  [[nodiscard]] double solver_accuracy() const { return settings_.tolerance; }
   void constraint_values(Input q, Output f) const;
   [[nodiscard]] double place(std::size_t rate) const { return mesh_.x[rate % nodes_.size()]; }
 

@@ -1,7 +1,7 @@
 /// The undeformed lattice nearest to a mesh, which preconditions its systems.
 #pragma once
 
-#include "seiche/linear/lattice_gradients.hpp"
+#include "seiche/linear/constraint_solver.hpp"
 #include "seiche/models/lagrangian_mesh_3d/mesh.hpp"
 
 namespace seiche::lagrangian_mesh_3d {

@@ -38,8 +38,7 @@ Model::Model(Particles particles, Settings settings)
       kernel_(settings_.shape, support_of(particles_, settings_)),
       walls_(settings_.walls, kernel_.support()),
       first_(particles_.size()),
-      near_(kernel_.support()),
-      solver_(particles_.size(), settings_.solver, settings_.tolerance) {
+      near_(kernel_.support()) {
   require_not_negative("gravity", settings_.gravity);
   require_not_negative("stabilisation", settings_.stabilisation);
   const std::vector<double> q = state().q;

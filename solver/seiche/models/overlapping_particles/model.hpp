@@ -16,8 +16,7 @@
 /// step gives is chequered by hundreds of times as much.
 ///
 /// Neighbours are found on a uniform grid of cells. A = G W G^T couples particles up to 2 S apart, some 60 in a row;
-/// sparse Cholesky, analysed anew when the pattern changed, beyond 1e6 particles conjugate gradients, whose iterations
-/// grow as 1/h.
+/// sparse Cholesky, analysed anew when the pattern changed.
 ///
 /// **Singular configurations.** A free surface makes A regular. A lattice that fills a box with its mirror images, two
 /// particles that are alone with each other, or one that is alone, make it singular. Stabilisation solves
@@ -25,8 +24,7 @@
 /// @f[ \left(A + \epsilon \frac{\mathrm{tr} A}{N} L^T L\right) \lambda = \dots, \qquad
 ///     L \lambda = \lambda_k - \frac{\sum_s \Phi_{ks} \lambda_s}{\sum_s \Phi_{ks}} @f]
 ///
-/// instead and takes energy from the water, in each step an amount that is known: stabilisation_loss(). The iterative
-/// solver does not notice a singular A.
+/// instead and takes energy from the water, in each step an amount that is known: stabilisation_loss().
 ///
 /// Conserves, stepped by mechanics::OneStep: mass; linear and angular momentum of a free body, the momentum along its
 /// walls of others, and the energy with what the stabilisation took, under gravity too (its potential is linear), all
@@ -69,8 +67,6 @@ struct Settings {
   double gravity = 0;        ///< [m/s^2], down along y
   double stabilisation = 0;  ///< epsilon
   std::vector<Wall> walls = {};
-  linear::RingMethod solver = linear::RingMethod::automatic;
-  double tolerance = 1e-13;  ///< relative residual of the iterative solver: a looser one breaks the balance of energy
 };
 
 /// Velocity of the water at a place; empty: at rest.

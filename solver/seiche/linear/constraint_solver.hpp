@@ -1,4 +1,12 @@
-/// Conjugate gradients for the matrix of a deformed lattice, preconditioned by the undeformed one:
+/// Solvers of the systems A lambda = b of a lattice's constraints.
+///
+///     banded      NinePointCholesky: work cells x n^2, n = min(columns, rows); keeps its factor
+///     iterative   conjugate gradients, preconditioned by the undeformed lattice: work cells x iterations
+///
+/// Automatic takes `banded` up to 20 cells across and where the undeformed lattice is not known, else `iterative`. The
+/// number is from verification/performance.
+///
+/// The preconditioner is
 ///
 ///     P = S D^-1 S,   D = matrix of the undeformed lattice,   S = sqrt(diagonal of D / diagonal of A) or 1
 ///
@@ -11,14 +19,20 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/cosine_lattice.hpp"
+#include "seiche/linear/nine_point_cholesky.hpp"
 #include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/twenty_seven_point_matrix.hpp"
 #include "seiche/linear/worth_threads.hpp"
+#include "seiche/require.hpp"
 
 namespace seiche::linear {
 
@@ -108,5 +122,66 @@ class LatticeGradients {
   std::vector<double> inner_diagonal_;  // by layer
   std::vector<double> scale_;           // empty for 1
 };
+
+enum class SolverMethod { automatic, banded, iterative };
+
+template <class Matrix>
+class ConstraintSolver {
+ public:
+  /// @param method      `iterative` needs the undeformed lattice, either all cells in one layer, or each row a layer
+  /// @param tolerance   relative residual of the iteration, at most 1e-6. Throws std::invalid_argument.
+  ConstraintSolver(std::size_t columns, std::size_t rows, SolverMethod method,
+                   std::optional<UndeformedLattice> undeformed, double tolerance)
+      : tolerance_(tolerance) {
+    constexpr std::size_t widest = 20;  // that is solved directly although iteration is possible
+    require_within("tolerance", tolerance, 1e-15, 1e-6);
+    if (method == SolverMethod::iterative && !undeformed) {
+      throw std::invalid_argument(
+          "solver = \"iterative\"; allowed only for meshes between vertical walls, on a bottom");
+    }
+    const bool fits = !undeformed || std::min(columns, rows) <= widest;
+    if (method == SolverMethod::banded || (method == SolverMethod::automatic && fits)) {
+      banded_.emplace(columns, rows);
+    } else {
+      gradients_.emplace(*std::move(undeformed));
+    }
+  }
+  /// Iterative.
+  ConstraintSolver(UndeformedLattice undeformed, double tolerance)
+      : tolerance_(tolerance), gradients_(std::move(undeformed)) {
+    require_within("tolerance", tolerance, 1e-15, 1e-4);
+  }
+
+  /// The method in use, never `automatic`.
+  [[nodiscard]] SolverMethod method() const { return gradients_ ? SolverMethod::iterative : SolverMethod::banded; }
+  /// @param a  must stay as it is until the last solution for it. Throws NotPositiveDefinite.
+  void factor(const Matrix& a) {
+    ++factorisations_;
+    if (gradients_) return gradients_->factor(a);
+    if constexpr (std::is_same_v<Matrix, NinePointMatrix>) banded_->factor(a);
+  }
+  /// x holds a guess for the iteration. Throws NotConverged, NotPositiveDirection.
+  /// @param tolerance  instead of the solver's own; 0 for that
+  void solve(std::span<const double> right_hand_side, std::span<double> x, double tolerance = 0) {
+    ++solutions_;
+    if (banded_) return banded_->solve(right_hand_side, x);
+    iterations_ += gradients_->solve(right_hand_side, x, tolerance > 0 ? tolerance : tolerance_);
+  }
+
+  /// Of the last factor; nothing of the iterative method.
+  [[nodiscard]] FactorWork factor_work() const { return banded_ ? banded_->work() : FactorWork{}; }
+  [[nodiscard]] long factorisations() const { return factorisations_; }
+  [[nodiscard]] long solutions() const { return solutions_; }
+  [[nodiscard]] long iterations() const { return iterations_; }
+
+ private:
+  double tolerance_;
+  std::optional<NinePointCholesky> banded_;
+  std::optional<LatticeGradients<Matrix>> gradients_;
+  long factorisations_ = 0, solutions_ = 0, iterations_ = 0;
+};
+
+using NinePointSolver = ConstraintSolver<NinePointMatrix>;
+using TwentySevenPointSolver = ConstraintSolver<TwentySevenPointMatrix>;
 
 }  // namespace seiche::linear
