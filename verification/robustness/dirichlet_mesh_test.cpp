@@ -207,7 +207,6 @@ TEST_CASE("bad meshes and settings of Dirichlet cells are refused by name", "[ro
   setting("gravity", "Gravity upwards.", {"gravity", "= -1", "non-negative"}, {.gravity = -1});
   setting("density", "Water without mass.", {"density", "= 0", "positive"}, {.density = 0});
   setting("stabilisation", "A stabilisation that destabilises.", {"stabilisation", "= -0.1"}, {.stabilisation = -0.1});
-  setting("tolerance", "A tolerance at which nothing is solved.", {"tolerance", "1e-06"}, {.tolerance = 0.1});
   refusals.refused("feedback", "More than all of the drift taken back.", {"drift_feedback", "= 1.5", "[0, 1]"},
                    [] { Flow flow(square(), {}, {}, 1.5); });
   refusals.refused("velocity", "A velocity that is not a number.", {"u[", "nan", "finite"}, [] {

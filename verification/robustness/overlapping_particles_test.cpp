@@ -89,7 +89,6 @@ TEST_CASE("bad particles, walls and settings are refused by name", "[robustness]
   setting("support-nan", "A support that is not a number.", {"support", "nan"}, {.support = not_a_number});
   setting("gravity", "Gravity upwards.", {"gravity", "= -1", "non-negative"}, {.gravity = -1});
   setting("stabilisation", "A stabilisation that destabilises.", {"stabilisation", "= -0.1"}, {.stabilisation = -0.1});
-  setting("tolerance", "A tolerance at which nothing is solved.", {"tolerance", "1e-06"}, {.tolerance = 0.1});
   setting("behind", "Particles behind a wall.", {"particle 0", "from wall 1", "side of the water"},
           {.walls = {{{0, 0}, {0, 1}}, {{0.05, 0}, {1, 0}}}});
   setting("wall-direction", "A wall without direction.", {"normal of wall 0", "= 0", "positive"},
