@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "seiche/mechanics/adaptive_runge_kutta.hpp"
-#include "seiche/mechanics/named_integrator.hpp"
-#include "seiche/models/rigid_chain/rigid_chain.hpp"
+#include "validation/instruments/reference_integrators.hpp"
+#include "validation/instruments/rigid_chain.hpp"
 
 namespace seiche::validation {
 

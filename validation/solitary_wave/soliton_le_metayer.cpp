@@ -28,7 +28,7 @@ the machine, nothing is claimed of them: the point of Basilisk is from another o
 #include <fmt/format.h>
 
 #include "reports/evidence/slope_guide.hpp"
-#include "seiche/mechanics/composition.hpp"
+#include "seiche/mechanics/scheme.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/processor_time.hpp"

@@ -5,11 +5,10 @@
 #include <limits>
 
 #include "seiche/divergence.hpp"
-#include "seiche/mechanics/composition.hpp"
-#include "seiche/mechanics/equal_steps.hpp"
-#include "seiche/models/rigid_chain/integrators.hpp"
-#include "seiche/models/rigid_chain/rigid_chain.hpp"
+#include "seiche/mechanics/scheme.hpp"
+#include "seiche/mechanics/state.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/flat_channel.hpp"
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "seiche/mechanics/invariants.hpp"
-#include "seiche/mechanics/named_integrator.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/reference_integrators.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 

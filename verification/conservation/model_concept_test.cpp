@@ -5,9 +5,8 @@
 #include <Eigen/Dense>
 
 #include "seiche/mechanics/index_reduced.hpp"
-#include "seiche/models/rigid_chain/integrators.hpp"
-#include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace model_concept_test {

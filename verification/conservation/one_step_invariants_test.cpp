@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "seiche/models/rigid_chain/integrators.hpp"
-#include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace one_step_invariants_test {

@@ -3,9 +3,8 @@
 #include <cmath>
 #include <random>
 
-#include "seiche/models/rigid_chain/integrators.hpp"
-#include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace one_step_loose_multipliers_test {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "seiche/exact/solitary_asymptotic.hpp"
-#include "seiche/mechanics/composition.hpp"
+#include "seiche/mechanics/scheme.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/integrators.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 #include "seiche/samples.hpp"

@@ -2,13 +2,12 @@
 #include <cmath>
 #include <vector>
 
-#include "seiche/mechanics/adaptive_runge_kutta.hpp"
-#include "seiche/mechanics/composition.hpp"
-#include "seiche/mechanics/equal_steps.hpp"
-#include "seiche/mechanics/reference_integrators.hpp"
+#include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/start.hpp"
-#include "seiche/models/rigid_chain/rigid_chain.hpp"
+#include "seiche/mechanics/state.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/reference_integrators.hpp"
+#include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace integrator_parts_test {

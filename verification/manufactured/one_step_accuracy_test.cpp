@@ -3,10 +3,9 @@
 #include <cmath>
 #include <string>
 
-#include "seiche/mechanics/named_integrator.hpp"
-#include "seiche/models/rigid_chain/integrators.hpp"
-#include "seiche/models/rigid_chain/rigid_chain.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/reference_integrators.hpp"
+#include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace one_step_accuracy_test {

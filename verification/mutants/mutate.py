@@ -36,7 +36,7 @@ from seeded import BadFault, all_faults
 ROOMS = {
     "exact": ["solver/seiche/exact/"],
     "linear": ["solver/seiche/linear/"],
-    "mechanics": ["solver/seiche/mechanics/", "solver/seiche/models/rigid_chain/"],
+    "mechanics": ["solver/seiche/mechanics/"],
     "lattice models": ["solver/seiche/models/lagrangian_mesh", "solver/seiche/models/dispersive", "solver/seiche/plan_lattice/",
                        "solver/seiche/lattice/"],
     "shallow water": ["solver/seiche/models/shallow_water", "solver/seiche/shallow_water/"],

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "seiche/mechanics/index_reduced.hpp"
-#include "seiche/mechanics/named_integrator.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/reference_integrators.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
 

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
-#include "seiche/mechanics/named_integrator.hpp"
 #include "seiche/mechanics/projected_step.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
@@ -17,7 +16,8 @@
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
-#include "seiche/models/rigid_chain/rigid_chain.hpp"
+#include "validation/instruments/reference_integrators.hpp"
+#include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace failed_step_test {

@@ -3,10 +3,9 @@
 #include <limits>
 
 #include "seiche/divergence.hpp"
-#include "seiche/mechanics/composition.hpp"
-#include "seiche/mechanics/reference_integrators.hpp"
-#include "seiche/models/rigid_chain/integrators.hpp"
-#include "seiche/models/rigid_chain/rigid_chain.hpp"
+#include "seiche/mechanics/scheme.hpp"
+#include "validation/instruments/reference_integrators.hpp"
+#include "validation/instruments/rigid_chain.hpp"
 #include "verification/check.hpp"
 
 namespace mechanics_input_test {

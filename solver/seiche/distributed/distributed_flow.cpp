@@ -12,7 +12,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/divergence.hpp"
 #include "seiche/geometry/bilinear_patch.hpp"
-#include "seiche/mechanics/equal_steps.hpp"
+#include "seiche/mechanics/state.hpp"
 
 namespace seiche::distributed {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "seiche/free_lagrangian/water_polygon.hpp"
-#include "seiche/mechanics/plane_masses.hpp"
+#include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/projection.hpp"
 #include "seiche/require.hpp"
 

@@ -1,11 +1,14 @@
 #include "seiche/mechanics/invariants.hpp"
-#include "seiche/samples.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "seiche/compensated_sum.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::mechanics {
 
@@ -61,6 +64,45 @@ Extent extent(Input values) {
   CompensatedSum sum;
   for (const double v : values) sum.add(v);
   return {.largest = values.empty() ? 0 : worst(values), .sum = sum.value()};
+}
+
+void book_energy(InvariantsLedger& ledger, double amount) {
+  const auto& entries = ledger.entries();
+  const auto energy = std::find_if(entries.begin(), entries.end(), [](const auto& e) { return e.name == "energy"; });
+  if (energy == entries.end()) throw std::logic_error("the ledger has no entry \"energy\" to book to");
+  ledger.book(static_cast<std::size_t>(energy - entries.begin()), amount);
+}
+
+double total_mass(std::span<const double> mass) {
+  CompensatedSum sum;
+  for (const double m : mass) sum.add(m);
+  return sum.value();
+}
+
+std::array<double, 2> plane_momentum(std::span<const double> mass, std::span<const double> u) {
+  const std::size_t n = mass.size();
+  CompensatedSum x;
+  CompensatedSum y;
+  for (std::size_t k = 0; k < n; ++k) {
+    x.add(mass[k] * u[k]);
+    y.add(mass[k] * u[n + k]);
+  }
+  return {x.value(), y.value()};
+}
+
+std::array<double, 1> plane_angular_momentum(std::span<const double> mass, std::span<const double> q,
+                                             std::span<const double> u) {
+  const std::size_t n = mass.size();
+  CompensatedSum sum;
+  for (std::size_t k = 0; k < n; ++k) sum.add(mass[k] * (q[k] * u[n + k] - q[n + k] * u[k]));
+  return {sum.value()};
+}
+
+double plane_kinetic_energy(std::span<const double> mass, std::span<const double> u) {
+  const std::size_t n = mass.size();
+  CompensatedSum sum;
+  for (std::size_t k = 0; k < n; ++k) sum.add(0.5 * mass[k] * (u[k] * u[k] + u[n + k] * u[n + k]));
+  return sum.value();
 }
 
 }  // namespace seiche::mechanics

@@ -4,8 +4,10 @@
 /// through boundaries is booked and subtracted, summed with compensation so that the ledger adds no drift of its own.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -120,5 +122,23 @@ class InvariantsWatch {
   std::vector<double> values_;
   std::vector<double> constraints_;
 };
+
+// Energy that leaves or enters by a known amount, in the ledger of a run.
+
+/// Books an amount [J/m, as the model's energy] that has come to the entry "energy", negative where it was lost.
+/// Throws std::logic_error for a ledger without that entry.
+void book_energy(InvariantsLedger& ledger, double amount);
+
+// Momenta and energy of point masses in a plane: q = (x of all, y of all), u = (velocities along x, along y).
+
+/// [kg/m]
+double total_mass(std::span<const double> mass);
+/// Along x and y [kg/s].
+std::array<double, 2> plane_momentum(std::span<const double> mass, std::span<const double> u);
+/// About the origin [kg m/s].
+std::array<double, 1> plane_angular_momentum(std::span<const double> mass, std::span<const double> q,
+                                             std::span<const double> u);
+/// [J/m]
+double plane_kinetic_energy(std::span<const double> mass, std::span<const double> u);
 
 }  // namespace seiche::mechanics

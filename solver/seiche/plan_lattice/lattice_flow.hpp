@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "seiche/divergence.hpp"
-#include "seiche/mechanics/equal_steps.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/start.hpp"
+#include "seiche/mechanics/state.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 #include "seiche/plan_lattice/window.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "seiche/mechanics/book_energy.hpp"
-#include "seiche/mechanics/equal_steps.hpp"
+#include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/start.hpp"
+#include "seiche/mechanics/state.hpp"
 #include "seiche/models/dirichlet_mesh/integrators.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"

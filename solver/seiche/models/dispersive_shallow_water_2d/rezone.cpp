@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "seiche/mechanics/equal_steps.hpp"
+#include "seiche/mechanics/state.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
 #include "seiche/require.hpp"
 

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "seiche/mechanics/book_energy.hpp"
-#include "seiche/mechanics/equal_steps.hpp"
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/state.hpp"
 
 namespace seiche::gauss_particles {
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
-#include "seiche/mechanics/equal_steps.hpp"
+#include "seiche/mechanics/state.hpp"
 #include "seiche/models/lagrangian_mesh_2d/stability.hpp"
 
 namespace seiche::lagrangian_mesh_2d {

@@ -3,9 +3,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "seiche/mechanics/book_energy.hpp"
-#include "seiche/mechanics/equal_steps.hpp"
+#include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/start.hpp"
+#include "seiche/mechanics/state.hpp"
 #include "seiche/models/overlapping_particles/integrators.hpp"
 
 namespace seiche::overlapping_particles {

@@ -9,7 +9,7 @@
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/linear/tridiagonal.hpp"
-#include "seiche/mechanics/plane_masses.hpp"
+#include "seiche/mechanics/invariants.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::overlapping_particles {

@@ -6,8 +6,8 @@
 
 #include "seiche/free_lagrangian/integrators.hpp"
 #include "seiche/free_lagrangian/water_polygon.hpp"
-#include "seiche/mechanics/book_energy.hpp"
-#include "seiche/mechanics/equal_steps.hpp"
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/state.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 

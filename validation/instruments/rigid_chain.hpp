@@ -18,6 +18,9 @@
 
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/scheme.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
 
 namespace seiche::rigid_chain {
@@ -109,3 +112,13 @@ RigidChain double_pendulum();
 RigidChain free_chain();
 
 }  // namespace seiche::rigid_chain
+
+namespace seiche::mechanics {
+
+extern template class OneStep<rigid_chain::RigidChain>;
+extern template class ConservativeStep<rigid_chain::RigidChain>;
+extern template class SchemeStepper<rigid_chain::RigidChain>;
+extern template class Start<rigid_chain::RigidChain>;
+extern template class InvariantsWatch<rigid_chain::RigidChain>;
+
+}  // namespace seiche::mechanics

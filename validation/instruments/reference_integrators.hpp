@@ -2,7 +2,7 @@
 /// RATTLE.
 ///
 /// RungeKutta2 and RungeKutta4 keep no invariant: constraints and energy drift. RATTLE is symplectic and keeps the
-/// constraints and the momenta; energy is bounded and O(tau^2). Adaptive methods: adaptive_runge_kutta.hpp.
+/// constraints and the momenta; energy is bounded and O(tau^2). Adaptive methods are those of Boost.Odeint.
 ///
 /// When not to use them: for computing. They are here to be measured against.
 ///
@@ -13,12 +13,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "seiche/divergence.hpp"
 #include "seiche/mechanics/index_reduced.hpp"
+#include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/step_parts.hpp"
 
 namespace seiche::mechanics {
@@ -138,5 +142,102 @@ requires(HasMultipliers<Model>&& HasConstraintValues<Model>) class Rattle {
   Projection<Model> projection_;
   std::vector<double> q_, u_, values_, impulse_;
 };
+
+// Adaptive Runge-Kutta methods of Boost.Odeint on the index-reduced form.
+//
+// High order is the cheapest way to a small error over a short time; no invariant is kept.
+//
+// References: Dormand & Prince, A family of embedded Runge-Kutta formulae, J. Comput. Appl. Math. 6 (1980) 19;
+// Fehlberg, NASA TR R-287 (1968).
+
+enum class AdaptiveMethod { dormand_prince_5, fehlberg_78 };
+
+/// Integrates x' = slope(x, t) from begin to end; returns the evaluations of slope. Throws std::invalid_argument.
+/// @param tolerance  absolute and relative, of one step
+long integrate_adaptive(AdaptiveMethod method, const std::function<void(Input x, Output slope, double time)>& slope,
+                        std::vector<double>& x, double begin, double end, double tolerance);
+
+/// Carries the state to time `end`; returns the evaluations, one solve each. state.steps is not counted. Throws as
+/// OneStep::step.
+template <ConstrainedModel Model>
+requires HasMultipliers<Model>
+long integrate_adaptive(AdaptiveMethod method, Model& model, State& state, double end, double tolerance) {
+  IndexReduced<Model> form(model);
+  const std::size_t n = state.q.size();
+  std::vector<double> x = state.q;
+  x.insert(x.end(), state.u.begin(), state.u.end());
+  const std::vector<double> origin(n, 0.0);
+  const auto slope = [&](Input at, Output result, double time) {
+    form.acceleration(time, at.first(n), at.subspan(n), result.subspan(n));
+    model.advance(origin, at.subspan(n), 1, result.first(n));
+  };
+  long evaluations = 0;
+  StepParts<Model>::guarded(state,
+                            [&] { evaluations = integrate_adaptive(method, slope, x, state.time, end, tolerance); });
+  state.q.assign(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n));
+  state.u.assign(x.begin() + static_cast<std::ptrdiff_t>(n), x.end());
+  state.time = end;
+  return evaluations;
+}
+
+// Every integrator of constant step by name, for comparisons: one call that hides what it is made of.
+//
+// When not to use it: in a model's own run, which names its integrator's type and keeps its settings.
+
+enum class Integrator {
+  one_step,
+  triple_jump,
+  suzuki,
+  conservative,
+  conservative_suzuki,
+  runge_kutta_2,
+  runge_kutta_4,
+  rattle
+};
+
+inline constexpr std::array all_integrators{Integrator::one_step,
+                                            Integrator::triple_jump,
+                                            Integrator::suzuki,
+                                            Integrator::conservative,
+                                            Integrator::conservative_suzuki,
+                                            Integrator::runge_kutta_2,
+                                            Integrator::runge_kutta_4,
+                                            Integrator::rattle};
+
+std::string_view name(Integrator integrator);   ///< "one_step", ...
+std::string_view title(Integrator integrator);  ///< for figures: "its Suzuki composition", ...
+int order(Integrator integrator);
+/// Whether it keeps the energy to round-off for a linear potential.
+bool keeps_energy(Integrator integrator);
+/// Steps of second order that one step is composed of.
+std::size_t stages(Integrator integrator);
+
+/// One step, with the errors of the integrator it stands for. @param model  must outlive the result
+template <ConstrainedModel Model>
+StepFunction make_integrator(Integrator integrator, Model& model) {
+  using enum TimeComposition;
+  const auto reference = [](auto stepper) -> StepFunction {
+    return [stepper](State& state, double tau) { stepper->step(state, tau); };
+  };
+  switch (integrator) {
+    case Integrator::triple_jump:
+      return composed<OneStep<Model>>(model, {}, triple_jump);
+    case Integrator::suzuki:
+      return composed<OneStep<Model>>(model, {}, suzuki);
+    case Integrator::conservative:
+      return composed<ConservativeStep<Model>>(model, {}, none);
+    case Integrator::conservative_suzuki:
+      return composed<ConservativeStep<Model>>(model, {}, suzuki);
+    case Integrator::runge_kutta_2:
+      return reference(std::make_shared<RungeKutta2<Model>>(model));
+    case Integrator::runge_kutta_4:
+      return reference(std::make_shared<RungeKutta4<Model>>(model));
+    case Integrator::rattle:
+      return reference(std::make_shared<Rattle<Model>>(model));
+    case Integrator::one_step:
+      break;
+  }
+  return composed<OneStep<Model>>(model, {}, none);
+}
 
 }  // namespace seiche::mechanics

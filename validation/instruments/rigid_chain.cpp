@@ -1,9 +1,8 @@
-#include "seiche/models/rigid_chain/rigid_chain.hpp"
+#include "validation/instruments/rigid_chain.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "seiche/models/rigid_chain/integrators.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::rigid_chain {
@@ -178,3 +177,13 @@ RigidChain free_chain() {
 }
 
 }  // namespace seiche::rigid_chain
+
+namespace seiche::mechanics {
+
+template class OneStep<rigid_chain::RigidChain>;
+template class ConservativeStep<rigid_chain::RigidChain>;
+template class SchemeStepper<rigid_chain::RigidChain>;
+template class Start<rigid_chain::RigidChain>;
+template class InvariantsWatch<rigid_chain::RigidChain>;
+
+}  // namespace seiche::mechanics
