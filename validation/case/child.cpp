@@ -14,7 +14,6 @@
 #include <unistd.h>
 
 #include "seiche/io/atomic_file.hpp"
-#include "seiche/io/leave.hpp"
 
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/lsan_interface.h>

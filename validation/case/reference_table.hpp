@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "seiche/io/csv_table.hpp"
+#include "seiche/io/table.hpp"
 
 namespace seiche::validation {
 

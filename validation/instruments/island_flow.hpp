@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "seiche/exact/solitary_asymptotic.hpp"
-#include "seiche/geometry/spline_bottom.hpp"
+#include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "seiche/samples.hpp"

@@ -84,7 +84,7 @@ class RigidChain {
   std::size_t first_;  // mass at the far end of the first link
   std::size_t links_;
   std::vector<double> link_, diagonal_, off_diagonal_, force_, middle_;
-  linear::Tridiagonal matrix_;
+  linear::TwoEndedTridiagonal matrix_;
   long solves_ = 0;
 };
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "seiche/geometry/spline_bottom.hpp"
+#include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/water_surface.hpp"
 #include "validation/instruments/plan_gauges.hpp"

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "seiche/io/csv_table.hpp"
 #include "seiche/io/hdf5_table.hpp"
+#include "seiche/io/table.hpp"
 #include "validation/scoring/gauge_files.hpp"
 #include "validation/scoring/geoclaw_grids.hpp"
 #include "validation/scoring/openfoam_files.hpp"

@@ -7,7 +7,7 @@
 
 #include "seiche/exact/solitary_asymptotic.hpp"
 #include "seiche/exact/solitary_wave.hpp"
-#include "seiche/geometry/spline_bottom.hpp"
+#include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/impulsive_start.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "seiche/divergence.hpp"
-#include "seiche/geometry/spline_bottom.hpp"
+#include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "seiche/free_lagrangian/stepped_channel.hpp"
+#include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/models/variable_mass/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
-#include "seiche/geometry/spline_bottom.hpp"
+#include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/io/hdf5_table.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/io/csv_table.hpp"
+#include "seiche/io/table.hpp"
 #include "validation/scoring/conservation.hpp"
 #include "verification/check.hpp"
 

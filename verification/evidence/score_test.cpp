@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/io/csv_table.hpp"
+#include "seiche/io/table.hpp"
 #include "validation/scoring/score.hpp"
 #include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "seiche/io/csv_table.hpp"
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/table.hpp"
 #include "seiche/samples.hpp"

@@ -5,7 +5,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "seiche/geometry/bed.hpp"
+#include "seiche/geometry/bottom_profile.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 

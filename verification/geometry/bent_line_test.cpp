@@ -5,7 +5,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "seiche/geometry/bent_line.hpp"
+#include "seiche/geometry/curve.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 

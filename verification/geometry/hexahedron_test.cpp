@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "seiche/linear/hexahedral_lattice.hpp"
+#include "seiche/linear/cosine_lattice.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/samples.hpp"

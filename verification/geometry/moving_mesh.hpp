@@ -11,8 +11,8 @@
 
 #include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/geometry/moving_triangulation.hpp"
-#include "seiche/geometry/polygon_triangulation.hpp"
 #include "seiche/geometry/predicates.hpp"
+#include "seiche/geometry/triangulation.hpp"
 #include "verification/noise.hpp"
 
 namespace seiche::verification {

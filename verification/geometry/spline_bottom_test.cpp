@@ -1,5 +1,5 @@
 // The bottom through elevations on a grid: order, exactness, and lakes at rest over it.
-#include "seiche/geometry/spline_bottom.hpp"
+#include "seiche/geometry/plan_bottom.hpp"
 
 #include <array>
 #include <cmath>

@@ -7,9 +7,8 @@
 #include <fmt/format.h>
 
 #include "seiche/flush_denormals.hpp"
-#include "seiche/linear/nine_point_matrix.hpp"
-#include "seiche/linear/twenty_seven_point_matrix.hpp"
-#include "seiche/linear/vector_operations.hpp"
+#include "seiche/linear/conjugate_gradients.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/linear/worth_threads.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"

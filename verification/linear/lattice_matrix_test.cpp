@@ -9,8 +9,7 @@
 
 #include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/constraint_solver.hpp"
-#include "seiche/linear/nine_point_matrix.hpp"
-#include "seiche/linear/twenty_seven_point_matrix.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 

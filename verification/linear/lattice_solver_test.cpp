@@ -12,7 +12,6 @@
 
 #include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/cosine_lattice.hpp"
-#include "seiche/linear/hexahedral_lattice.hpp"
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

@@ -14,7 +14,7 @@
 #include <numbers>
 #include <vector>
 
-#include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 
 namespace seiche::verification {
 

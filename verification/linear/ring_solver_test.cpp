@@ -7,7 +7,7 @@
 
 #include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/geometry/dirichlet_cells.hpp"
-#include "seiche/geometry/polygon_triangulation.hpp"
+#include "seiche/geometry/triangulation.hpp"
 #include "seiche/linear/ring_solver.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

@@ -59,14 +59,11 @@ void channel_steps(benchmark::State& state) {
   benchmark::DoNotOptimize(flow.q.data());
 }
 
-using Serial = linear::Tridiagonal;
 using TwoEnded = linear::TwoEndedTridiagonal;
 using Periodic = linear::PeriodicTridiagonal;
 
-BENCHMARK(factor_and_solve<Serial>)->Arg(1000)->Arg(10000)->Arg(1000000);
 BENCHMARK(factor_and_solve<TwoEnded>)->Arg(1000)->Arg(10000)->Arg(1000000);
 BENCHMARK(factor_and_solve<Periodic>)->Arg(1000)->Arg(10000)->Arg(1000000);
-BENCHMARK(channel_steps<mechanics::OneStep, Serial>)->Arg(1000)->Arg(10000)->Arg(1000000);
 BENCHMARK(channel_steps<mechanics::OneStep, TwoEnded>)->Arg(1000)->Arg(10000)->Arg(1000000);
 BENCHMARK(channel_steps<mechanics::ConservativeStep, TwoEnded>)->Arg(1000)->Arg(10000)->Arg(1000000);
 

@@ -7,7 +7,7 @@
 
 #include <Eigen/Dense>
 
-#include "seiche/geometry/polygon_triangulation.hpp"
+#include "seiche/geometry/triangulation.hpp"
 #include "seiche/models/dirichlet_mesh/flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/robustness/breakdown.hpp"

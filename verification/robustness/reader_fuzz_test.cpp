@@ -13,10 +13,10 @@
 
 #include "reports/evidence/record_files.hpp"
 #include "seiche/io/atomic_file.hpp"
-#include "seiche/io/csv_table.hpp"
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/hdf5_table.hpp"
 #include "seiche/io/isolated.hpp"
+#include "seiche/io/table.hpp"
 #include "validation/case/configuration.hpp"
 #include "validation/case/registry.hpp"
 #include "validation/scoring/solver_files.hpp"

@@ -4,8 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "seiche/linear/nine_point_matrix.hpp"
-#include "seiche/linear/twenty_seven_point_matrix.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 
 namespace seiche::distributed {
 

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "seiche/exact/reference_solution.hpp"
-#include "seiche/geometry/bed.hpp"
+#include "seiche/geometry/bottom_profile.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::exact {

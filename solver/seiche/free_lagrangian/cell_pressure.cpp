@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "seiche/compensated_sum.hpp"
-#include "seiche/geometry/polygon_triangulation.hpp"
+#include "seiche/geometry/triangulation.hpp"
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/require.hpp"

@@ -14,12 +14,28 @@
 #include <span>
 #include <vector>
 
-#include "seiche/free_lagrangian/mobility.hpp"
+#include "seiche/free_lagrangian/mesh.hpp"
 #include "seiche/geometry/dirichlet_cells.hpp"
 #include "seiche/geometry/moving_triangulation.hpp"
 #include "seiche/linear/ring_solver.hpp"
 
 namespace seiche::free_lagrangian {
+
+// How a node answers a force: by 1/mass, along its wall alone, or not at all in a corner.
+
+struct Mobility {
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+
+  [[nodiscard]] Point operator()(Point force) const {
+    return {xx * force.x + xy * force.y, xy * force.x + yy * force.y};
+  }
+  [[nodiscard]] Mobility over(double mass) const { return {xx / mass, xy / mass, yy / mass}; }
+};
+
+/// Projections on what the walls of a mesh leave free, one per node: mobilities for unit masses.
+std::vector<Mobility> freedoms(const Mesh& mesh);
 
 class CellPressure {
  public:

@@ -18,10 +18,26 @@
 #include <vector>
 
 #include "seiche/free_lagrangian/cell_pressure.hpp"
+#include "seiche/geometry/triangulation.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
 
 namespace seiche::free_lagrangian {
+
+// Gravity of the polygon of water within an outline of nodes: its exact potential energy, counted from y = 0, and the
+// forces on the nodes (Frank 1994, formula 7).
+//
+// @f[ \Pi = \rho g \sum_{ab} \frac{(x_a - x_b)(y_a^2 + y_a y_b + y_b^2)}{6}, @f]
+//
+// the sum over the edges ab of the outline, counter-clockwise.
+
+/// @param weight  rho g
+double potential_energy(Places at, std::span<const int> outline, double weight);
+
+/// -dPi/dr of all nodes, in place of what is there.
+void gravity_forces(Places at, std::span<const int> outline, double weight, std::vector<Point>& force);
 
 using mechanics::Input;
 using mechanics::Interval;
@@ -109,3 +125,11 @@ class CellWater {
 std::vector<double> pressure_of_release(CellWater& water, const mechanics::State& rest);
 
 }  // namespace seiche::free_lagrangian
+
+// What the models of this family take from the mechanics, compiled once and not in every file.
+namespace seiche::mechanics {
+
+extern template class Start<free_lagrangian::CellWater>;
+extern template class InvariantsWatch<free_lagrangian::CellWater>;
+
+}  // namespace seiche::mechanics

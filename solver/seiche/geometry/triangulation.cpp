@@ -1,11 +1,16 @@
 #include "seiche/geometry/triangulation.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "seiche/compensated_sum.hpp"
 #include "seiche/geometry/predicates.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche {
 
@@ -154,6 +159,205 @@ long Triangulation::edges_not_delaunay(Places nodes) const {
     }
   }
   return found;
+}
+
+namespace {
+
+constexpr double closest = 1e-12;  // of the extent
+
+std::string at(Places nodes, int k) {
+  return fmt::format("node {} at ({:g}, {:g})", k, nodes[k].x, nodes[k].y);
+}
+
+void require_nodes(Places nodes, std::span<const int> outline) {
+  if (nodes.x.size() != nodes.y.size()) {
+    throw std::invalid_argument(
+        fmt::format("{} x and {} y of nodes; allowed: as many", nodes.x.size(), nodes.y.size()));
+  }
+  if (outline.size() < 3) {
+    throw std::invalid_argument(fmt::format("the outline has {} nodes; allowed: at least 3", outline.size()));
+  }
+  for (int k = 0; k < nodes.size(); ++k) {
+    if (!std::isfinite(nodes[k].x) || !std::isfinite(nodes[k].y)) {
+      throw std::invalid_argument(at(nodes, k) + "; allowed: finite coordinates");
+    }
+  }
+  std::vector<bool> named(nodes.x.size());
+  for (const int k : outline) {
+    if (k < 0 || k >= nodes.size()) {
+      throw std::invalid_argument(fmt::format("the outline names node {}; allowed: 0 to {}", k, nodes.size() - 1));
+    }
+    if (named[static_cast<std::size_t>(k)]) {
+      throw std::invalid_argument("the outline names " + at(nodes, k) + " twice; allowed: once");
+    }
+    named[static_cast<std::size_t>(k)] = true;
+  }
+}
+
+double extent_of(Places nodes) {
+  const auto range = [](std::span<const double> values) { return largest(values) - smallest(values); };
+  return range(nodes.x) + range(nodes.y);
+}
+
+/// Whether the closed segments have a point in common.
+bool meet(Point a, Point b, Point c, Point d) {
+  if (std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x)) return false;
+  if (std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y)) return false;
+  const auto side = [](Point p, Point q, Point r) {
+    const double turn = orientation(p, q, r);
+    return turn > 0 ? 1 : turn < 0 ? -1 : 0;
+  };
+  return side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0;
+}
+
+void require_simple(Places nodes, std::span<const int> outline) {
+  const std::size_t n = outline.size();
+  const auto refuse = [&](std::size_t i, std::size_t j) {
+    throw std::invalid_argument(fmt::format(
+        "the outline meets itself: its edges {}-{} and {}-{}, near ({:g}, {:g}); allowed: a simple polygon", outline[i],
+        outline[(i + 1) % n], outline[j], outline[(j + 1) % n], nodes[outline[i]].x, nodes[outline[i]].y));
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point a = nodes[outline[i]];
+    const Point b = nodes[outline[(i + 1) % n]];
+    // The edge after it shares b: it must not turn back.
+    const Point after = nodes[outline[(i + 2) % n]];
+    if (orientation(a, b, after) == 0 && (b.x - a.x) * (after.x - b.x) + (b.y - a.y) * (after.y - b.y) <= 0) {
+      refuse(i, (i + 1) % n);
+    }
+    for (std::size_t j = i + 2; j < n; ++j) {
+      if (i == 0 && j == n - 1) continue;
+      if (meet(a, b, nodes[outline[j]], nodes[outline[(j + 1) % n]])) refuse(i, j);
+    }
+  }
+}
+
+/// Whether p is in the closed triangle.
+bool covers(Point a, Point b, Point c, Point p) {
+  return orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0;
+}
+
+std::vector<std::array<int, 3>> cut_ears(Places nodes, std::span<const int> outline) {
+  std::vector<int> ring(outline.begin(), outline.end());
+  std::vector<std::array<int, 3>> triangles;
+  std::size_t i = 0;
+  std::size_t tried = 0;
+  while (ring.size() > 3) {
+    const std::size_t n = ring.size();
+    // A simple polygon has two ears, one of which has an area.
+    if (tried++ > n) throw std::logic_error("polygon without ears");
+    const int before = ring[(i + n - 1) % n];
+    const int tip = ring[i % n];
+    const int after = ring[(i + 1) % n];
+    const Point a = nodes[before];
+    const Point b = nodes[tip];
+    const Point c = nodes[after];
+    const bool ear = orientation(a, b, c) > 0 && std::none_of(ring.begin(), ring.end(), [&](int k) {
+                       return k != before && k != tip && k != after && covers(a, b, c, nodes[k]);
+                     });
+    if (!ear) {
+      i = (i + 1) % n;
+      continue;
+    }
+    triangles.push_back({before, tip, after});
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i % n));
+    i %= ring.size();
+    tried = 0;
+  }
+  triangles.push_back({ring[0], ring[1], ring[2]});
+  return triangles;
+}
+
+/// The triangle that covers a point, by a walk from another one; where the outline is in the way, by looking at all.
+std::optional<int> triangle_at(const Triangulation& mesh, Places nodes, Point p, int from) {
+  const auto first_beyond = [&](int t) {
+    for (int k = 0; k < 3; ++k) {
+      const auto& v = mesh[t].vertex;
+      if (orientation(nodes[v[next(k)]], nodes[v[previous(k)]], p) < 0) return k;
+    }
+    return 3;
+  };
+  int t = from;
+  for (int steps = 0; steps < mesh.size(); ++steps) {
+    const int k = first_beyond(t);
+    if (k == 3) return t;
+    t = mesh[t].across[static_cast<std::size_t>(k)];
+    if (t == Triangulation::outside) break;
+  }
+  for (t = 0; t < mesh.size(); ++t) {
+    if (first_beyond(t) == 3) return t;
+  }
+  return {};
+}
+
+void insert_inside(Triangulation& mesh, Places nodes, int node, int& last) {
+  const Point p = nodes[node];
+  const auto found = triangle_at(mesh, nodes, p, last);
+  if (!found) throw std::invalid_argument(at(nodes, node) + " is outside the outline; allowed: inside");
+  const Triangle& around = mesh[*found];
+  for (int k = 0; k < 3; ++k) {
+    const int v = around.vertex[static_cast<std::size_t>(k)];
+    if (nodes[v].x == p.x && nodes[v].y == p.y) {
+      throw std::invalid_argument(at(nodes, node) + fmt::format(" coincides with node {}; allowed: nodes apart", v));
+    }
+    if (around.across[static_cast<std::size_t>(k)] == Triangulation::outside &&
+        orientation(nodes[around.vertex[next(k)]], nodes[around.vertex[previous(k)]], p) == 0) {
+      throw std::invalid_argument(at(nodes, node) + fmt::format(" is on the outline's edge {}-{}; allowed: inside",
+                                                                around.vertex[next(k)], around.vertex[previous(k)]));
+    }
+  }
+  mesh.insert(node, *found, nodes);
+  last = *found;
+}
+
+/// Nodes next to each other are joined by an edge.
+void require_apart(const Triangulation& mesh, Places nodes) {
+  const double least = closest * extent_of(nodes);
+  for (const Triangle& one : mesh.triangles()) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = one.vertex[next(k)];
+      const int b = one.vertex[previous(k)];
+      const double distance = std::hypot(nodes[a].x - nodes[b].x, nodes[a].y - nodes[b].y);
+      if (!(distance >= least)) {
+        throw std::invalid_argument(
+            at(nodes, a) +
+            fmt::format(" coincides with node {}: they are {:g} apart; allowed: at least {:g}", b, distance, least));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+double enclosed_area(Places nodes, std::span<const int> outline) {
+  const Point origin = nodes[outline[0]];
+  CompensatedSum twice;
+  for (std::size_t i = 1; i + 1 < outline.size(); ++i) {
+    const Point a = nodes[outline[i]];
+    const Point b = nodes[outline[i + 1]];
+    twice.add((a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x));
+  }
+  return twice.value() / 2;
+}
+
+Triangulation triangulate_polygon(Places nodes, std::span<const int> outline) {
+  require_nodes(nodes, outline);
+  const double area = enclosed_area(nodes, outline);
+  require_simple(nodes, outline);
+  if (!(area > 0)) {
+    throw std::invalid_argument(
+        fmt::format("the outline encloses an area of {:g}; allowed: positive, that is counter-clockwise", area));
+  }
+  Triangulation mesh(cut_ears(nodes, outline));
+  mesh.make_delaunay(nodes);
+  std::vector<bool> placed(nodes.x.size());
+  for (const int k : outline) placed[static_cast<std::size_t>(k)] = true;
+  int last = 0;
+  for (int k = 0; k < nodes.size(); ++k) {
+    if (!placed[static_cast<std::size_t>(k)]) insert_inside(mesh, nodes, k, last);
+  }
+  require_apart(mesh, nodes);
+  return mesh;
 }
 
 }  // namespace seiche

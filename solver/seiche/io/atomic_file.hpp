@@ -46,4 +46,9 @@ void remove_partial_files(const std::filesystem::path& directory, long process);
 /// Removes the partial files that anybody left of `target`: for the one who alone writes it now.
 void remove_partial_files(const std::filesystem::path& target);
 
+/// Ends a forked child at once: what its parent would destroy or print at its own end is left to the parent.
+///
+/// Where lines are counted (SEICHE_COVERAGE) the child's counts are written first.
+[[noreturn]] void leave(int status);
+
 }  // namespace seiche::io

@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "seiche/io/leave.hpp"
+#include "seiche/io/atomic_file.hpp"
 
 namespace seiche::io {
 namespace {

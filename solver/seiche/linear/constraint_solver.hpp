@@ -28,9 +28,8 @@
 
 #include "seiche/linear/conjugate_gradients.hpp"
 #include "seiche/linear/cosine_lattice.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/linear/nine_point_cholesky.hpp"
-#include "seiche/linear/nine_point_matrix.hpp"
-#include "seiche/linear/twenty_seven_point_matrix.hpp"
 #include "seiche/linear/worth_threads.hpp"
 #include "seiche/require.hpp"
 

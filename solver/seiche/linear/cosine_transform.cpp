@@ -7,7 +7,7 @@
 
 #include <fftw3.h>
 
-#include "seiche/linear/fftw_planner.hpp"
+#include "seiche/linear/fourier.hpp"
 #include "seiche/require.hpp"
 #include "seiche/simd_clones.hpp"
 

@@ -5,7 +5,6 @@
 
 #include <fftw3.h>
 
-#include "seiche/linear/fftw_planner.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::linear {

@@ -9,11 +9,17 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <span>
 
-struct fftw_plan_s;
-
 namespace seiche::linear {
+
+// FFTW's planner is the one part of it that two threads must not enter together.
+
+inline std::mutex& planner() {
+  static std::mutex mutex;
+  return mutex;
+}
 
 class Fourier {
  public:

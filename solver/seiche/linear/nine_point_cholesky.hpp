@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "seiche/linear/dense_block.hpp"
-#include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/linear/sparse_cholesky.hpp"
 
 namespace seiche::linear {

@@ -6,7 +6,7 @@
 
 #include <Eigen/QR>
 
-#include "seiche/free_lagrangian/water_polygon.hpp"
+#include "seiche/free_lagrangian/cell_water.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/processor_time.hpp"
 

@@ -5,7 +5,6 @@
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/dirichlet_mesh/integrators.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 
@@ -81,3 +80,9 @@ void Flow::observe() {
 }
 
 }  // namespace seiche::dirichlet_mesh
+
+namespace seiche::mechanics {
+
+template class OneStep<dirichlet_mesh::Model>;
+
+}  // namespace seiche::mechanics

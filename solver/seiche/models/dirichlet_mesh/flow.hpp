@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "seiche/compensated_sum.hpp"
+#include "seiche/free_lagrangian/cell_water.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/models/dirichlet_mesh/model.hpp"
@@ -80,3 +81,10 @@ class Flow {
 };
 
 }  // namespace seiche::dirichlet_mesh
+
+// The integrator of the model, compiled once and not in every file that steps it.
+namespace seiche::mechanics {
+
+extern template class OneStep<dirichlet_mesh::Model>;
+
+}  // namespace seiche::mechanics

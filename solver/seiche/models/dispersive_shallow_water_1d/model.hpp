@@ -38,7 +38,6 @@
 #include <vector>
 
 #include "seiche/linear/tridiagonal.hpp"
-#include "seiche/linear/two_ended_sweep.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/breaking.hpp"

@@ -36,7 +36,7 @@ std::vector<double> surface_of(std::span<const double> x, std::span<const double
     matrix.factor({diagonal, coupling});
     matrix.solve(push, push);
   } else {
-    linear::Tridiagonal matrix;
+    linear::TwoEndedTridiagonal matrix;
     matrix.factor({diagonal, coupling});
     matrix.solve(push, push);
   }

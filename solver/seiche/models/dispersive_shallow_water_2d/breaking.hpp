@@ -89,7 +89,7 @@ class BreakingFronts {
   /// Pairs along rows, row by row; then those across, row by row: by the last step, and as found in this one.
   mutable std::vector<char> broke_, breaks_;
   // Of a front.
-  mutable linear::Tridiagonal matrix_;
+  mutable linear::TwoEndedTridiagonal matrix_;
   mutable std::vector<double> diagonal_, coupling_;
   mutable std::array<std::vector<double>, 2> speed_;
   mutable std::vector<double> before_;  // velocities that all fronts begin from

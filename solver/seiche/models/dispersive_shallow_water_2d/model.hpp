@@ -46,7 +46,7 @@
 #include <vector>
 
 #include "seiche/linear/constraint_solver.hpp"
-#include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/bottom_volume.hpp"

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 

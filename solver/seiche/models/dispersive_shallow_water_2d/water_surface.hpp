@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "seiche/linear/conjugate_gradients.hpp"
-#include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {

@@ -1,6 +1,6 @@
 #include "seiche/models/lagrangian_mesh_2d/lattice.hpp"
 
-#include "seiche/linear/hexahedral_lattice.hpp"
+#include "seiche/linear/cosine_lattice.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 

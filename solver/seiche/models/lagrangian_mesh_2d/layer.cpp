@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "seiche/geometry/bent_line.hpp"
+#include "seiche/geometry/curve.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::lagrangian_mesh_2d {

@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-#include "seiche/linear/nine_point_matrix.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 

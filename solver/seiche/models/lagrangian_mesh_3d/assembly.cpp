@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "seiche/linear/twenty_seven_point_matrix.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::lagrangian_mesh_3d {

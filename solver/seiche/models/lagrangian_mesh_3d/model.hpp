@@ -39,7 +39,7 @@
 #include <vector>
 
 #include "seiche/linear/constraint_solver.hpp"
-#include "seiche/linear/twenty_seven_point_matrix.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/lagrangian_mesh_3d/bottom.hpp"

@@ -15,7 +15,7 @@
 #include <array>
 #include <cstddef>
 
-#include "seiche/linear/row_blocks.hpp"
+#include "seiche/linear/lattice_matrix.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
 

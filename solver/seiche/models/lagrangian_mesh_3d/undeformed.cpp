@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "seiche/linear/hexahedral_lattice.hpp"
+#include "seiche/linear/cosine_lattice.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
 

@@ -6,7 +6,6 @@
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/overlapping_particles/integrators.hpp"
 
 namespace seiche::overlapping_particles {
 
@@ -49,3 +48,11 @@ void Flow::observe() {
 }
 
 }  // namespace seiche::overlapping_particles
+
+namespace seiche::mechanics {
+
+template class OneStep<overlapping_particles::Model>;
+template class Start<overlapping_particles::Model>;
+template class InvariantsWatch<overlapping_particles::Model>;
+
+}  // namespace seiche::mechanics

@@ -17,6 +17,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/one_step.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/models/overlapping_particles/model.hpp"
 
 namespace seiche::overlapping_particles {
@@ -66,3 +67,12 @@ class Flow {
 };
 
 }  // namespace seiche::overlapping_particles
+
+// The integrators of the model, compiled once and not in every file that steps it.
+namespace seiche::mechanics {
+
+extern template class OneStep<overlapping_particles::Model>;
+extern template class Start<overlapping_particles::Model>;
+extern template class InvariantsWatch<overlapping_particles::Model>;
+
+}  // namespace seiche::mechanics

@@ -50,7 +50,6 @@
 #include "seiche/linear/ring_solver.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/overlapping_particles/kernel.hpp"
 #include "seiche/models/overlapping_particles/neighbourhoods.hpp"
 #include "seiche/models/overlapping_particles/particles.hpp"
 #include "seiche/models/overlapping_particles/walls.hpp"

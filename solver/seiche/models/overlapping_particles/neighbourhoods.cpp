@@ -1,8 +1,61 @@
 #include "seiche/models/overlapping_particles/neighbourhoods.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace seiche::overlapping_particles {
+
+namespace {
+
+constexpr double cells_per_particle = 4;
+constexpr double some_cells = 64;
+
+long cell_at(double place, double begin, double cell, long cells) {
+  const double s = std::floor((place - begin) / cell);
+  return static_cast<long>(std::clamp(s, 0.0, static_cast<double>(cells - 1)));
+}
+
+}  // namespace
+
+long CellGrid::column_of(double x) const {
+  return cell_at(x, x0_, cell_, columns_);
+}
+
+long CellGrid::row_of(double y) const {
+  return cell_at(y, y0_, cell_, rows_);
+}
+
+void CellGrid::sort(std::span<const double> x, std::span<const double> y, double reach) {
+  const auto [left, right] = std::minmax_element(x.begin(), x.end());
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  const double width = *right - *left;
+  const double height = *high - *low;
+  x0_ = *left;
+  y0_ = *low;
+  cell_ = reach;
+  const double most = cells_per_particle * static_cast<double>(x.size()) + some_cells;
+  while ((std::floor(width / cell_) + 1) * (std::floor(height / cell_) + 1) > most) cell_ *= 2;
+  columns_ = static_cast<long>(width / cell_) + 1;
+  rows_ = static_cast<long>(height / cell_) + 1;
+
+  begin_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
+  cell_of_.resize(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    cell_of_[k] = row_of(y[k]) * columns_ + column_of(x[k]);
+    ++begin_[static_cast<std::size_t>(cell_of_[k]) + 1];
+  }
+  for (std::size_t c = 1; c < begin_.size(); ++c) begin_[c] += begin_[c - 1];
+  particle_.resize(x.size());
+  std::vector<int>& next = begin_;
+  for (std::size_t k = x.size(); k-- > 0;) {
+    // From the last particle on, each cell is filled from its end, which becomes its beginning.
+    const auto cell = static_cast<std::size_t>(cell_of_[k]) + 1;
+    particle_[static_cast<std::size_t>(--next[cell])] = static_cast<int>(k);
+  }
+  // Entry c + 1 is now where cell c begins.
+  begin_.erase(begin_.begin());
+  begin_.push_back(static_cast<int>(x.size()));
+}
 
 namespace {
 

@@ -28,7 +28,7 @@
 #include <vector>
 
 #include "seiche/compensated_sum.hpp"
-#include "seiche/geometry/bed.hpp"
+#include "seiche/geometry/bottom_profile.hpp"
 #include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::shallow_water_finite_volume {

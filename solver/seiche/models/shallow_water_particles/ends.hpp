@@ -5,7 +5,7 @@
 #include <optional>
 #include <variant>
 
-#include "seiche/geometry/bed.hpp"
+#include "seiche/geometry/bottom_profile.hpp"
 
 namespace seiche::shallow_water_particles {
 

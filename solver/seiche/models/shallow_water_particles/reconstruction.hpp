@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "seiche/geometry/bed.hpp"
+#include "seiche/geometry/bottom_profile.hpp"
 #include "seiche/models/shallow_water_particles/dry_front.hpp"
 #include "seiche/shallow_water/relations.hpp"
 

@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-#include "seiche/free_lagrangian/mobility.hpp"
+#include "seiche/free_lagrangian/cell_pressure.hpp"
 #include "seiche/geometry/moving_triangulation.hpp"
 #include "seiche/models/variable_mass/surface.hpp"
 

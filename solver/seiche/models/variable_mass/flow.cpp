@@ -4,8 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "seiche/free_lagrangian/integrators.hpp"
-#include "seiche/free_lagrangian/water_polygon.hpp"
+#include "seiche/free_lagrangian/cell_water.hpp"
 #include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/require.hpp"

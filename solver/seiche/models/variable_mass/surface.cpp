@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/free_lagrangian/water_polygon.hpp"
+#include "seiche/free_lagrangian/cell_water.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/samples.hpp"
 

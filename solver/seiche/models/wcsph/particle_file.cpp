@@ -12,7 +12,6 @@
 
 #include "seiche/io/atomic_file.hpp"
 #include "seiche/io/hdf5_file.hpp"
-#include "seiche/io/xdmf.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::wcsph {

@@ -1,4 +1,4 @@
-#include "seiche/linear/vector_operations.hpp"
+#include "seiche/linear/conjugate_gradients.hpp"
 
 #include <algorithm>
 #include <cstddef>
