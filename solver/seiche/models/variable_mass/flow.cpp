@@ -12,24 +12,13 @@
 
 namespace seiche::variable_mass {
 
-Flow::Flow(const Mesh& rest, const Start& start, Control control, Settings settings, double drift_feedback)
-    : control_(rest, control),
-      water_(std::make_unique<CellWater>(control_.raised(start.elevation), settings)),
-      state_(water_->state(start.velocity)),
-      force_(water_->nodes()) {
+Flow::Flow(ControlVelocity control, const Start& start, Settings settings, double drift_feedback)
+    : PlaneFlow(std::make_unique<CellWater>(control.raised(start.elevation), settings), start.velocity),
+      control_(std::move(control)),
+      force_(model_->nodes()) {
   require_within("drift_feedback", drift_feedback, 0, 1);
-  parts_ = std::make_unique<mechanics::StepParts<CellWater>>(*water_, drift_feedback > 0, drift_feedback);
-  try {
-    mechanics::Start(*water_).project(state_);
-  } catch (const mechanics::Infeasible& failure) {
-    throw std::invalid_argument(failure.what());
-  }
-  watch_ = std::make_unique<mechanics::InvariantsWatch<CellWater>>(*water_, state_);
+  parts_ = std::make_unique<mechanics::StepParts<CellWater>>(*model_, drift_feedback > 0, drift_feedback);
 }
-
-Flow::~Flow() = default;
-Flow::Flow(Flow&&) noexcept = default;
-Flow& Flow::operator=(Flow&&) noexcept = default;
 
 void Flow::advance(double tau) {
   mechanics::require_step(tau);
@@ -39,35 +28,31 @@ void Flow::advance(double tau) {
   ++state_.steps;
 }
 
-void Flow::advance_to(double time, double tau, const std::function<void()>& after_step) {
-  mechanics::equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
-}
-
 void Flow::take(double tau) {
-  const std::size_t n = water_->nodes();
+  const std::size_t n = model_->nodes();
   const std::size_t both = 2 * n;
-  free_lagrangian::CellPressure& pressure = water_->pressure();
+  free_lagrangian::CellPressure& pressure = model_->pressure();
   const mechanics::Input target = parts_->drift_target(state_.q, tau);
   velocity_.resize(both);
   rates_.resize(both);
   middle_.resize(both);
 
   // Step 1: the middle of the step, and the control there.
-  pressure.follow(water_->places(state_.q));
-  control_.at(water_->triangulation(), state_.u, velocity_);
+  pressure.follow(model_->places(state_.q));
+  control_.at(model_->triangulation(), state_.u, velocity_);
   for (std::size_t i = 0; i < both; ++i) middle_[i] = state_.q[i] + tau / 2 * (state_.u[i] + velocity_[i]);
-  pressure.measure(water_->places(middle_));
-  control_.at(water_->triangulation(), state_.u, velocity_);
+  pressure.measure(model_->places(middle_));
+  control_.at(model_->triangulation(), state_.u, velocity_);
 
   // Step 2: masses.
-  gather_exchanges(water_->places(middle_), tau);
-  convection_.begin(water_->masses(), exchanges_, water_->places(middle_));
+  gather_exchanges(model_->places(middle_), tau);
+  convection_.begin(model_->masses(), exchanges_, model_->places(middle_));
   mobility_.resize(n);
-  for (std::size_t k = 0; k < n; ++k) mobility_[k] = water_->freedom()[k].over(convection_.mean_masses()[k]);
+  for (std::size_t k = 0; k < n; ++k) mobility_[k] = model_->freedom()[k].over(convection_.mean_masses()[k]);
 
   // Step 3: mean velocities, those of constant areas.
   pressure.factor(mobility_);
-  free_lagrangian::gravity_forces(water_->places(middle_), water_->outline(), water_->weight(), force_);
+  free_lagrangian::gravity_forces(model_->places(middle_), model_->outline(), model_->weight(), force_);
   parts_->guess_impulse(state_, tau, impulse_);
   for (double& value : impulse_) value *= 2;
   defect_.resize(n);
@@ -96,11 +81,11 @@ void Flow::take(double tau) {
   parts_->require_finite_rates(state_, next_u_);
   for (std::size_t i = 0; i < both; ++i) rates_[i] = mean_[i] + velocity_[i];
   next_.resize(both);
-  water_->advance(state_.q, rates_, tau, next_);
+  model_->advance(state_.q, rates_, tau, next_);
 
   state_.q.swap(next_);
   state_.u.swap(next_u_);
-  water_->set_masses(convection_.next_masses());
+  model_->set_masses(convection_.next_masses());
   loss_.add(pressure.roughness(impulse_));
   for (std::size_t s = 0; s < target.size(); ++s) work_.add(impulse_[s] * target[s]);
   for (double& value : impulse_) value /= 2;
@@ -111,12 +96,12 @@ void Flow::take(double tau) {
 
 void Flow::gather_exchanges(Places at, double tau) {
   exchanges_.clear();
-  const DirichletCells& cells = water_->cells();
+  const DirichletCells& cells = model_->cells();
   const auto begin = cells.begin();
   const auto member = cells.members();
   const auto gradient = cells.gradients();
-  const std::size_t n = water_->nodes();
-  const double mass = tau * water_->settings().density;
+  const std::size_t n = model_->nodes();
+  const double mass = tau * model_->settings().density;
   const auto c = [&](int k) { return Point{velocity_[index(k)], velocity_[n + index(k)]}; };
   // Area that i gains from j where the face between them moves: dA_i/dr_j.c_j - dA_j/dr_i.c_i.
   for (int j = 0; j < static_cast<int>(n); ++j) {
@@ -134,7 +119,7 @@ void Flow::gather_exchanges(Places at, double tau) {
     }
   }
   // Along the outline the derivatives hold, besides the face, an eighth of the edge's motion: not of that exchange.
-  const auto outline = water_->outline();
+  const auto outline = model_->outline();
   for (std::size_t e = 0; e < outline.size(); ++e) {
     const int i = outline[e];
     const int j = outline[e + 1 == outline.size() ? 0 : e + 1];
@@ -148,20 +133,6 @@ void Flow::gather_exchanges(Places at, double tau) {
   for (std::size_t s = 0; s < handed_on.size(); ++s) {
     if (handed_on[s] != 0) exchanges_.push_back({surface[s], surface[s + 1], mass * handed_on[s]});
   }
-}
-
-double Flow::largest_drift() const {
-  std::vector<double> drift(water_->constraints());
-  water_->constraint_values(state_.q, drift);
-  return worst(drift);
-}
-
-void Flow::observe() {
-  mechanics::InvariantsLedger& ledger = watch_->ledger();
-  const double booked = work_.value() - loss_.value();
-  mechanics::book_energy(ledger, booked - booked_);
-  booked_ = booked;
-  watch_->record(state_);
 }
 
 }  // namespace seiche::variable_mass

@@ -34,9 +34,8 @@
 #include <span>
 #include <vector>
 
-#include "seiche/compensated_sum.hpp"
 #include "seiche/free_lagrangian/cell_water.hpp"
-#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/plane_flow.hpp"
 #include "seiche/mechanics/step_parts.hpp"
 #include "seiche/models/variable_mass/control.hpp"
 #include "seiche/models/variable_mass/convection.hpp"
@@ -53,66 +52,38 @@ struct Start {
   free_lagrangian::VelocityAt velocity = {};       ///< projected on constant areas
 };
 
-class Flow {
+class Flow : public mechanics::PlaneFlow<CellWater> {
  public:
   /// @param rest            the mesh under a flat surface
   /// @param drift_feedback  share of A_i - m_i/rho that a step takes back, in [0, 1]
   /// Throws std::invalid_argument for bad input, a singular mesh without stabilisation among it.
   explicit Flow(const Mesh& rest, const Start& start = {}, Control control = {}, Settings settings = {},
-                double drift_feedback = 0);
-  ~Flow();
-  Flow(Flow&&) noexcept;
-  Flow& operator=(Flow&&) noexcept;
+                double drift_feedback = 0)
+      : Flow(ControlVelocity(rest, control), start, settings, drift_feedback) {}
 
   /// One step of length tau > 0. Throws std::invalid_argument where a rate of the control times tau exceeds 1;
   /// Divergence, with time, step and place, where the mesh tangles, a mass would not be positive, the convective term
   /// does not settle, the surface goes back in x under control, a value is not finite. The state then is as before.
-  void advance(double tau);
-  /// Equal steps of at most tau until `time`, which is hit exactly; after_step is called after each.
-  void advance_to(double time, double tau, const std::function<void()>& after_step = {});
+  void advance(double tau) override;
 
-  [[nodiscard]] double time() const { return state_.time; }
-  [[nodiscard]] long steps() const { return state_.steps; }
-  [[nodiscard]] const CellWater& water() const { return *water_; }
+  [[nodiscard]] const CellWater& water() const { return *model_; }
   [[nodiscard]] const ControlVelocity& control() const { return control_; }
-  [[nodiscard]] const mechanics::State& state() const { return state_; }
-  [[nodiscard]] Places nodes() const { return water_->places(state_.q); }
-  [[nodiscard]] std::span<const double> u() const { return {state_.u.data(), water_->nodes()}; }
-  [[nodiscard]] std::span<const double> v() const { return {state_.u.data() + water_->nodes(), water_->nodes()}; }
-  [[nodiscard]] std::span<const double> masses() const { return water_->masses(); }
-  /// p + rho g y of the cells, mean of the last two steps [Pa].
-  [[nodiscard]] std::vector<double> dynamic_pressure() const { return state_.nodal_multipliers(); }
+  [[nodiscard]] Places nodes() const { return model_->places(state_.q); }
+  [[nodiscard]] std::span<const double> masses() const { return model_->masses(); }
 
-  [[nodiscard]] double kinetic_energy() const { return water_->kinetic_energy(state_.q, state_.u); }  ///< [J/m]
-  [[nodiscard]] double potential_energy() const { return water_->potential_energy(state_.q); }        ///< [J/m]
-  [[nodiscard]] double energy() const { return kinetic_energy() + potential_energy(); }
-  /// What the stabilisation took from the water since the beginning [J/m]; never falls.
-  [[nodiscard]] double stabilisation_loss() const { return loss_.value(); }
-  /// What the feedback of the drift did to it, of either sign [J/m].
-  [[nodiscard]] double drift_work() const { return work_.value(); }
-  /// Largest |A_i - m_i/rho| [m^2].
-  [[nodiscard]] double largest_drift() const;
-  [[nodiscard]] MeshQuality quality() const { return water_->quality(state_.q); }
-  [[nodiscard]] long flips() const { return water_->triangulation().flips(); }
+  [[nodiscard]] MeshQuality quality() const { return model_->quality(state_.q); }
+  [[nodiscard]] long flips() const { return model_->triangulation().flips(); }
   /// Of the convective term, over all steps.
   [[nodiscard]] long iterations() const { return iterations_; }
 
-  /// Mass, momenta, energy with what was booked, A_i - m_i/rho since the beginning: takes a record.
-  void observe();
-  [[nodiscard]] const mechanics::InvariantsLedger& ledger() const { return watch_->ledger(); }
-
  private:
+  Flow(ControlVelocity control, const Start& start, Settings settings, double drift_feedback);
   void take(double tau);
   /// What the cells hand to one another in the step, at the cells last measured.
   void gather_exchanges(Places at, double tau);
 
   ControlVelocity control_;
-  std::unique_ptr<CellWater> water_;
-  mechanics::State state_;
   std::unique_ptr<mechanics::StepParts<CellWater>> parts_;
-  std::unique_ptr<mechanics::InvariantsWatch<CellWater>> watch_;
-  CompensatedSum loss_, work_;
-  double booked_ = 0;  // of the ledger's energy
   long iterations_ = 0;
 
   // Of a step.
@@ -122,7 +93,7 @@ class Flow {
   Convection convection_;
   std::vector<free_lagrangian::Mobility> mobility_;
   std::vector<Point> force_;
-  std::vector<double> impulse_, defect_, mean_, next_u_;
+  std::vector<double> defect_, mean_, next_u_;
 };
 
 }  // namespace seiche::variable_mass

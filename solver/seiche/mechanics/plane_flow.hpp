@@ -1,0 +1,128 @@
+/// What flows of point masses in a plane share, q = (x of all, y of all), u = (velocities along x, along y): the start,
+/// steps to a time, and a ledger in which what a stabilisation takes from the energy, or a feedback of the drift does
+/// to it, is booked.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "seiche/compensated_sum.hpp"
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/one_step.hpp"
+#include "seiche/mechanics/start.hpp"
+#include "seiche/require.hpp"
+#include "seiche/samples.hpp"
+
+namespace seiche::mechanics {
+
+template <class Model>
+class PlaneFlow {
+ public:
+  virtual ~PlaneFlow() = default;
+  PlaneFlow(PlaneFlow&&) noexcept = default;
+  PlaneFlow& operator=(PlaneFlow&&) noexcept = default;
+
+  /// One step of length tau > 0. A step that fails leaves the state as it was.
+  virtual void advance(double tau) = 0;
+  /// Equal steps of at most tau until `time`, which is hit exactly; after_step is called after each.
+  void advance_to(double time, double tau, const std::function<void()>& after_step = {}) {
+    equal_steps_to(state_, time, tau, after_step, [this](double length) { advance(length); });
+  }
+
+  [[nodiscard]] double time() const { return state_.time; }
+  [[nodiscard]] long steps() const { return state_.steps; }
+  [[nodiscard]] const Model& model() const { return *model_; }
+  [[nodiscard]] const State& state() const { return state_; }
+  [[nodiscard]] Input x() const { return Input(state_.q).first(state_.q.size() / 2); }
+  [[nodiscard]] Input y() const { return Input(state_.q).last(state_.q.size() / 2); }
+  [[nodiscard]] Input u() const { return Input(state_.u).first(state_.u.size() / 2); }
+  [[nodiscard]] Input v() const { return Input(state_.u).last(state_.u.size() / 2); }
+  /// Mean of the last two steps; p + rho g y of Dirichlet cells [Pa].
+  [[nodiscard]] std::vector<double> dynamic_pressure() const { return state_.nodal_multipliers(); }
+
+  [[nodiscard]] double kinetic_energy() const { return model_->kinetic_energy(state_.q, state_.u); }  ///< [J/m]
+  [[nodiscard]] double potential_energy() const { return model_->potential_energy(state_.q); }        ///< [J/m]
+  [[nodiscard]] double energy() const { return kinetic_energy() + potential_energy(); }
+  /// What the stabilisation took from the water since the beginning [J/m]; never falls.
+  [[nodiscard]] double stabilisation_loss() const { return loss_.value(); }
+  /// What the feedback of the drift did to it, of either sign [J/m].
+  [[nodiscard]] double drift_work() const { return work_.value(); }
+  /// Largest defect of a constraint.
+  [[nodiscard]] double largest_drift() const {
+    std::vector<double> drift(model_->constraints());
+    model_->constraint_values(state_.q, drift);
+    return worst(drift);
+  }
+
+  /// Mass, momenta, energy with what was booked, constraints since the beginning: takes a record.
+  void observe() {
+    const double booked = work_.value() - loss_.value();
+    book_energy(watch_->ledger(), booked - booked_);
+    booked_ = booked;
+    watch_->record(state_);
+  }
+  [[nodiscard]] const InvariantsLedger& ledger() const { return watch_->ledger(); }
+
+ protected:
+  /// Projects the first velocities on the constraints. Throws std::invalid_argument where the model cannot start.
+  template <class VelocityAt>
+  PlaneFlow(std::unique_ptr<Model> model, const VelocityAt& velocity)
+      : model_(std::move(model)), state_(model_->state(velocity)) {
+    try {
+      Start(*model_).project(state_);
+    } catch (const Infeasible& failure) {
+      throw std::invalid_argument(failure.what());
+    }
+    watch_ = std::make_unique<InvariantsWatch<Model>>(*model_, state_);
+  }
+
+  std::unique_ptr<Model> model_;
+  State state_;
+  std::unique_ptr<InvariantsWatch<Model>> watch_;
+  CompensatedSum loss_, work_;
+  double booked_ = 0;            // of the ledger's energy
+  std::vector<double> impulse_;  // of the multipliers
+};
+
+/// Stepped by Frank's one-step scheme.
+template <class Model>
+class OneStepFlow : public PlaneFlow<Model> {
+ public:
+  /// Throws Divergence, with time, step and place, where the model is Infeasible or a value not finite.
+  void advance(double tau) override {
+    require_step(tau);
+    if (feedback_ > 0) {
+      drift_.resize(this->model_->constraints());
+      this->model_->constraint_values(this->state_.q, drift_);
+    }
+    stepper_->step(this->state_, tau);
+    auto& impulse = this->impulse_;
+    impulse = this->state_.multipliers;
+    for (double& value : impulse) value *= tau / 2;
+    this->loss_.add(this->model_->stabilisation_loss(impulse));
+    // The multipliers work by tau lambda.(G u) = 2 mu.target - the loss.
+    for (std::size_t s = 0; s < drift_.size(); ++s) this->work_.add(-2 * feedback_ / tau * impulse[s] * drift_[s]);
+  }
+
+ protected:
+  /// @param drift_feedback  share of the drift of the constraints that a step takes back, in [0, 1]
+  template <class VelocityAt>
+  OneStepFlow(std::unique_ptr<Model> model, const VelocityAt& velocity, double drift_feedback = 0)
+      : PlaneFlow<Model>(std::move(model), velocity), feedback_(drift_feedback) {
+    require_within("drift_feedback", drift_feedback, 0, 1);
+    typename OneStep<Model>::Settings settings;
+    if (drift_feedback > 0) settings = {.drift_feedback = true, .drift_share = drift_feedback};
+    stepper_ = std::make_unique<OneStep<Model>>(*this->model_, settings);
+  }
+
+ private:
+  double feedback_;
+  std::unique_ptr<OneStep<Model>> stepper_;
+  std::vector<double> drift_;  // before the step
+};
+
+}  // namespace seiche::mechanics
