@@ -10,7 +10,6 @@
 #include "reports/evidence/record_lock.hpp"
 #include "seiche/io/atomic_file.hpp"
 #include "seiche/io/hdf5_file.hpp"
-#include "seiche/io/xdmf.hpp"
 
 namespace seiche::evidence {
 namespace {
