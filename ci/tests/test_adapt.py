@@ -102,6 +102,9 @@ class Adapt(Scoring):
         self.refuses(self.adapt("front", self.write("t,x,h\n0,0,1\n"), "--field", "eta"), "no field eta", "h")
         self.refuses(self.adapt("gauge", self.folder / "mine.csv", "--field", "h"), "--at x=NUMBER")
         self.refuses(self.adapt("gauge", self.folder / "mine.csv", "--field", "h", "--at", "x=7"), "x=7", "not known")
+        for header in ("s,x,h", "t,s,h"):
+            self.refuses(self.adapt("front", self.write(f"{header}\n0,0,1\n"), "--field", "h"),
+                         "needs columns t and x", header.replace(",", ", "))
         (self.folder / "without").mkdir()
         (self.folder / "without/xarray.py").write_text("raise ImportError\n")
         self.refuses(self.adapt("front", self.write("", "run.nc"), PYTHONPATH=str(self.folder / "without")),

@@ -3,13 +3,15 @@
 import json
 import pathlib
 import re
+import subprocess
+import sys
 import tempfile
 import unittest
 
 import h5py
 import numpy as np
 
-from submitting import seiche
+from submitting import SEICHE, seiche
 
 WAVE = ["--set", "amplitude=0.2,depth=1,gravity=1"]
 # What other solvers start from: the elevation of the bed (None: infinitely deep), where, and with which parameters.
@@ -292,6 +294,39 @@ class Inputs(unittest.TestCase):
 
 CATALOGUE = catalogue()
 CATALOGUE.pop("slope_runup")
+
+# Prints what the module says of each solution as JSON: scalars, and outputs at a point, by name.
+MODULE = """import json, sys, numpy, seiche
+known = lambda value: value if numpy.isfinite(value) else None
+said = {}
+for name, given in json.loads(sys.argv[1]).items():
+    solution = seiche.exact(name, **given["parameters"])
+    said[name] = {key: known(numpy.ravel(value)[0]) for key, value in solution(**given["point"]).items()}, {
+        key: known(value) for key, value in solution.scalars.items()}
+print(json.dumps(said))"""
+POINT = {"x": 0.7, "z": 0.4, "t": 0.3}  # on the surface where there is one; 1 for other coordinates
+
+
+@unittest.skipUnless(list((pathlib.Path(SEICHE).parent / "python/seiche").glob("*.so")), "the module is not built")
+class Module(unittest.TestCase):
+    def test_each_number_is_that_of_the_command_by_name(self):
+        asked = {}
+        for name, inputs in catalogue().items():
+            if name != "slope_runup":
+                words = [word.split("=") for word in (QUICKER.get(name) or ["", ""])[1].split(",") if word]
+                asked[name] = {"parameters": {key: float(value) for key, value in words},
+                               "point": {key: POINT.get(key, 1) for key in inputs if key != "y"}}
+        ended = subprocess.run([sys.executable, "-c", MODULE, json.dumps(asked)], capture_output=True, text=True, check=True,
+                               env={"PYTHONPATH": str(pathlib.Path(SEICHE).parent / "python")})
+        for name, (outputs, scalars) in json.loads(ended.stdout).items():
+            with self.subTest(name=name):
+                point = ",".join(f"{key}={value}" for key, value in asked[name]["point"].items())
+                made = json.loads(seiche("exact", name, *QUICKER.get(name, []), *(["--at", point] if point else []),
+                                         "--integrals", "--format", "json").stdout)
+                columns = dict(zip([column["name"] for column in made.get("columns", [])], made.get("rows", [[]])[0]))
+                numbers = made.get("scalars", {})
+                np.testing.assert_equal(outputs, {key: {**numbers, **columns}[key] for key in outputs})
+                np.testing.assert_equal(scalars, {key: numbers[key] for key in scalars})
 
 if __name__ == "__main__":
     unittest.main()
