@@ -12,7 +12,7 @@
 namespace seiche::validation {
 namespace {
 
-constexpr double wavelength = 2 * std::numbers::pi;
+constexpr double forced_length = 2 * std::numbers::pi;
 constexpr double depth = std::numbers::pi;
 /// Below it an outline is the bottom's.
 constexpr double below_waves = -1;
@@ -23,7 +23,8 @@ const std::string source =
 }  // namespace
 
 PressureBreakingReference::PressureBreakingReference(double height, double pressure)
-    : wave_({.amplitude = height / 2, .wavelength = wavelength, .depth = depth, .gravity = 1, .pressure = pressure}) {}
+    : wave_(
+          {.amplitude = height / 2, .wavelength = forced_length, .depth = depth, .gravity = 1, .pressure = pressure}) {}
 
 Polyline PressureBreakingReference::surface(double time) const {
   auto profile = wave_.profile(time, 1601);
@@ -45,7 +46,7 @@ ComparedSurface compare(const PressureBreakingReference& reference, const gauss_
   const Polylines truth{reference.surface(flow.time())};
   if (reference.has_jet(flow.time())) result.outline = water_outline(flow, spacing, below_waves);
   result.distance =
-      polyline_distance(result.outline.empty() ? Polylines{marker_line(flow)} : result.outline, truth, wavelength);
+      polyline_distance(result.outline.empty() ? Polylines{marker_line(flow)} : result.outline, truth, forced_length);
   return result;
 }
 
@@ -111,7 +112,7 @@ evidence::Table distance_table(const BreakingComparison& comparison) {
                         .columns = {{"t", "(g k)^(-1/2)"}},
                         .rows = {}};
   for (const ComparedLattice& lattice : comparison.lattices) {
-    const std::string cells = fmt::format("{:.0f} cells", wavelength / lattice.cell);
+    const std::string cells = fmt::format("{:.0f} cells", forced_length / lattice.cell);
     table.columns.emplace_back("rms, " + cells, "1/k");
     table.columns.emplace_back("largest, " + cells, "1/k");
   }

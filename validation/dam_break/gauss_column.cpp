@@ -8,7 +8,6 @@
 
 namespace seiche::validation {
 
-using gauss_particles::Flow;
 using gauss_particles::LatticePlan;
 using gauss_particles::SplineSpace;
 
@@ -16,7 +15,7 @@ std::string GaussColumn::resolution() const {
   return fmt::format("{} cells to the width, {} particles to a side", cells, per_cell);
 }
 
-Flow GaussColumn::start() const {
+gauss_particles::Flow GaussColumn::start() const {
   const auto across = static_cast<std::size_t>(cells * per_cell);
   const std::size_t up = across * static_cast<std::size_t>(aspect);
   gauss_particles::Particles particles = gauss_particles::layer({.begin = 0,
@@ -31,10 +30,11 @@ Flow GaussColumn::start() const {
   for (std::size_t k = 1; k <= up; ++k) {
     particles.add(1, aspect * static_cast<double>(up - k) / static_cast<double>(up), 0);
   }
-  return Flow(std::move(particles),
-              std::make_unique<SplineSpace>(LatticePlan{.cell_x = spacing(), .left_wall = 0.0, .bottom = true},
-                                            SplineSpace::Settings{.inner_fraction = 0.3}),
-              {}, {.gravity = 1, .penalty = 0.01});
+  return gauss_particles::Flow(
+      std::move(particles),
+      std::make_unique<SplineSpace>(LatticePlan{.cell_x = spacing(), .left_wall = 0.0, .bottom = true},
+                                    SplineSpace::Settings{.inner_fraction = 0.3}),
+      {}, {.gravity = 1, .penalty = 0.01});
 }
 
 }  // namespace seiche::validation

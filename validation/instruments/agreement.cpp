@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -15,10 +14,6 @@ namespace seiche::validation {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-double mean(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 double range(std::span<const double> values) {
   return largest(values) - smallest(values);
@@ -36,14 +31,14 @@ double lagged(std::span<const double> s, std::span<const double> r, long lag) {
   return correlation(s.subspan(late_s, count), r.subspan(late_r, count));
 }
 
-struct Peak {
+struct LocalPeak {
   double place;  ///< in samples
   double height;
 };
 
 /// Local maxima, each by the parabola through a sample and its neighbours.
-std::vector<Peak> peaks_of(const std::vector<double>& samples) {
-  std::vector<Peak> peaks;
+std::vector<LocalPeak> peaks_of(const std::vector<double>& samples) {
+  std::vector<LocalPeak> peaks;
   for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
     const double before = samples[k - 1];
     const double here = samples[k];
@@ -83,11 +78,11 @@ double shift_between(std::span<const double> x, std::span<const double> submitte
     const double here = lagged(s, r, lag);
     agreement_at.push_back(std::isnan(here) ? -1 : here);
   }
-  const std::vector<Peak> peaks = peaks_of(agreement_at);
+  const std::vector<LocalPeak> peaks = peaks_of(agreement_at);
   Largest best;
-  for (const Peak& peak : peaks) best.add(peak.height);
+  for (const LocalPeak& peak : peaks) best.add(peak.height);
   double lag = unknown;
-  for (const Peak& peak : peaks) {
+  for (const LocalPeak& peak : peaks) {
     const double candidate = peak.place - static_cast<double>(farthest);
     if (peak.height > 0 && peak.height >= 0.99 * best.value() && !(std::abs(candidate) >= std::abs(lag)))
       lag = candidate;

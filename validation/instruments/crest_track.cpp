@@ -2,17 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 
 #include "seiche/samples.hpp"
+#include "validation/instruments/oscillation.hpp"
 
 namespace seiche::validation {
 namespace {
-
-double mean(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 /// Index of the first time that is not before `from`, whatever its last digit.
 std::size_t first_at(const std::vector<double>& time, double from) {

@@ -8,7 +8,8 @@
 namespace seiche::validation {
 namespace {
 
-using namespace dispersive_shallow_water_1d;
+using dispersive_shallow_water_1d::Channel;
+using dispersive_shallow_water_1d::Markers;
 
 std::vector<double> labels_of(const StandingBox& box) {
   return equal_labels(box.channel(), 0, box.length(), box.cells);
@@ -22,7 +23,7 @@ double phase(const StandingBox& box, std::size_t i) {
 /// The elevations' part in the mode, step by step. With equal labels it is orthogonal to all other modes.
 Oscillation oscillation(const StandingBox& box, const Markers& start, double periods,
                         const std::vector<int>& harmonics) {
-  Flow flow(box.channel(), start, box.scheme);
+  dispersive_shallow_water_1d::Flow flow(box.channel(), start, box.scheme);
   const double time = periods * 2 * std::numbers::pi / box.law().frequency(box.wavenumber);
   const auto steps = static_cast<long>(std::ceil(time / box.tau));
   std::vector<double> shape;
@@ -97,7 +98,7 @@ exact::FrankDispersion StandingBox::law() const {
 }
 
 double StandingBox::linear_frequency() const {
-  const bool implicit = scheme.stepping == Stepping::conservative;
+  const bool implicit = scheme.stepping == dispersive_shallow_water_1d::Stepping::conservative;
   return exact::discrete_frequency(law().frequency(wavenumber), tau,
                                    implicit ? exact::TimeScheme::conservative : exact::TimeScheme::one_step);
 }

@@ -9,14 +9,12 @@
 namespace seiche::validation {
 
 using exact::DoubleShear;
-using lagrangian_mesh_2d::Flow;
-using lagrangian_mesh_2d::Mesh;
 
 namespace {
 
-Mesh label_mesh(std::size_t n, double distortion) {
+lagrangian_mesh_2d::Mesh label_mesh(std::size_t n, double distortion) {
   constexpr double pi = std::numbers::pi;
-  Mesh mesh = lagrangian_mesh_2d::free_patch(n, n, {-1, -1}, {1, 1});
+  lagrangian_mesh_2d::Mesh mesh = lagrangian_mesh_2d::free_patch(n, n, {-1, -1}, {1, 1});
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
     const double x = mesh.x[k];
     const double y = mesh.y[k];
@@ -27,7 +25,7 @@ Mesh label_mesh(std::size_t n, double distortion) {
 }
 
 /// Where a node is in the undistorted square.
-Point lattice_place(const Mesh& mesh, std::size_t node) {
+Point lattice_place(const lagrangian_mesh_2d::Mesh& mesh, std::size_t node) {
   const auto between = [](std::size_t index, std::size_t count) {
     return (2.0 * static_cast<double>(index) - static_cast<double>(count)) / static_cast<double>(count);
   };
@@ -35,7 +33,7 @@ Point lattice_place(const Mesh& mesh, std::size_t node) {
 }
 
 /// Label of a cell's middle: mean of its corners.
-Point middle(const Mesh& mesh, std::size_t cell) {
+Point middle(const lagrangian_mesh_2d::Mesh& mesh, std::size_t cell) {
   Point mean;
   for (const std::size_t node : mesh.corners(cell)) {
     mean.x += 0.25 * mesh.x[node];
@@ -70,7 +68,7 @@ struct TopEdge {
 
 }  // namespace
 
-Flow double_shear_flow(const DoubleShearRun& run) {
+lagrangian_mesh_2d::Flow double_shear_flow(const DoubleShearRun& run) {
   const auto force = [motion = run.motion](Point label, double time) {
     const DoubleShear::Sample s = motion.at(label.x, label.y, time);
     return Point{s.force_x, s.force_y};
@@ -79,15 +77,16 @@ Flow double_shear_flow(const DoubleShearRun& run) {
     const DoubleShear::Sample s = run.motion.at(label.x, label.y, 0);
     return Point{s.u, s.v};
   };
-  return Flow(label_mesh(run.n, run.distortion), velocity, run.scheme, {.gravity = 0}, {.body_force = force});
+  return lagrangian_mesh_2d::Flow(label_mesh(run.n, run.distortion), velocity, run.scheme, {.gravity = 0},
+                                  {.body_force = force});
 }
 
-void advance_to_end(Flow& flow, const DoubleShearRun& run) {
+void advance_to_end(lagrangian_mesh_2d::Flow& flow, const DoubleShearRun& run) {
   flow.advance_to(run.time, run.tau_over_h * run.spacing());
 }
 
-DoubleShearErrors errors_at_end(const Flow& flow, const DoubleShearRun& run) {
-  const Mesh& mesh = flow.model().mesh();
+DoubleShearErrors errors_at_end(const lagrangian_mesh_2d::Flow& flow, const DoubleShearRun& run) {
+  const lagrangian_mesh_2d::Mesh& mesh = flow.model().mesh();
   DoubleShearErrors errors;
   MeanSquare position;
   MeanSquare velocity;
@@ -137,13 +136,13 @@ DoubleShearErrors errors_at_end(const Flow& flow, const DoubleShearRun& run) {
 }
 
 DoubleShearErrors double_shear_errors(const DoubleShearRun& run) {
-  Flow flow = double_shear_flow(run);
+  lagrangian_mesh_2d::Flow flow = double_shear_flow(run);
   advance_to_end(flow, run);
   return errors_at_end(flow, run);
 }
 
-EdgeSlip edge_slip(const Flow& flow, const DoubleShearRun& run) {
-  const Mesh& mesh = flow.model().mesh();
+EdgeSlip edge_slip(const lagrangian_mesh_2d::Flow& flow, const DoubleShearRun& run) {
+  const lagrangian_mesh_2d::Mesh& mesh = flow.model().mesh();
   EdgeSlip result;
   for (std::size_t i = 0; i <= mesh.columns; ++i) {
     const std::size_t k = mesh.node(i, mesh.rows);

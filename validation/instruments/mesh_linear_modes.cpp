@@ -9,11 +9,10 @@ namespace seiche::validation {
 namespace {
 
 using Eigen::Index;
-using lagrangian_mesh_2d::Model;
 using lagrangian_mesh_2d::Slide;
 
 /// Q: a column per way in which a node can move, of kinetic energy 1/2.
-Eigen::MatrixXd possible_rates(const Model& model) {
+Eigen::MatrixXd possible_rates(const lagrangian_mesh_2d::Model& model) {
   const auto& nodes = model.nodes();
   const auto n = static_cast<Index>(nodes.size());
   std::vector<Eigen::VectorXd> columns;
@@ -43,7 +42,8 @@ std::span<const double> entries_of(const Eigen::MatrixXd& matrix) {
 }
 
 /// W F with the nodes displaced.
-Eigen::VectorXd accelerations(Model& model, const std::vector<double>& rest, const Eigen::VectorXd& rates, double h) {
+Eigen::VectorXd accelerations(lagrangian_mesh_2d::Model& model, const std::vector<double>& rest,
+                              const Eigen::VectorXd& rates, double h) {
   std::vector<double> q(rest.size());
   model.linearise({}, rest);
   model.predict(rest, span_of(rates), h, q);
@@ -55,7 +55,7 @@ Eigen::VectorXd accelerations(Model& model, const std::vector<double>& rest, con
 
 }  // namespace
 
-LinearModes linear_modes(Model& model, double displacement) {
+LinearModes linear_modes(lagrangian_mesh_2d::Model& model, double displacement) {
   const std::vector<double> rest = model.state().q;
   model.linearise({}, rest);
   const Eigen::MatrixXd q = possible_rates(model);

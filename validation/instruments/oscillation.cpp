@@ -11,11 +11,7 @@
 namespace seiche::validation {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-double mean(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -42,7 +38,7 @@ double correlation(std::span<const double> a, std::span<const double> b) {
     bb += (b[i] - mean_b) * (b[i] - mean_b);
   }
   const double scale = std::sqrt(aa) * std::sqrt(bb);
-  return scale > 0 ? ab / scale : unknown;
+  return scale > 0 ? ab / scale : no_value;
 }
 
 Period period_of(std::span<const double> samples, double interval) {
@@ -62,8 +58,12 @@ Period period_of(std::span<const double> samples, double interval) {
   for (const CurveCrest& peak : peaks) highest.add(peak.height);
   const auto first = std::find_if(peaks.begin(), peaks.end(),
                                   [&](const CurveCrest& peak) { return peak.height >= 0.9 * highest.value(); });
-  if (first == peaks.end()) return {unknown, unknown};
+  if (first == peaks.end()) return {no_value, no_value};
   return {first->place, first->height};
+}
+
+double mean(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 std::vector<double> distances(std::span<const CurveCrest> crests) {
@@ -73,7 +73,7 @@ std::vector<double> distances(std::span<const CurveCrest> crests) {
 }
 
 double relative_spread(std::span<const double> values) {
-  if (values.size() < 2) return unknown;
+  if (values.size() < 2) return no_value;
   const double middle = mean(values);
   Worst deviation;
   for (const double value : values) deviation.add(value - middle);

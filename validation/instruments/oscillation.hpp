@@ -27,6 +27,7 @@ struct Period {
 /// reaches nine tenths of the highest. Lags go up to half of the signal; what overlaps is correlated.
 Period period_of(std::span<const double> samples, double interval);
 
+double mean(std::span<const double> values);
 /// Distances between neighbouring crests.
 std::vector<double> distances(std::span<const CurveCrest> crests);
 /// Largest deviation of values from their mean, relative to it; NaN for fewer than two.

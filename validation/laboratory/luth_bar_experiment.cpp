@@ -10,7 +10,7 @@ namespace {
 
 const std::vector<double> gauges{2, 4, 10.5, 12.5, 13.5, 14.5, 15.7, 17.3, 19, 21};
 
-struct Wave {
+struct BarWave {
   std::string table;
   double period = 0;     ///< [s]
   double amplitude = 0;  ///< first harmonic at the two gauges before the bar [m]
@@ -20,18 +20,18 @@ struct Wave {
   std::string input_reason = {};
 };
 
-const Wave wave_a{"luth_1994_bar_a",
-                  2.02,
-                  0.0108,
-                  28,
-                  1,
-                  0.08,
-                  "the amplitude is 0.0108 m at the two gauges before the bar and nominally 0.0100 m"};
+const BarWave wave_a{"luth_1994_bar_a",
+                     2.02,
+                     0.0108,
+                     28,
+                     1,
+                     0.08,
+                     "the amplitude is 0.0108 m at the two gauges before the bar and nominally 0.0100 m"};
 // The front comes to the bar at 0.9 m/s, what is set free there at 12 to 14 m goes on with 0.4 m/s.
-const Wave wave_c{
+const BarWave wave_c{
     "luth_1994_bar_c", 1.01, 0.0206, 40, 3, 0.03, "bar and beach reflect, as in the same test at twice the scale"};
 
-Submitted compute(const Wave& wave, const Run& run, double coarsening) {
+Submitted compute(const BarWave& wave, const Run& run, double coarsening) {
   const double spacing = coarsening * run.real("spacing");
   const Flume flume{.bed_x = {-90, 6, 12, 14, 17, 60},
                     .bed_z = {-0.4, -0.4, -0.1, -0.1, -0.4, -0.4},
@@ -88,7 +88,7 @@ std::vector<Cause> misses_c() {
 
 Experiment luth_bar_experiment(const std::string& letter) {
   const bool long_wave = letter == "A";
-  const Wave& wave = long_wave ? wave_a : wave_c;
+  const BarWave& wave = long_wave ? wave_a : wave_c;
   const Window window{0.51 * wave.period, 0.51 * wave.period + wave.periods * wave.period};
   Series part{.name = "gauges",
               .table = wave.table,

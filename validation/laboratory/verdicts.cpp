@@ -11,8 +11,6 @@
 namespace seiche::validation::laboratory {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// For ids: no points, and a word for a minus.
 std::string plain(std::string text, const char* minus) {
   std::replace(text.begin(), text.end(), '.', '_');
@@ -93,7 +91,7 @@ evidence::Uncertainty Question::criterion_of_run() const {
 
 double Question::answer(const Submitted& computed) const {
   const SubmittedGroup* group = group_of(computed, part_, reading_.group);
-  if (group == nullptr) return nan;
+  if (group == nullptr) return std::numeric_limits<double>::quiet_NaN();
   const bool scalar = part_.kind == WantedTable::Kind::scalars;
   return reading_.of({scalar ? measured_->x : group->abscissa, group->values.at(part_.quantity.name)}, *measured_);
 }
@@ -171,7 +169,8 @@ void show_readings(const std::vector<Question>& all, const Submitted& computed,
     const Question& one = all[k];
     table.rows.push_back({name(one.reading().kind), one.claim().id, one.expected(),
                           std::hypot(one.data_uncertainty(), one.input_uncertainty()), one.answer(computed),
-                          numerical.at(k).value_or(nan), one.reading().along ? one.part().origin : 0.0});
+                          numerical.at(k).value_or(std::numeric_limits<double>::quiet_NaN()),
+                          one.reading().along ? one.part().origin : 0.0});
   }
   exhibit.table(std::move(table));
 }

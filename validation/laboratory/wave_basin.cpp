@@ -15,8 +15,6 @@
 namespace seiche::validation::laboratory {
 namespace {
 
-using dispersive_shallow_water_2d::Flow;
-
 constexpr double gravity = 9.81;
 constexpr double ramp = 2;           // periods
 constexpr double lattice_rate = 20;  // [1/s], above what steep waves of 1 s make the lattice's pattern grow at
@@ -31,7 +29,7 @@ double paddle_velocity(const PaddleWaves& waves) {
   return of_markers * omega / kh * (1 + improved * std::pow(kh, 4) / nu);
 }
 
-Flow basin_flow(const Basin& basin, const PaddleWaves& waves) {
+dispersive_shallow_water_2d::Flow basin_flow(const Basin& basin, const PaddleWaves& waves) {
   const auto bottom = std::make_shared<SplineBottom>(SplineBottom::sampled({.begin = basin.begin - 3 * basin.raster,
                                                                             .end = basin.end + basin.raster,
                                                                             .south = basin.south - basin.raster,
@@ -49,24 +47,25 @@ Flow basin_flow(const Basin& basin, const PaddleWaves& waves) {
     const double within = (at.x - basin.absorbed_from) / (basin.end - basin.absorbed_from);
     return within > 0 ? basin.absorption * within * within : 0.0;
   };
-  return Flow(dispersive_shallow_water_2d::rectangular_lattice({.begin = basin.begin,
-                                                                .end = basin.end,
-                                                                .south = basin.south,
-                                                                .north = basin.north,
-                                                                .columns = cells(basin.end - basin.begin),
-                                                                .rows = cells(basin.north - basin.south),
-                                                                .sides = {.west = paddle},
-                                                                .bottom = bottom}),
-              {}, {},
-              {.gravity = gravity,
-               .inertia = 1.0 / 3 + improved,
-               .gamma = improved,
-               .tolerance = 1e-8,
-               .drag = {.lattice_rate = lattice_rate, .absorption = absorption}});
+  return dispersive_shallow_water_2d::Flow(
+      dispersive_shallow_water_2d::rectangular_lattice({.begin = basin.begin,
+                                                        .end = basin.end,
+                                                        .south = basin.south,
+                                                        .north = basin.north,
+                                                        .columns = cells(basin.end - basin.begin),
+                                                        .rows = cells(basin.north - basin.south),
+                                                        .sides = {.west = paddle},
+                                                        .bottom = bottom}),
+      {}, {},
+      {.gravity = gravity,
+       .inertia = 1.0 / 3 + improved,
+       .gamma = improved,
+       .tolerance = 1e-8,
+       .drag = {.lattice_rate = lattice_rate, .absorption = absorption}});
 }
 
-std::vector<std::vector<double>> harmonics_at(Flow& flow, const std::vector<Point>& places, std::size_t orders,
-                                              double period, long steps, long periods) {
+std::vector<std::vector<double>> harmonics_at(dispersive_shallow_water_2d::Flow& flow, const std::vector<Point>& places,
+                                              std::size_t orders, double period, long steps, long periods) {
   PlanGauges gauges(flow.shape(), places);
   dispersive_shallow_water_2d::WaterSurface surface(flow.shape(), flow.model().settings().gamma);
   std::vector<std::vector<std::complex<double>>> sums(orders, std::vector<std::complex<double>>(places.size()));

@@ -13,16 +13,13 @@
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "validation/instruments/processor_time.hpp"
+#include "validation/periodic_wave/attenuation.hpp"
 #include "validation/studies/wcsph/periodic_water.hpp"
 
 namespace seiche::validation {
 namespace {
 
 using exact::StokesWave;
-
-double period_of(const StokesWave& wave) {
-  return wave.wavelength() / wave.phase_speed();
-}
 
 /// The surface itself is the end of the exact field: points above it by rounding are put on it.
 Point velocity_at(const StokesWave& wave, double x, double y) {

@@ -12,7 +12,6 @@
 namespace seiche::validation {
 namespace {
 
-using gauss_particles::Flow;
 using gauss_particles::LatticePlan;
 using gauss_particles::SplineSpace;
 
@@ -25,7 +24,7 @@ std::size_t count(double number) {
   return static_cast<std::size_t>(std::lround(number));
 }
 
-GaussFrame frame_of(const Flow& flow, double from) {
+GaussFrame frame_of(const gauss_particles::Flow& flow, double from) {
   GaussFrame frame{.time = flow.time()};
   const std::vector<Point> markers = flow.markers();
   const std::size_t massive = flow.model().size() - markers.size();
@@ -45,7 +44,7 @@ GaussFrame frame_of(const Flow& flow, double from) {
 }
 
 /// How far the particles are behind bottom and walls.
-double farthest_beyond(const Flow& flow, const GaussClimb& climb) {
+double farthest_beyond(const gauss_particles::Flow& flow, const GaussClimb& climb) {
   Largest beyond;
   beyond.add(0);
   const std::size_t massive = flow.model().size() - flow.markers().size();
@@ -89,7 +88,7 @@ std::string GaussClimb::resolution() const {
   return fmt::format("{} cells to a depth, {} particles to a side", cells, per_cell);
 }
 
-Flow GaussClimb::start() const {
+gauss_particles::Flow GaussClimb::start() const {
   const double end = toe() + cot_slope;
   const auto columns = static_cast<double>(cells) * end;
   LatticePlan plan{.cell_x = spacing(), .left_wall = 0.0, .bottom = true, .ground = {.level = -1}};
@@ -101,26 +100,27 @@ Flow GaussClimb::start() const {
                                                              toe() + (1 + highest_place) * cot_slope)};
   }
   const auto elevation = [this](double x) { return wave.elevation(x - crest()); };
-  return Flow(gauss_particles::layer({.begin = 0,
-                                      .end = end,
-                                      .columns = count(columns * static_cast<double>(per_cell)),
-                                      .rows = static_cast<std::size_t>(cells * per_cell),
-                                      .surface = [&](double x) { return std::max(elevation(x), bottom(x)); },
-                                      .bottom = [this](double x) { return bottom(x); },
-                                      .markers = count(columns * markers_per_cell),
-                                      .marker_at_end = true}),
-              std::make_unique<SplineSpace>(plan, SplineSpace::Settings{.inner_fraction = 0.25}),
-              [&](Point r) {
-                if (cot_slope != 0 && r.x > toe() - rounding) return Point{0, 0};
-                // The surface itself is the end of the exact field: points above it by rounding are put on it.
-                const auto v = wave.velocity(r.x - crest(), std::min(r.y, elevation(r.x) - 1e-13));
-                return Point{v.u, v.v};
-              },
-              {.gravity = 1, .penalty = 0.01});
+  return gauss_particles::Flow(
+      gauss_particles::layer({.begin = 0,
+                              .end = end,
+                              .columns = count(columns * static_cast<double>(per_cell)),
+                              .rows = static_cast<std::size_t>(cells * per_cell),
+                              .surface = [&](double x) { return std::max(elevation(x), bottom(x)); },
+                              .bottom = [this](double x) { return bottom(x); },
+                              .markers = count(columns * markers_per_cell),
+                              .marker_at_end = true}),
+      std::make_unique<SplineSpace>(plan, SplineSpace::Settings{.inner_fraction = 0.25}),
+      [&](Point r) {
+        if (cot_slope != 0 && r.x > toe() - rounding) return Point{0, 0};
+        // The surface itself is the end of the exact field: points above it by rounding are put on it.
+        const auto v = wave.velocity(r.x - crest(), std::min(r.y, elevation(r.x) - 1e-13));
+        return Point{v.u, v.v};
+      },
+      {.gravity = 1, .penalty = 0.01});
 }
 
 GaussClimbRun climb(const GaussClimb& climb) {
-  Flow flow = climb.start();
+  gauss_particles::Flow flow = climb.start();
   GaussClimbRun run;
   run.particles = static_cast<double>(flow.model().size() - flow.markers().size());
   run.wave_energy = climb.wave.kinetic_energy() + climb.wave.potential_energy();

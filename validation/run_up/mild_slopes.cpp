@@ -11,10 +11,10 @@
 namespace seiche::validation {
 namespace {
 
-constexpr double margin = 1e-3;  // of the wave's height, at the wall and at the toe
+constexpr double seen_height = 1e-3;  // of the wave's height, at the wall and at the toe
 
 std::vector<double> euler_on_meshes(double cot_slope, double amplitude) {
-  const double reach = SolitaryClimb{.cot_slope = cot_slope, .amplitude = amplitude}.reach(margin);
+  const double reach = SolitaryClimb{.cot_slope = cot_slope, .amplitude = amplitude}.reach(seen_height);
   std::vector<double> runup;
   for (const long refinement : {1, 2, 4}) {
     const double spacing = 0.5 / static_cast<double>(refinement);

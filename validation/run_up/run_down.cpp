@@ -10,11 +10,9 @@
 
 namespace seiche::validation {
 
-using dispersive::Flow;
-
 namespace {
 
-bool in_the_water(const Flow& flow, double place) {
+bool in_the_water(const dispersive::Flow& flow, double place) {
   const auto finite = [](std::span<const double> values) {
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
   };
@@ -29,7 +27,7 @@ RunDown run_down(const SolitaryClimb& climb) {
   constexpr double fallen = 0.9;
   const double end = climb.time_to(-climb.cot_slope) + 5 * climb.cot_slope + 20;  // up, down and away
   RunDown fate;
-  Flow flow = climb.start();
+  dispersive::Flow flow = climb.start();
   const double energy = flow.energy();
   Peak edge;
   Smallest lowest;

@@ -14,7 +14,6 @@ namespace seiche::validation {
 
 using dispersive::Channel;
 using dispersive::End;
-using dispersive::Flow;
 
 namespace {
 
@@ -43,7 +42,7 @@ double SolitaryClimb::time_to(double x) const {
   return (x - crest()) / exact::SerreSolitary(amplitude).speed();
 }
 
-Flow SolitaryClimb::start() const {
+dispersive::Flow SolitaryClimb::start() const {
   const double wall = crest() - reach(margin);
   const double beyond = wall - 1 - reach(margin);
   Channel channel{
@@ -59,11 +58,11 @@ Flow SolitaryClimb::start() const {
   return {channel, solitary_markers(channel, wall, 0, spacing, {.amplitude = amplitude, .crest = crest()}), scheme};
 }
 
-double SolitaryClimb::step(const Flow& flow) const {
+double SolitaryClimb::step(const dispersive::Flow& flow) const {
   return std::min(tau_over_spacing * spacing, courant * flow.stable_step());
 }
 
-void SolitaryClimb::advance_to(Flow& flow, double time) const {
+void SolitaryClimb::advance_to(dispersive::Flow& flow, double time) const {
   flow.advance_to(time, tau_over_spacing * spacing, {}, courant);
 }
 
@@ -72,7 +71,7 @@ std::string SolitaryClimb::resolution() const {
 }
 
 RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch) {
-  Flow flow = climb.start();
+  dispersive::Flow flow = climb.start();
   Peak edge;
   edge.add(flow.time(), flow.y().back());
   // The water's edge rises above the wave's own height: what was before was not the run-up.

@@ -9,7 +9,6 @@ namespace seiche::validation {
 namespace {
 
 using Outcome = evidence::Summary::Outcome;
-using Kind = Since::Kind;
 
 bool by_verdict_alone(const Outcome& claim) {
   return claim.kind == "roundoff" || claim.kind == "qualitative";
@@ -20,17 +19,18 @@ std::string errors(const Outcome& before, const Outcome& after) {
 }
 
 void compare(const Outcome& was, const Outcome& is, std::vector<Since>& all) {
-  const auto add = [&](Kind kind, const std::string& words) { all.push_back({kind, is.id, words}); };
+  const auto add = [&](Since::Kind kind, const std::string& words) { all.push_back({kind, is.id, words}); };
   const bool lost = std::isnan(error_of(is)) && !std::isnan(error_of(was));
   const bool broken = by_verdict_alone(is) && was.verdict == "pass" && is.verdict != "pass";
   if (lost || broken || degraded(was, is)) {
-    add(Kind::worse, fmt::format("{}, {} -> {}", errors(was, is), was.verdict, is.verdict));
+    add(Since::Kind::worse, fmt::format("{}, {} -> {}", errors(was, is), was.verdict, is.verdict));
   } else if (was.verdict != "pass" && is.verdict == "pass") {
-    add(Kind::unexpected_pass, fmt::format("{}, {} -> pass", errors(was, is), was.verdict));
+    add(Since::Kind::unexpected_pass, fmt::format("{}, {} -> pass", errors(was, is), was.verdict));
   } else if (was.verdict != is.verdict) {
-    add(Kind::other, fmt::format("{} -> {}, within the uncertainties: {}", was.verdict, is.verdict, errors(was, is)));
+    add(Since::Kind::other,
+        fmt::format("{} -> {}, within the uncertainties: {}", was.verdict, is.verdict, errors(was, is)));
   } else if (degraded(is, was)) {
-    add(Kind::other, errors(was, is) + ", better");
+    add(Since::Kind::other, errors(was, is) + ", better");
   }
 }
 
@@ -56,13 +56,13 @@ std::vector<Since> changes_since(const evidence::Summary& before, const evidence
   for (const Outcome& claim : after.claims) {
     const auto was = old.find(claim.id);
     if (was == old.end()) {
-      all.push_back({Kind::other, claim.id, "new: " + claim.verdict});
+      all.push_back({Since::Kind::other, claim.id, "new: " + claim.verdict});
       continue;
     }
     compare(*was->second, claim, all);
     old.erase(was);
   }
-  for (const auto& [id, claim] : old) all.push_back({Kind::worse, id, "no longer claimed"});
+  for (const auto& [id, claim] : old) all.push_back({Since::Kind::worse, id, "no longer claimed"});
   return all;
 }
 

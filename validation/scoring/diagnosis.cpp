@@ -14,8 +14,6 @@
 namespace seiche::validation {
 namespace {
 
-using Kind = WantedTable::Kind;
-
 std::string where_of(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group) {
   if (!table.group) return quantity.column.name;
   return fmt::format("{}, {} = {:g}{}", quantity.column.name, table.group->name, group.value,
@@ -150,7 +148,7 @@ std::vector<Finding> diagnosis(const std::vector<WantedTable>& wanted, const Sub
   for (const WantedTable& table : wanted) {
     const auto found = submitted.find(table.name);
     if (found == submitted.end()) continue;
-    if (table.kind == Kind::scalars) {
+    if (table.kind == WantedTable::Kind::scalars) {
       add_numbers(table, found->second, findings);
     } else {
       add_curves(table, found->second, shift_fitted, findings);

@@ -20,8 +20,6 @@
 namespace seiche::validation {
 namespace {
 
-using Kind = WantedTable::Kind;
-
 struct MeasureText {
   Measure measure;
   const char* id;
@@ -44,7 +42,7 @@ constexpr std::array<MeasureText, 12> measure_texts{{
     {Measure::skill, "skill", "Willmott's index of agreement", "1"},
 }};
 
-const MeasureText& text_of(Measure measure) {
+const MeasureText& wording_of(Measure measure) {
   return measure_texts.at(static_cast<std::size_t>(measure));
 }
 
@@ -60,7 +58,7 @@ std::optional<double> times(double factor, std::optional<double> uncertainty) {
 }
 
 evidence::Claim claim_of(const WantedTable& table, const WantedQuantity& quantity, const Requirement& requirement) {
-  const MeasureText& text = text_of(requirement.measure);
+  const MeasureText& text = wording_of(requirement.measure);
   return {.id = quantity.column.name + "-" + text.id,
           .text = requirement.text,
           .quantity = fmt::format("{} of {}", text.name, quantity.column.name),
@@ -76,7 +74,7 @@ class QuantityScore {
   QuantityScore(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group,
                 const std::map<std::string, StatedUncertainty>& uncertainty)
       : table_(table), quantity_(quantity), group_(group), uncertainty_(uncertainty) {
-    if (table.kind == Kind::scalars) {
+    if (table.kind == WantedTable::Kind::scalars) {
       measure_scalar();
     } else {
       measure_curve();
@@ -85,9 +83,9 @@ class QuantityScore {
 
   void measure(evidence::Exhibit& exhibit) const {
     for (const auto& [measure, measured] : measures_) {
-      exhibit.measure(quantity_.column.name + "_" + text_of(measure).id + suffix(), measured.value);
+      exhibit.measure(quantity_.column.name + "_" + wording_of(measure).id + suffix(), measured.value);
     }
-    if (table_.kind == Kind::scalars) {
+    if (table_.kind == WantedTable::Kind::scalars) {
       exhibit.measure(quantity_.column.name + "_reference" + suffix(), quantity_.reference({group_.value, 0}));
     } else {
       exhibit.measure(quantity_.column.name + "_coverage" + suffix(), agreement_.coverage);
@@ -95,7 +93,7 @@ class QuantityScore {
   }
 
   void claim(evidence::Record& record) const {
-    if (table_.kind != Kind::scalars) {
+    if (table_.kind != WantedTable::Kind::scalars) {
       record.check({.id = table_.name + "-coverage",
                     .text = fmt::format("The reference points of the {} are covered.", table_.name),
                     .quantity = "share of the reference points within the submitted ones",
@@ -110,7 +108,7 @@ class QuantityScore {
 
   [[nodiscard]] std::vector<std::variant<double, std::string>> row() const {
     std::vector<std::variant<double, std::string>> entries{quantity_.column.name, group_.value};
-    if (table_.kind == Kind::scalars) {
+    if (table_.kind == WantedTable::Kind::scalars) {
       entries.emplace_back(value(Measure::value));
       entries.emplace_back(quantity_.reference({group_.value, 0}));
       entries.emplace_back(value(Measure::relative_error));
@@ -195,7 +193,7 @@ class QuantityScore {
                  {Measure::peak_shift, {a.peak_at - a.reference_peak_at, u_x}},
                  {Measure::skill, {a.skill, 0}}};
     // A series that begins in the upper half of its range has nothing that arrives.
-    if (table_.kind == Kind::series && a.reference.front() < 0.5 * (*lowest + *highest)) {
+    if (table_.kind == WantedTable::Kind::series && a.reference.front() < 0.5 * (*lowest + *highest)) {
       const double level = a.reference.front() + table_.arrival_fraction * (*highest - a.reference.front());
       const double arrival = first_crossing(submitted, level);
       measures_[Measure::arrival_error] = {arrival - first_crossing({a.x, a.reference}, level), u_x};
@@ -210,7 +208,7 @@ class QuantityScore {
   }
 
   void claim(const Requirement& requirement, evidence::Record& record) const {
-    const MeasureText& text = text_of(requirement.measure);
+    const MeasureText& text = wording_of(requirement.measure);
     const auto found = measures_.find(requirement.measure);
     if (found == measures_.end()) {
       throw std::logic_error(fmt::format("{}: {} cannot be measured here", quantity_.column.name, text.name));
@@ -247,7 +245,7 @@ evidence::Table blank_table(const WantedTable& wanted) {
                         .rows = {},
                         .atlas = {}};
   table.columns.emplace_back(wanted.group ? wanted.group->name : "group", wanted.group ? wanted.group->unit : "1");
-  if (wanted.kind == Kind::scalars) {
+  if (wanted.kind == WantedTable::Kind::scalars) {
     table.caption = "Submitted, reference, and their relative difference, in the units asked for.";
     for (const char* name : {"submitted", "reference", "relative error"}) table.columns.emplace_back(name, "1");
     return table;
@@ -319,7 +317,7 @@ void score(const std::vector<WantedTable>& wanted, const Submitted& submitted,
       }
     }
     record.table(std::move(summary));
-    if (table.kind != Kind::scalars) draw_submitted(table, found->second, record);
+    if (table.kind != WantedTable::Kind::scalars) draw_submitted(table, found->second, record);
   }
 }
 

@@ -10,19 +10,18 @@ namespace seiche::validation {
 
 using exact::LaitoneSolitary;
 using exact::SolitaryWave;
-using lagrangian_mesh_2d::Flow;
 using lagrangian_mesh_2d::Settings;
 
-Flow raised(const Hump& hump, const MeshResolution& mesh, double hourglass) {
+lagrangian_mesh_2d::Flow raised(const Hump& hump, const MeshResolution& mesh, double hourglass) {
   lagrangian_mesh_2d::Layer layer = tank(birth_tank, 1, mesh);
   layer.elevation = [&](double x) {
     const double s = 1 / std::cosh(x / hump.width);
     return hump.height * s * s;
   };
-  return Flow(layer_mesh(layer), {}, {}, Settings{.hourglass = hourglass});
+  return lagrangian_mesh_2d::Flow(layer_mesh(layer), {}, {}, Settings{.hourglass = hourglass});
 }
 
-Born follow(Flow& flow, double tau, const std::function<void()>& after_step) {
+Born follow(lagrangian_mesh_2d::Flow& flow, double tau, const std::function<void()>& after_step) {
   Born born{.track = follow_crest(flow, birth_duration, tau, after_step)};
   born.amplitude = born.track.mean_elevation(birth_separated);
   born.speed = born.track.speed(birth_separated);
