@@ -12,6 +12,8 @@
 #include <mutex>
 #include <span>
 
+struct fftw_plan_s;
+
 namespace seiche::linear {
 
 // FFTW's planner is the one part of it that two threads must not enter together.
