@@ -17,6 +17,7 @@ take their pressure from the water make no sound: they are ten times better, and
 */
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -68,8 +69,8 @@ double centre_of_mass(const wcsph::Totals& totals) {
 }
 
 Rest stay(const Settings& settings, double spacing, double time) {
-  const wcsph::Scene scene = wcsph::tank({.width = width, .depth = depth, .spacing = spacing}, settings);
-  wcsph::Flow flow(scene.particles, scene.spacing, settings);
+  wcsph::Scene scene = wcsph::tank({.width = width, .depth = depth, .spacing = spacing}, settings);
+  wcsph::Flow flow(std::move(scene.particles), scene.spacing, settings);
   const double first = centre_of_mass(flow.totals());
   flow.advance_to(time);
   const wcsph::Particles& p = flow.particles();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -96,13 +97,13 @@ void exchange(Tape& tape, SphOverturned& r) {
 
 SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched,
                        Part part) {
-  const wcsph::Scene scene = scene_of(setup);
+  wcsph::Scene scene = scene_of(setup);
   wcsph::Settings settings = setup.settings;
   settings.period = scene.period;
-  wcsph::Flow flow(scene.particles, scene.spacing, settings, scene.paddles);
+  wcsph::Flow flow(std::move(scene.particles), scene.spacing, settings, scene.paddles);
   SphOverturned result{.spacing = scene.spacing,
                        .smoothing_length = flow.smoothing_length(),
-                       .particles = scene.particles.count(wcsph::Kind::fluid)};
+                       .particles = flow.particles().count(wcsph::Kind::fluid)};
   const double first_energy = wave_energy(flow, setup.wave);
   const double interval = times.back() / static_cast<double>(watched);
   const double hole = 4 * scene.spacing * scene.spacing;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "validation/instruments/sph_free_surface.hpp"
 #include "validation/instruments/sph_front.hpp"
@@ -65,9 +66,9 @@ void exchange(Tape& tape, SphPlunged& r) {
 }
 
 SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames, Part part) {
-  const wcsph::Scene scene = scene_of(setup);
-  wcsph::Flow flow(scene.particles, scene.spacing, setup.settings, scene.paddles);
-  SphPlunged result{.spacing = scene.spacing, .particles = scene.particles.size()};
+  wcsph::Scene scene = scene_of(setup);
+  wcsph::Flow flow(std::move(scene.particles), scene.spacing, setup.settings, scene.paddles);
+  SphPlunged result{.spacing = scene.spacing, .particles = flow.particles().size()};
   constexpr double per_period = 100;
   std::size_t next = 0;
   long n = std::lround(per_period);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "validation/instruments/sph_front.hpp"
 
@@ -24,12 +25,12 @@ Curve SphCollapse::free_front() const {
 SphCollapse collapse(const SphDam& dam, const Watch& watch, const std::vector<double>& frames,
                      const std::function<void(std::size_t, const wcsph::Flow&)>& on_frame,
                      const std::function<void(double)>& progress) {
-  const wcsph::Scene scene = wcsph::dam_break(dam.geometry, dam.settings);
-  wcsph::Flow flow(scene.particles, scene.spacing, dam.settings);
+  wcsph::Scene scene = wcsph::dam_break(dam.geometry, dam.settings);
+  wcsph::Flow flow(std::move(scene.particles), scene.spacing, dam.settings);
   const auto [unit, last, samples] = watch;
   SphCollapse result{.spacing = scene.spacing,
                      .sound_speed = dam.settings.sound_speed,
-                     .particles = scene.particles.size(),
+                     .particles = flow.particles().size(),
                      .reaches_wall = std::numeric_limits<double>::quiet_NaN()};
   const double a = dam.geometry.width;
   const double first_energy = flow.totals().energy();

@@ -26,9 +26,9 @@ cut cells, the sums over particles, and the steps.
 #include "seiche/exact/affine_drop.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
 #include "seiche/models/gauss_particles/polynomial_space.hpp"
-#include "seiche/models/gauss_particles/pressure.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/gauss_pressure.hpp"
 
 namespace seiche::validation::cases::ellipse_gauss {
 namespace {

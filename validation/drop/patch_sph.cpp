@@ -19,6 +19,7 @@ several times better than the cubic spline with $h = 1.3\,dx$. Momenta are kept 
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -89,7 +90,7 @@ wcsph::Settings settings_of(const Values& values) {
 }
 
 Stretched stretch(const wcsph::Settings& settings, double spacing) {
-  const wcsph::Scene scene =
+  wcsph::Scene scene =
       wcsph::patch({.radius = 1,
                     .velocity =
                         [](double x, double z) {
@@ -98,9 +99,9 @@ Stretched stretch(const wcsph::Settings& settings, double spacing) {
                     .pressure = [&](double x, double z) { return 0.5 * density * std::max(0.0, 1 - x * x - z * z); },
                     .spacing = spacing},
                    settings);
-  Flow flow(scene.particles, scene.spacing, settings);
+  Flow flow(std::move(scene.particles), scene.spacing, settings);
   const exact::StretchingDrop drop = exact_drop();
-  Stretched result{.spacing = scene.spacing, .particles = scene.particles.size()};
+  Stretched result{.spacing = scene.spacing, .particles = flow.particles().size()};
   const wcsph::Totals first = flow.totals();
   for (long n = 1; n <= samples; ++n) {
     const double t = end * static_cast<double>(n) / static_cast<double>(samples);

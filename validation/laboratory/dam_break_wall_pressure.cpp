@@ -18,6 +18,7 @@ asked for. Average a computed pressure over 5 ms and over the sensor's face of 4
 the head $(u^2/2g + d)/H$ = 0.99 to 0.79 at the wall for $T$ from 3.4 to 5.4, where 0.6 was measured.
 */
 #include <cmath>
+#include <utility>
 
 #include "seiche/models/wcsph/scene.hpp"
 #include "validation/instruments/sph_wall_gauge.hpp"
@@ -62,10 +63,10 @@ SubmittedGroup smoothed(const std::vector<double>& times, const std::vector<doub
 Submitted compute(const Run& run, double coarsening) {
   const double spacing = coarsening * run.real("dx");
   const wcsph::Settings settings = sph_settings(run, gravity, density, std::sqrt(gravity * height));
-  const wcsph::Scene scene = wcsph::dam_break(
+  wcsph::Scene scene = wcsph::dam_break(
       {.width = column, .height = height, .tank_length = tank + spacing, .wall_height = wall, .spacing = spacing},
       settings);
-  wcsph::Flow flow(scene.particles, scene.spacing, settings);
+  wcsph::Flow flow(std::move(scene.particles), scene.spacing, settings);
   const wcsph::WallGauge gauge{.x = scene.far_wall, .z = sensor, .diameter = face};
   std::vector<double> times{0};
   std::vector<double> pressures{0};

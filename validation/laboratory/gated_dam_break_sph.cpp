@@ -18,6 +18,7 @@ depends on the artificial viscosity, with $\alpha = 0.1$ farther than with 0.3.
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
@@ -58,14 +59,14 @@ double front_above(double mark, const wcsph::VolumeFraction& fraction, double st
 Submitted compute(const Run& run, double coarsening) {
   const double spacing = coarsening * run.real("dx");
   const wcsph::Settings settings = sph_settings(run, gravity, density, std::sqrt(gravity * GatedDam::behind));
-  const wcsph::Scene scene = wcsph::dam_break({.width = GatedDam::gate,
-                                               .height = GatedDam::behind,
-                                               .water_ahead = GatedDam::ahead,
-                                               .tank_length = tank + spacing,
-                                               .wall_height = 2 * GatedDam::behind,
-                                               .spacing = spacing},
-                                              settings);
-  wcsph::Flow flow(scene.particles, scene.spacing, settings);
+  wcsph::Scene scene = wcsph::dam_break({.width = GatedDam::gate,
+                                         .height = GatedDam::behind,
+                                         .water_ahead = GatedDam::ahead,
+                                         .tank_length = tank + spacing,
+                                         .wall_height = 2 * GatedDam::behind,
+                                         .spacing = spacing},
+                                        settings);
+  wcsph::Flow flow(std::move(scene.particles), scene.spacing, settings);
   const wcsph::Box basin{scene.rear_wall, scene.far_wall, scene.bottom, std::numeric_limits<double>::infinity()};
   // The column ends at a whole number of spacings, as near to the gate as that may be.
   const double shift = GatedDam::gate - std::round(GatedDam::gate / spacing) * spacing;

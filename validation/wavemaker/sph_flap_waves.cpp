@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -31,18 +32,18 @@ FlapWaves make_flap_waves(const Run& run, const FlapDesign& design, long layers,
   const double length = spacing * std::round(run.real("flume") * design.gauge / spacing);
   wcsph::Settings settings = sph_settings(run, flap_gravity, 1000, std::sqrt(flap_gravity * design.depth));
   scheme.change(settings);
-  const wcsph::Scene scene = wcsph::flume({.length = length,
-                                           .depth = design.depth,
-                                           .stroke = design.stroke,
-                                           .frequency = 2 * std::numbers::pi / design.period,
-                                           .spacing = spacing},
-                                          settings);
-  wcsph::Flow flow(scene.particles, scene.spacing, settings, scene.paddles);
+  wcsph::Scene scene = wcsph::flume({.length = length,
+                                     .depth = design.depth,
+                                     .stroke = design.stroke,
+                                     .frequency = 2 * std::numbers::pi / design.period,
+                                     .spacing = spacing},
+                                    settings);
+  wcsph::Flow flow(std::move(scene.particles), scene.spacing, settings, scene.paddles);
   FlapWaves waves{.scheme = scheme.name,
                   .neighbours = std::numbers::pi * std::pow(wcsph::support * settings.smoothing, 2),
                   .spacing = spacing,
                   .layers = layers,
-                  .particles = scene.particles.size()};
+                  .particles = flow.particles().size()};
   const auto samples = std::lround(flap_periods * samples_per_period);
   wcsph::Box basin = wcsph::unbounded;
   basin.bottom = scene.bottom;

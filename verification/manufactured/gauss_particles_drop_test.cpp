@@ -11,9 +11,9 @@
 #include "seiche/exact/stretching_drop.hpp"
 #include "seiche/models/gauss_particles/integrators.hpp"
 #include "seiche/models/gauss_particles/polynomial_space.hpp"
-#include "seiche/models/gauss_particles/pressure.hpp"
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/gauss_pressure.hpp"
 #include "verification/check.hpp"
 
 namespace gauss_particles_drop_test {

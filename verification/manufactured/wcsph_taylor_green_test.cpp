@@ -78,7 +78,6 @@ Decay run(const Vortices& vortices, Run wanted) {
   settings.sound_speed = 10;
   settings.xsph = 0;
   settings.viscosity = LaminarSps{vortices.viscosity, 0, 0};
-  settings.limit_by_viscosity = true;
   settings.period = {1, 1};
   const TaitFluid fluid(1, settings.sound_speed);
   Particles particles = lattice(wanted.n, wanted.n, dx, 1);

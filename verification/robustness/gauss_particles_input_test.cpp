@@ -118,7 +118,6 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
             });
   with_plan("two-sides", "A periodic channel with a wall at its end.", {"right_wall", "periodic"},
             [](LatticePlan& p) { p.period = 2; });
-  with_plan("margin", "A lattice without a margin.", {"margin", "at least 2"}, [](LatticePlan& p) { p.margin = 1; });
   with_plan("lid", "A lid without a bottom.", {"lid", "bottom"}, [](LatticePlan& p) {
     p.bottom = false;
     p.lid = 2;

@@ -129,7 +129,6 @@ TEST_CASE("a state of another flow is refused by the name of what differs, and c
       {"gravity = 3", changed([](Problem& p) { p.settings.gravity = 3; })},
       {"viscosity", changed([](Problem& p) { p.settings.viscosity = Inviscid{}; })},
       {"alpha = 0.2", changed([](Problem& p) { p.settings.viscosity = ArtificialViscosity{0.2}; })},
-      {"skin", changed([](Problem& p) { p.settings.skin = 0.2; })},
       {"spacing", changed([](Problem& p) { p.scene.spacing *= 1.01; })},
       {"paddles", changed([](Problem& p) {
          p.scene.paddles.clear();

@@ -56,8 +56,7 @@ wcsph::Settings sph_settings(const Values& values, double gravity, double densit
           .density_diffusion = values.real("diffusion"),
           .particle_shifting = values.toggle("shifting"),
           .walls = walls_of(values.text("walls")),
-          .courant = values.real("courant"),
-          .limit_by_viscosity = true};
+          .courant = values.real("courant")};
 }
 
 std::vector<Parameter> with(std::vector<Parameter> a, std::vector<Parameter> b) {

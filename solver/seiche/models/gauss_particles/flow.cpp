@@ -53,8 +53,6 @@ void Flow::advance(double tau) {
   residual_.add(facts.residual, state_.time);
   free_.add(static_cast<double>(facts.free_particles), state_.time);
   beyond_.add(static_cast<double>(facts.beyond_walls), state_.time);
-  const double h = model_.space().resolution();
-  if (h > 0 && tau * worst(model_.projected()) > h / 2) ++too_long_;
 }
 
 void Flow::advance_to(double time, double tau, const std::function<void()>& after_step) {

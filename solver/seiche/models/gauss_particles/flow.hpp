@@ -75,8 +75,6 @@ class Flow {
   [[nodiscard]] double largest_residual() const { return residual_.value(); }
   [[nodiscard]] double most_free_particles() const { return free_.value(); }
   [[nodiscard]] double most_beyond_walls() const { return beyond_.value(); }
-  /// Steps in which a particle moved by more than half a cell: a warning, not an error.
-  [[nodiscard]] long steps_too_long() const { return too_long_; }
 
  private:
   Model model_;
@@ -87,7 +85,6 @@ class Flow {
   mechanics::InvariantsWatch<Model> watch_;
   double booked_ = 0;
   Largest residual_, free_, beyond_;
-  long too_long_ = 0;
 };
 
 }  // namespace seiche::gauss_particles

@@ -35,9 +35,9 @@ long whole_cells(const char* what, double length, double cell) {
 }
 
 /// Lines at multiples of the cell from `anchor`, as far as the water and the margin need.
-SplineAxis free_axis(int degree, double cell, double anchor, double low, double high, long margin) {
-  const long first = static_cast<long>(std::floor((low - anchor) / cell)) - margin;
-  const long last = static_cast<long>(std::floor((high - anchor) / cell)) + margin;
+SplineAxis free_axis(int degree, double cell, double anchor, double low, double high) {
+  const long first = static_cast<long>(std::floor((low - anchor) / cell)) - free_margin;
+  const long last = static_cast<long>(std::floor((high - anchor) / cell)) + free_margin;
   return {degree, anchor + cell * static_cast<double>(first), cell, last - first + 1, Ends::free, first};
 }
 
@@ -78,7 +78,6 @@ void LatticePlan::check() const {
   require_not_negative("cell_y", cell_y);
   require_not_negative("period", period);
   require_not_negative("lid", lid);
-  require_at_least("margin", margin, 2);
   if (left_wall) require_finite("left_wall", *left_wall);
   if (right_wall) require_finite("right_wall", *right_wall);
   if (period > 0 && right_wall) throw std::invalid_argument("right_wall in a periodic channel; allowed: none");
@@ -103,7 +102,7 @@ Lattice LatticePlan::operator()(mechanics::Interval when, const Bounds& water) c
     return shift ? cell * fraction(seed, when.middle(), axis) : 0;
   };
   const auto beyond = [&](double length, double cell) {
-    return std::max(1L, static_cast<long>(std::floor(length / cell)) + 1 + margin);
+    return std::max(1L, static_cast<long>(std::floor(length / cell)) + 1 + free_margin);
   };
   const SplineAxis x = [&]() -> SplineAxis {
     if (period > 0) {
@@ -119,12 +118,12 @@ Lattice LatticePlan::operator()(mechanics::Interval when, const Bounds& water) c
       const long cells = beyond(*right_wall - water.left, cell_x);
       return {degree, *right_wall - cell_x * static_cast<double>(cells), cell_x, cells, Ends::wall_above, -cells};
     }
-    return free_axis(degree, cell_x, moved(cell_x, 0), water.left, water.right, margin);
+    return free_axis(degree, cell_x, moved(cell_x, 0), water.left, water.right);
   }();
   const SplineAxis y = [&]() -> SplineAxis {
     if (lid > 0) return {degree, 0, high_cell, whole_cells("lid", lid, high_cell), Ends::walls};
     if (bottom) return {degree, 0, high_cell, beyond(water.high, high_cell), Ends::wall_below};
-    return free_axis(degree, high_cell, moved(high_cell, 1), water.low, water.high, margin);
+    return free_axis(degree, high_cell, moved(high_cell, 1), water.low, water.high);
   }();
   return {x, y};
 }

@@ -41,6 +41,9 @@ struct Bounds {
 /// The lattice of a step: that which begins at when.begin and in whose middle the water is within the bounds.
 using LatticeAt = std::function<Lattice(mechanics::Interval when, const Bounds& water)>;
 
+/// Empty cells between the water and a free end of a lattice, at least.
+inline constexpr long free_margin = 2;
+
 /// A lattice of given cells between walls and around the water where there is none.
 struct LatticePlan {
   int degree = 3;
@@ -52,14 +55,13 @@ struct LatticePlan {
   double period = 0;
   bool bottom = false;  ///< a wall at eta = 0
   Ground ground = {};
-  double lid = 0;   ///< height of a wall above the ground; 0: none
-  long margin = 2;  ///< empty cells between the water and a free end, at least 2
+  double lid = 0;  ///< height of a wall above the ground; 0: none
   bool shift =
       false;  ///< moves the lattice along directions without walls, by another random part of a cell at each step
   std::uint64_t seed = 1;
 
   /// Throws std::invalid_argument with name, value and range: cells not positive, walls or a period that are not a
-  /// whole number of cells apart, a margin below 2, walls in a periodic channel, a bottom with a corner.
+  /// whole number of cells apart, walls in a periodic channel, a bottom with a corner.
   void check() const;
   /// The lattice for water within the bounds. The shift depends on the middle of the interval and the seed alone.
   [[nodiscard]] Lattice operator()(mechanics::Interval when, const Bounds& water) const;

@@ -45,7 +45,7 @@ Bounds OccupiedCells::survey(const Ground& ground, std::span<const double> x, st
   return {*left, *right, *low, *high};
 }
 
-void OccupiedCells::locate(const Lattice& lattice, std::span<const double> x, long margin) {
+void OccupiedCells::locate(const Lattice& lattice, std::span<const double> x) {
   const std::size_t n = x.size();
   column_place_.resize(n);
   row_place_.resize(n);
@@ -62,8 +62,8 @@ void OccupiedCells::locate(const Lattice& lattice, std::span<const double> x, lo
       ++beyond_walls_;
       return std::clamp(s, 0.0, cells);
     }
-    const double low = axis.wall_below() ? 0 : static_cast<double>(margin);
-    const double high = axis.wall_above() ? cells : cells - static_cast<double>(margin);
+    const double low = axis.wall_below() ? 0 : static_cast<double>(free_margin);
+    const double high = axis.wall_above() ? cells : cells - static_cast<double>(free_margin);
     if (!(s >= low && s <= high)) {
       throw mechanics::Infeasible(
           fmt::format("particle at {} = {:g}; the lattice with its margin is [{:g}, {:g}]", name, place,
@@ -85,8 +85,8 @@ void OccupiedCells::locate(const Lattice& lattice, std::span<const double> x, lo
   }
 }
 
-void OccupiedCells::sort(const Lattice& lattice, std::span<const double> x, std::span<const double> mass, long margin) {
-  locate(lattice, x, margin);
+void OccupiedCells::sort(const Lattice& lattice, std::span<const double> x, std::span<const double> mass) {
+  locate(lattice, x);
   count_.assign(static_cast<std::size_t>(lattice.x.cells() * lattice.y.cells()), 0);
   for (const std::size_t cell : cell_of_) ++count_[cell];
   cells_.clear();

@@ -30,8 +30,8 @@ class OccupiedCells {
   /// for places that are not finite.
   Bounds survey(const Ground& ground, std::span<const double> x, std::span<const double> y);
   /// Sorts the particles of the last survey; those without mass are markers. A particle beyond a wall counts as on it.
-  /// Throws mechanics::Infeasible for a particle nearer than `margin` cells to a free end of the lattice.
-  void sort(const Lattice& lattice, std::span<const double> x, std::span<const double> mass, long margin);
+  /// Throws mechanics::Infeasible for a particle nearer than free_margin cells to a free end of the lattice.
+  void sort(const Lattice& lattice, std::span<const double> x, std::span<const double> mass);
 
   [[nodiscard]] std::span<const Cell> cells() const { return cells_; }
   /// Places in the cell, from its middle, in cells: within [-1/2, 1/2].
@@ -46,7 +46,7 @@ class OccupiedCells {
 
  private:
   void sample(const BottomProfile& profile, std::span<const double> x);
-  void locate(const Lattice& lattice, std::span<const double> x, long margin);
+  void locate(const Lattice& lattice, std::span<const double> x);
 
   std::vector<Cell> cells_;
   std::vector<double> across_, up_, mass_, slope_;

@@ -32,7 +32,6 @@ SplineSpace::SplineSpace(Ground ground, LatticeAt at, Settings settings)
     : ground_(std::move(ground)), at_(std::move(at)), settings_(settings) {
   require_positive("density", settings_.density);
   require_within("inner_fraction", settings_.inner_fraction, 0.05, 1);
-  require_at_least("margin", settings_.margin, 2);
   if (!at_) throw std::invalid_argument("no lattice; allowed: a function that gives one");
 }
 
@@ -77,7 +76,7 @@ void SplineSpace::place(mechanics::Interval when, std::span<const double> x, std
             bounds.left, bounds.low, bounds.right, bounds.high, extent, most_cells_per_particle),
         bounds.left);
   }
-  cells_.sort(lattice, x, mass, settings_.margin);
+  cells_.sort(lattice, x, mass);
   functions_.choose(lattice, cells_, full_mass_, settings_.inner_fraction);
   if (functions_.inner_cells() == 0) {
     throw mechanics::Infeasible("no cell of the lattice is full enough to be an inner one", bounds.left);

@@ -23,7 +23,6 @@ class SplineSpace final : public FieldSpace {
     double density = 1;  ///< [kg/m^3]
     /// f: mass of an inner cell, of a full one; 0.25 to 0.3 for thin tongues, 0.9 with gravity on the surface
     double inner_fraction = 0.5;
-    long margin = 2;  ///< cells between particles and a free end of the lattice
   };
 
   /// Throws std::invalid_argument: what LatticePlan::check says, density not positive, fraction not in [0.05, 1].

@@ -30,7 +30,7 @@ double filtered(const FilterMoments& m, double smoothing) {
 /// What a loop found of particles, for their images.
 template <class T>
 void copy_to_images(const Neighbours& neighbours, std::vector<T>& values) {
-  const std::size_t particles = neighbours.order().size();
+  const std::size_t particles = neighbours.particles();
   for (std::size_t k = 0; k < neighbours.images().size(); ++k) {
     values[particles + k] = values[static_cast<std::size_t>(neighbours.images()[k].source)];
   }
@@ -97,7 +97,7 @@ void Corrections::shift(double tau, const Stage& stage, const Neighbours& neighb
 
 void Corrections::extrapolate(const std::function<std::array<double, 2>(std::size_t i)>& gravity, Stage& stage,
                               const Neighbours& neighbours) {
-  means_.resize(neighbours.order().size());
+  means_.resize(neighbours.particles());
   PairWork work = stage.work(neighbours);
   work.means = means_.data();
   // Walls list fluid only, so no wall density that is being set is read.

@@ -64,7 +64,7 @@ Flow::Flow(Particles particles, double spacing, Settings settings, std::vector<P
       corrections_(settings, spacing),
       stage_(fluid_, smoothing_, rates_.sound_scale(), rates_.turbulent()),
       neighbours_(mean_spacing_, expected_box(particles_), settings.period, pair_loops(settings.kernel).lanes),
-      reserve_(settings.skin * support * smoothing_),
+      reserve_(skin * support * smoothing_),
       listed_reserve_(reserve_) {
   rates_.resize(particles_.size());
   const PaddlePoses poses = paddles_at(0);
@@ -93,10 +93,11 @@ void Flow::check_start() const {
   check_distances(particles_, neighbours_.images(), neighbours_.clusters(), spacing_);
 }
 
-void Flow::sort(double reserve) {
+bool Flow::sort(double reserve) {
   const double lowest = *std::min_element(particles_.density.begin(), particles_.density.end());
   const double widest = smoothing_ * std::max(1.0, std::sqrt(settings_.density / lowest));
   neighbours_.sort(particles_, widest, reserve);
+  const bool in_order = std::is_sorted(neighbours_.order().begin(), neighbours_.order().end());
   if (!paddles_.empty()) {
     std::vector<double> scratch;
     neighbours_.reorder(reference_x_, scratch);
@@ -116,6 +117,7 @@ void Flow::sort(double reserve) {
         fmt::format("{:.0f} neighbours of a particle, {:.0f} are usual", neighbours_.most_neighbours(), usual), time_,
         steps_, particles_.x[neighbours_.most_crowded()]);
   }
+  return in_order;
 }
 
 void Flow::fill_level() {

@@ -124,7 +124,8 @@ class Flow {
   [[nodiscard]] std::vector<double> parameters(double time) const;
   void check_state(const FlowState& state) const;
   void adopt(const FlowState& state);
-  void sort(double reserve);
+  /// Returns whether the particles were in their order already.
+  bool sort(double reserve);
   void fill_level();
   void evaluate(double time, bool limited);
   void evaluate_level(bool limited);

@@ -26,7 +26,7 @@ std::vector<double> numbers(Values... values) {
 std::string name_of(std::size_t parameter) {
   std::istringstream names(
       "spacing kernel smoothing gravity density sound_speed exponent xsph filter_every density_diffusion "
-      "particle_shifting walls courant limit_by_viscosity period.x period.z skin viscosity alpha "
+      "particle_shifting walls courant period.x period.z viscosity alpha "
       "kinematic_viscosity smagorinsky isotropic paddles");
   std::string name;
   for (std::size_t k = 0; k <= parameter; ++k) {
@@ -48,13 +48,13 @@ auto lasting(const Particles& p) {
 std::vector<double> Flow::parameters(double time) const {
   // All settings that there are: with one more this does not compile.
   const auto& [kernel, smoothing, gravity, density, sound_speed, exponent, viscosity, xsph, filter_every, diffusion,
-               shifting, walls, courant, limit_by_viscosity, period, skin] = settings_;
+               shifting, walls, courant, period] = settings_;
   const auto* artificial = std::get_if<ArtificialViscosity>(&viscosity);
   const auto* given = std::get_if<LaminarSps>(&viscosity);
   const LaminarSps sps = given != nullptr ? *given : LaminarSps{0, 0, 0};
   std::vector<double> all = numbers(spacing_, kernel, smoothing, gravity, density, sound_speed, exponent, xsph,
-                                    filter_every, diffusion, shifting, walls, courant, limit_by_viscosity, period.x,
-                                    period.z, skin, viscosity.index(), artificial != nullptr ? artificial->alpha : 0,
+                                    filter_every, diffusion, shifting, walls, courant, period.x, period.z,
+                                    viscosity.index(), artificial != nullptr ? artificial->alpha : 0,
                                     sps.kinematic_viscosity, sps.smagorinsky, sps.isotropic, paddles_.size());
   const PaddlePoses at = paddles_at(time);
   for (std::size_t k = 0; k < paddles_.size(); ++k) {
@@ -122,8 +122,7 @@ void Flow::adopt(const FlowState& state) {
   particles_.x = state.listed.x;
   particles_.z = state.listed.z;
   particles_.density = state.listed.density;
-  sort(state.listed.reserve);
-  if (!std::is_sorted(neighbours_.order().begin(), neighbours_.order().end())) {
+  if (!sort(state.listed.reserve)) {
     throw std::invalid_argument("state of a flow of other settings: its particles are in another order");
   }
   particles_.x = state.particles.x;

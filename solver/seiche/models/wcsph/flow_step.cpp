@@ -86,11 +86,9 @@ double Flow::advance_at_most(double longest) {
 
 double Flow::step_by_rule() const {
   double tau = settings_.courant / rates_.largest_limit();
-  if (settings_.limit_by_viscosity) {
-    if (const auto* laminar = std::get_if<LaminarSps>(&settings_.viscosity);
-        laminar && laminar->kinematic_viscosity > 0) {
-      tau = std::min(tau, viscous_courant * smoothing_ * smoothing_ / laminar->kinematic_viscosity);
-    }
+  if (const auto* laminar = std::get_if<LaminarSps>(&settings_.viscosity);
+      laminar && laminar->kinematic_viscosity > 0) {
+    tau = std::min(tau, viscous_courant * smoothing_ * smoothing_ / laminar->kinematic_viscosity);
   }
   const double acoustic = settings_.courant * smoothing_ / settings_.sound_speed;
   if (!(tau >= shortest_step * acoustic)) {

@@ -41,7 +41,7 @@ void check_particles(const Particles& particles, std::span<const Paddle> paddles
 }
 
 void check_period(const Settings& settings, double smoothing_length) {
-  const double shortest = 3 * support * smoothing_length * (1 + settings.skin);
+  const double shortest = 3 * support * smoothing_length * (1 + skin);
   for (const auto& [name, period] :
        {std::pair{"period.x", settings.period.x}, std::pair{"period.z", settings.period.z}}) {
     if (period < shortest) {

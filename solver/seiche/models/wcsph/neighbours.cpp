@@ -45,6 +45,7 @@ void Neighbours::sort(Particles& particles, double widest, double reserve) {
   grid_ = TileGrid(box_of(particles), spacing_);
 
   const std::size_t n = particles.size();
+  count_ = n;
   order_.resize(n);
   // Sorting is done once in many steps: nothing of it is kept in between.
   std::vector<std::int32_t> members;
@@ -152,7 +153,7 @@ void Neighbours::list_share(const Particles& particles, const Search& search, st
   std::vector<std::int32_t>& list = lists_[thread];
   std::vector<IndexRange>& ranges = ranges_[thread];
   Tally& tally = tallies_[thread];
-  const auto nobody = static_cast<std::int32_t>(order_.size() + images_.size());
+  const auto nobody = static_cast<std::int32_t>(count_ + images_.size());
   tally = {};
   std::size_t used = 0;
   for (std::size_t c = first; c < last; ++c) {
@@ -202,6 +203,7 @@ void Neighbours::list(const Particles& particles, const Search& search) {
 #pragma omp parallel for schedule(static) num_threads(static_cast <int>(threads))
   for (std::size_t thread = 0; thread < threads; ++thread) list_share(particles, search, thread, threads);
   for (BinnedOrder* const binned : {&fluid_, &walls_, &fluid_images_, &wall_images_}) binned->release();
+  std::vector<std::int32_t>().swap(order_);
   pairs_ = 0;
   most_ = {};
   for (std::size_t thread = 0; thread < threads; ++thread) {

@@ -38,7 +38,8 @@ class Neighbours {
 
   /// New order of the particles: fluid first. Wraps positions into the box. `widest` is the longest smoothing length.
   void sort(Particles& particles, double widest, double reserve);
-  /// New numbers of the particles before the last sort(): what was at order()[i] is now at i.
+  /// New numbers of the particles before the last sort(): what was at order()[i] is now at i. Until list(), which gives
+  /// back its memory.
   [[nodiscard]] std::span<const std::int32_t> order() const { return order_; }
   /// Values of the particles before the last sort(), in their new order. Arrays of one size can share a scratch.
   template <class T>
@@ -52,9 +53,10 @@ class Neighbours {
   /// Lists for the particles, at the places of the last sort().
   void list(const Particles& particles, const Search& search);
 
+  [[nodiscard]] std::size_t particles() const { return count_; }
   [[nodiscard]] std::size_t fluid() const { return fluid_count_; }
   [[nodiscard]] bool is_fluid(std::size_t record) const {
-    return record < fluid_count_ || (record >= order_.size() && record < order_.size() + fluid_images_.size());
+    return record < fluid_count_ || (record >= count_ && record < count_ + fluid_images_.size());
   }
   [[nodiscard]] std::span<const Image> images() const { return images_; }
   [[nodiscard]] std::span<const Cluster> clusters() const { return clusters_; }
@@ -113,6 +115,7 @@ class Neighbours {
   double reach_ = 0;  ///< longest distance of a candidate
   TileGrid grid_;
   BinnedOrder fluid_, walls_, fluid_images_, wall_images_;
+  std::size_t count_ = 0;
   std::size_t fluid_count_ = 0;
   std::vector<std::int32_t> order_;
   std::vector<Image> images_;

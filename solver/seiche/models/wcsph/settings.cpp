@@ -59,7 +59,6 @@ void validate(const Settings& settings) {
   require_within("courant", settings.courant, 1e-6, 1);
   validate_period("period.x", settings.period.x);
   validate_period("period.z", settings.period.z);
-  require_within("skin", settings.skin, 0.02, 1);
 }
 
 }  // namespace seiche::wcsph

@@ -57,15 +57,14 @@ struct Settings {
   /// dt = courant h/(c + sigma). The midpoint rule lets sound of angular frequency omega grow by (omega dt)^4/8 a step:
   /// what has no artificial viscosity and takes ten thousand steps wants 0.2.
   double courant = 0.3;
-  bool limit_by_viscosity = false;  ///< dt <= 0.125 h^2/nu_0
   Period period;
-  /// Part of the support by which candidate lists are wider, so that they last several steps.
-  double skin = 0.15;
 };
 
+/// Part of the support by which candidate lists are wider, so that they last several steps.
+inline constexpr double skin = 0.15;
 /// A step this much shorter than the acoustic one means that the run has broken down.
 inline constexpr double shortest_step = 1e-3;
-/// Of the limit of a step by viscosity.
+/// Of the limit of a step by viscosity, dt <= 0.125 h^2/nu_0.
 inline constexpr double viscous_courant = 0.125;
 
 /// The rule of the SPHysics generator: coefficient sqrt(g H). The front of a dam break moves at up to 2 sqrt(g H), and

@@ -1,4 +1,4 @@
-#include "seiche/models/gauss_particles/pressure.hpp"
+#include "validation/instruments/gauss_pressure.hpp"
 
 #include <cmath>
 #include <stdexcept>
