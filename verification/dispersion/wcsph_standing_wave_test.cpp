@@ -188,7 +188,7 @@ TEST_CASE("it has so on a finer lattice too", "[dispersion][full]") {
       {{"cubic-80", "h = 1.3 dx, 80 columns", KernelName::cubic_spline, 1.3, 0.5, 0.04, 1.032, {.columns = 80}}});
 }
 
-TEST_CASE("a standing wave with a wide kernel has the frequency of linear theory within 1.5 %", "[dispersion]") {
+TEST_CASE("a standing wave with a wide kernel has the frequency of linear theory within 1.5 %", "[dispersion][full]") {
   Check check(
       "wcsph_standing_wave_wide", "Standing wave, wider kernels",
       "The same with $h \\ge 1.5$ dx: what is left are the amplitude, $(ka)^2/8 = 0.2\\,\\%$ for standing waves, and "

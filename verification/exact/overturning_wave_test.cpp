@@ -170,7 +170,7 @@ void draw(verification::Check& check, const OverturningWave& wave, const std::ma
   }
 }
 
-TEST_CASE("a steep wave over a bottom overturns and touches down as the reference does", "[exact]") {
+TEST_CASE("a steep wave over a bottom overturns and touches down as the reference does", "[exact][full]") {
   verification::Check check(
       "exact_overturning_finite_depth", "Overturning wave over a flat bottom, up to touch-down",
       "Depth and height 0.13 wavelengths; at $t = 0$ a cosine with the surface potential of the "

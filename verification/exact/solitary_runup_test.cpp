@@ -197,7 +197,7 @@ TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[e
   draw_runup(check);
 }
 
-TEST_CASE("Synolakis' breaking criterion is the limit of flat beaches", "[exact]") {
+TEST_CASE("Synolakis' breaking criterion is the limit of flat beaches", "[exact][full]") {
   verification::Check check("exact_solitary_breaking", "Breaking of solitary waves on a plane beach",
                             "The shoreline breaks during run-up when $X_0^2 R''$ reaches $g$. The amplitude at which "
                             "it does is compared with $a = 0.8183 (\\cot\\beta)^{-10/9} d$, derived for long beaches.");

@@ -76,7 +76,7 @@ double backward_error(const Eigen::MatrixXd& a, const Eigen::VectorXd& x, const 
 TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[linear]") {
   seiche::verification::Check check(
       "nine_point_cholesky", "Direct solvers of nine-point systems",
-      "Pressure matrices of deformed quadrilateral meshes, from one cell to 40 x 33, with a random right-hand side: "
+      "Pressure matrices of deformed quadrilateral meshes, from one cell to 33 x 40, with a random right-hand side: "
       "block "
       "elimination inside the band, from both ends, against Eigen's dense "
       "LLT. Residuals are relative to $|A||x| + |b|$, which elimination of a positive definite matrix reaches whatever "
@@ -101,9 +101,9 @@ TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[line
                             {7, 50},
                             {50, 9},
                             {24, 17},
-                            {33, 40},
-                            {40, 33}}) {
+                            {33, 40}}) {
     for (const double amplitude : {0.0, 0.05, 0.2}) {
+      if (amplitude != 0.2 && shape.columns * shape.rows > 1000) continue;  // a dense elimination takes a second
       const NinePointMatrix a = matrix_of(shape, amplitude);
       const Eigen::MatrixXd full = dense(a);
       const Eigen::VectorXd b = random_vector(a.size());

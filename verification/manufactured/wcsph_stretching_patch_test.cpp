@@ -169,7 +169,7 @@ TEST_CASE("a stretching patch of cubic splines follows the exact drop", "[manufa
   CHECK(found[1].velocity < found[0].velocity);
 }
 
-TEST_CASE("the Wendland kernel follows the exact drop more closely", "[manufactured]") {
+TEST_CASE("the Wendland kernel follows the exact drop more closely", "[manufactured][full]") {
   Check check(
       "wcsph_stretching_patch_wendland", "Free patch that is stretched, Wendland kernel",
       article +

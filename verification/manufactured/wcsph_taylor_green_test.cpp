@@ -216,7 +216,8 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
   draw(check, "Reynolds number 10: kinetic energy of particles.", vortices, runs);
 }
 
-TEST_CASE("particle shifting keeps vortices at a Reynolds number where the plain scheme loses them", "[manufactured]") {
+TEST_CASE("particle shifting keeps vortices at a Reynolds number where the plain scheme loses them",
+          "[manufactured][full]") {
   Check check(
       "wcsph_particle_shifting", "Taylor-Green vortices at Reynolds number 100: particle shifting",
       "At Re = 100 the flow lines up particles along the stagnation streamlines and the lattice breaks: the "

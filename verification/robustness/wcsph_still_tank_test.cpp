@@ -119,7 +119,7 @@ std::vector<Rest> settle_all(Check& check, const std::vector<Option>& options, d
   return results;
 }
 
-TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness]") {
+TEST_CASE("a tank stays at rest on dynamic wall particles", "[robustness][full]") {
   Check check(
       "wcsph_still_tank", "Tank at rest: plain scheme, clamped walls, density filter",
       "1 m x 0.5 m of water, $dx = 0.025$ m, $c_0 = 10\\sqrt{2gH}$, $\\alpha = 0.1$, hydrostatic start, 2 s. Dynamic "
