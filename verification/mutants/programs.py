@@ -127,6 +127,7 @@ class Changed:
     def compiled(self):
         return self.change.file.endswith((".cpp", ".hpp"))
 
+    @functools.cache
     def touched(self, check):
         """The sources to compile anew, those that the check's numbers depend on."""
         build, file = self.build, self.change.file
