@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "seiche/samples.hpp"
-#include "seiche/shallow_water/error_measures.hpp"
 #include "validation/instruments/crest_track.hpp"
+#include "validation/instruments/error_measures.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/instruments/harmonic_fit.hpp"
 #include "validation/instruments/oscillation.hpp"

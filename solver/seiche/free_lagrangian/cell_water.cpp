@@ -101,45 +101,9 @@ void CellWater::kick(double h, Output u) const {
   }
 }
 
-void CellWater::constraint_rates(Input u, Output w) const {
-  pressure_.rates(u, w);
-}
-
-void CellWater::react(Input mu, Output u) const {
-  pressure_.react(mu, u);
-}
-
-void CellWater::solve(Input right_hand_side, Output mu) {
-  pressure_.solve(right_hand_side, mu);
-}
-
 void CellWater::constraint_values(Input q, Output f) const {
   pressure_.areas(places(q), f);
   for (std::size_t k = 0; k < nodes(); ++k) f[k] -= mass_[k] / settings_.density;
-}
-
-double CellWater::mass() const {
-  return mechanics::total_mass(mass_);
-}
-
-std::array<double, 2> CellWater::momentum(Input /*q*/, Input u) const {
-  return mechanics::plane_momentum(mass_, u);
-}
-
-std::array<double, 1> CellWater::angular_momentum(Input q, Input u) const {
-  return mechanics::plane_angular_momentum(mass_, q, u);
-}
-
-double CellWater::kinetic_energy(Input /*q*/, Input u) const {
-  return mechanics::plane_kinetic_energy(mass_, u);
-}
-
-double CellWater::potential_energy(Input q) const {
-  return free_lagrangian::potential_energy(places(q), outline_, weight());
-}
-
-double CellWater::stabilisation_loss(Input impulses) const {
-  return 2 * pressure_.roughness(impulses);
 }
 
 std::vector<double> pressure_of_release(CellWater& water, const mechanics::State& rest) {
@@ -156,6 +120,7 @@ std::vector<double> pressure_of_release(CellWater& water, const mechanics::State
 
 namespace seiche::mechanics {
 
+template class OneStep<free_lagrangian::CellWater>;
 template class Start<free_lagrangian::CellWater>;
 template class InvariantsWatch<free_lagrangian::CellWater>;
 

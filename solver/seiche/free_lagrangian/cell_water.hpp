@@ -21,6 +21,7 @@
 #include "seiche/geometry/triangulation.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/one_step.hpp"
 #include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
 
@@ -72,22 +73,30 @@ class CellWater {
   /// The triangulation goes along: where it tangles, mechanics::Infeasible before `to` is touched.
   void advance(Input from, Input u, double h, Output to) const;
   void kick(double h, Output u) const;
-  void constraint_rates(Input u, Output w) const;
-  void react(Input mu, Output u) const;
-  void solve(Input right_hand_side, Output mu);
+  void constraint_rates(Input u, Output w) const { pressure_.rates(u, w); }
+  void react(Input mu, Output u) const { pressure_.react(mu, u); }
+  void solve(Input right_hand_side, Output mu) { pressure_.solve(right_hand_side, mu); }
   /// A_i - m_i/rho.
   void constraint_values(Input q, Output f) const;
   [[nodiscard]] double place(std::size_t rate) const { return first_x_[rate % nodes()]; }
 
-  [[nodiscard]] double mass() const;                                             ///< [kg/m]
-  [[nodiscard]] std::array<double, 2> momentum(Input q, Input u) const;          ///< [kg/s]
-  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const;  ///< about the origin [kg m/s]
-  [[nodiscard]] double kinetic_energy(Input q, Input u) const;                   ///< [J/m]
-  [[nodiscard]] double potential_energy(Input q) const;                          ///< [J/m]
+  [[nodiscard]] double mass() const { return mechanics::total_mass(mass_); }  ///< [kg/m]
+  [[nodiscard]] std::array<double, 2> momentum(Input /*q*/, Input u) const {
+    return mechanics::plane_momentum(mass_, u);
+  }  ///< [kg/s]
+  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const {
+    return mechanics::plane_angular_momentum(mass_, q, u);
+  }  ///< about the origin [kg m/s]
+  [[nodiscard]] double kinetic_energy(Input /*q*/, Input u) const {
+    return mechanics::plane_kinetic_energy(mass_, u);
+  }  ///< [J/m]
+  [[nodiscard]] double potential_energy(Input q) const {
+    return free_lagrangian::potential_energy(places(q), outline_, weight());
+  }  ///< [J/m]
 
   /// Energy that the stabilisation takes in a step with these impulses of the multipliers, at the last linearisation
   /// [J/m]: 2 mu.(epsilon tr A/N) L^T L mu. Never negative.
-  [[nodiscard]] double stabilisation_loss(Input impulses) const;
+  [[nodiscard]] double stabilisation_loss(Input impulses) const { return 2 * pressure_.roughness(impulses); }
 
   [[nodiscard]] std::size_t nodes() const { return mass_.size(); }
   [[nodiscard]] const Settings& settings() const { return settings_; }
@@ -129,6 +138,7 @@ std::vector<double> pressure_of_release(CellWater& water, const mechanics::State
 // What the models of this family take from the mechanics, compiled once and not in every file.
 namespace seiche::mechanics {
 
+extern template class OneStep<free_lagrangian::CellWater>;
 extern template class Start<free_lagrangian::CellWater>;
 extern template class InvariantsWatch<free_lagrangian::CellWater>;
 

@@ -9,6 +9,8 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace seiche::shallow_water {
 
@@ -64,5 +66,16 @@ inline double two_rarefaction_depth(double gravity, State left, State right) {
 /// Middle state of the Riemann problem of two wet states, to round-off. Depth 0 (velocity meaningless) when the
 /// middle dries. Both depths must be positive.
 State star_state(double gravity, State left, State right);
+
+using ExactProfile = std::function<State(double)>;  ///< x -> depth, velocity
+
+/// What is measured: cells or particles between `edges`, their mean states, and optionally a reconstruction with the
+/// positions where it is not smooth. Works for any scheme.
+struct MeasuredProfile {
+  std::vector<double> edges;
+  std::vector<State> means;
+  ExactProfile reconstruction;
+  std::vector<double> breaks;
+};
 
 }  // namespace seiche::shallow_water

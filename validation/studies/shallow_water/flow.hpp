@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "seiche/exact/cell_average.hpp"
-#include "seiche/shallow_water/error_measures.hpp"
 #include "seiche/shallow_water/relations.hpp"
+#include "validation/instruments/error_measures.hpp"
 
 namespace seiche::validation {
 

@@ -16,9 +16,6 @@
 #include "seiche/mechanics/plane_flow.hpp"
 #include "seiche/models/dirichlet_mesh/model.hpp"
 
-// The integrator of the model, compiled once and not in every file that steps it.
-extern template class seiche::mechanics::OneStep<seiche::dirichlet_mesh::Model>;
-
 namespace seiche::dirichlet_mesh {
 
 class Flow : public mechanics::OneStepFlow<Model> {

@@ -1,5 +1,3 @@
-#include "seiche/models/overlapping_particles/model.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -10,6 +8,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/mechanics/invariants.hpp"
+#include "seiche/models/overlapping_particles/flow.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::overlapping_particles {
@@ -243,10 +242,6 @@ void Model::react(Input mu, Output u) const {
   }
 }
 
-void Model::solve(Input right_hand_side, Output mu) {
-  solver_.solve(right_hand_side, mu);
-}
-
 void Model::sum_masses(Input q, Output f) const {
   const std::size_t n = size();
   CellGrid grid;
@@ -271,22 +266,6 @@ void Model::constraint_values(Input q, Output f) const {
   for (std::size_t s = 0; s < size(); ++s) f[s] -= first_[s];
 }
 
-double Model::mass() const {
-  return mechanics::total_mass(particles_.mass);
-}
-
-std::array<double, 2> Model::momentum(Input /*q*/, Input u) const {
-  return mechanics::plane_momentum(particles_.mass, u);
-}
-
-std::array<double, 1> Model::angular_momentum(Input q, Input u) const {
-  return mechanics::plane_angular_momentum(particles_.mass, q, u);
-}
-
-double Model::kinetic_energy(Input /*q*/, Input u) const {
-  return mechanics::plane_kinetic_energy(particles_.mass, u);
-}
-
 double Model::potential_energy(Input q) const {
   CompensatedSum sum;
   for (std::size_t k = 0; k < size(); ++k) sum.add(particles_.mass[k] * q[size() + k]);
@@ -309,3 +288,7 @@ double Model::stabilisation_loss(Input impulses) const {
 }
 
 }  // namespace seiche::overlapping_particles
+
+template class seiche::mechanics::OneStep<seiche::overlapping_particles::Model>;
+template class seiche::mechanics::Start<seiche::overlapping_particles::Model>;
+template class seiche::mechanics::InvariantsWatch<seiche::overlapping_particles::Model>;

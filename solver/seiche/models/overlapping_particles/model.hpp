@@ -49,6 +49,7 @@
 
 #include "seiche/linear/ring_solver.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/invariants.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/overlapping_particles/neighbourhoods.hpp"
 #include "seiche/models/overlapping_particles/particles.hpp"
@@ -95,16 +96,22 @@ class Model {
   void kick(double h, Output u) const;
   void constraint_rates(Input u, Output w) const;
   void react(Input mu, Output u) const;
-  void solve(Input right_hand_side, Output mu);
+  void solve(Input right_hand_side, Output mu) { solver_.solve(right_hand_side, mu); }
   /// f_s - f_s(0).
   void constraint_values(Input q, Output f) const;
   [[nodiscard]] double place(std::size_t rate) const { return particles_.x[rate % size()]; }
 
-  [[nodiscard]] double mass() const;                                             ///< [kg/m]
-  [[nodiscard]] std::array<double, 2> momentum(Input q, Input u) const;          ///< [kg/s]
-  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const;  ///< about the origin [kg m/s]
-  [[nodiscard]] double kinetic_energy(Input q, Input u) const;                   ///< [J/m]
-  [[nodiscard]] double potential_energy(Input q) const;                          ///< g sum m y [J/m]
+  [[nodiscard]] double mass() const { return mechanics::total_mass(particles_.mass); }  ///< [kg/m]
+  [[nodiscard]] std::array<double, 2> momentum(Input /*q*/, Input u) const {
+    return mechanics::plane_momentum(particles_.mass, u);
+  }  ///< [kg/s]
+  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const {
+    return mechanics::plane_angular_momentum(particles_.mass, q, u);
+  }  ///< about the origin [kg m/s]
+  [[nodiscard]] double kinetic_energy(Input /*q*/, Input u) const {
+    return mechanics::plane_kinetic_energy(particles_.mass, u);
+  }                                                      ///< [J/m]
+  [[nodiscard]] double potential_energy(Input q) const;  ///< g sum m y [J/m]
 
   /// Energy that the stabilisation takes in a step with these impulses of the multipliers, at the last linearisation
   /// [J/m]: 2 mu.(epsilon tr A/N) L^T L mu. Never negative.

@@ -45,7 +45,7 @@
 #include "seiche/models/shallow_water_particles/row_kernels.hpp"
 #include "seiche/models/shallow_water_particles/scheme.hpp"
 #include "seiche/samples.hpp"
-#include "seiche/shallow_water/error_measures.hpp"
+#include "seiche/shallow_water/relations.hpp"
 
 namespace seiche::shallow_water_particles {
 

@@ -16,8 +16,6 @@
 
 namespace seiche::shallow_water {
 
-using ExactProfile = std::function<State(double)>;  ///< x -> depth, velocity
-
 struct Norms {
   double l1 = 0;
   double l2 = 0;
@@ -27,15 +25,6 @@ struct Norms {
 struct ProfileError {
   Norms depth;
   Norms velocity;
-};
-
-/// What is measured: cells or particles between `edges`, their mean states, and optionally a reconstruction with the
-/// positions where it is not smooth. Works for any scheme.
-struct MeasuredProfile {
-  std::vector<double> edges;
-  std::vector<State> means;
-  ExactProfile reconstruction;
-  std::vector<double> breaks;
 };
 
 /// `breaks`: positions of discontinuities and kinks of the exact profile; integrals are split there and are otherwise

@@ -1,4 +1,4 @@
-#include "seiche/shallow_water/error_measures.hpp"
+#include "validation/instruments/error_measures.hpp"
 
 #include <algorithm>
 #include <array>
