@@ -2,7 +2,7 @@
 ///
 /// | format       | what it is | columns of the table |
 /// |--------------|------------|----------------------|
-/// | csv, hdf5    | csv_table.hpp, hdf5_table.hpp | as named |
+/// | csv, hdf5    | table.hpp, hdf5_table.hpp | as named |
 /// | delimited    | numbers between semicolons, tabs or blanks | as named, or as --columns says |
 /// | openfoam     | what is below postProcessing (openfoam_files.hpp) | x, y, z, t, and the field, or hB and hL |
 /// | geoclaw      | gaugeNNNNN.txt; fort.qNNNN (geoclaw_grids.hpp) | x, y, t, level, h, hu, hv, eta |

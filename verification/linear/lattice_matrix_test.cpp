@@ -143,7 +143,7 @@ TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[l
   Check check("lattice_matrices", "Matrices of lattices against dense ones",
               "Random couplings of all neighbours, filled in by their place in the lattice: products, scalar products "
               "and single coefficients against a dense matrix, solutions of the banded solver by their residual.");
-  const std::string source = "the layouts stated in nine_point_matrix.hpp and twenty_seven_point_matrix.hpp";
+  const std::string source = "the layouts stated in lattice_matrix.hpp";
   const auto claim = [&](const std::string& id, const std::string& text, double value, double operations,
                          const std::string& reason) {
     check.that({.id = id, .text = text, .quantity = "largest relative error", .source = source}, {.value = value},

@@ -85,7 +85,7 @@ TEST_CASE("equal steps are no longer than asked for and end at the time", "[mech
   std::vector<double> lengths;
   equal_steps_to(state, 2, 0.4, {}, [&](double length) { lengths.push_back(length); });
   const auto claim = [&](const std::string& id, const std::string& text, double value, double expected) {
-    check.that({.id = id, .text = text, .quantity = id, .source = "equal_steps.hpp"}, {.value = value},
+    check.that({.id = id, .text = text, .quantity = id, .source = "mechanics/state.hpp"}, {.value = value},
                Roundoff{.operations = 4, .scale = 2, .reason = "a rounded time per step", .expected = expected});
   };
   claim("count", "There are as few as fit.", static_cast<double>(lengths.size()), 4);

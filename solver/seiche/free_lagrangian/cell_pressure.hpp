@@ -39,7 +39,7 @@ std::vector<Mobility> freedoms(const Mesh& mesh);
 
 class CellPressure {
  public:
-  /// Throws std::invalid_argument (mesh.hpp, polygon_triangulation.hpp): a cell without area, a negative stabilisation.
+  /// Throws std::invalid_argument (mesh.hpp, triangulation.hpp): a cell without area, a negative stabilisation.
   CellPressure(const Mesh& mesh, double stabilisation);
 
   /// Where the triangulation was last asked to be.

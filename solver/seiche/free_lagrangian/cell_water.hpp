@@ -4,7 +4,7 @@
 /// @f[ m_i \ddot{\mathbf{r}}_i = \sum_j \lambda_j \frac{\partial A_j}{\partial \mathbf{r}_i}
 ///                             - \frac{\partial \Pi}{\partial \mathbf{r}_i}, \qquad A_i = m_i/\rho @f]
 ///
-/// Pressures and their stabilisation are cell_pressure.hpp's, Pi is water_polygon.hpp's. This is what
+/// Pressures and their stabilisation are cell_pressure.hpp's, Pi is potential_energy's. This is what
 /// mechanics::OneStep steps: q = (x of all nodes, y of all nodes), u = (velocities along x, along y). A model whose
 /// masses change sets them between its steps.
 ///

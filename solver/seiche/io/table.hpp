@@ -31,7 +31,7 @@ struct Table {
   [[nodiscard]] std::size_t index(const std::string& name) const;
 };
 
-/// Reads a CSV (csv_table.hpp) or an HDF5 file (hdf5_table.hpp); the content decides which, not the name.
+/// Reads a CSV (read_csv) or an HDF5 file (hdf5_table.hpp); the content decides which, not the name.
 ///
 /// @param wanted  datasets to be read from an HDF5 file; empty for all
 /// @throws std::invalid_argument in one line that names the file and what is wrong where

@@ -1,8 +1,5 @@
-/// Several numbers per cell of a lattice, row by row: all numbers of one row of cells lie together.
-///
-/// Loops over a row then read as many streams as there are numbers from a few pages, and the streams fall on different
-/// lines of the cache: the distance between them is an odd number of lines. Every row has zeros before its first and
-/// after its last cell, which nobody writes, and there is one row of zeros to stand for rows outside the lattice.
+/// Symmetric matrices that couple a cell of a lattice with its eight neighbours in a plane, or its 26 in space, and the
+/// arrays that they are stored in.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +8,11 @@
 
 namespace seiche::linear {
 
+/// Several numbers per cell of a lattice, row by row: all numbers of one row of cells lie together.
+///
+/// Loops over a row then read as many streams as there are numbers from a few pages, and the streams fall on different
+/// lines of the cache: the distance between them is an odd number of lines. Every row has zeros before its first and
+/// after its last cell, which nobody writes, and there is one row of zeros to stand for rows outside the lattice.
 class RowBlocks {
  public:
   RowBlocks() = default;

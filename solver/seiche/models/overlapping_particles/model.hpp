@@ -11,7 +11,7 @@
 ///     d = |\mathbf{r}_k - \mathbf{r}_s|, \quad \mathbf{e}_{sk} = (\mathbf{r}_k - \mathbf{r}_s)/d @f]
 ///
 /// The source says neither where the volumes are nor how the mass is spread: centred on the particles they are links
-/// between particles, invariant to translation and rotation, and a free surface is nothing special. Phi: kernel.hpp;
+/// between particles, invariant to translation and rotation, and a free surface is nothing special. Phi: particles.hpp;
 /// plane walls by mirror images: walls.hpp. Smooth multipliers would be a pressure, p = -rho^2 lambda_k/m_k; what one
 /// step gives is chequered by hundreds of times as much.
 ///
