@@ -27,7 +27,7 @@ MomentumBalance::Forces MomentumBalance::forces(const std::vector<double>& middl
   const auto x = [&](std::size_t k) { return middle[k]; };
   const auto y = [&](std::size_t k) { return middle[n + k]; };
   const double mean_area =
-      std::accumulate(model.first_areas().begin(), model.first_areas().end(), 0.0) / static_cast<double>(mesh.cells());
+      std::accumulate(model.first_volumes().begin(), model.first_volumes().end(), 0.0) / static_cast<double>(mesh.cells());
   const double stiffness = model.settings().hourglass * weight * std::sqrt(mean_area);
   Forces f{.x = std::vector<double>(n, 0.0), .y = std::vector<double>(n, 0.0)};
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {

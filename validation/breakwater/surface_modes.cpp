@@ -50,7 +50,7 @@ class SurfaceResponse {
   /// Height of the lowest cell, which no displacement may fold.
   [[nodiscard]] double lowest_cell() const {
     const double width = rest_[first_ + 1] - rest_[first_];
-    return std::ranges::min(model_.first_areas()) / width;
+    return std::ranges::min(model_.first_volumes()) / width;
   }
   [[nodiscard]] std::size_t node(Index i) const { return first_ + static_cast<std::size_t>(i); }
   [[nodiscard]] std::size_t vertical(Index i) const { return model_.nodes().size() + node(i); }

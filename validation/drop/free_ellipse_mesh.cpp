@@ -101,7 +101,7 @@ std::vector<double> errors_of(const Flow& flow, const StretchingDrop& drop) {
       middle.y += 0.25 * mesh.y[node];
     }
     const double exact = central * (1 - middle.x * middle.x - middle.y * middle.y);
-    pressures += flow.model().first_areas()[cell] * std::pow(pressure[cell] - exact, 2);
+    pressures += flow.model().first_volumes()[cell] * std::pow(pressure[cell] - exact, 2);
   }
   const double mass = flow.model().mass();
   return {std::abs(flow.x()[tip_node(mesh)] - a), std::sqrt(places / mass), std::sqrt(pressures / mass)};

@@ -85,7 +85,7 @@ Defects defects_of(const Flow& flow, double tau, const Invariants& first) {
   Worst area;
   Worst modified;
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-    area.add(cell_area(mesh, flow.x(), flow.y(), cell) - flow.model().first_areas()[cell]);
+    area.add(cell_area(mesh, flow.x(), flow.y(), cell) - flow.model().first_volumes()[cell]);
     modified.add(now.modified_areas[cell] - first.modified_areas[cell]);
   }
   return {.energy = std::abs(now.energy - first.energy),

@@ -118,7 +118,7 @@ DoubleShearErrors errors_at_end(const lagrangian_mesh_2d::Flow& flow, const Doub
   for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
     const Point label = middle(mesh, cell);
     const double exact = run.motion.at(label.x, label.y, flow.time() - tau).pressure;
-    lambda.add(flow.model().first_areas()[cell], std::pow(pressure[cell] - exact, 2));
+    lambda.add(flow.model().first_volumes()[cell], std::pow(pressure[cell] - exact, 2));
   }
   errors.position = largest.value();
   errors.interior = interior.value();

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "seiche/plan_lattice/bilinear_cell.hpp"
+#include "seiche/plan_lattice/lattice_interpolant.hpp"
 
 namespace seiche::validation {
 namespace {

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "seiche/exact/plan_symbol.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/integrators.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::validation {

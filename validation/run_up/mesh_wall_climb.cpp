@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
-#include "seiche/models/lagrangian_mesh_2d/impulsive_start.hpp"
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "validation/instruments/peak.hpp"
 

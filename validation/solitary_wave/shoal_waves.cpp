@@ -10,7 +10,6 @@
 #include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
-#include "seiche/models/lagrangian_mesh_3d/impulsive_start.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 
 namespace seiche::validation {

@@ -35,7 +35,7 @@ The highest wave leaves the first column of the coarsest mesh sheared, which fol
 #include <boost/math/interpolators/barycentric_rational.hpp>
 
 #include "seiche/exact/solitary_asymptotic.hpp"
-#include "seiche/models/lagrangian_mesh_2d/impulsive_start.hpp"
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_source.hpp"

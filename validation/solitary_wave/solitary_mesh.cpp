@@ -33,7 +33,7 @@ A small restoring force (`hourglass`) prevents it too.
 #include <fmt/format.h>
 
 #include "reports/evidence/slope_guide.hpp"
-#include "seiche/models/lagrangian_mesh_2d/impulsive_start.hpp"
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/crest_track.hpp"
@@ -102,7 +102,7 @@ Outcome travel(Flow& flow, const SolitaryWave& wave, double tau) {
   result.profile = largest_profile_error(flow, track.place.back(), reach, [&](double s) { return wave.elevation(s); });
   result.phase = track.place.back() - start - wave.speed() * track.time.back();
   result.energy = flow.ledger().entry("energy").largest_defect / flow.ledger().entry("energy").initial;
-  const auto areas = flow.model().first_areas();
+  const auto areas = flow.model().first_volumes();
   result.area = flow.ledger().entry("volume_worst").largest_defect / smallest(areas);
   result.solves = flow.model().solver().solutions();
   return result;

@@ -8,7 +8,7 @@
 #include <random>
 #include <utility>
 
-#include "seiche/models/dispersive_shallow_water_2d/integrators.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
 
 namespace seiche::verification {

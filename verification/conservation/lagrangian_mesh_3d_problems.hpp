@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "seiche/geometry/plan_bottom.hpp"
-#include "seiche/models/lagrangian_mesh_3d/integrators.hpp"
+#include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "seiche/models/lagrangian_mesh_2d/integrators.hpp"
+#include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
 

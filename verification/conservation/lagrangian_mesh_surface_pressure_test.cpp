@@ -9,7 +9,7 @@
 
 #include "seiche/exact/lagrangian_mesh_dispersion.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
-#include "seiche/models/lagrangian_mesh_2d/integrators.hpp"
+#include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

@@ -11,7 +11,7 @@
 #include "seiche/compensated_sum.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
-#include "seiche/models/lagrangian_mesh_2d/remap.hpp"
+#include "seiche/models/lagrangian_mesh_2d/rezone.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
@@ -131,7 +131,7 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
                             "A hump of water, half as high as it is deep, runs against a wall; 40 x 8 cells, "
                             "conservative steps. And still water.");
   Flow flow = hump(mechanics::Stepping::conservative);
-  const double water = sum(flow.model().first_areas());
+  const double water = sum(flow.model().first_volumes());
   const double begin = flow.energy();
   Worst spilt;
   Worst drift;

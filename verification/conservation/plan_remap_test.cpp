@@ -14,7 +14,6 @@
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/divergence.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/island_flow.hpp"
@@ -159,13 +158,13 @@ TEST_CASE("a remap of the plan model lets no column fall dry", "[conservation]")
   check.that({.id = "wet",
               .text = "No column falls dry.",
               .quantity = "smallest depth is positive",
-              .source = "seiche/models/dispersive_shallow_water_2d/remap.hpp"},
+              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
              {.value = depth.value() > 0 ? 1.0 : 0.0, .resolution = resolution},
              Qualitative{.detector = "above the bottom", .reason = "a column sinks by a part of its depth in a pass"});
   check.that({.id = "told",
               .text = "The remap tells what water it put elsewhere than it was swept, and most is not.",
               .quantity = "that water over all",
-              .source = "seiche/models/dispersive_shallow_water_2d/remap.hpp"},
+              .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
              {.value = now.displaced / sum(model.first_volumes()), .resolution = resolution},
              Bound{.limit = 0.025 - 1e-6, .reason = "some, less than a twentieth", .expected = 0.025});
   check.that(

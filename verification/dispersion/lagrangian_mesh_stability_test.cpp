@@ -6,7 +6,7 @@
 
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
-#include "seiche/models/lagrangian_mesh_2d/stability.hpp"
+#include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/mesh_linear_modes.hpp"
 #include "verification/check.hpp"

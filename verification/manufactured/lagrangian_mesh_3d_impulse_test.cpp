@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "seiche/exact/solitary_wave.hpp"
-#include "seiche/models/lagrangian_mesh_3d/impulsive_start.hpp"
+#include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/samples.hpp"

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <vector>
 
-#include "seiche/models/lagrangian_mesh_2d/corner_barrier.hpp"
+#include "seiche/models/lagrangian_mesh_2d/potentials.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "seiche/models/lagrangian_mesh_2d/impulsive_start.hpp"
+#include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/mesh_solitary_wave.hpp"
 #include "verification/check.hpp"
@@ -40,7 +40,7 @@ Errors errors_of(const exact::SolitaryWave& wave, long rows) {
   std::vector<double> rates(mesh.cells());
   model.constraint_rates(state.u, rates);
   Worst fastest;
-  for (std::size_t s = 0; s < rates.size(); ++s) fastest.add(rates[s] / model.first_areas()[s]);
+  for (std::size_t s = 0; s < rates.size(); ++s) fastest.add(rates[s] / model.first_volumes()[s]);
   errors.rates = fastest.value();
   Worst speed;
   Worst lower_half;

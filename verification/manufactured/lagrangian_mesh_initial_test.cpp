@@ -119,7 +119,7 @@ Errors errors_of(const Piece& piece, double depth, std::size_t columns, std::siz
   const Mesh mesh = piece.mesh(columns, rows);
   const Flow flow(mesh, piece.velocity);
   const Model& model = flow.model();
-  const auto areas = model.first_areas();
+  const auto areas = model.first_volumes();
   Errors errors{.columns = unequal_columns(mesh, piece, depth),
                 .area = std::abs(std::accumulate(areas.begin(), areas.end(), 0.0) / piece.area - 1),
                 .kinetic = std::abs(model.kinetic_energy(flow.state().q, flow.state().u) / piece.kinetic - 1),

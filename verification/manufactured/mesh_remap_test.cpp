@@ -5,7 +5,7 @@
 
 #include "reports/evidence/slope_guide.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
-#include "seiche/models/lagrangian_mesh_2d/remap.hpp"
+#include "seiche/models/lagrangian_mesh_2d/rezone.hpp"
 #include "verification/check.hpp"
 
 namespace mesh_remap_test {

@@ -314,7 +314,7 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
   };
   const Velocity together = meet_at(5);
   const Velocity away = [&](std::size_t k) { return seiche::Point{-together(k).x, together(k).y}; };
-  const std::string source = "seiche/models/dispersive_shallow_water_2d/breaking.hpp";
+  const std::string source = "seiche/models/dispersive_shallow_water_2d/drag.hpp";
   constexpr double h = 1e-6;
   const auto [before, after] = change(drag, 5, 1.2, together, h);
   const std::size_t inner = lattice.shape.node(5, 5);

@@ -276,7 +276,7 @@ TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
              {.value = shore.bottom_moment(moved) - exact}, rounding);
 
   std::vector<double> forces(3 * nodes);
-  shore.push_between(first, moved, 1, forces);
+  shore.push(first, moved, 1, forces);
   double work = 0;
   for (std::size_t k = 0; k < 2 * nodes; ++k) work += forces[k] * (moved[k] - first[k]);
   check.that({.id = "work",

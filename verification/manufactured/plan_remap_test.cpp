@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reports/evidence/slope_guide.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "verification/check.hpp"
 
 namespace plan_remap_test {

@@ -24,7 +24,7 @@
 #include "seiche/mechanics/start.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
-#include "seiche/plan_lattice/window.hpp"
+#include "seiche/plan_lattice/lattice_flow.hpp"
 
 namespace seiche::distributed {
 

@@ -6,7 +6,7 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
-#include "seiche/plan_lattice/lattice_weights.hpp"
+#include "seiche/plan_lattice/lattice_interpolant.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::plan_lattice {

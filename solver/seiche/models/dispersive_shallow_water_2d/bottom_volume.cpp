@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "seiche/models/dispersive_shallow_water_2d/gauss_points.hpp"
-
 namespace seiche::dispersive_shallow_water_2d {
 
 BottomVolume::BottomVolume(plan_lattice::Shape shape, std::shared_ptr<const PlanBottom> bottom)
@@ -74,38 +72,28 @@ BottomVolume::Edge BottomVolume::edge_between(Places q0, Places q1, std::size_t 
           .yq = slope[3] + integral};
 }
 
-template <class Work>
-void BottomVolume::for_each_edge(const Work& work) const {
+void BottomVolume::subtract_gradients(Places q0, Places q1, linear::RowBlocks& gradients) {
+  const auto between = [&](std::size_t p, std::size_t q) {
+    return q0.x == q1.x ? edge(q0, p, q) : edge_between(q0, q1, p, q);
+  };
   for (std::size_t j = 0; j <= shape_.rows; ++j) {
-    for (std::size_t i = 0; i < shape_.columns; ++i) work(along_i(i, j), shape_.node(i, j), shape_.node(i + 1, j));
+    for (std::size_t i = 0; i <= shape_.columns; ++i) {
+      const std::size_t k = shape_.node(i, j);
+      if (i < shape_.columns) edges_[along_i(i, j)] = between(k, k + 1);
+      if (j < shape_.rows) edges_[along_j(i, j)] = between(k, shape_.node(i, j + 1));
+    }
   }
   for (std::size_t j = 0; j < shape_.rows; ++j) {
-    for (std::size_t i = 0; i <= shape_.columns; ++i) work(along_j(i, j), shape_.node(i, j), shape_.node(i, j + 1));
-  }
-}
-
-void BottomVolume::subtract_gradients(Places at, CellGradients& gradients) {
-  for_each_edge([&](std::size_t number, std::size_t p, std::size_t q) { edges_[number] = edge(at, p, q); });
-  subtract_edges(gradients);
-}
-
-void BottomVolume::subtract_gradients_between(Places q0, Places q1, CellGradients& gradients) {
-  for_each_edge([&](std::size_t number, std::size_t p, std::size_t q) { edges_[number] = edge_between(q0, q1, p, q); });
-  subtract_edges(gradients);
-}
-
-void BottomVolume::subtract_edges(CellGradients& gradients) const {
-  for (std::size_t j = 0; j < shape_.rows; ++j) {
+    const linear::RowBlocks::Row row = gradients.row(j);
     for (std::size_t i = 0; i < shape_.columns; ++i) {
       // Around the cell: 0 -> 1, 1 -> 2, and 3 -> 2, 0 -> 3 backwards.
       const Edge& south = edges_[along_i(i, j)];
       const Edge& east = edges_[along_j(i + 1, j)];
       const Edge& north = edges_[along_i(i, j + 1)];
       const Edge& west = edges_[along_j(i, j)];
-      const auto cell = static_cast<std::ptrdiff_t>(j * shape_.columns + i);
       const auto subtract = [&](std::size_t corner, double x, double y) {
-        gradients.x[corner].data()[cell] -= x;
-        gradients.y[corner].data()[cell] -= y;
+        row[3 * corner][i] -= x;
+        row[3 * corner + 1][i] -= y;
       };
       subtract(0, south.xp - west.xp, south.yp - west.yp);
       subtract(1, south.xq + east.xp, south.yq + east.yp);

@@ -10,14 +10,29 @@
 /// then never settle. So only differences of B over the way enter, which are as short as it is.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 
 #include "seiche/geometry/plan_bottom.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/element.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
+
+/// Gauss's rule of three points on [0, 1].
+struct GaussPoint {
+  double t;
+  double weight;
+};
+
+inline const std::array<GaussPoint, 3>& gauss_points() {
+  static const double half = 0.5 * std::sqrt(0.6);
+  static const std::array points{GaussPoint{0.5 - half, 5.0 / 18}, GaussPoint{0.5, 8.0 / 18},
+                                 GaussPoint{0.5 + half, 5.0 / 18}};
+  return points;
+}
 
 class BottomVolume {
  public:
@@ -28,11 +43,10 @@ class BottomVolume {
 
   BottomVolume(plan_lattice::Shape shape, std::shared_ptr<const PlanBottom> bottom);
 
-  /// Subtracts the gradients of the volumes at `at` from those of the cells.
-  void subtract_gradients(Places at, CellGradients& gradients);
-  /// The same with discrete gradients over the segment from q0 to q1: Simpson's mean, corrected along the segment so
-  /// that gradient times segment is the difference of the volumes to round-off.
-  void subtract_gradients_between(Places q0, Places q1, CellGradients& gradients);
+  /// Subtracts the gradients of the volumes from those of the cells, in rows: at q0 if q1 is the same, else discrete
+  /// gradients over the segment: Simpson's mean, corrected along the segment so that gradient times segment is the
+  /// difference of the volumes to round-off.
+  void subtract_gradients(Places q0, Places q1, linear::RowBlocks& gradients);
   /// int b dA over a cell.
   [[nodiscard]] double volume(Places at, std::size_t cell) const;
 
@@ -53,10 +67,6 @@ class BottomVolume {
   [[nodiscard]] Parts parts(Places at, std::size_t p, std::size_t q) const;
   [[nodiscard]] Edge edge(Places at, std::size_t p, std::size_t q) const;
   [[nodiscard]] Edge edge_between(Places q0, Places q1, std::size_t p, std::size_t q) const;
-  /// work(edge number, p, q) for all edges: those along i first, then those along j.
-  template <class Work>
-  void for_each_edge(const Work& work) const;
-  void subtract_edges(CellGradients& gradients) const;
   [[nodiscard]] std::size_t along_i(std::size_t i, std::size_t j) const { return j * shape_.columns + i; }
   [[nodiscard]] std::size_t along_j(std::size_t i, std::size_t j) const {
     return shape_.columns * (shape_.rows + 1) + j * (shape_.columns + 1) + i;

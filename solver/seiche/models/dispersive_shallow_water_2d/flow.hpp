@@ -12,7 +12,6 @@
 
 #include <memory>
 
-#include "seiche/models/dispersive_shallow_water_2d/integrators.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/plan_lattice/lattice_flow.hpp"
 

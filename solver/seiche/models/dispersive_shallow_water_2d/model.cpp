@@ -1,65 +1,98 @@
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "seiche/compensated_sum.hpp"
 #include "seiche/geometry/bilinear_patch.hpp"
-#include "seiche/linear/tridiagonal.hpp"
-#include "seiche/linear/worth_threads.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/undeformed.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
 namespace {
 
-Lattice valid(Lattice lattice) {
+using bilinear_patch::Corners;
+
+Corners at(const double* values, const std::array<std::size_t, 4>& corners) {
+  return {values[corners[0]], values[corners[1]], values[corners[2]], values[corners[3]]};
+}
+
+lattice::Cells valid_cells(const Lattice& lattice, const Settings& settings) {
   lattice.require_valid();
-  return lattice;
+  require_within("inertia", settings.inertia, 1e-3, 1);
+  return {lattice.shape.columns, lattice.shape.rows};
+}
+
+/// The undeformed lattice nearest to a given one, which preconditions its systems: equal rectangles between four walls
+/// over a level bottom, of the lattice's mean sizes, depth H and inertia alpha:
+///
+///     symbol = H [4 (h2/h1) s1^2 c2^2 + 4 (h1/h2) s2^2 c1^2] + h1 h2 c1^2 c2^2/(alpha H),   s, c of half the phases
+linear::UndeformedLattice undeformed_lattice(const Lattice& lattice, double inertia) {
+  const Shape shape = lattice.shape;
+  double volume = 0;
+  double area = 0;
+  double length = 0;
+  for (std::size_t cell = 0; cell < shape.cells(); ++cell) {
+    const auto [c0, c1, c2, c3] = shape.corners(cell);
+    const bilinear_patch::Corners x{lattice.x[c0], lattice.x[c1], lattice.x[c2], lattice.x[c3]};
+    const bilinear_patch::Corners y{lattice.y[c0], lattice.y[c1], lattice.y[c2], lattice.y[c3]};
+    const auto depth = [&](std::size_t k) {
+      return lattice.z[k] -
+             (lattice.bottom ? lattice.bottom->slope(lattice.x[k], lattice.y[k]).elevation : -lattice.depth);
+    };
+    const auto j = bilinear_patch::jacobians(x, y);
+    volume += bilinear_patch::volume(x, y, {depth(c0), depth(c1), depth(c2), depth(c3)});
+    area += 0.5 * (j.c0 + j.c2);
+    length += std::hypot(x.c1 - x.c0, y.c1 - y.c0);
+  }
+  const double h1 = length / static_cast<double>(shape.cells());
+  const double h2 = area / length;
+  const double depth = volume / area;
+  const auto symbol = [=](double theta, double psi, std::span<double> diagonal, std::span<double>) {
+    const double s1 = std::pow(std::sin(theta / 2), 2);
+    const double s2 = std::pow(std::sin(psi / 2), 2);
+    const double c1 = 1 - s1;
+    const double c2 = 1 - s2;
+    diagonal[0] = 4 * depth * (h2 / h1 * s1 * c2 + h1 / h2 * s2 * c1) + h1 * h2 * c1 * c2 / (inertia * depth);
+  };
+  return {.shape = {.nx = shape.columns, .nz = shape.rows, .layers = 1}, .matrix = symbol, .scaled = true};
 }
 
 }  // namespace
 
 Model::Model(Lattice lattice, Settings settings, Forcing forcing)
-    : lattice_(valid(std::move(lattice))),
+    : Water{valid_cells(lattice, settings),
+            {lattice.shape.columns, lattice.shape.rows},
+            {lattice.shape.columns, lattice.shape.rows, settings.solver, undeformed_lattice(lattice, settings.inertia),
+             settings.tolerance},
+            settings.tolerance},
+      lattice_(std::move(lattice)),
       settings_(settings),
       forcing_(std::move(forcing)),
-      masses_((require_within("inertia", settings.inertia, 1e-3, 1), lattice_.shape), lattice_.sides, lattice_.x,
-              lattice_.y, settings.inertia),
-      dispersion_(lattice_.shape, settings.gamma),
-      drag_(settings.drag, lattice_, settings.inertia),
-      gradients_(lattice_.shape.columns, lattice_.shape.rows),
-      push_(3 * lattice_.shape.nodes(), 0.0),
-      no_cells_(lattice_.shape.columns + 1, 0.0),
-      matrix_(lattice_.shape.columns, lattice_.shape.rows),
-      solver_(lattice_.shape.columns, lattice_.shape.rows, settings.solver,
-              undeformed_lattice(lattice_, settings.inertia), settings.tolerance) {
+      masses_(shape(), lattice_.sides, lattice_.x, lattice_.y, settings.inertia),
+      surface_(shape().columns, shape().rows, n_),
+      dispersion_(shape(), settings.gamma),
+      drag_(settings.drag, lattice_, settings.inertia) {
   require_not_negative("gravity", settings.gravity);
-  if (lattice_.bottom) bottom_.emplace(lattice_.shape, lattice_.bottom);
-  volume_.assign(shape().cells(), 0.0);
+  if (lattice_.bottom) bottom_.emplace(shape(), lattice_.bottom);
   std::vector<double> places = lattice_.x;
   places.insert(places.end(), lattice_.y.begin(), lattice_.y.end());
   places.insert(places.end(), lattice_.z.begin(), lattice_.z.end());
-  constraint_values(places, volume_);
   if (!plan_lattice::shore_edges(shape(), lattice_.sides).empty()) {
     shoreline_.emplace(shape(), lattice_.sides, lattice_.bottom, places);
   }
-  for (std::size_t cell = 0; cell < shape().cells(); ++cell) {
-    const auto [c0, c1, c2, c3] = shape().corners(cell);
-    const auto j = bilinear_patch::jacobians({places[c0], places[c1], places[c2], places[c3]},
-                                             {lattice_.y[c0], lattice_.y[c1], lattice_.y[c2], lattice_.y[c3]});
-    mean_area_ += 0.5 * (j.c0 + j.c2) / static_cast<double>(shape().cells());
+  for (std::size_t cell = 0; cell < volume_.size(); ++cell) {
+    const std::size_t corner = first_node(cell);
+    volume_[cell] = cell_volume(places, cell);
+    mean_area_ += cell_area(shape(), places, cell) / static_cast<double>(volume_.size());
     if (!(volume_[cell] > 0)) {
       throw std::invalid_argument(fmt::format("cell {} at ({:g}, {:g}) holds {:g} of water; allowed: positive", cell,
-                                              lattice_.x[c0], lattice_.y[c0], volume_[cell]));
+                                              lattice_.x[corner], lattice_.y[corner], volume_[cell]));
     }
   }
   east_width_ = lattice_.x[shape().columns] - lattice_.x[shape().columns - 1];
@@ -69,8 +102,8 @@ Model::Model(Lattice lattice, Settings settings, Forcing forcing)
 
 void Model::sum_masses() {
   const std::span<double> mass = masses_.mass();
-  std::fill(mass.begin(), mass.end(), 0.0);
-  for (std::size_t cell = 0; cell < shape().cells(); ++cell) {
+  std::ranges::fill(mass, 0.0);
+  for (std::size_t cell = 0; cell < volume_.size(); ++cell) {
     for (const std::size_t k : shape().corners(cell)) {
       mass[k] += (on_shore(k) ? Shoreline::share_of_mass : 0.25) * volume_[cell];
     }
@@ -82,19 +115,18 @@ mechanics::State Model::state(const InitialVelocity& velocity) const {
   mechanics::State state{.q = lattice_.x, .u = std::vector<double>(rates(), 0.0)};
   state.q.insert(state.q.end(), lattice_.y.begin(), lattice_.y.end());
   state.q.insert(state.q.end(), lattice_.z.begin(), lattice_.z.end());
-  const std::size_t n = nodes();
   const auto set = [&](std::size_t k, const Velocity& given) {
     state.u[k] = given.u;
-    state.u[n + k] = given.v;
-    state.u[2 * n + k] = given.w;
+    state.u[n_ + k] = given.v;
+    state.u[2 * n_ + k] = given.w;
   };
   if (const auto* nodal = std::get_if<std::vector<Velocity>>(&velocity)) {
-    if (nodal->size() != n) {
-      throw std::invalid_argument(fmt::format("{} velocities of nodes; allowed: {}", nodal->size(), n));
+    if (nodal->size() != n_) {
+      throw std::invalid_argument(fmt::format("{} velocities of nodes; allowed: {}", nodal->size(), n_));
     }
-    for (std::size_t k = 0; k < n; ++k) set(k, (*nodal)[k]);
+    for (std::size_t k = 0; k < n_; ++k) set(k, (*nodal)[k]);
   } else if (const auto& at = std::get<VelocityAt>(velocity)) {
-    for (std::size_t k = 0; k < n; ++k) set(k, at(lattice_.x[k], lattice_.y[k]));
+    for (std::size_t k = 0; k < n_; ++k) set(k, at(lattice_.x[k], lattice_.y[k]));
   }
   if (bottom_) find_normals(state.q, other_normals_);
   masses_.constrain(state.q, 0, bottom_ ? &other_normals_ : nullptr, true, state.u);
@@ -102,18 +134,17 @@ mechanics::State Model::state(const InitialVelocity& velocity) const {
 }
 
 void Model::find_normals(Input q, Normals& normals) const {
-  const std::size_t n = nodes();
-  for (auto* along : {&normals.x, &normals.y, &normals.z}) along->resize(n);
+  for (auto* along : {&normals.x, &normals.y, &normals.z}) along->resize(n_);
   try {
-    for (std::size_t k = 0; k < n; ++k) {
-      const auto b = lattice_.bottom->slope(q[k], q[n + k]);
+    for (std::size_t k = 0; k < n_; ++k) {
+      const auto b = lattice_.bottom->slope(q[k], q[n_ + k]);
       const double length = std::sqrt(1 + b.along_x * b.along_x + b.along_y * b.along_y);
       normals.x[k] = -b.along_x / length;
       normals.y[k] = -b.along_y / length;
       normals.z[k] = 1 / length;
-      if (!(q[2 * n + k] > b.elevation) && !on_shore(k)) {
+      if (!(q[2 * n_ + k] > b.elevation) && !on_shore(k)) {
         throw mechanics::Infeasible(fmt::format("a marker at ({:g}, {:g}) is {:g} above the bottom (allowed: positive)",
-                                                q[k], q[n + k], q[2 * n + k] - b.elevation),
+                                                q[k], q[n_ + k], q[2 * n_ + k] - b.elevation),
                                     q[k]);
       }
     }
@@ -123,177 +154,67 @@ void Model::find_normals(Input q, Normals& normals) const {
 }
 
 void Model::stand(Input q) {
-  const std::size_t n = nodes();
   if (bottom_) {
     find_normals(q, normals_);
     masses_.stand_on(normals_);
   }
-  if (masses_.has_driven_sides()) masses_.turn_driven_sides(q.first(n), q.subspan(n, n), normals());
+  if (masses_.has_driven_sides()) masses_.turn_driven_sides(q.first(n_), q.subspan(n_, n_), normals());
 }
 
-void Model::linearise(Interval when, Input q) {
+void Model::linearise_over(Interval when, Input q0, Input q1, int sweep) {
   when_ = when;
-  try {
-    measure(q, 1, false);
-    if (bottom_) bottom_->subtract_gradients(plan(q), gradients_);
-    if (shoreline_) shoreline_->push(q, settings_.gravity, push_);
-    if (dispersion_.active()) dispersion_.push(volume_, q, q, settings_.gravity, push_);
-    stand(q);
-  } catch (const OutsidePlanBottom& failure) {
-    throw mechanics::Infeasible(failure.what(), failure.place());
-  }
-  push_bodies(when.middle());
-  if (drag_.active()) drag_.measure(lattice_, volume_, q);
-  assemble_and_factor();
-  sweeping_ = false;
-}
-
-void Model::linearise_between(Interval when, Input q0, Input q1, int sweep) {
-  when_ = when;
-  middle_.resize(q0.size());
-  for (std::size_t i = 0; i < q0.size(); ++i) middle_[i] = 0.5 * (q0[i] + q1[i]);
-  try {
+  const bool instant = q0.data() == q1.data();
+  const Input at = instant ? q0 : middle(q0, q1);
+  clear_push();
+  lattice::feasible([&] {
     // Simpson's mean: exact for gradients of polynomials of degree up to four.
-    measure(q0, 1.0 / 6, false);
-    measure(q1, 1.0 / 6, true);
-    measure(middle_, 4.0 / 6, true);
-    if (bottom_) bottom_->subtract_gradients_between(plan(q0), plan(q1), gradients_);
-    if (shoreline_) shoreline_->push_between(q0, q1, settings_.gravity, push_);
+    if (!instant) measure(q0, 1.0 / 6, false);
+    if (!instant) measure(q1, 1.0 / 6, true);
+    measure(at, instant ? 1 : 4.0 / 6, !instant);
+    if (bottom_) bottom_->subtract_gradients(plan(q0), plan(q1), gradients_);
+    if (shoreline_) shoreline_->push(q0, q1, settings_.gravity, push_);
     if (dispersion_.active()) dispersion_.push(volume_, q0, q1, settings_.gravity, push_);
-    stand(middle_);
-    if (shoreline_) {
+    stand(at);
+    if (shoreline_ && !instant) {
       shoreline_->tilt_between(q0, q1, normals_);
       masses_.stand_on(normals_);
     }
-  } catch (const OutsidePlanBottom& failure) {
-    throw mechanics::Infeasible(failure.what(), failure.place());
+  });
+  if (forcing_.body_force) {
+    push_bodies([&](std::size_t k) {
+      const Point force = forcing_.body_force({lattice_.x[k], lattice_.y[k]}, when.middle());
+      return std::array{force.x, force.y};
+    });
   }
-  push_bodies(when.middle());
-  if (drag_.active()) drag_.measure(lattice_, volume_, middle_, sweep == 0);
+  if (drag_.active()) drag_.measure(lattice_, volume_, at, sweep == 0);
   if (sweep == 0) assemble_and_factor();
-  sweeping_ = true;
+  sweeping_ = false;
 }
 
 void Model::measure(Input q, double weight, bool add) {
-  const std::size_t n = nodes();
-  const std::size_t columns = shape().columns;
   const double bottom = bottom_ ? 0.0 : -lattice_.depth;
-  const std::size_t scratch_of_row = 12 * columns;
-  const auto threads = static_cast<std::size_t>(omp_get_max_threads());  // may have become more since the last step
-  scratch_.resize(std::max(scratch_.size(), scratch_of_row * threads));
   std::atomic<bool> folded = false;
   std::atomic<bool> dry = false;
-  const auto clear = [&](std::size_t row, std::size_t count) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::fill_n(push_.data() + axis * n + row * (columns + 1), count * (columns + 1), 0.0);
-    }
-  };
-  // Even rows of cells have all rows of nodes but, where the rows are even in number, the last one.
-  if (!add && shape().rows % 2 == 0) clear(shape().rows, 1);
-  // Rows of one parity share no nodes; each row of nodes is added to from above and from below, in this order.
-  for (std::size_t parity = 0; parity < 2; ++parity) {
-    linear::share_out((shape().rows + 1 - parity) / 2, shape().cells() > linear::worth_threads, [&](std::size_t pair) {
-      const std::size_t j = 2 * pair + parity;
-      if (!add && parity == 0) clear(j, 2);
-      const std::size_t k = j * (columns + 1);
-      const auto rows = [&](std::size_t axis) {
-        const double* lower = q.data() + axis * n + k;
-        return NodeRows{lower, lower + columns + 1};
-      };
-      const auto forces = [&](std::size_t axis) {
-        double* lower = push_.data() + axis * n + k;
-        return ForceRows{lower, lower + columns + 1};
-      };
-      double* scratch = scratch_.data() + scratch_of_row * static_cast<std::size_t>(omp_get_thread_num());
-      const RowExtremes least =
-          measure_row(columns, j * columns, {rows(0), rows(1), rows(2)}, bottom, settings_.gravity, weight, add,
-                      gradients_, {forces(0), forces(1), forces(2)}, scratch);
-      if (least.jacobian <= 0) folded = true;
-      if (least.depth <= 0) dry = true;
-    });
-  }
+  each_row([&](std::size_t j) {
+    const RowExtremes least = measure_row(shape_.columns, around(j, q), bottom, weight, add, gradients_.row(j));
+    if (least.jacobian <= 0) folded = true;
+    if (least.depth <= 0) dry = true;
+  });
+  surface_.push(q, settings_.gravity * weight, push_);
   if (folded) throw_folded(q);
   if (!bottom_ && dry) {
-    const auto lowest = static_cast<std::size_t>(
-                            std::min_element(q.begin() + static_cast<std::ptrdiff_t>(2 * n), q.end()) - q.begin()) -
-                        2 * n;
+    const Input z = q.last(n_);
+    const auto lowest = static_cast<std::size_t>(std::ranges::min_element(z) - z.begin());
     throw mechanics::Infeasible(fmt::format("the surface touches the bottom: z = {:g} at ({:g}, {:g}) (allowed: above "
                                             "{:g})",
-                                            q[2 * n + lowest], q[lowest], q[n + lowest], bottom),
+                                            z[lowest], q[lowest], q[n_ + lowest], bottom),
                                 q[lowest]);
   }
 }
 
-void Model::throw_folded(Input q) const {
-  const Corner worst = worst_corner(q);
-  const std::size_t corner = shape().corners(worst.cell)[0];
-  throw mechanics::Infeasible(
-      fmt::format(
-          "the lattice folds: a corner of cell {} (column {}, row {}, at ({:g}, {:g})) has shape {:.3g} (1 at the "
-          "beginning, allowed: positive)",
-          worst.cell, worst.cell % shape().columns, worst.cell / shape().columns, q[corner], q[nodes() + corner],
-          worst.shape),
-      q[corner]);
-}
-
-Corner Model::worst_corner(Input q) const {
-  const std::size_t n = nodes();
-  Corner worst{.shape = std::numeric_limits<double>::infinity(), .cell = 0};
-  for (std::size_t cell = 0; cell < shape().cells(); ++cell) {
-    const auto [c0, c1, c2, c3] = shape().corners(cell);
-    const auto j =
-        bilinear_patch::jacobians({q[c0], q[c1], q[c2], q[c3]}, {q[n + c0], q[n + c1], q[n + c2], q[n + c3]});
-    const double shape_of_corner = std::min(std::min(j.c0, j.c1), std::min(j.c2, j.c3)) / mean_area_;
-    if (!(shape_of_corner >= worst.shape)) worst = {shape_of_corner, cell};
-  }
-  return worst;
-}
-
-void Model::push_bodies(double time) {
-  if (!forcing_.body_force) return;
-  const std::size_t n = nodes();
-  for (std::size_t k = 0; k < n; ++k) {
-    const Point force = forcing_.body_force({lattice_.x[k], lattice_.y[k]}, time);
-    push_[k] += masses_.mass()[k] * force.x;
-    push_[n + k] += masses_.mass()[k] * force.y;
-  }
-}
-
-void Model::assemble_and_factor() {
-  const std::size_t columns = shape().columns;
-  const std::size_t rows = shape().rows;
-  linear::share_out(rows, shape().cells() > linear::worth_threads, [&](std::size_t j) {
-    assemble_row(columns, j * columns, j * (columns + 1), masses_.full(j) || masses_.full(j + 1), j + 1 < rows,
-                 gradients_, masses_.inverse(), matrix_);
-  });
-  try {
-    solver_.factor(matrix_);
-  } catch (const linear::NotPositiveDefinite& failure) {
-    const std::size_t cell = failure.row();
-    throw mechanics::Infeasible(fmt::format("cell {}: {}", cell, failure.what()), lattice_.x[shape().corners(cell)[0]]);
-  }
-}
-
-void Model::advance(Input from, Input u, double h, Output to) const {
-  const double* const begin = from.data();
-  const double* const rate = u.data();
-  double* const end = to.data();
-  const std::size_t row = shape().columns + 1;
-  linear::share_out(from.size() / row, from.size() > 3 * linear::worth_threads, [&](std::size_t j) {
-#pragma omp simd
-    for (std::size_t i = j * row; i < (j + 1) * row; ++i) end[i] = begin[i] + h * rate[i];
-  });
-}
-
 void Model::kick(double h, Output u) const {
-  const std::size_t n = nodes();
-  const std::size_t count = shape().columns + 1;
   if (drag_.absorbs()) drag_.absorb(h, u);
-  linear::share_out(shape().rows + 1, shape().cells() > linear::worth_threads, [&](std::size_t j) {
-    const std::size_t k = j * count;
-    kick_row(count, k, masses_.full(j), h, {push_.data() + k, push_.data() + n + k, push_.data() + 2 * n + k},
-             masses_.inverse(), {u.data() + k, u.data() + n + k, u.data() + 2 * n + k});
-  });
+  Water::kick(h, u);
   if (drag_.active()) drag_.slow(masses_.mass(), masses_.inverse(), settings_.gravity, h, u);
 }
 
@@ -317,33 +238,62 @@ void Model::settle(Interval when, Output q, Output u) const {
   drag_.settle();
 }
 
-void Model::constraint_rates(Input u, Output w) const {
-  const std::size_t columns = shape().columns;
-  const std::size_t n = nodes();
-  linear::share_out(shape().rows, shape().cells() > linear::worth_threads, [&](std::size_t j) {
-    const auto rows = [&](std::size_t axis) {
-      const double* lower = u.data() + axis * n + j * (columns + 1);
-      return NodeRows{lower, lower + columns + 1};
-    };
-    rates_of_row(columns, j * columns, gradients_, {rows(0), rows(1), rows(2)}, w.data() + j * columns);
-  });
+std::array<double, 3> Model::momentum_of(std::size_t k, Input u) const {
+  const double m = masses_.mass()[k];
+  const double less = 1 - settings_.inertia;
+  if (!bottom_) return {m * u[k], m * u[n_ + k], m * settings_.inertia * u[2 * n_ + k]};
+  const auto& [x, y, z] = other_normals_;
+  const double across = less * (u[k] * x[k] + u[n_ + k] * y[k] + u[2 * n_ + k] * z[k]);
+  return {m * (u[k] - across * x[k]), m * (u[n_ + k] - across * y[k]), m * (u[2 * n_ + k] - across * z[k])};
 }
 
-void Model::react(Input mu, Output u) const {
-  const std::size_t columns = shape().columns;
-  const std::size_t n = nodes();
-  linear::share_out(shape().rows + 1, shape().cells() > linear::worth_threads, [&](std::size_t j) {
-    const std::size_t k = j * (columns + 1);
-    const auto above = static_cast<std::ptrdiff_t>(j * columns);
-    const auto below = above - static_cast<std::ptrdiff_t>(columns);
-    react_row(columns, k, masses_.full(j), below, above, gradients_, j == 0 ? no_cells_.data() : mu.data() + below,
-              j == shape().rows ? no_cells_.data() : mu.data() + above, masses_.inverse(),
-              {u.data() + k, u.data() + n + k, u.data() + 2 * n + k});
-  });
+double Model::cell_volume(Input q, std::size_t cell) const {
+  const double bottom = bottom_ ? 0.0 : -lattice_.depth;
+  const auto corners = shape().corners(cell);
+  const Corners z = at(q.data() + 2 * n_, corners);
+  const double volume = bilinear_patch::volume(at(q.data(), corners), at(q.data() + n_, corners),
+                                               {z.c0 - bottom, z.c1 - bottom, z.c2 - bottom, z.c3 - bottom});
+  return bottom_ ? volume - bottom_->volume(plan(q), cell) : volume;
 }
 
-void Model::solve(Input right_hand_side, Output mu) {
-  solver_.solve(right_hand_side, mu, sweeping_ ? tolerance_of_sweeps : 0);
+/// Over the mean Jacobian at the beginning.
+double Model::cell_shape(Input q, std::size_t cell) const {
+  const auto corners = shape().corners(cell);
+  const auto j = bilinear_patch::jacobians(at(q.data(), corners), at(q.data() + n_, corners));
+  return std::min(std::min(j.c0, j.c1), std::min(j.c2, j.c3)) / mean_area_;
+}
+
+double Model::potential_energy(Input q, std::span<const char> counted) const {
+  double sum = surface_.moment(q, counted);
+  if (shoreline_) sum -= shoreline_->bottom_moment(q, counted);
+  if (dispersion_.active()) {
+    // It has the square of a cell's volume as a factor.
+    std::vector<double> volumes = volume_;
+    for (std::size_t cell = 0; cell < counted.size(); ++cell) volumes[cell] *= counted[cell] != 0 ? 1 : 0;
+    sum += dispersion_.value(volumes, q);
+  }
+  return settings_.gravity * sum;
+}
+
+void Model::shift_east(mechanics::State& state) {
+  shift_columns(state, lattice_.x, lattice_.y, east_width_);
+  drag_.shift_east();
+  const std::size_t columns = shape_.columns;
+  for (std::size_t east = columns; east < n_; east += columns + 1) state.q[2 * n_ + east] = 0;
+  for (std::size_t cell = columns - 1; cell < volume_.size(); cell += columns) {
+    volume_[cell] = cell_volume(state.q, cell);
+  }
+  sum_masses();
 }
 
 }  // namespace seiche::dispersive_shallow_water_2d
+
+namespace seiche::mechanics {
+
+template class OneStep<dispersive_shallow_water_2d::Model>;
+template class ConservativeStep<dispersive_shallow_water_2d::Model>;
+template class SchemeStepper<dispersive_shallow_water_2d::Model>;
+template class Start<dispersive_shallow_water_2d::Model>;
+template class InvariantsWatch<dispersive_shallow_water_2d::Model>;
+
+}  // namespace seiche::mechanics

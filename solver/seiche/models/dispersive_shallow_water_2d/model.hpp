@@ -45,20 +45,26 @@
 #include <variant>
 #include <vector>
 
+#include "seiche/lattice/surface_patches.hpp"
+#include "seiche/lattice/water.hpp"
 #include "seiche/linear/constraint_solver.hpp"
 #include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/scheme.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/bottom_volume.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/dispersion_energy.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/drag.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/element.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/lattice.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/node_masses.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/shoreline.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
+using lattice::Corner;
 using mechanics::Input;
 using mechanics::Interval;
 using mechanics::Output;
@@ -87,13 +93,7 @@ using VelocityAt = std::function<Velocity(double x, double y)>;
 /// Velocities at the beginning: of places, empty for water at rest; or of each node in turn.
 using InitialVelocity = std::variant<VelocityAt, std::vector<Velocity>>;
 
-/// The worst corner of a lattice: its Jacobian over the first one's mean. 1 for equal rectangles; 0 where a cell folds.
-struct Corner {
-  double shape = 1;
-  std::size_t cell = 0;
-};
-
-class Model {
+class Model : public lattice::Water<Column, Model> {
  public:
   /// Masses and volumes from the lattice. Throws std::invalid_argument (lattice.hpp, sides.hpp, settings out of range).
   explicit Model(Lattice lattice, Settings settings = {}, Forcing forcing = {});
@@ -106,52 +106,33 @@ class Model {
   /// volumes is mechanics/start.hpp's. Throws std::invalid_argument for velocities that are not as many as the nodes.
   [[nodiscard]] mechanics::State state(const InitialVelocity& velocity = {}) const;
 
-  // What mechanics/constrained_model.hpp asks for.
-  [[nodiscard]] std::size_t coordinates() const { return 3 * nodes(); }
-  [[nodiscard]] std::size_t rates() const { return 3 * nodes(); }
-  [[nodiscard]] std::size_t constraints() const { return shape().cells(); }
+  // What mechanics/constrained_model.hpp asks for, besides lattice::Water.
   /// Throws mechanics::Infeasible where a cell folds, a marker touches the bottom or leaves it.
-  void linearise(Interval when, Input q);
+  void linearise(Interval when, Input q) { linearise_over(when, q, q, 0); }
   /// Factorised in sweep 0 only.
-  void linearise_between(Interval when, Input q0, Input q1, int sweep);
-  void advance(Input from, Input u, double h, Output to) const;
+  void linearise_between(Interval when, Input q0, Input q1, int sweep) {
+    linearise_over(when, q0, q1, sweep);
+    sweeping_ = true;
+  }
   void kick(double h, Output u) const;
   void enter(Input q, Output u) const;
   void settle(Interval when, Output q, Output u) const;
-  void constraint_rates(Input u, Output w) const;
-  void react(Input mu, Output u) const;
-  void solve(Input right_hand_side, Output mu);
-  /// Relative accuracy of solve, 0 for round-off: conservative steps go no further.
-  [[nodiscard]] double solver_accuracy() const {
-    return solver_.method() == linear::SolverMethod::iterative ? settings_.tolerance : 0;
-  }
-  void constraint_values(Input q, Output f) const;
-  [[nodiscard]] double place(std::size_t rate) const { return lattice_.x[rate % nodes()]; }
+  [[nodiscard]] double place(std::size_t rate) const { return lattice_.x[rate % n_]; }
 
-  [[nodiscard]] double mass() const;                                             ///< per unit density [m^3]
-  [[nodiscard]] std::array<double, 2> momentum(Input q, Input u) const;          ///< horizontal
-  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const;  ///< about the vertical
-  [[nodiscard]] double kinetic_energy(Input q, Input u) const;
   /// Zero for still water. @param counted  marks the cells whose water counts; empty: all
   [[nodiscard]] double potential_energy(Input q, std::span<const char> counted = {}) const;
 
   [[nodiscard]] Shape shape() const { return lattice_.shape; }
-  [[nodiscard]] std::size_t nodes() const { return lattice_.shape.nodes(); }
+  [[nodiscard]] std::size_t nodes() const { return n_; }
   /// As given at the beginning, or at the last shift of a moving window.
   [[nodiscard]] const Lattice& lattice() const { return lattice_; }
   [[nodiscard]] const Settings& settings() const { return settings_; }
-  [[nodiscard]] std::span<const double> node_masses() const { return masses_.mass(); }
-  [[nodiscard]] std::span<const double> first_volumes() const { return volume_; }
   [[nodiscard]] bool has_driven_sides() const { return masses_.has_driven_sides(); }
   [[nodiscard]] bool has_shoreline() const { return shoreline_.has_value(); }
   [[nodiscard]] bool absorbs() const { return drag_.absorbs(); }
   [[nodiscard]] const BreakingFronts& breaking() const { return drag_.breaking(); }
   /// Fronts that broke in another flow's model, of a lattice of this shape, break on.
   void continue_breaking(const Model& before) { drag_.continue_from(before.drag_); }
-  [[nodiscard]] const linear::NinePointSolver& solver() const { return solver_; }
-  /// A of the last linearisation.
-  [[nodiscard]] const linear::NinePointMatrix& matrix() const { return matrix_; }
-  [[nodiscard]] Corner worst_corner(Input q) const;
   /// Of a mean square at the beginning [m].
   [[nodiscard]] double cell_size() const { return std::sqrt(mean_area_); }
 
@@ -164,48 +145,63 @@ class Model {
   /// whole.
   /// @param nodes  gives numbers of nodes that other parts own (x, y, z one after the other) their owners' values
   /// @param cells  likewise, one number per cell
-  void join_shift(const std::function<void(Output)>& nodes, const std::function<void(Output)>& cells);
+  void join_shift(const std::function<void(Output)>& nodes, const std::function<void(Output)>& cells) {
+    join_columns(lattice_.x, lattice_.y, nodes, cells);
+    sum_masses();
+  }
   /// Of the columns that shift_east appends.
   [[nodiscard]] double east_width() const { return east_width_; }
 
- private:
-  static constexpr double tolerance_of_sweeps = 1e-3;  // of the correction that a sweep makes; the next one goes on
-
-  [[nodiscard]] BottomVolume::Places plan(Input q) const { return {q.data(), q.data() + nodes()}; }
+  // What lattice::Water asks for.
+  [[nodiscard]] std::array<const double*, 6> mobility() const {
+    const InverseMasses& w = masses_.inverse();
+    return {w.xx.data(), w.yy.data(), w.zz.data(), w.xy.data(), w.xz.data(), w.yz.data()};
+  }
+  [[nodiscard]] bool full_row(std::size_t row) const { return masses_.full(row); }
+  [[nodiscard]] std::span<const double> node_masses() const { return masses_.mass(); }
+  void look_below(Input q) const {
+    if (bottom_) find_normals(q, other_normals_);
+  }
+  /// After look_below.
+  [[nodiscard]] std::array<double, 3> momentum_of(std::size_t k, Input u) const;
   [[nodiscard]] double cell_volume(Input q, std::size_t cell) const;
+  [[nodiscard]] double cell_shape(Input q, std::size_t cell) const;
+
+ private:
+  [[nodiscard]] BottomVolume::Places plan(Input q) const { return {q.data(), q.data() + n_}; }
   void sum_masses();
   void find_normals(Input q, Normals& normals) const;
   [[nodiscard]] const Normals* normals() const { return bottom_ ? &normals_ : nullptr; }
+  void linearise_over(Interval when, Input q0, Input q1, int sweep);
   void measure(Input q, double weight, bool add);
   void stand(Input q);
   [[nodiscard]] bool on_shore(std::size_t node) const { return shoreline_ && shoreline_->marks()[node] != 0; }
-  void push_bodies(double time);
-  void assemble_and_factor();
-  [[noreturn]] void throw_folded(Input q) const;
   void carry(Input q, bool onto, Output u) const;
 
-  Interval when_;  // of the last linearisation
   Lattice lattice_;
   Settings settings_;
   Forcing forcing_;
   NodeMasses masses_;
-  std::vector<double> volume_;
   double mean_area_ = 0;
   double east_width_ = 0;
   std::optional<BottomVolume> bottom_;
   std::optional<Shoreline> shoreline_;
+  lattice::SurfacePatches surface_;
   DispersionEnergy dispersion_;
   Drag drag_;
-
-  CellGradients gradients_;
-  std::vector<double> push_;  // forces on nodes along x, y, z
-  std::vector<double> scratch_;
-  std::vector<double> middle_, no_cells_;
   Normals normals_;                // of the bottom at the linearised configuration
   mutable Normals other_normals_;  // at the beginning or end of the step
-  linear::NinePointMatrix matrix_;
-  linear::NinePointSolver solver_;
-  bool sweeping_ = false;  // the last linearisation was a sweep of a conservative step
 };
 
 }  // namespace seiche::dispersive_shallow_water_2d
+
+namespace seiche::mechanics {
+
+/// The integrators of the model, compiled once and not in every file that steps it.
+extern template class OneStep<dispersive_shallow_water_2d::Model>;
+extern template class ConservativeStep<dispersive_shallow_water_2d::Model>;
+extern template class SchemeStepper<dispersive_shallow_water_2d::Model>;
+extern template class Start<dispersive_shallow_water_2d::Model>;
+extern template class InvariantsWatch<dispersive_shallow_water_2d::Model>;
+
+}  // namespace seiche::mechanics

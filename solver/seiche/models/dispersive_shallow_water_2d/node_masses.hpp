@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "seiche/models/dispersive_shallow_water_2d/rows.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/element.hpp"
 #include "seiche/plan_lattice/sides.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {

@@ -1,16 +1,392 @@
 #include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 
+#include <fmt/format.h>
+
+#include "seiche/geometry/bilinear_patch.hpp"
+#include "seiche/geometry/swept_quadrilateral.hpp"
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
+#include "seiche/plan_lattice/lattice_interpolant.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
+
+namespace {
+
+using plan_lattice::LatticeInterpolant;
+using plan_lattice::LatticePlace;
+
+using bilinear_patch::Corners;
+
+/// What passes through an edge or is in a cell.
+struct Content {
+  double level = 0;  ///< int z dA
+  double water = 0;  ///< int H dA
+  Point momentum{};  ///< int H u dA
+};
+
+class Remap {
+ public:
+  Remap(const Model& model, Input q, Input u, std::vector<double> x, std::vector<double> y)
+      : model_(model),
+        shape_(model.shape()),
+        n_(shape_.nodes()),
+        q_(q),
+        u_(u),
+        old_(shape_, q.first(n_), q.subspan(n_, n_)),
+        on_shore_(n_, 0),
+        quadrilateral_({1, 1}, model.lattice().bottom) {
+    now_.lattice = model.lattice();
+    now_.lattice.x = std::move(x);
+    now_.lattice.y = std::move(y);
+    for (const auto& edge : plan_lattice::shore_edges(shape_, now_.lattice.sides)) {
+      for (const std::size_t k : edge) on_shore_[k] = 1;
+    }
+    for (std::size_t k = 0; k < n_; ++k)
+      depth_.push_back(on_shore_[k] != 0 ? 0 : q_[2 * n_ + k] - bottom(old_point(k)));
+  }
+
+  Remapped run() {
+    require_convex();
+    find_nodes();
+    interpolate();
+    sweep();
+    carry();
+    level_water();
+    level_momentum();
+    return std::move(now_);
+  }
+
+ private:
+  [[nodiscard]] std::span<const double> old_values(std::size_t axis) const { return u_.subspan(axis * n_, n_); }
+  [[nodiscard]] Point old_point(std::size_t k) const { return {q_[k], q_[n_ + k]}; }
+  [[nodiscard]] Point new_point(std::size_t k) const { return {now_.lattice.x[k], now_.lattice.y[k]}; }
+  [[nodiscard]] double bottom(Point at) const {
+    const Lattice& lattice = now_.lattice;
+    return lattice.bottom ? lattice.bottom->slope(at.x, at.y).elevation : -lattice.depth;
+  }
+
+  /// Depth of the old surface: the cubic one's, as long as the bilinear one is near it. In a thin sheet the cubic one
+  /// would go below the bottom.
+  [[nodiscard]] double old_depth(Point at, const LatticePlace& found) const {
+    const double linear = old_.linear_value(depth_, found);
+    return std::clamp(old_.value(q_.subspan(2 * n_, n_), found) - bottom(at), linear / 2, 2 * linear);
+  }
+
+  /// int b dA of the quadrilateral, by the rule of the model's volumes.
+  [[nodiscard]] double bottom_under(const std::array<Point, 4>& at) const {
+    const std::array x{at[0].x, at[1].x, at[3].x, at[2].x};
+    const std::array y{at[0].y, at[1].y, at[3].y, at[2].y};
+    if (now_.lattice.bottom) return quadrilateral_.volume({x.data(), y.data()}, 0);
+    const auto j =
+        bilinear_patch::jacobians({at[0].x, at[1].x, at[2].x, at[3].x}, {at[0].y, at[1].y, at[2].y, at[3].y});
+    return -now_.lattice.depth * 0.5 * (j.c0 + j.c2);
+  }
+
+  void require_convex() const {
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      const auto at = corners_of(cell, true);
+      const auto j =
+          bilinear_patch::jacobians({at[0].x, at[1].x, at[2].x, at[3].x}, {at[0].y, at[1].y, at[2].y, at[3].y});
+      if (std::min(std::min(j.c0, j.c1), std::min(j.c2, j.c3)) > 0) continue;
+      throw mechanics::Infeasible(fmt::format("cell {} at ({:g}, {:g}) would fold", cell, at[0].x, at[0].y), at[0].x);
+    }
+  }
+
+  void find_nodes() {
+    for (std::size_t k = 0; k < n_; ++k) places_.push_back(old_.find(new_point(k), node_of(k)));
+  }
+
+  [[nodiscard]] LatticePlace node_of(std::size_t k) const {
+    const std::size_t row = k / (shape_.columns + 1);
+    return {.i = static_cast<double>(k - shape_.node(0, row)), .j = static_cast<double>(row)};
+  }
+
+  void interpolate() {
+    now_.u.resize(n_);
+    now_.v.resize(n_);
+    now_.w.resize(n_);
+    for (std::size_t k = 0; k < n_; ++k) {
+      const Point at = new_point(k);
+      bed_.push_back(bottom(at));
+      now_.lattice.z[k] = bed_[k] + (on_shore_[k] != 0 ? 0.0 : old_depth(at, places_[k]));
+      now_.u[k] = old_.value(old_values(0), places_[k]);
+      now_.v[k] = old_.value(old_values(1), places_[k]);
+      now_.w[k] = old_.value(old_values(2), places_[k]);
+    }
+  }
+
+  /// What the edge p -> q sweeps towards its right.
+  [[nodiscard]] Content swept(std::size_t p, std::size_t q, bool closed) const {
+    const std::array at{old_point(p), new_point(p), new_point(q), old_point(q)};
+    Content through;
+    const double under = bottom_under(at);
+    if (closed) {
+      through.level = under;
+      return through;
+    }
+    const std::array corner{node_of(p), places_[p], places_[q], node_of(q)};
+    const std::array columns{corner[0].i, corner[1].i, corner[2].i, corner[3].i};
+    const std::array rows{corner[0].j, corner[1].j, corner[2].j, corner[3].j};
+    each_swept_point(at, [&](const SweptPoint& point) {
+      const LatticePlace found = old_.find(point.place, {.i = point.mix(columns), .j = point.mix(rows)});
+      const double water = point.area * old_depth(point.place, found);
+      through.level += water + point.area * bottom(point.place);
+      through.momentum.x += water * old_.value(old_values(0), found);
+      through.momentum.y += water * old_.value(old_values(1), found);
+      through.water += water;
+    });
+    // The momentum of the same water that the volumes count.
+    const double exact = through.level - under;
+    if (through.water != 0 && std::abs(exact - through.water) < 0.5 * std::abs(through.water)) {
+      through.momentum.x *= exact / through.water;
+      through.momentum.y *= exact / through.water;
+    }
+    through.water = exact;
+    return through;
+  }
+
+  /// Through an edge, from one cell into another; none of them: a side.
+  struct Passage {
+    std::optional<std::size_t> into, from;
+    Content content;
+  };
+
+  void sweep() {
+    const auto columns = shape_.columns;
+    for (std::size_t j = 0; j <= shape_.rows; ++j) {
+      for (std::size_t i = 0; i < columns; ++i) {
+        const bool closed = j == 0 || j == shape_.rows;
+        Passage one{.into = {}, .from = {}, .content = swept(shape_.node(i, j), shape_.node(i + 1, j), closed)};
+        if (j < shape_.rows) one.into = j * columns + i;
+        if (j > 0) one.from = (j - 1) * columns + i;
+        passages_.push_back(one);
+      }
+    }
+    for (std::size_t j = 0; j < shape_.rows; ++j) {
+      for (std::size_t i = 0; i <= columns; ++i) {
+        const bool closed = i == 0 || i == columns;
+        Passage one{.into = {}, .from = {}, .content = swept(shape_.node(i, j), shape_.node(i, j + 1), closed)};
+        if (i > 0) one.into = j * columns + i - 1;
+        if (i < columns) one.from = j * columns + i;
+        passages_.push_back(one);
+      }
+    }
+  }
+
+  /// V* and P*. No cell loses more than most of its water to others: what would be too much stays, all in proportion.
+  void carry() {
+    std::vector<double> leaves(shape_.cells(), 0.0);
+    const auto loser = [](const Passage& one) { return one.content.water > 0 ? one.from : one.into; };
+    for (const Passage& one : passages_) {
+      if (const auto cell = loser(one)) leaves[*cell] += std::abs(one.content.water);
+    }
+    std::vector<double> level(shape_.cells(), 0.0);
+    momentum_.resize(shape_.cells());
+    for (const Passage& one : passages_) {
+      double part = 1;
+      if (const auto cell = loser(one)) part = std::min(1.0, most_lost * model_.first_volumes()[*cell] / leaves[*cell]);
+      now_.displaced += (1 - part) * std::abs(one.content.water);
+      const auto add = [&](std::size_t cell, double sign) {
+        level[cell] += sign * (one.content.level - (1 - part) * one.content.water);
+        momentum_[cell].x += sign * part * one.content.momentum.x;
+        momentum_[cell].y += sign * part * one.content.momentum.y;
+      };
+      if (one.into) add(*one.into, 1);
+      if (one.from) add(*one.from, -1);
+    }
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      under_.push_back(bottom_under(corners_of(cell, true)));
+      const double before = model_.first_volumes()[cell];
+      volume_.push_back(before + level[cell] - under_[cell] + bottom_under(corners_of(cell, false)));
+      if (!(volume_[cell] > 0)) {
+        throw mechanics::Infeasible(fmt::format("cell {} would hold {:g} of water", cell, volume_[cell]),
+                                    corners_of(cell, true)[0].x);
+      }
+      const Point velocity = mean_velocity(cell, u_.first(n_), u_.subspan(n_, n_));
+      momentum_[cell].x += before * velocity.x;
+      momentum_[cell].y += before * velocity.y;
+    }
+  }
+
+  [[nodiscard]] double share(std::size_t k) const { return on_shore_[k] != 0 ? Shoreline::share_of_mass : 0.25; }
+
+  [[nodiscard]] Point mean_velocity(std::size_t cell, std::span<const double> u, std::span<const double> v) const {
+    double shares = 0;
+    Point sum;
+    for (const std::size_t k : shape_.corners(cell)) {
+      shares += share(k);
+      sum.x += share(k) * u[k];
+      sum.y += share(k) * v[k];
+    }
+    return {sum.x / shares, sum.y / shares};
+  }
+
+  [[nodiscard]] std::array<Point, 4> corners_of(std::size_t cell, bool fresh) const {
+    const auto corners = shape_.corners(cell);
+    const auto at = [&](std::size_t a) { return fresh ? new_point(corners[a]) : old_point(corners[a]); };
+    return {at(0), at(1), at(2), at(3)};
+  }
+
+  [[nodiscard]] double new_level(std::size_t cell) const {
+    const auto corners = shape_.corners(cell);
+    const auto at = [&](const std::vector<double>& values) {
+      return Corners{values[corners[0]], values[corners[1]], values[corners[2]], values[corners[3]]};
+    };
+    return bilinear_patch::volume(at(now_.lattice.x), at(now_.lattice.y), at(now_.lattice.z));
+  }
+
+  /// Columns that the interpolation leaves nearly dry begin with a part of the mean depth of their cells.
+  void fill_thin_columns() {
+    std::vector<double> water(n_, 0.0);
+    std::vector<double> area(n_, 0.0);
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      const auto at = corners_of(cell, true);
+      const auto j =
+          bilinear_patch::jacobians({at[0].x, at[1].x, at[2].x, at[3].x}, {at[0].y, at[1].y, at[2].y, at[3].y});
+      for (const std::size_t k : shape_.corners(cell)) {
+        water[k] += volume_[cell];
+        area[k] += 0.5 * (j.c0 + j.c2);
+      }
+    }
+    for (std::size_t k = 0; k < n_; ++k) {
+      if (on_shore_[k] != 0) continue;
+      now_.lattice.z[k] = std::max(now_.lattice.z[k], bed_[k] + thinnest * water[k] / area[k]);
+    }
+  }
+
+  /// What the surface has too little of V*, to the nodes.
+  void level_water() {
+    fill_thin_columns();
+    // dV/dz of the nodes.
+    std::vector<double> area(n_, 0.0);
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      const auto corners = shape_.corners(cell);
+      const auto at = corners_of(cell, true);
+      const auto threes = bilinear_patch::threes(
+          bilinear_patch::jacobians({at[0].x, at[1].x, at[2].x, at[3].x}, {at[0].y, at[1].y, at[2].y, at[3].y}));
+      const std::array by_z{threes.c0 / 12, threes.c1 / 12, threes.c2 / 12, threes.c3 / 12};
+      for (std::size_t a = 0; a < 4; ++a) area[corners[a]] += by_z[a];
+    }
+    std::vector<char> sank;
+    for (int pass = 0; pass < passes || std::ranges::count(sank, 1) > 0; ++pass) {
+      if (pass == most_passes) {
+        throw mechanics::Infeasible(
+            "columns would have no water",
+            now_.lattice.x[static_cast<std::size_t>(std::ranges::find(sank, 1) - sank.begin())]);
+      }
+      if (pass >= passes) share_with_neighbours(sank);
+      sank = raise(area);
+    }
+  }
+
+  /// One pass. A column sinks by a part of its depth at most: marks those that should sink more.
+  std::vector<char> raise(const std::vector<double>& area) {
+    std::vector<double> rise(n_, 0.0);
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      const auto corners = shape_.corners(cell);
+      const double lacking = volume_[cell] - (new_level(cell) - under_[cell]);
+      double wet = 0;
+      for (const std::size_t k : corners) wet += on_shore_[k] != 0 ? 0.0 : 1.0;
+      for (const std::size_t k : corners) {
+        if (on_shore_[k] == 0) rise[k] += lacking / (wet * area[k]);
+      }
+    }
+    std::vector<char> sank(n_, 0);
+    for (std::size_t k = 0; k < n_; ++k) {
+      if (on_shore_[k] != 0) continue;
+      const double least = -most_sunk * (now_.lattice.z[k] - bed_[k]);
+      sank[k] = rise[k] < least ? 1 : 0;
+      now_.lattice.z[k] += std::max(rise[k], least);
+    }
+    return sank;
+  }
+
+  /// Columns cannot leave a cell with so little water while the ones beside it hold theirs: it gets of these.
+  void share_with_neighbours(const std::vector<char>& sank) {
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      if (std::ranges::none_of(shape_.corners(cell), [&](std::size_t k) { return sank[k] != 0; })) continue;
+      const double surplus = new_level(cell) - under_[cell] - volume_[cell];
+      if (!(surplus > 0)) continue;
+      const std::size_t columns = shape_.columns;
+      if (cell % columns > 0) move_water(cell - 1, cell, surplus / 4);
+      if (cell % columns + 1 < columns) move_water(cell + 1, cell, surplus / 4);
+      if (cell >= columns) move_water(cell - columns, cell, surplus / 4);
+      if (cell + columns < shape_.cells()) move_water(cell + columns, cell, surplus / 4);
+    }
+  }
+
+  void move_water(std::size_t from, std::size_t into, double wanted) {
+    const double part = std::min(wanted / volume_[from], 0.25);
+    const double water = part * volume_[from];
+    const Point momentum{part * momentum_[from].x, part * momentum_[from].y};
+    volume_[from] -= water;
+    volume_[into] += water;
+    momentum_[from].x -= momentum.x;
+    momentum_[from].y -= momentum.y;
+    momentum_[into].x += momentum.x;
+    momentum_[into].y += momentum.y;
+    now_.displaced += water;
+  }
+
+  /// The same for the momentum.
+  void level_momentum() {
+    std::vector<double> mass(n_, 0.0);
+    std::vector<double> after(shape_.cells());
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      after[cell] = new_level(cell) - under_[cell];
+      for (const std::size_t k : shape_.corners(cell)) mass[k] += share(k) * after[cell];
+    }
+    std::vector<Point> change(n_);
+    for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
+      const Point velocity = mean_velocity(cell, now_.u, now_.v);
+      const Point lacking{momentum_[cell].x - after[cell] * velocity.x, momentum_[cell].y - after[cell] * velocity.y};
+      for (const std::size_t k : shape_.corners(cell)) {
+        change[k].x += share(k) * lacking.x / mass[k];
+        change[k].y += share(k) * lacking.y / mass[k];
+      }
+    }
+    for (std::size_t k = 0; k < n_; ++k) {
+      now_.u[k] += change[k].x;
+      now_.v[k] += change[k].y;
+    }
+  }
+
+  static constexpr int passes = 2;
+  static constexpr int most_passes = 100;
+  static constexpr double most_lost = 0.75;  // of a cell's water, in a remap
+  static constexpr double most_sunk = 0.3;   // of a column's depth, in a pass
+  static constexpr double thinnest = 0.25;   // column, over the mean depth of its cells
+
+  const Model& model_;
+  plan_lattice::Shape shape_;
+  std::size_t n_;
+  Input q_, u_;
+  LatticeInterpolant old_;
+  std::vector<char> on_shore_;
+  std::vector<double> depth_;
+  BottomVolume quadrilateral_;
+  Remapped now_;
+  std::vector<LatticePlace> places_;
+  std::vector<double> bed_;  // below the new nodes
+  std::vector<Passage> passages_;
+  std::vector<double> under_;   // bottom_under of the new cells
+  std::vector<double> volume_;  // V*
+  std::vector<Point> momentum_;
+};
+
+}  // namespace
+
+Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std::vector<double> y) {
+  return Remap(model, q, u, std::move(x), std::move(y)).run();
+}
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "seiche/models/dispersive_shallow_water_2d/gauss_points.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/bottom_volume.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {
 
@@ -137,19 +137,15 @@ double Shoreline::bottom_moment(Input q, std::span<const char> counted) const {
 }
 
 /// Pi = -g bottom_moment, so that the force is g times its gradient.
-void Shoreline::add(const Edge& edge, const Moment& moment, double gravity, Output forces) const {
-  for (std::size_t k = 0; k < 2; ++k) {
-    forces[edge.nodes[k]] += gravity * moment.gradient[k].x;
-    forces[nodes_ + edge.nodes[k]] += gravity * moment.gradient[k].y;
+void Shoreline::push(Input q0, Input q1, double gravity, Output forces) const {
+  for (const Edge& edge : edges_) {
+    const Ends from = ends(edge, q0);
+    const Moment there = q0.data() == q1.data() ? moment(edge, from) : moment_between(edge, from, ends(edge, q1));
+    for (std::size_t k = 0; k < 2; ++k) {
+      forces[edge.nodes[k]] += gravity * there.gradient[k].x;
+      forces[nodes_ + edge.nodes[k]] += gravity * there.gradient[k].y;
+    }
   }
-}
-
-void Shoreline::push(Input q, double gravity, Output forces) const {
-  for (const Edge& edge : edges_) add(edge, moment(edge, ends(edge, q)), gravity, forces);
-}
-
-void Shoreline::push_between(Input q0, Input q1, double gravity, Output forces) const {
-  for (const Edge& edge : edges_) add(edge, moment_between(edge, ends(edge, q0), ends(edge, q1)), gravity, forces);
 }
 
 }  // namespace seiche::dispersive_shallow_water_2d

@@ -40,7 +40,6 @@ class Shoreline {
   Shoreline(plan_lattice::Shape shape, const plan_lattice::Sides& sides, std::shared_ptr<const PlanBottom> bottom,
             Input q);
 
-  [[nodiscard]] bool empty() const { return edges_.empty(); }
   /// Whether each node is on it.
   [[nodiscard]] const std::vector<char>& marks() const { return marks_; }
   /// Puts the markers on the bottom.
@@ -51,10 +50,9 @@ class Shoreline {
   /// int b^2/2 dA over what has been flooded since the beginning, less what has fallen dry.
   /// @param counted  marks the cells whose edges count; empty: all
   [[nodiscard]] double bottom_moment(Input q, std::span<const char> counted = {}) const;
-  /// Adds the forces of the bottom's part of the energy to those on the nodes along x, y, z.
-  void push(Input q, double gravity, Output forces) const;
-  /// The same with the discrete gradient over the segment: Simpson's mean, corrected along the segment.
-  void push_between(Input q0, Input q1, double gravity, Output forces) const;
+  /// Adds the forces of the bottom's part of the energy to those on the nodes along x, y, z: at q0 if q1 is the same,
+  /// else by the discrete gradient over the segment: Simpson's mean, corrected along the segment.
+  void push(Input q0, Input q1, double gravity, Output forces) const;
 
  private:
   struct Edge {
@@ -71,7 +69,6 @@ class Shoreline {
   [[nodiscard]] Ends ends(const Edge& edge, Input q) const;
   [[nodiscard]] Moment moment(const Edge& edge, const Ends& at) const;
   [[nodiscard]] Moment moment_between(const Edge& edge, const Ends& from, const Ends& to) const;
-  void add(const Edge& edge, const Moment& moment, double gravity, Output forces) const;
 
   std::size_t nodes_;
   std::shared_ptr<const PlanBottom> bottom_;

@@ -9,7 +9,8 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/lagrangian_mesh_2d/stability.hpp"
+#include "seiche/models/lagrangian_mesh_2d/model.hpp"
+#include "seiche/models/lagrangian_mesh_2d/rezone.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
@@ -150,6 +151,56 @@ double Flow::energy() const {
 
 void Flow::observe() {
   watch_->record(state_);
+}
+
+void Flow::keep_upright(double drift) {
+  require_within("drift", drift, 1e-6, 2);
+  if (model_->forcing().body_force) throw std::invalid_argument("a rezoned mesh with a body force; allowed: none");
+  upright_ = std::make_unique<const UprightColumns>(model_->mesh());
+  drift_ = drift;
+}
+
+void Flow::rezone_where_due() {
+  if (!upright_) return;
+  const UprightColumns::Places places = upright_->places(state_.q);
+  if (!(upright_->drift(state_.q, places) > drift_)) return;
+  try {
+    rezone(places);
+    ++rezoning_.done;
+  } catch (const mechanics::Infeasible&) {
+    ++rezoning_.refused;
+  }
+}
+
+void Flow::rezone(const UprightColumns::Places& places) {
+  Remapped now = remap(*model_, state_.q, state_.u, places.x, places.y);
+  const double before = energy();
+  auto model = std::make_unique<Model>(std::move(now.mesh), model_->settings(), model_->forcing());
+  mechanics::State state = model->state(now.velocity, state_.time);
+  mechanics::Start(*model).project(state);
+  state.steps = state_.steps;
+  watch_.reset();
+  stepper_ = std::make_unique<mechanics::SchemeStepper<Model>>(*model, scheme_);
+  watch_ = std::make_unique<mechanics::InvariantsWatch<Model>>(*model, state);
+  model_ = std::move(model);
+  state_ = std::move(state);
+  stable_step_ = longest_stable_step(*model_);
+  fresh_ = true;
+  rezoning_.lost += before - energy();
+}
+
+std::vector<Point> impulsive_start(const Mesh& mesh, const std::function<double(double x)>& potential) {
+  // Without gravity the surface pressure is the only force, and a kick of length one its impulse.
+  // Once, so directly: what it leaves of the rates of areas is round-off.
+  Model model(mesh, {.gravity = 0, .solver = linear::SolverMethod::banded, .tolerance = 1e-13},
+              {.surface_pressure = [&](double x, double) { return -potential(x); }});
+  mechanics::State state = model.state();
+  model.linearise({.begin = 0, .length = 0}, state.q);
+  model.kick(1, state.u);
+  mechanics::Start(model).project(state);
+  std::vector<Point> velocities(mesh.nodes());
+  for (std::size_t k = 0; k < mesh.nodes(); ++k) velocities[k] = {state.u[k], state.u[mesh.nodes() + k]};
+  return velocities;
 }
 
 }  // namespace seiche::lagrangian_mesh_2d

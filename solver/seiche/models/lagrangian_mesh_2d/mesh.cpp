@@ -128,18 +128,12 @@ double cell_area(const Mesh& mesh, std::span<const double> x, std::span<const do
   return 0.5 * ((x[r2] - x[r0]) * (y[r3] - y[r1]) - (x[r3] - x[r1]) * (y[r2] - y[r0]));
 }
 
-Corner worst_corner(const Mesh& mesh, std::span<const double> x, std::span<const double> y,
-                    std::span<const double> first_areas) {
-  Corner worst{std::numeric_limits<double>::infinity(), 0};
-  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-    auto triangles = corner_triangles(points(mesh, x, y, cell));
-    for (std::size_t c = 0; c < triangles.size(); ++c) {
-      if (mesh.on_joined_sides(cell, c)) triangles[c] = std::numeric_limits<double>::infinity();
-    }
-    const double shape = *std::min_element(triangles.begin(), triangles.end()) / first_areas[cell];
-    if (shape < worst.shape) worst = {shape, cell};
+double least_triangle(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell) {
+  auto triangles = corner_triangles(points(mesh, x, y, cell));
+  for (std::size_t c = 0; c < triangles.size(); ++c) {
+    if (mesh.on_joined_sides(cell, c)) triangles[c] = std::numeric_limits<double>::infinity();
   }
-  return worst;
+  return std::ranges::min(triangles);
 }
 
 }  // namespace seiche::lagrangian_mesh_2d

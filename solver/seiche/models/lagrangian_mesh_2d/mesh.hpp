@@ -81,14 +81,9 @@ struct Mesh {
 /// Area of a quadrilateral, from its diagonals.
 double cell_area(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell);
 
-/// The worst corner of a mesh: twice the area of the triangle at the corner over the cell's first area. 1 for a
-/// rectangle; 0 where a corner is about to fold. A corner of the mesh between joined sides is left out: it is flat
+/// Twice the smallest triangle at a corner of a cell; over the cell's first area it is the corner's shape: 1 for a
+/// rectangle, 0 where the corner is about to fold. A corner of the mesh between joined sides is left out: it is flat
 /// where the wall is straight; should its node pass one of its neighbours, that one's corner folds.
-struct Corner {
-  double shape = 1;
-  std::size_t cell = 0;
-};
-Corner worst_corner(const Mesh& mesh, std::span<const double> x, std::span<const double> y,
-                    std::span<const double> first_areas);
+double least_triangle(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::size_t cell);
 
 }  // namespace seiche::lagrangian_mesh_2d

@@ -34,22 +34,27 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
 
+#include "seiche/lattice/water.hpp"
 #include "seiche/linear/constraint_solver.hpp"
 #include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/scheme.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/lagrangian_mesh_2d/corner_barrier.hpp"
-#include "seiche/models/lagrangian_mesh_2d/free_edges.hpp"
+#include "seiche/models/lagrangian_mesh_2d/element.hpp"
 #include "seiche/models/lagrangian_mesh_2d/mesh.hpp"
 #include "seiche/models/lagrangian_mesh_2d/nodes.hpp"
-#include "seiche/models/lagrangian_mesh_2d/rows.hpp"
+#include "seiche/models/lagrangian_mesh_2d/potentials.hpp"
 
 namespace seiche::lagrangian_mesh_2d {
 
+using lattice::Corner;
 using mechanics::Input;
 using mechanics::Interval;
 using mechanics::Output;
@@ -84,7 +89,7 @@ struct Forcing {
 using VelocityAt = std::function<Point(Point place)>;
 using InitialVelocity = std::variant<VelocityAt, std::vector<Point>>;
 
-class Model {
+class Model : public lattice::Water<Quadrilateral, Model> {
  public:
   /// Masses and areas from the mesh. Throws std::invalid_argument (mesh.hpp, nodes.hpp, settings out of range).
   explicit Model(Mesh mesh, Settings settings = {}, Forcing forcing = {});
@@ -96,97 +101,80 @@ class Model {
   /// Throws std::invalid_argument for another number of velocities than nodes.
   [[nodiscard]] mechanics::State state(const InitialVelocity& velocity = {}, double time = 0) const;
 
-  // What mechanics/constrained_model.hpp asks for.
+  // What mechanics/constrained_model.hpp asks for, besides lattice::Water.
   [[nodiscard]] std::size_t coordinates() const { return 2 * nodes_.size() + nodes_.slides().size(); }
-  [[nodiscard]] std::size_t rates() const { return 2 * nodes_.size(); }
-  [[nodiscard]] std::size_t constraints() const { return mesh_.cells(); }
   /// Throws mechanics::Infeasible where a cell's corner folds or a node leaves its curve.
-  void linearise(Interval when, Input q);
+  void linearise(Interval when, Input q) { linearise_over(when, q, q, true); }
   /// Factorised in sweep 0 only.
-  void linearise_between(Interval when, Input q0, Input q1, int sweep);
-  void predict(Input from, Input u, double h, Output to) const;
-  void advance(Input from, Input u, double h, Output to) const;
-  void kick(double h, Output u) const;
+  void linearise_between(Interval when, Input q0, Input q1, int sweep) {
+    linearise_over(when, q0, q1, sweep == 0);
+    sweeping_ = true;
+  }
+  void predict(Input from, Input u, double h, Output to) const { advance_along(from, u, h, to, true); }
+  void advance(Input from, Input u, double h, Output to) const { advance_along(from, u, h, to, false); }
   void enter(Input q, Output u) const;
   void settle(Interval when, Output q, Output u) const;
-  void constraint_rates(Input u, Output w) const;
-  void react(Input mu, Output u) const;
-  void solve(Input right_hand_side, Output mu);
-  /// Relative accuracy of solve, 0 for round-off: conservative steps go no further.
-  [[nodiscard]] double solver_accuracy() const {
-    return solver_.method() == linear::SolverMethod::iterative ? settings_.tolerance : 0;
-  }
-  void constraint_values(Input q, Output f) const;
   void curvature(Input u, Input v, Output b) const;
-  [[nodiscard]] double place(std::size_t rate) const;
+  [[nodiscard]] double place(std::size_t rate) const { return mesh_.x[rate % nodes_.size()]; }
 
-  [[nodiscard]] double mass() const;                                             ///< [kg/m]
-  [[nodiscard]] std::array<double, 2> momentum(Input q, Input u) const;          ///< [kg/s]
-  [[nodiscard]] std::array<double, 1> angular_momentum(Input q, Input u) const;  ///< about the origin [kg m/s]
-  [[nodiscard]] double kinetic_energy(Input q, Input u) const;                   ///< [J/m]
-  [[nodiscard]] double potential_energy(Input q) const;                          ///< [J/m], zero for still water
+  [[nodiscard]] double potential_energy(Input q) const;  ///< [J/m], zero for still water
 
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] const Forcing& forcing() const { return forcing_; }
   [[nodiscard]] const Nodes& nodes() const { return nodes_; }
-  [[nodiscard]] std::span<const double> first_areas() const { return area_; }
-  [[nodiscard]] const linear::NinePointSolver& solver() const { return solver_; }
-  /// A of the last linearisation.
-  [[nodiscard]] const linear::NinePointMatrix& matrix() const { return matrix_; }
-  /// The mesh's worst corner at q (mesh.hpp): a warning when below 0.2.
-  [[nodiscard]] Corner worst_corner(Input q) const;
+
+  // What lattice::Water asks for.
+  [[nodiscard]] std::array<const double*, 2> mobility() const { return {nodes_.wx().data(), nodes_.wy().data()}; }
+  [[nodiscard]] std::span<const double> node_masses() const { return nodes_.mass(); }
+  [[nodiscard]] std::array<double, 2> momentum_of(std::size_t k, Input u) const {
+    return {nodes_.mass()[k] * u[k], nodes_.inertia_y()[k] * u[n_ + k]};
+  }
+  [[nodiscard]] double cell_volume(Input q, std::size_t cell) const {
+    return cell_area(mesh_, q.first(n_), q.subspan(n_, n_), cell);
+  }
+  [[nodiscard]] double cell_shape(Input q, std::size_t cell) const {
+    return least_triangle(mesh_, q.first(n_), q.subspan(n_, n_), cell) / volume_[cell];
+  }
 
  private:
-  static constexpr double tolerance_of_sweeps = 1e-3;  // of the correction that a sweep makes; the next one goes on
-
-  /// Cells around a node with their gradients: corner c of the cell is the node.
-  struct Around {
-    std::size_t cell;
-    Point gradient;
-  };
-  struct Surroundings {
-    std::array<Around, 4> cells;
-    std::size_t count = 0;
-  };
-  struct Places {
-    const double* x;
-    const double* y;
-  };
-
-  [[nodiscard]] Surroundings around(std::size_t node) const;
-  [[nodiscard]] Point gradient(std::size_t cell, std::size_t corner) const;
-  [[nodiscard]] Places places(Interval when, Input q);
-  void measure(Places at);
-  /// Whether a corner that counts has folded, when some triangle is not above the lowest.
-  [[nodiscard]] bool folded(Places at) const;
-  [[noreturn]] void throw_folded(Places at) const;
-  void assemble_and_factor();
-  void gather_forces(Interval when, Places at, double weight);
-  void add_hourglass_forces(Places at, double weight);
+  void linearise_over(Interval when, Input q0, Input q1, bool factor);
+  /// Driven nodes in their places at the middle of the interval.
+  [[nodiscard]] Input with_driven(Interval when, Input q);
+  void measure(Input at);
+  /// Directions of the slides, and what pushes their contact points.
+  void turn_slides(Input q0, Input q1);
+  void gather_forces(Interval when, Input at, double weight);
+  void advance_along(Input from, Input u, double h, Output to, bool by_tangents) const;
   void move_along(const Slide& slide, double s, std::size_t index, Output q) const;
 
-  Interval when_;  // of the last linearisation
   Mesh mesh_;
   Settings settings_;
   Forcing forcing_;
   Nodes nodes_;
   FreeEdges edges_;
-  std::vector<double> area_;
-  std::vector<Point> hourglass_rest_;
-  double hourglass_stiffness_ = 0;
-  double lowest_triangle_ = 0;  // twice an area
+  Hourglass hourglass_;
   CornerBarrier barrier_;
-
-  Diagonals diagonals_;
-  std::vector<double> push_x_, push_y_;  // forces on nodes
-  std::vector<double> slide_push_;       // along the curves, besides the nodes' own
-  bool pushed_everywhere_;
-  std::vector<double> patched_;  // q with prescribed nodes in place
-  std::vector<double> middle_, no_cells_;
-  linear::NinePointMatrix matrix_;
-  linear::NinePointSolver solver_;
-  bool sweeping_ = false;  // the last linearisation was a sweep of a conservative step
+  double lowest_triangle_ = 0;   // twice an area
+  std::vector<double> patched_;  // q with driven nodes in place
 };
 
+/// Longest stable step of the one-step scheme on a mesh.
+///
+/// 2/omega of the fastest mode of the undeformed layer with the mesh's mean depth, column width and rows (the closed
+/// dispersion law, exact/lagrangian_mesh_dispersion.hpp), with the hourglass potential's added: a bound, from the safe
+/// side; infinite where there is neither.
+double longest_stable_step(const Model& model);
+
 }  // namespace seiche::lagrangian_mesh_2d
+
+namespace seiche::mechanics {
+
+/// The integrators of the model, compiled once and not in every file that steps it.
+extern template class OneStep<lagrangian_mesh_2d::Model>;
+extern template class ConservativeStep<lagrangian_mesh_2d::Model>;
+extern template class SchemeStepper<lagrangian_mesh_2d::Model>;
+extern template class Start<lagrangian_mesh_2d::Model>;
+extern template class InvariantsWatch<lagrangian_mesh_2d::Model>;
+
+}  // namespace seiche::mechanics

@@ -1,9 +1,10 @@
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 
+#include <array>
 #include <stdexcept>
 #include <utility>
 
-#include "seiche/models/lagrangian_mesh_3d/stability.hpp"
+#include "seiche/models/lagrangian_mesh_3d/model.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
 
@@ -33,3 +34,67 @@ Flow::Flow(std::unique_ptr<Model>&& model, const Velocity& velocity, Scheme sche
 }  // namespace seiche::lagrangian_mesh_3d
 
 template class seiche::plan_lattice::LatticeFlow<seiche::lagrangian_mesh_3d::Model>;
+
+namespace seiche::lagrangian_mesh_3d {
+
+namespace {
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// int N_a dr x dr of the corners of a patch.
+std::array<Vector, 4> corner_areas(const std::array<Vector, 4>& r) {
+  std::array<Vector, 4> normal{};
+  for (std::size_t a = 0; a < 4; ++a) {
+    normal[a] = cross(between(r[a], r[(a + 1) % 4]), between(r[a], r[(a + 3) % 4]));
+  }
+  std::array<Vector, 4> area{};
+  for (std::size_t a = 0; a < 4; ++a) {
+    const auto mean = [&](double Vector::*axis) {
+      return (4 * normal[a].*axis + 2 * (normal[(a + 1) % 4].*axis + normal[(a + 3) % 4].*axis) +
+              normal[(a + 2) % 4].*axis) /
+             36;
+    };
+    area[a] = {mean(&Vector::x), mean(&Vector::y), mean(&Vector::z)};
+  }
+  return area;
+}
+
+}  // namespace
+
+std::vector<Vector> impulsive_start(const Mesh& mesh, const std::function<double(double x, double y)>& potential) {
+  Model model(mesh, {.gravity = 0, .tolerance = 1e-13});
+  const std::size_t n = mesh.nodes();
+  std::vector<Vector> impulse(n);
+  const std::size_t top = mesh.layers * mesh.plan.nodes();
+  for (std::size_t cell = 0; cell < mesh.plan.cells(); ++cell) {
+    auto nodes = mesh.plan.corners(cell);
+    std::array<Vector, 4> r{};
+    double x = 0;
+    double y = 0;
+    for (std::size_t a = 0; a < 4; ++a) {
+      nodes[a] += top;
+      r[a] = {mesh.x[nodes[a]], mesh.y[nodes[a]], mesh.z[nodes[a]]};
+      x += r[a].x / 4;
+      y += r[a].y / 4;
+    }
+    const double phi = potential(x, y);
+    const auto area = corner_areas(r);
+    for (std::size_t a = 0; a < 4; ++a) {
+      Vector& sum = impulse[nodes[a]];
+      sum = {sum.x + phi * area[a].x, sum.y + phi * area[a].y, sum.z + phi * area[a].z};
+    }
+  }
+  const std::vector<double>& mass = model.nodes().mass();
+  std::vector<Vector> velocities(n);
+  for (std::size_t k = top; k < n; ++k) {
+    velocities[k] = {impulse[k].x / mass[k], impulse[k].y / mass[k], impulse[k].z / mass[k]};
+  }
+  mechanics::State state = model.state(velocities);
+  mechanics::Start(model).project(state);
+  for (std::size_t k = 0; k < n; ++k) velocities[k] = {state.u[k], state.u[n + k], state.u[2 * n + k]};
+  return velocities;
+}
+
+}  // namespace seiche::lagrangian_mesh_3d

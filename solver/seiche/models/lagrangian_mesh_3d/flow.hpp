@@ -8,10 +8,12 @@
 /// with time, step and place, when a cell folds, a solver fails or a value is not finite.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
+#include <vector>
 
-#include "seiche/models/lagrangian_mesh_3d/integrators.hpp"
+#include "seiche/models/lagrangian_mesh_3d/mesh.hpp"
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/plan_lattice/lattice_flow.hpp"
 
@@ -43,3 +45,23 @@ class Flow : public plan_lattice::LatticeFlow<Model> {
 
 /// Compiled once, in flow.cpp.
 extern template class seiche::plan_lattice::LatticeFlow<seiche::lagrangian_mesh_3d::Model>;
+
+namespace seiche::lagrangian_mesh_3d {
+
+/// First velocities of a mesh of water in potential flow, from the potential on its surface.
+///
+/// An impulsive pressure -rho phi on the free surface sets water at rest into the potential flow with phi there. On the
+/// mesh it gives velocities that the mesh itself could have got from rest. Velocities of the exact flow, sampled at the
+/// nodes, are not such ones: they hold vorticity of the mesh, levels slide over each other for ever, and cells are
+/// sheared until they fold.
+///
+/// The force of a pressure on a bilinear patch is shared among its corners by p int N_a dr x dr, N_a the corner's
+/// bilinear function: with n_a = (r_{a+1} - r_a) x (r_{a-1} - r_a), p (4 n_a + 2 n_{a+1} + 2 n_{a-1} + n_{a+2})/36.
+///
+/// Reference: Lamb, Hydrodynamics, 6th ed. (1932), art. 11, on impulsive pressures.
+///
+/// Velocities of the nodes of a mesh, for Flow and Model::state. Nodes of driven sides have their side's.
+/// @param potential  on the surface, at place x, y [m^2/s]
+std::vector<Vector> impulsive_start(const Mesh& mesh, const std::function<double(double x, double y)>& potential);
+
+}  // namespace seiche::lagrangian_mesh_3d

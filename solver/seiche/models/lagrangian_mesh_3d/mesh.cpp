@@ -119,16 +119,4 @@ CellCorners corners_of(const Mesh& mesh, std::span<const double> x, std::span<co
   return r;
 }
 
-Corner worst_corner(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::span<const double> z,
-                    std::span<const double> first_volumes) {
-  Corner worst{std::numeric_limits<double>::infinity(), 0};
-  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-    const auto volumes = corner_volumes(corners_of(mesh, x, y, z, cell));
-    const double shape = *std::min_element(volumes.begin(), volumes.end()) / first_volumes[cell];
-    // Written so that a shape that is not a number counts as the worst.
-    if (!(shape >= worst.shape)) worst = {shape, cell};
-  }
-  return worst;
-}
-
 }  // namespace seiche::lagrangian_mesh_3d

@@ -65,18 +65,11 @@ using CellCorners = std::array<Vector, 8>;
 
 /// Volume of the trilinear hexahedron.
 double hexahedron_volume(const CellCorners& r);
-/// Volume spanned by the edges at each corner: positive for all of them if the cell is not folded there.
+/// Volume spanned by the edges at each corner: positive for all of them if the cell is not folded there; over the
+/// cell's first volume it is the shape of the corner, 1 for a box.
 std::array<double, 8> corner_volumes(const CellCorners& r);
 
 CellCorners corners_of(const Mesh& mesh, std::span<const double> x, std::span<const double> y,
                        std::span<const double> z, std::size_t cell);
-
-/// The worst corner of a mesh: the volume its edges span over the cell's first volume. 1 for a box, 0 where it folds.
-struct Corner {
-  double shape = 1;
-  std::size_t cell = 0;
-};
-Corner worst_corner(const Mesh& mesh, std::span<const double> x, std::span<const double> y, std::span<const double> z,
-                    std::span<const double> first_volumes);
 
 }  // namespace seiche::lagrangian_mesh_3d

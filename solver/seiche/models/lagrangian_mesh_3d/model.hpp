@@ -30,6 +30,7 @@
 /// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapters 1 and 4.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -38,18 +39,22 @@
 #include <variant>
 #include <vector>
 
+#include "seiche/lattice/surface_patches.hpp"
+#include "seiche/lattice/water.hpp"
 #include "seiche/linear/constraint_solver.hpp"
 #include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
+#include "seiche/mechanics/invariants.hpp"
+#include "seiche/mechanics/scheme.hpp"
+#include "seiche/mechanics/start.hpp"
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/lagrangian_mesh_3d/bottom.hpp"
+#include "seiche/models/lagrangian_mesh_3d/element.hpp"
 #include "seiche/models/lagrangian_mesh_3d/mesh.hpp"
 #include "seiche/models/lagrangian_mesh_3d/nodes.hpp"
-#include "seiche/models/lagrangian_mesh_3d/rows.hpp"
-#include "seiche/models/lagrangian_mesh_3d/surface.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
 
+using lattice::Corner;
 using mechanics::Input;
 using mechanics::Interval;
 using mechanics::Output;
@@ -70,7 +75,7 @@ struct Forcing {
 using VelocityAt = std::function<Vector(Place place)>;
 using Velocity = std::variant<VelocityAt, std::vector<Vector>>;
 
-class Model {
+class Model : public lattice::Water<Hexahedron, Model> {
  public:
   /// Masses and volumes from the mesh. Throws std::invalid_argument (mesh.hpp, sides.hpp, settings out of range).
   explicit Model(Mesh mesh, Settings settings = {}, Forcing forcing = {});
@@ -84,31 +89,22 @@ class Model {
   /// Throws std::invalid_argument for another number of velocities than nodes.
   [[nodiscard]] mechanics::State state(const Velocity& velocity = {}, double time = 0) const;
 
-  // What mechanics/constrained_model.hpp asks for.
-  [[nodiscard]] std::size_t coordinates() const { return 3 * nodes_.size(); }
-  [[nodiscard]] std::size_t rates() const { return 3 * nodes_.size(); }
-  [[nodiscard]] std::size_t constraints() const { return mesh_.cells(); }
+  // What mechanics/constrained_model.hpp asks for, besides lattice::Water.
   /// Throws mechanics::Infeasible where a cell's corner folds.
-  void linearise(Interval when, Input q);
+  void linearise(Interval when, Input q) { linearise_over(when, q, q, true); }
   /// Factorised in sweep 0 only.
-  void linearise_between(Interval when, Input q0, Input q1, int sweep);
-  void advance(Input from, Input u, double h, Output to) const;
+  void linearise_between(Interval when, Input q0, Input q1, int sweep) {
+    linearise_over(when, q0, q1, sweep == 0);
+    sweeping_ = true;
+  }
   void kick(double h, Output u) const;
-  void enter(Input q, Output u) const;
+  void enter(Input, Output u) const { drive(when_.middle(), driven_place_, u); }
   void settle(Interval when, Output q, Output u) const;
-  void constraint_rates(Input u, Output w) const;
-  void react(Input mu, Output u) const;
-  void solve(Input right_hand_side, Output mu);
-  /// Relative accuracy of solve: conservative steps go no further.
-  [[nodiscard]] double solver_accuracy() const { return settings_.tolerance; }
-  void constraint_values(Input q, Output f) const;
-  [[nodiscard]] double place(std::size_t rate) const { return mesh_.x[rate % nodes_.size()]; }
+  [[nodiscard]] double place(std::size_t rate) const { return mesh_.x[rate % n_]; }
 
-  [[nodiscard]] double mass() const;                                             ///< [kg]
-  [[nodiscard]] std::array<double, 3> momentum(Input q, Input u) const;          ///< [kg m/s]
-  [[nodiscard]] std::array<double, 3> angular_momentum(Input q, Input u) const;  ///< about the origin [kg m^2/s]
-  [[nodiscard]] double kinetic_energy(Input q, Input u) const;                   ///< [J]
-  [[nodiscard]] double potential_energy(Input q) const;                          ///< [J], zero for still water
+  [[nodiscard]] double potential_energy(Input q) const {  ///< [J], zero for still water
+    return settings_.density * settings_.gravity * surface_.moment(q);
+  }
 
   /// Over a level bottom: drops the west column and puts a column at rest, as wide as the last one was at the
   /// beginning, before the east side. The nodes that become the west side, which must be a wall or held, are put
@@ -118,7 +114,10 @@ class Model {
   /// have: brings what the shift changed beside the state, first places, volumes and masses, to that of the whole.
   /// @param nodes  gives numbers of nodes that other parts own (x, y, z one after the other) their owners' values
   /// @param cells  likewise, one number per cell
-  void join_shift(const std::function<void(Output)>& nodes, const std::function<void(Output)>& cells);
+  void join_shift(const std::function<void(Output)>& nodes, const std::function<void(Output)>& cells) {
+    join_columns(mesh_.x, mesh_.y, nodes, cells);
+    nodes_.weigh(mesh_, volume_, settings_.density);
+  }
   /// Of the columns that shift_east appends.
   [[nodiscard]] double east_width() const { return east_width_; }
 
@@ -126,64 +125,60 @@ class Model {
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] const Nodes& nodes() const { return nodes_; }
-  [[nodiscard]] const Bottom& bottom() const { return bottom_; }
-  [[nodiscard]] std::span<const double> first_volumes() const { return volume_; }
-  [[nodiscard]] const linear::TwentySevenPointSolver& solver() const { return solver_; }
-  /// A of the last linearisation.
-  [[nodiscard]] const linear::TwentySevenPointMatrix& matrix() const { return matrix_; }
-  /// The mesh's worst corner at q (mesh.hpp): a warning when below 0.2.
-  [[nodiscard]] Corner worst_corner(Input q) const;
   /// Of the first cell's cube at the beginning [m].
   [[nodiscard]] double cell_size() const { return std::cbrt(volume_.front()); }
 
+  // What lattice::Water asks for.
+  [[nodiscard]] std::array<const double*, 3> mobility() const {
+    return {nodes_.wx().data(), nodes_.wy().data(), nodes_.wz().data()};
+  }
+  [[nodiscard]] std::span<const double> node_masses() const { return nodes_.mass(); }
+  [[nodiscard]] std::array<double, 3> momentum_of(std::size_t k, Input u) const {
+    const double m = nodes_.mass()[k];
+    return {m * u[k], m * u[n_ + k], m * u[2 * n_ + k]};
+  }
+  [[nodiscard]] double cell_volume(Input q, std::size_t cell) const { return hexahedron_volume(corners(q, cell)); }
+  [[nodiscard]] double cell_shape(Input q, std::size_t cell) const {
+    return std::ranges::min(corner_volumes(corners(q, cell))) / volume_[cell];
+  }
+
  private:
-  static constexpr double tolerance_of_sweeps = 1e-3;  // of the correction that a sweep makes; the next one goes on
-
-  [[nodiscard]] bool worth_sharing() const;
-  [[nodiscard]] std::size_t cell_rows() const { return mesh_.plan.rows * mesh_.layers; }
-  /// Rows of nodes around a row of cells, of coordinates or velocities.
-  [[nodiscard]] NodeVectors around(std::size_t row, Input values) const;
-  [[nodiscard]] PatchRows patches(std::size_t row, Input q) const;
-  /// Throws mechanics::Infeasible where a node leaves the bottom.
-  template <class Work>
-  void on_bottom(const Work& linearise);
+  [[nodiscard]] CellCorners corners(Input q, std::size_t cell) const {
+    return corners_of(mesh_, q.first(n_), q.subspan(n_, n_), q.subspan(2 * n_, n_), cell);
+  }
+  void linearise_over(Interval when, Input q0, Input q1, bool factor);
   void measure(Input q);
-  [[noreturn]] void throw_folded(Input q) const;
-  void assemble_and_factor();
-  void add_surface_forces(Input q, double weight);
-  void measure_body_force(double time);
-  void kick_bodies(double h, Output u) const;
-  [[nodiscard]] Vector gradient(std::size_t cell, std::size_t corner) const;
+  /// What each node is held to moves by, besides the axes.
+  void hold();
+  /// Velocities of driven nodes at these places.
+  void drive(double time, std::span<const Place> places, Output u) const;
 
-  /// Cells around a node with their gradients there.
-  struct CellsAround {
-    std::array<std::size_t, 8> cell;  // ascending
-    std::array<Vector, 8> gradient;
-    std::size_t count = 0;
-  };
-  [[nodiscard]] CellsAround cells_around(std::size_t node) const;
-  void set_driven(std::size_t index, Place place, double time, Output u) const;
-  /// Of the constraints' reactions on a node.
-  [[nodiscard]] static Vector force(const CellsAround& cells, Input mu);
-
-  Interval when_;  // of the last linearisation
   Mesh mesh_;
   Settings settings_;
-  std::vector<double> volume_;
   double east_width_;
   Nodes nodes_;
   Bottom bottom_;
-  linear::RowBlocks gradients_;              // by rows of cells, rows.hpp
-  linear::RowBlocks patch_forces_;           // surface.hpp
-  std::array<std::vector<double>, 3> push_;  // forces on the nodes of the surface
+  lattice::SurfacePatches surface_;
   Forcing forcing_;
-  std::vector<Vector> body_force_;  // per unit mass, of the last linearisation; empty without
-  std::vector<double> middle_, delta_;
-  std::vector<Place> driven_place_;  // of driven nodes at the linearised configuration
-  std::vector<double> no_cells_;
-  linear::TwentySevenPointMatrix matrix_;
-  linear::TwentySevenPointSolver solver_;
-  bool sweeping_ = false;  // the last linearisation was a sweep of a conservative step
+  std::vector<double> delta_;
+  std::vector<Place> driven_place_;  // at the linearised configuration
 };
 
+/// Longest step of the one-step scheme that is surely stable on a mesh.
+///
+/// 2/omega with omega^2 = 2 g/h: waves on layers of height h have omega^2 = (2 g/h) G R with G, R < 1, whatever their
+/// length. h is the smallest height of a cell at the surface of the first mesh; infinite without gravity.
+double surely_stable_step(const Model& model);
+
 }  // namespace seiche::lagrangian_mesh_3d
+
+namespace seiche::mechanics {
+
+/// The integrators of the model, compiled once and not in every file that steps it.
+extern template class OneStep<lagrangian_mesh_3d::Model>;
+extern template class ConservativeStep<lagrangian_mesh_3d::Model>;
+extern template class SchemeStepper<lagrangian_mesh_3d::Model>;
+extern template class Start<lagrangian_mesh_3d::Model>;
+extern template class InvariantsWatch<lagrangian_mesh_3d::Model>;
+
+}  // namespace seiche::mechanics

@@ -2,8 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace seiche::lagrangian_mesh_3d {
+
+Bottom::Bottom(std::shared_ptr<const PlanBottom> bottom, std::vector<HorizontalFreedom> freedom)
+    : bottom_(std::move(bottom)), freedom_(std::move(freedom)), left_(freedom_.size()) {}
+
+void Bottom::turn(std::span<const double> x0, std::span<const double> y0, std::span<const double> x1,
+                  std::span<const double> y1) {
+  static const double outer = 0.5 * std::sqrt(0.6);
+  static const std::array gauss{std::pair{0.5 - outer, 5.0 / 18}, std::pair{0.5, 8.0 / 18},
+                                std::pair{0.5 + outer, 5.0 / 18}};
+  static const std::array here{std::pair{0.0, 1.0}};
+  const auto points = x0.data() == x1.data() ? std::span<const std::pair<double, double>>(here) : std::span(gauss);
+  for (std::size_t k = 0; k < nodes(); ++k) {
+    Point slope;
+    for (const auto& [part, weight] : points) {
+      const auto at = bottom_->slope(x0[k] + part * (x1[k] - x0[k]), y0[k] + part * (y1[k] - y0[k]));
+      slope.x += weight * at.along_x;
+      slope.y += weight * at.along_y;
+    }
+    const auto [xx, xy, yy] = freedom_[k];
+    const double x = -(xx * slope.x + xy * slope.y);
+    const double y = -(xy * slope.x + yy * slope.y);
+    const double square = x * x + y * y + 1;
+    left_[k] = {xx - x * x / square, yy - y * y / square, 1 - 1 / square,
+                xy - x * y / square, -x / square,         -y / square};
+  }
+}
 
 namespace {
 

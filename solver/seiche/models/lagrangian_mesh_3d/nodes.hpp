@@ -2,7 +2,7 @@
 ///
 /// Inverse masses wx, wy, wz are 0 where a node cannot move along an axis by itself. A node on a wall that is not
 /// parallel to an axis slides along a direction t: W = t t^T/m in plan, which the model adds node by node; they are
-/// few. Nodes on an uneven bottom have wx = wy = wz = 0 too, and the W of bottom.hpp.
+/// few. Nodes on an uneven bottom have wx = wy = wz = 0 too, and the W of Bottom.
 #pragma once
 
 #include <array>
@@ -11,10 +11,51 @@
 #include <span>
 #include <vector>
 
-#include "seiche/models/lagrangian_mesh_3d/bottom.hpp"
+#include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/lagrangian_mesh_3d/mesh.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
+
+/// Projector on the horizontal directions that sides leave a bottom node.
+struct HorizontalFreedom {
+  double xx = 1;
+  double xy = 0;
+  double yy = 1;
+};
+
+/// Nodes of level 0 that slide on an uneven bottom z = b(x, y).
+///
+/// To each belongs one more constraint, z - b = 0, whose force is along its gradient (-b_x, -b_y, 1). It is eliminated
+/// node by node: with P the projector on what the sides leave of the node's motion, z included, and m the unit vector
+/// along P (-b_x, -b_y, 1), the node's inverse mass is
+///
+///     W = (P - m m^T)/mass.
+///
+/// The one-step scheme keeps these constraints as it keeps the cells' volumes: on a plane to round-off, else with a
+/// bounded error of order tau^2 (z - b - (tau^2/8) u^T (Hessian of z - b) u is constant where b is quadratic). A
+/// conservative step takes the mean gradient over the node's way, by Gauss's rule of three points, and keeps z = b to
+/// round-off where b is of degree six in effect over the way of one step.
+///
+/// Reference: A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 1.
+class Bottom {
+ public:
+  /// @param bottom   null for a level one, which leaves nothing to do
+  /// @param freedom  of the nodes of level 0 in their order
+  Bottom(std::shared_ptr<const PlanBottom> bottom, std::vector<HorizontalFreedom> freedom);
+
+  /// 0 over a level bottom.
+  [[nodiscard]] std::size_t nodes() const { return freedom_.size(); }
+  /// Gradients where the nodes are, or their means over straight ways. Throws OutsidePlanBottom.
+  void turn(std::span<const double> x0, std::span<const double> y0, std::span<const double> x1,
+            std::span<const double> y1);
+  /// P - m m^T (xx, yy, zz, xy, xz, yz): what the bottom and the sides leave of a velocity or a force.
+  [[nodiscard]] const std::array<double, 6>& left(std::size_t node) const { return left_[node]; }
+
+ private:
+  std::shared_ptr<const PlanBottom> bottom_;
+  std::vector<HorizontalFreedom> freedom_;
+  std::vector<std::array<double, 6>> left_;
+};
 
 struct Slide {
   std::size_t node;

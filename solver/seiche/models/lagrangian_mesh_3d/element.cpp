@@ -1,8 +1,12 @@
-#include "seiche/models/lagrangian_mesh_3d/rows.hpp"
+#include "seiche/models/lagrangian_mesh_3d/element.hpp"
 
+#include <utility>
+
+#include "seiche/linear/lattice_matrix.hpp"
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::lagrangian_mesh_3d {
+
 namespace {
 
 struct V3 {
@@ -68,9 +72,9 @@ SEICHE_INLINE void measure(std::size_t columns, const NodeVectors& rows, double 
     const V3 p = fa - fe, q = fb - fd, s = fa + fe, t = fb + fd;
     const V3 minus = ff - fc, plus = ff + fc;
     const auto put = [&](std::size_t corner, V3 g) __attribute__((always_inline)) {
-      double* const gx = out + component(corner, 0) * stride + i;
-      double* const gy = out + component(corner, 1) * stride + i;
-      double* const gz = out + component(corner, 2) * stride + i;
+      double* const gx = out + (3 * corner) * stride + i;
+      double* const gy = out + (3 * corner + 1) * stride + i;
+      double* const gz = out + (3 * corner + 2) * stride + i;
       if constexpr (add) {
         *gx += g.x;
         *gy += g.y;
@@ -126,55 +130,23 @@ double folded_corners_of_row(std::size_t columns, const NodeVectors& rows) {
 }
 
 SEICHE_SIMD_CLONES
-void rates_of_row(std::size_t columns, RowBlocks::ConstRow gradients, const NodeVectors& velocity, double* rates) {
-  const NodeVectors u = velocity;
-  const double* const g = gradients.data;
-  const std::size_t stride = gradients.stride;
-  double* __restrict out = rates;
-#pragma omp simd
-  for (std::size_t i = 0; i < columns; ++i) {
-    const auto term = [&](std::size_t corner) __attribute__((always_inline)) {
-      const V3 v = at(u, corner, i);
-      return g[component(corner, 0) * stride + i] * v.x + g[component(corner, 1) * stride + i] * v.y +
-             g[component(corner, 2) * stride + i] * v.z;
-    };
-    out[i] = ((term(0) + term(1)) + (term(2) + term(3))) + ((term(4) + term(5)) + (term(6) + term(7)));
-  }
+void Hexahedron::assemble_row(const lattice::Assembly<Hexahedron>& row) {
+  lattice::assemble<Hexahedron, false>(row);
 }
 
 SEICHE_SIMD_CLONES
-void react_row(std::size_t columns, const CellRows& cells, const std::array<const double*, 3>& w,
-               const std::array<double*, 3>& u) {
-  // A node is the corner (6, 7), (5, 4), (2, 3), (1, 0) of the cells west and east of it in the four rows.
-  constexpr std::array<std::size_t, 4> corner_of_west{6, 5, 2, 1};
-  constexpr std::array<std::size_t, 4> corner_of_east{7, 4, 3, 0};
-  const auto west = [&](std::size_t row, std::size_t axis, std::size_t i) {
-    return cells.mu[row][i - 1] * cells.gradients[row][component(corner_of_west[row], axis)][i - 1];
-  };
-  const auto eastern = [&](std::size_t row, std::size_t axis, std::size_t i) {
-    return cells.mu[row][i] * cells.gradients[row][component(corner_of_east[row], axis)][i];
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    double* __restrict out = u[axis];
-    const double* __restrict mobility = w[axis];
-    const auto stream = [&](const std::array<std::size_t, 4>& corner, std::size_t row) {
-      return cells.gradients[row][component(corner[row], axis)];
-    };
-    const double *const w0 = stream(corner_of_west, 0), *const w1 = stream(corner_of_west, 1),
-                        *const w2 = stream(corner_of_west, 2), *const w3 = stream(corner_of_west, 3);
-    const double *const e0 = stream(corner_of_east, 0), *const e1 = stream(corner_of_east, 1),
-                        *const e2 = stream(corner_of_east, 2), *const e3 = stream(corner_of_east, 3);
-    const double *const m0 = cells.mu[0], *const m1 = cells.mu[1], *const m2 = cells.mu[2], *const m3 = cells.mu[3];
-    out[0] += mobility[0] * ((eastern(0, axis, 0) + eastern(1, axis, 0)) + (eastern(2, axis, 0) + eastern(3, axis, 0)));
-#pragma omp simd
-    for (std::size_t i = 1; i < columns; ++i) {
-      const double low = (m0[i - 1] * w0[i - 1] + m0[i] * e0[i]) + (m1[i - 1] * w1[i - 1] + m1[i] * e1[i]);
-      const double high = (m2[i - 1] * w2[i - 1] + m2[i] * e2[i]) + (m3[i - 1] * w3[i - 1] + m3[i] * e3[i]);
-      out[i] += mobility[i] * (low + high);
-    }
-    const std::size_t n = columns;
-    out[n] += mobility[n] * ((west(0, axis, n) + west(1, axis, n)) + (west(2, axis, n) + west(3, axis, n)));
-  }
+void Hexahedron::rates_of_row(const lattice::Rates<Hexahedron>& row) {
+  lattice::find_rates(row);
+}
+
+SEICHE_SIMD_CLONES
+void Hexahedron::react_row(const lattice::Reaction<Hexahedron>& row) {
+  lattice::react<Hexahedron, false>(row);
+}
+
+SEICHE_SIMD_CLONES
+void Hexahedron::kick_row(const lattice::Kick<Hexahedron>& row) {
+  lattice::kick<Hexahedron, false>(row);
 }
 
 }  // namespace seiche::lagrangian_mesh_3d

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "seiche/models/lagrangian_mesh_2d/mesh.hpp"
@@ -46,6 +47,48 @@ class FreeEdges {
 
   std::vector<Strip> strips_;
   std::size_t first_node_ = 0;
+};
+
+/// A potential that keeps the corners of cells from folding.
+///
+///     Pi_c = stiffness sum over corners with s < s_0 of V_0^(3/2) (s_0/s - 1)^2,   s_0 = 0.3
+///
+/// s is the shape of a corner (mesh.hpp): twice the triangle at it over the cell's first area V_0. Nothing is felt by
+/// corners above s_0; momenta are kept; energy is not kept to round-off by any scheme while a corner is below, for the
+/// potential is not a polynomial.
+class CornerBarrier {
+ public:
+  /// @param stiffness  [N/m^3], not negative
+  explicit CornerBarrier(double stiffness) : stiffness_(stiffness) {}
+
+  [[nodiscard]] bool active() const { return stiffness_ > 0; }
+  /// Infinite where a corner has folded.
+  [[nodiscard]] double energy(const Mesh& mesh, std::span<const double> first_areas, const double* x,
+                              const double* y) const;
+  /// Adds weight times its forces.
+  void push(const Mesh& mesh, std::span<const double> first_areas, const double* x, const double* y, double weight,
+            std::span<double> push_x, std::span<double> push_y) const;
+
+ private:
+  double stiffness_;
+};
+
+/// A potential that restores what Frank's own model leaves free: node motions (-1)^(i+j) change no area.
+///
+///     Pi_h = (kappa/2) sum over cells of |r0 - r1 + r2 - r3 - initial|^2
+class Hourglass {
+ public:
+  /// @param stiffness  kappa [N/m^2]; 0 for none
+  Hourglass(const Mesh& mesh, double stiffness);
+
+  [[nodiscard]] bool active() const { return stiffness_ > 0; }
+  [[nodiscard]] double energy(const Mesh& mesh, const double* x, const double* y) const;
+  /// Adds weight times its forces.
+  void push(const Mesh& mesh, const double* x, const double* y, double weight, double* push_x, double* push_y) const;
+
+ private:
+  double stiffness_;
+  std::vector<Point> rest_;
 };
 
 }  // namespace seiche::lagrangian_mesh_2d

@@ -1,4 +1,4 @@
-#include "seiche/plan_lattice/window.hpp"
+#include "seiche/plan_lattice/lattice_flow.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 namespace seiche::plan_lattice {
+
 namespace {
 
 constexpr double straight = 1e-9;  // sine of the angle between a wall's edges: places are rounded to 1e-12 of an edge

@@ -1,0 +1,269 @@
+/// Loops over one row of a lattice's cells or nodes, the same for every element: contiguous, without branches, to be
+/// called from functions with SEICHE_SIMD_CLONES.
+///
+/// Corners of a cell go around anticlockwise, 0 to 3, and in space 4 to 7 above them. An element has
+///
+///     axes, corners, stored        of its nodes' places, of a cell, numbers kept per cell
+///     mobilities                   of the nodes' inverse masses W: xx, yy(, zz) or also xy, xz, yz
+///     gradient<corner, axis>(s, stride, i)   of the volume of cell i: from its numbers, number k at s[k stride + i]
+///     rate(s, stride, u, i)        optional: the volume's rate, where it has a shorter form
+///
+/// and the clones assemble_row, rates_of_row, react_row and kick_row. Cells that share a node are coupled there:
+/// A = J W J^T has the terms g_a W g_b of the corners a and b at which the two cells have the node.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "seiche/linear/lattice_matrix.hpp"
+#include "seiche/simd_clones.hpp"
+
+namespace seiche::lattice {
+
+/// Place of a corner in its cell, 0 or 1 along each direction of the lattice, and back.
+inline constexpr std::array<std::array<int, 3>, 8> place_of{
+    {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+constexpr std::size_t corner_at(int px, int py, int pz) {
+  return static_cast<std::size_t>(4 * pz + (py == 0 ? px : 3 - px));
+}
+
+/// Rows of nodes around a row of cells, (j, l), (j+1, l), (j, l+1), (j+1, l+1), and of cells around a row of nodes,
+/// (j-1, l-1), (j, l-1), (j-1, l), (j, l): in the plane two, without l.
+template <class E>
+using Rows = std::array<const double*, E::corners / 2>;
+template <class E>
+using NodeVectors = std::array<Rows<E>, E::axes>;
+template <class E>
+using NodeMobilities = std::array<Rows<E>, E::mobilities>;
+
+/// A row of cells, with the rows after it: north, and above it south, here and north; null where there are none.
+template <class E>
+struct Assembly {
+  std::size_t columns;
+  std::ptrdiff_t stride;
+  const double* cells;
+  std::array<const double*, 4> later;
+  NodeMobilities<E> w;
+  bool full;                      ///< W has entries off its diagonal
+  std::array<double*, 14> parts;  ///< coefficients with itself, then with linear::later_neighbour 0, 1, ...
+};
+template <class E>
+struct Rates {
+  std::size_t columns;
+  std::ptrdiff_t stride;
+  const double* cells;
+  NodeVectors<E> velocity;
+  double* rates;
+};
+/// A row of nodes; multipliers are zeros where there are no cells.
+template <class E>
+struct Reaction {
+  std::size_t columns;
+  std::ptrdiff_t stride;
+  Rows<E> cells, mu;
+  std::array<const double*, E::mobilities> w;
+  bool full;
+  std::array<double*, E::axes> velocity;
+};
+
+/// `count` nodes in a row.
+template <class E>
+struct Kick {
+  std::size_t count;
+  double h;
+  std::array<const double*, E::axes> push;
+  std::array<const double*, E::mobilities> w;
+  bool full;
+  std::array<double*, E::axes> velocity;
+};
+
+template <class E>
+concept HasOwnRate = requires(const double* s, std::ptrdiff_t i, const NodeVectors<E>& u) {
+  E::rate(s, i, u, i);
+};
+
+/// Whether a corner of a cell is one of its neighbour (di, dj, dl), and which.
+template <int di, int dj, int dl>
+constexpr bool is_shared(std::size_t corner) {
+  const auto [px, py, pz] = place_of[corner];
+  return px - di >= 0 && px - di <= 1 && py - dj >= 0 && py - dj <= 1 && pz - dl >= 0 && pz - dl <= 1;
+}
+template <int di, int dj, int dl>
+constexpr bool any_shared(std::size_t first, std::size_t count) {
+  for (std::size_t c = first; c < first + count; ++c) {
+    if (is_shared<di, dj, dl>(c)) return true;
+  }
+  return false;
+}
+
+/// g_a W g_b, summed in pairs over the shared ones of `count` corners.
+template <class E, bool full, int di, int dj, int dl, std::size_t first, std::size_t count>
+SEICHE_INLINE double coupling(const double* a, const double* b, std::ptrdiff_t stride, const NodeMobilities<E>& w,
+                              std::ptrdiff_t i) {
+  constexpr std::size_t half = count / 2;
+  if constexpr (count == 1) {
+    constexpr std::size_t theirs = corner_at(place_of[first][0] - di, place_of[first][1] - dj, place_of[first][2] - dl);
+    constexpr auto row = static_cast<std::size_t>(place_of[first][1] + 2 * place_of[first][2]);
+    const std::ptrdiff_t n = i + place_of[first][0];
+    const std::ptrdiff_t k = i + di;
+    const double ax = E::template gradient<first, 0>(a, stride, i), ay = E::template gradient<first, 1>(a, stride, i);
+    const double bx = E::template gradient<theirs, 0>(b, stride, k), by = E::template gradient<theirs, 1>(b, stride, k);
+    double sum = ax * w[0][row][n] * bx + ay * w[1][row][n] * by;
+    if constexpr (E::axes == 3) {
+      const double az = E::template gradient<first, 2>(a, stride, i);
+      const double bz = E::template gradient<theirs, 2>(b, stride, k);
+      sum += az * w[2][row][n] * bz;
+      if constexpr (full) {
+        sum += w[3][row][n] * (ax * by + ay * bx) + w[4][row][n] * (ax * bz + az * bx) +
+               w[5][row][n] * (ay * bz + az * by);
+      }
+    }
+    return sum;
+  } else if constexpr (!any_shared<di, dj, dl>(first, half)) {
+    return coupling<E, full, di, dj, dl, first + half, half>(a, b, stride, w, i);
+  } else if constexpr (!any_shared<di, dj, dl>(first + half, half)) {
+    return coupling<E, full, di, dj, dl, first, half>(a, b, stride, w, i);
+  } else {
+    return coupling<E, full, di, dj, dl, first, half>(a, b, stride, w, i) +
+           coupling<E, full, di, dj, dl, first + half, half>(a, b, stride, w, i);
+  }
+}
+
+/// Coefficients of cells first..last-1 with their neighbours (di, dj, dl) in the row b.
+template <class E, bool full, int di, int dj, int dl>
+SEICHE_INLINE void couple(std::ptrdiff_t first, std::ptrdiff_t last, const Assembly<E>& row, const double* later,
+                          double* coefficients) {
+  const NodeMobilities<E> w = row.w;
+  const double* const a = row.cells;
+  const double* const b = later;
+  const std::ptrdiff_t stride = row.stride;
+  double* __restrict out = coefficients;
+#pragma omp simd
+  for (std::ptrdiff_t i = first; i < last; ++i) {
+    out[i] = coupling<E, full, di, dj, dl, 0, E::corners>(a, b, stride, w, i);
+  }
+}
+
+template <class E, bool full, int dj, int dl>
+SEICHE_INLINE void couple_row(const Assembly<E>& row, const double* later) {
+  if (later == nullptr) return;
+  constexpr std::size_t west = 1 + linear::later_neighbour(-1, dj, dl);
+  const auto n = static_cast<std::ptrdiff_t>(row.columns);
+  couple<E, full, -1, dj, dl>(1, n, row, later, row.parts[west]);
+  couple<E, full, 0, dj, dl>(0, n, row, later, row.parts[west + 1]);
+  couple<E, full, 1, dj, dl>(0, n - 1, row, later, row.parts[west + 2]);
+}
+
+template <class E, bool full>
+SEICHE_INLINE void assemble(const Assembly<E>& row) {
+  const auto n = static_cast<std::ptrdiff_t>(row.columns);
+  couple<E, full, 0, 0, 0>(0, n, row, row.cells, row.parts[0]);
+  couple<E, full, 1, 0, 0>(0, n - 1, row, row.cells, row.parts[1]);
+  couple_row<E, full, 1, 0>(row, row.later[0]);
+  if constexpr (E::corners == 8) {
+    couple_row<E, full, -1, 1>(row, row.later[1]);
+    couple_row<E, full, 0, 1>(row, row.later[2]);
+    couple_row<E, full, 1, 1>(row, row.later[3]);
+  }
+}
+
+/// g u, summed in pairs over corners.
+template <class E, std::size_t first, std::size_t count>
+SEICHE_INLINE double corner_rates(const double* s, std::ptrdiff_t stride, const NodeVectors<E>& u, std::ptrdiff_t i) {
+  if constexpr (count == 1) {
+    constexpr auto row = static_cast<std::size_t>(place_of[first][1] + 2 * place_of[first][2]);
+    const std::ptrdiff_t n = i + place_of[first][0];
+    const double plane = E::template gradient<first, 0>(s, stride, i) * u[0][row][n] +
+                         E::template gradient<first, 1>(s, stride, i) * u[1][row][n];
+    if constexpr (E::axes == 2) return plane;
+    return plane + E::template gradient<first, E::axes - 1>(s, stride, i) * u[E::axes - 1][row][n];
+  } else {
+    return corner_rates<E, first, count / 2>(s, stride, u, i) +
+           corner_rates<E, first + count / 2, count / 2>(s, stride, u, i);
+  }
+}
+
+/// J u.
+template <class E>
+SEICHE_INLINE void find_rates(const Rates<E>& row) {
+  const NodeVectors<E> u = row.velocity;
+  const double* const s = row.cells;
+  const std::ptrdiff_t stride = row.stride;
+  double* __restrict out = row.rates;
+#pragma omp simd
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(row.columns); ++i) {
+    if constexpr (HasOwnRate<E>) {
+      out[i] = E::rate(s, stride, u, i);
+    } else {
+      out[i] = corner_rates<E, 0, E::corners>(s, stride, u, i);
+    }
+  }
+}
+
+/// u += W f at one node.
+template <class E, bool full>
+SEICHE_INLINE void move(const std::array<const double*, E::mobilities>& w, const std::array<double*, E::axes>& u,
+                        const std::array<double, E::axes>& f, std::ptrdiff_t i) {
+  if constexpr (full) {
+    u[0][i] += w[0][i] * f[0] + w[3][i] * f[1] + w[4][i] * f[2];
+    u[1][i] += w[3][i] * f[0] + w[1][i] * f[1] + w[5][i] * f[2];
+    u[2][i] += w[4][i] * f[0] + w[5][i] * f[1] + w[2][i] * f[2];
+  } else {
+    for (std::size_t axis = 0; axis < E::axes; ++axis) u[axis][i] += w[axis][i] * f[axis];
+  }
+}
+
+/// What the cells west and east of a node press on it along an axis, from `count` of the rows around it.
+template <class E, std::size_t axis, bool west, bool east, std::size_t first, std::size_t count>
+SEICHE_INLINE double pressure(const Rows<E>& cells, const Rows<E>& mu, std::ptrdiff_t stride, std::ptrdiff_t i) {
+  if constexpr (count == 1) {
+    constexpr int py = 1 - first % 2;
+    constexpr int pz = E::corners == 8 ? 1 - static_cast<int>(first / 2) : 0;
+    double sum = 0;
+    if constexpr (east) sum = mu[first][i] * E::template gradient<corner_at(0, py, pz), axis>(cells[first], stride, i);
+    if constexpr (west && !east) {
+      sum = mu[first][i - 1] * E::template gradient<corner_at(1, py, pz), axis>(cells[first], stride, i - 1);
+    } else if constexpr (west) {
+      sum += mu[first][i - 1] * E::template gradient<corner_at(1, py, pz), axis>(cells[first], stride, i - 1);
+    }
+    return sum;
+  } else {
+    return pressure<E, axis, west, east, first, count / 2>(cells, mu, stride, i) +
+           pressure<E, axis, west, east, first + count / 2, count / 2>(cells, mu, stride, i);
+  }
+}
+
+template <class E, bool full, bool west, bool east>
+SEICHE_INLINE void react_at(const Reaction<E>& row, std::ptrdiff_t i) {
+  constexpr std::size_t rows = E::corners / 2;
+  std::array<double, E::axes> f;
+  f[0] = pressure<E, 0, west, east, 0, rows>(row.cells, row.mu, row.stride, i);
+  f[1] = pressure<E, 1, west, east, 0, rows>(row.cells, row.mu, row.stride, i);
+  if constexpr (E::axes == 3) f[2] = pressure<E, 2, west, east, 0, rows>(row.cells, row.mu, row.stride, i);
+  move<E, full>(row.w, row.velocity, f, i);
+}
+
+/// u += W J^T mu.
+template <class E, bool full>
+SEICHE_INLINE void react(const Reaction<E>& given) {
+  const Reaction<E> row = given;
+  const auto last = static_cast<std::ptrdiff_t>(row.columns);
+  react_at<E, full, false, true>(row, 0);
+#pragma GCC ivdep
+  for (std::ptrdiff_t i = 1; i < last; ++i) react_at<E, full, true, true>(row, i);
+  react_at<E, full, true, false>(row, last);
+}
+
+/// u += h W push.
+template <class E, bool full>
+SEICHE_INLINE void kick(const Kick<E>& given) {
+  const Kick<E> row = given;
+#pragma GCC ivdep
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(row.count); ++i) {
+    std::array<double, E::axes> f;
+    for (std::size_t axis = 0; axis < E::axes; ++axis) f[axis] = row.h * row.push[axis][i];
+    move<E, full>(row.w, row.velocity, f, i);
+  }
+}
+
+}  // namespace seiche::lattice
