@@ -4,7 +4,8 @@
 ///     iterative   conjugate gradients, preconditioned by the undeformed lattice: work cells x iterations
 ///
 /// Automatic takes `banded` up to 20 cells across and where the undeformed lattice is not known, else `iterative`. The
-/// number is from verification/performance.
+/// number is from verification/performance. Without the undeformed lattice `banded` is faster than sparse Cholesky
+/// factorisation up to 190 cells across, at 256 it takes one and a half times as long.
 ///
 /// The preconditioner is
 ///

@@ -19,7 +19,7 @@
 /// (free_lagrangian/cell_water.hpp) are the same as of the Dirichlet mesh.
 ///
 /// Conserves: mass; linear momentum of a free body, and without gravity the energy with what was booked, to round-off.
-/// Under gravity energy is kept to O(tau^2), since c does no work on the potential energy either (surface.hpp). Angular
+/// Under gravity energy is kept to O(tau^2), since c does no work on the potential energy either (control.hpp). Angular
 /// momentum is not kept: water is handed over at two places. A_i - m_i/rho drifts by O(tau^2), with stabilisation at a
 /// rate of its own; what stabilisation and the feedback of the drift do to the energy is booked.
 ///
