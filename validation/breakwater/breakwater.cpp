@@ -9,7 +9,7 @@ $x = -14$. Nodes at the bottom slide along it. Forces are those of the dynamic p
 face, the sum of $\lambda\,\Delta y$ over the edges of the bottom; on the rear wall, over its own.
 
 **What is compared.** The standing waves of the basin when they are small, from the eigenvalues of the linearised model.
-Their forces, over the height of the wave at the far wall, stand beside those of an earlier program, and beside the
+Their forces, over the height of the wave at the far wall, stand beside the
 force $\tanh(kH)/k$ on a plain wall. Basins of other lengths fill in the wavelengths between. Then one of the waves runs
 in time, small. Multipliers of single steps alternate; forces are from means of two steps. The case
 `breakwater_high_wave` runs it high, `breakwater_periodic` lets waves come in from a paddle.
@@ -40,8 +40,6 @@ using evidence::Role;
 using lagrangian_mesh_2d::Flow;
 
 const std::string source = "Frank (1994), section 2.3";
-const std::string regression =
-    "regression: an earlier program for the same scheme, table reference_data/regression_berm_loads";
 constexpr double shortest = 3;
 constexpr double small_height = 1e-4;
 
@@ -74,26 +72,6 @@ void add_differences(Worst& worst, const StandingLoad& a, const StandingLoad& b)
   worst.add(a.force.rear - b.force.rear, a.wavelength);
 }
 
-/// The waves of the table of an earlier program.
-struct Tabled {
-  double wavelength, front, rear, relative;
-};
-std::vector<Tabled> tabled(const Values& values) {
-  const io::Table table = values.table("regression_berm_loads");
-  std::vector<Tabled> rows;
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    rows.push_back({table.column("wavelength")[k], table.column("front")[k], table.column("rear")[k],
-                    table.column("relative")[k]});
-  }
-  return rows;
-}
-
-/// Of the berm as given, on the meshes of the earlier program.
-struct GivenLoads {
-  std::vector<StandingLoad> fine;    ///< 112 x 6
-  std::vector<StandingLoad> coarse;  ///< 80 x 4
-};
-
 /// A wave that runs in time, small.
 struct SmallWave : BasinWave {
   BermHistory history;
@@ -116,7 +94,6 @@ double in_time_limit(double frequency, double tau) {
 }
 
 struct Results {
-  GivenLoads given;             ///< empty for another berm
   std::vector<double> changes;  ///< of forces by each halving of the cells
   Worst rest;                   ///< accelerations of water without a wave
   std::vector<StandingLoad> loads;
@@ -128,44 +105,6 @@ std::vector<StandingLoad> band_of(const Results& r) {
   std::ranges::copy_if(r.loads, std::back_inserter(band),
                        [](const StandingLoad& one) { return one.wavelength >= 4.5 && one.wavelength <= 8; });
   return band;
-}
-
-void claim_regression(const Claims<GivenLoads>& claims, const std::vector<Tabled>& table) {
-  claims.at("112 x 6 cells")
-      .check(
-          {.id = "independent",
-           .text = "The forces are those of an earlier program on 112 x 6 cells.",
-           .quantity = "largest difference of front, rear and relative total",
-           .unit = "rho g depth",
-           .source = regression},
-          [table](const GivenLoads& loads) {
-            Worst worst;
-            for (const Tabled& row : table) {
-              const StandingLoad& one = nearest(loads.fine, row.wavelength);
-              worst.add(one.force.front - row.front);
-              worst.add(one.force.rear - row.rear);
-              worst.add(one.relative() - row.relative);
-            }
-            return worst;
-          },
-          Bound{.limit = 0.02,
-                .reason = "by which that program's own values differ between 80 x 4 and 112 x 6 cells; nodes on "
-                          "the face of the berm may lie elsewhere there"});
-  claims.at("80 x 4 and 112 x 6 cells")
-      .check(
-          {.id = "coarse",
-           .text = "80 x 4 cells give the same forces.",
-           .quantity = "largest difference of front and rear",
-           .unit = "rho g depth",
-           .source = regression},
-          [table](const GivenLoads& loads) {
-            Worst worst;
-            for (const Tabled& row : table) {
-              add_differences(worst, nearest(loads.fine, row.wavelength), nearest(loads.coarse, row.wavelength));
-            }
-            return worst;
-          },
-          Bound{.limit = 0.02, .reason = "what the earlier program finds"});
 }
 
 void claim_band(const Claims<Results>& claims, bool as_published) {
@@ -206,7 +145,6 @@ void claim_band(const Claims<Results>& claims, bool as_published) {
 void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s(values);
   const auto given = claims.only_if(s.as_given(), "for the berm of the default parameters");
-  claim_regression(given.of(&Results::given), tabled(values));
   claims.at("up to " + s.refined(s.meshes - 1).name(s.berm))
       .check(
           {.id = "refinement",
@@ -284,42 +222,15 @@ SmallWave small_wave(const SetUp& s, double wavelength) {
 
 Results compute(const Run& run) {
   const SetUp s(run);
-  GivenLoads given;
-  if (s.as_given()) {
-    given = {standing_loads(Berm{}, 112, 6, shortest), standing_loads(Berm{}, 80, 4, shortest)};
-  }
   std::vector<double> changes = changes_by_refinement(s);
   const Worst accelerations = rest(s);
   run.progress(0.3);
   std::vector<StandingLoad> loads = loads_by_wavelength(s.berm, s.mesh.columns_per_depth, s.mesh.rows, shortest, 17);
   run.progress(0.7);
-  return {std::move(given), std::move(changes), accelerations, std::move(loads), small_wave(s, run.real("wavelength"))};
+  return {std::move(changes), accelerations, std::move(loads), small_wave(s, run.real("wavelength"))};
 }
 
-void tabulate(const GivenLoads& loads, const std::vector<Tabled>& rows, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "forces",
-                        .title = "Forces of small standing waves",
-                        .caption =
-                            "Over the height of the wave at the far wall, when the rear wall is pushed; the "
-                            "total over the force on a plain wall. In brackets: an earlier program.",
-                        .columns = {{"wavelength", "depth"},
-                                    {"front", "rho g depth"},
-                                    {"(front)", "rho g depth"},
-                                    {"rear", "rho g depth"},
-                                    {"(rear)", "rho g depth"},
-                                    {"total/plain wall", "1"},
-                                    {"(total/plain wall)", "1"}},
-                        .rows = {},
-                        .atlas = {"frank-breakwater"}};
-  for (const Tabled& row : rows) {
-    const StandingLoad& one = nearest(loads.fine, row.wavelength);
-    table.rows.push_back(
-        {one.wavelength, one.force.front, row.front, one.force.rear, row.rear, one.relative(), row.relative});
-  }
-  exhibit.table(std::move(table));
-}
-
-void draw_forces(const std::vector<StandingLoad>& all, const std::vector<Tabled>& table, evidence::Exhibit& exhibit) {
+void draw_forces(const std::vector<StandingLoad>& all, evidence::Exhibit& exhibit) {
   std::vector<double> length, front, rear, total, relative;
   for (const StandingLoad& one : all) {
     length.push_back(one.wavelength);
@@ -331,7 +242,7 @@ void draw_forces(const std::vector<StandingLoad>& all, const std::vector<Tabled>
   auto& figure = exhibit.figure("forces", "Forces on a structure loaded in antiphase",
                                 "Small standing waves: force on the front, on the rear and on both, over the height at "
                                 "the far wall, at the moment when the rear is pushed; then the total over the force on "
-                                "a plain wall. Circles: an earlier program.",
+                                "a plain wall.",
                                 {"frank-breakwater"});
   auto& forces = figure.panel({.x = "wavelength [depth]", .y = "force/height [rho g depth]"});
   forces.line("front", length, front, Role::computed);
@@ -340,17 +251,6 @@ void draw_forces(const std::vector<StandingLoad>& all, const std::vector<Tabled>
   auto& relation = figure.panel({.x = "wavelength [depth]", .y = "|total|/plain wall"});
   relation.line("total", length, relative, Role::exact);
   relation.line("a tenth", std::vector{length.front(), length.back()}, std::vector{0.1, 0.1}, Role::guide);
-  if (table.empty()) return;
-  std::vector<double> x, f, r, t;
-  for (const Tabled& row : table) {
-    x.push_back(row.wavelength);
-    f.push_back(row.front);
-    r.push_back(row.rear);
-    t.push_back(row.relative);
-  }
-  forces.points("front, earlier program", x, f, Role::data);
-  forces.points("rear, earlier program", x, r, Role::data);
-  relation.points("earlier program", x, t, Role::data);
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
@@ -358,9 +258,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   for (std::size_t n = 1; n < s.meshes; ++n) {
     exhibit.measure(fmt::format("change_by_refinement_to_{}_columns", s.refined(n).columns(s.berm)), r.changes[n - 1]);
   }
-  const std::vector<Tabled> table = s.as_given() ? tabled(values) : std::vector<Tabled>{};
   if (s.as_given()) {
-    tabulate(r.given, table, exhibit);
     const auto calm = [](const StandingLoad& one) { return one.relative() < 0.1; };
     const auto first = std::ranges::find_if(r.loads, calm);
     if (first != r.loads.end()) {
@@ -368,7 +266,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
       exhibit.measure("band_end", (std::find_if_not(first, r.loads.end(), calm) - 1)->wavelength);
     }
   }
-  draw_forces(r.loads, table, exhibit);
+  draw_forces(r.loads, exhibit);
   const StandingLoad& load = r.gentle.load;
   exhibit.measure("wavelength", load.wavelength);
   exhibit.measure("period", r.gentle.period());

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "reports/evidence/slope_guide.hpp"
-#include "validation/case/reference_source.hpp"
 
 namespace seiche::validation {
 
@@ -19,12 +18,6 @@ void Refinement::add(long n, const std::vector<double>& errors) {
   }
   n_.push_back(static_cast<double>(n));
   for (std::size_t k = 0; k < errors.size(); ++k) errors_[k].push_back(errors[k]);
-}
-
-double Refinement::on(long n, std::size_t quantity) const {
-  const auto found = std::find(n_.begin(), n_.end(), static_cast<double>(n));
-  if (found == n_.end()) throw std::logic_error(fmt::format("no mesh of {} cells", n));
-  return errors_.at(quantity)[static_cast<std::size_t>(found - n_.begin())];
 }
 
 evidence::ObservedOrder Refinement::order(std::size_t quantity, long coarsest) const {
@@ -44,38 +37,6 @@ void RefinementStudy::claim_orders(const Claims<Refinement>& claims) const {
          .quantity = "order of the error: " + quantity.name,
          .source = source},
         [k, from = coarsest](const Refinement& refinement) { return refinement.order(k, from); }, *quantity.order);
-  }
-}
-
-void RefinementStudy::claim_digits(const Claims<Refinement>& claims, const Values& values,
-                                   const std::string& table) const {
-  struct Printed {
-    long n;
-    double error, unit;
-  };
-  const io::Table rows = values.table(table);
-  const auto codes = reference_source(table).codes.at("quantity");
-  for (std::size_t k = 0; k < quantities.size(); ++k) {
-    std::vector<Printed> printed;
-    for (std::size_t row = 0; row < rows.rows(); ++row) {
-      if (codes.at(fmt::format("{:g}", rows.column("quantity")[row])) != quantities[k].id) continue;
-      printed.push_back({std::lround(rows.column("n")[row]), rows.column("error")[row], rows.column("unit")[row]});
-    }
-    if (printed.empty()) continue;
-    claims.at(fmt::format("n = {} to {}", printed.front().n, printed.back().n))
-        .check(
-            {.id = "digits-" + quantities[k].id,
-             .text = fmt::format("The errors are those of an earlier program: {}.", quantities[k].name),
-             .quantity = "largest difference in units of the last printed digit",
-             .source = "regression: an earlier program for the same scheme, table reference_data/" + table},
-            [k, printed](const Refinement& refinement) -> Measurement {
-              Worst off;
-              for (const Printed& one : printed) {
-                off.add((refinement.on(one.n, k) - one.error) / one.unit, static_cast<double>(one.n));
-              }
-              return {.value = off.value(), .where = fmt::format("n = {:g}", off.where())};
-            },
-            evidence::Bound{.limit = 0.5, .reason = "half a unit of the last printed digit"});
   }
 }
 

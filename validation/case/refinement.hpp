@@ -1,4 +1,4 @@
-/// Errors of several quantities on a sequence of meshes: their orders, their digits, a table and a figure.
+/// Errors of several quantities on a sequence of meshes: their orders, a table and a figure.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,6 @@
 
 #include "reports/evidence/record.hpp"
 #include "validation/case/claims.hpp"
-#include "validation/case/parameter.hpp"
 
 namespace seiche::validation {
 
@@ -20,8 +19,6 @@ class Refinement {
   [[nodiscard]] const std::vector<double>& n() const { return n_; }
   [[nodiscard]] const std::vector<double>& errors(std::size_t quantity) const { return errors_.at(quantity); }
   [[nodiscard]] double finest(std::size_t quantity) const { return errors_.at(quantity).back(); }
-  /// Throws std::logic_error for an n that was not added.
-  [[nodiscard]] double on(long n, std::size_t quantity) const;
   /// @param coarsest  meshes of fewer cells are left out
   [[nodiscard]] evidence::ObservedOrder order(std::size_t quantity, long coarsest) const;
 
@@ -45,9 +42,6 @@ struct RefinementStudy {
 
   /// Ids "order-<id>".
   void claim_orders(const Claims<Refinement>& claims) const;
-  /// Ids "digits-<id>": the errors are those of a table with columns n, error, the unit of its last digit, and the
-  /// quantity, a number whose code is the id.
-  void claim_digits(const Claims<Refinement>& claims, const Values& values, const std::string& table) const;
   /// The table of errors, and measurements "order_<id>".
   void tabulate(const Refinement& refinement, evidence::Exhibit& exhibit) const;
   /// With lines of slopes 1 and 2.

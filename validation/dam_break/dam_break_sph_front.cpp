@@ -151,32 +151,6 @@ void claim_speed(const Claims<SphCollapse>& claims, const ColumnFront& data) {
             .relative = true});
 }
 
-/// The same problem on the same lattice by an earlier program.
-void claim_regression(const Claims<SphCollapse>& claims, const Values& values) {
-  const io::Table known = values.table("regression_sph_column_collapse");
-  const auto difference = [known](const std::string& column, std::vector<double> SphCollapse::*series) {
-    return [T = known.column("T"), theirs = known.column(column), series](const SphCollapse& run) -> Measurement {
-      Worst off;
-      for (std::size_t k = 0; k < T.size(); ++k) off.add(linear_at({run.T, run.*series}, T[k]) - theirs[k], T[k]);
-      return {.value = off.value(), .resolution = run.resolution(), .where = fmt::format("T = {:g}", off.where())};
-    };
-  };
-  const std::string earlier =
-      "regression: an earlier program for the same equations, reference_data/regression_sph_column_collapse";
-  claims.check({.id = "independent-front",
-                .text = "The front is where an earlier program has it.",
-                .quantity = "largest difference of X/a at T = 0.5, 1, ..., 3",
-                .source = earlier},
-               difference("X_over_a", &SphCollapse::front),
-               Bound{.limit = 0.02, .reason = "one spacing of the particles"});
-  claims.check({.id = "independent-energy",
-                .text = "It has lost as much energy.",
-                .quantity = "largest difference of E/E_0 at T = 0.5, 1, ..., 3",
-                .source = earlier},
-               difference("E_over_E0", &SphCollapse::energy),
-               Bound{.limit = 0.01, .reason = "a tenth of what is lost"});
-}
-
 void claims(const Values& values, const Claims<Results>& claims) {
   const ColumnFront data = data_of(values);
   const std::vector<long> ladder = ladder_of(values);
@@ -205,15 +179,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
                                 .useful = 0.4 * speed_of(data.curve()),
                                 .reason = "two points, known to 0.05 each, 0.55 apart in T; beyond 40 % nothing is "
                                           "said"});
-  Values theirs(values.declared(), values.tier());
-  theirs.set("cells", Value(values.integer("cells")));
-  theirs.set("lattice", Value("square"));
-  const bool known = same < std::ssize(ladder) && values.canonical() == theirs.canonical();
-  claim_regression(claims.only_if(known, "the earlier program had a square lattice of spacing a/50")
-                       .of([same](const Results& runs) -> const SphCollapse& {
-                         return runs.at(static_cast<std::size_t>(same)).first.value();
-                       }),
-                   values);
 }
 
 void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, const ColumnFront& data) {

@@ -115,23 +115,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
                                    "linearly: eps per step, which the criterion's factor 4 makes of steps/4",
                          .expected = front});
   claim_conservation(here.of(&Results::flow), s.problem, s.discretisation, end);
-
-  const io::Table known = values.table("regression_dam_break");
-  const auto reproduced =
-      here.only_if(values.as_published("bzz-fig-6"), "the earlier program ran with the standard parameters");
-  claim_reproduced(
-      reproduced.of([](const Results& r) -> const double& { return r.flow.errors.reconstructed.depth.l1; }),
-      {.id = "reconstructed_l1_h",
-       .text = "The reconstruction of ten particles is the known one.",
-       .quantity = "reconstructed L1(h)",
-       .unit = "m"},
-      known.column("dry_reconstructed_l1_h")[0]);
-  claim_reproduced(reproduced.of([](const Results& r) -> const double& { return r.flow.errors.cell.depth.l1; }),
-                   {.id = "cell_l1_h",
-                    .text = "The mean depths of ten particles are the known ones.",
-                    .quantity = "cell L1(h)",
-                    .unit = "m"},
-                   known.column("dry_cell_l1_h")[0]);
   here.known_failure(
       {.id = "maccormack",
        .text = "MacCormack's scheme finishes over a dry bed.",

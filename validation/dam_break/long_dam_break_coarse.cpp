@@ -18,8 +18,7 @@ WetDamBreak setup() {
           .dam = 110,
           .length = 220,
           .times = {25},
-          .atlas = {"bzz-fig-26"},
-          .known = "long_coarse_cell_l1_h"};
+          .atlas = {"bzz-fig-26"}};
 }
 
 }  // namespace

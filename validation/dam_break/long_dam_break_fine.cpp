@@ -17,8 +17,7 @@ WetDamBreak setup() {
           .length = 200,
           .times = {25.3},
           .schemes = particle_schemes,
-          .atlas = {"bzz-fig-25"},
-          .known = "long_fine_cell_l1_h"};
+          .atlas = {"bzz-fig-25"}};
 }
 
 }  // namespace

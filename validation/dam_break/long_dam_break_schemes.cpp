@@ -56,20 +56,6 @@ struct Results {
 
 void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
-  const io::Table known = values.table("regression_dam_break");
-  const auto published =
-      claims.only_if(values.as_published("bzz-fig-24"), "the earlier program ran with the standard parameters");
-  for (std::size_t k = 0; k < peer_schemes.size(); ++k) {
-    const std::string& scheme = peer_schemes[k];
-    claim_reproduced(published.at(s.by(scheme).text()).of([k](const Results& r) -> const double& {
-      return r.contestants.at(k).errors.cell.depth.l1;
-    }),
-                     {.id = "cell_l1_h_" + scheme,
-                      .text = fmt::format("The error of {} is the known one.", scheme),
-                      .quantity = "cell L1(h)",
-                      .unit = "m"},
-                     known.column(scheme + "_cell_l1_h")[0]);
-  }
   claim_conservation(claims.of(&Results::roe), s.problem, s.roe(), s.time, "_roe");
 }
 

@@ -14,7 +14,6 @@ struct WetDamBreak {
   std::vector<double> times;                       ///< shown, the last is judged [s]
   std::vector<std::string> schemes = all_schemes;  ///< compared at the same resolution
   std::vector<std::string> atlas;
-  std::string known;  ///< column of regression_dam_break: cell L1(h) of H2 with the standard parameters
 };
 
 /// Parameters of every one of these cases, with the figure's resolution as standard.

@@ -28,7 +28,6 @@ several times better than the cubic spline with $h = 1.3\,dx$. Momenta are kept 
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"
-#include "validation/case/reference_source.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
@@ -167,42 +166,6 @@ void claim_momenta(const Claims<Stretched>& claims, const Values& values) {
                                                       "mirrored particles cancel"});
 }
 
-void claim_regression(const Claims<Stretched>& claims, const Values& values) {
-  const std::string name = "regression_sph_stretched_patch";
-  const io::Table table = values.table(name);
-  const auto described = reference_source(name);
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const std::string kernel = described.codes.at("kernel").at(fmt::format("{:g}", table.column("kernel")[row]));
-    if (kernel != values.text("kernel")) continue;
-    Values theirs(values.declared(), Tier::quick);
-    theirs.set("kernel", Value(kernel));
-    theirs.set("dx", Value(0.02));
-    theirs.set("smoothing", Value(table.column("h_over_dx")[row]));
-    const auto same = claims.only_if(
-        values.canonical() == theirs.canonical(),
-        fmt::format("the earlier program had dx = {:g} and h = {:g} dx", theirs.real("dx"), theirs.real("smoothing")));
-    const double t = table.column("t")[row];
-    const auto agrees = [&](const std::string& what, std::vector<double> Stretched::*errors) {
-      const std::string column = what + "_error";
-      same.check(
-          {.id = fmt::format("independent-{}-{:g}", what, 10 * t),
-           .text = fmt::format("At t = {:g} the error of the {} is that of an earlier program with the same "
-                               "spacing, to the digits that it printed.",
-                               t, what),
-           .quantity = "relative error",
-           .source = "regression: an earlier program for the same equations, reference_data/" + name},
-          [t, errors](const Stretched& run) -> Measurement {
-            return {.value = std::abs(at(run, run.*errors, t)), .resolution = run.resolution()};
-          },
-          Bound{.limit = described.standard_uncertainty.at(column).value,
-                .reason = "half a unit of the last of its two digits",
-                .expected = table.column(column)[row]});
-    };
-    agrees("axis", &Stretched::axis_error);
-    agrees("velocity", &Stretched::velocity_error);
-  }
-}
-
 void claims(const Values& values, const Claims<Results>& claims) {
   const auto finest = claims.of([](const Results& runs) -> const Stretched& { return runs.back(); });
   for (const double t : {0.5, 1.0}) {
@@ -227,7 +190,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
       Bound{.limit = 1 / (6 * std::pow(values.real("sound"), 2)),
             .reason = "the energy of the compression, the integral of p^2/(2 rho c^2) over that of rho r^2/2: "
                       "1/(6 c^2); what steps change must be less than what they are to resolve"});
-  claim_regression(finest, values);
 }
 
 void draw(evidence::Exhibit& exhibit, const Results& runs) {

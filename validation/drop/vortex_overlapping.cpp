@@ -33,7 +33,6 @@ same equilibrium is reached.
 
 #include "seiche/models/overlapping_particles/flow.hpp"
 #include "validation/case/case.hpp"
-#include "validation/case/reference_source.hpp"
 #include "validation/instruments/straight_line.hpp"
 
 namespace seiche::validation::cases::vortex_overlapping {
@@ -45,7 +44,6 @@ using overlapping_particles::Flow;
 using overlapping_particles::Particles;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.1";
-const std::string table = "regression_vortex_overlapping";
 
 constexpr double first_distance = 1e-8;
 constexpr double last_distance = 0.1;  ///< of the growth
@@ -229,21 +227,6 @@ struct Results {
   }
 };
 
-/// Rows of the table that are of one quantity.
-struct Printed {
-  double at, value, unit;
-};
-std::vector<Printed> printed(const Values& values, const std::string& quantity) {
-  const io::Table rows = values.table(table);
-  const auto codes = reference_source(table).codes.at("quantity");
-  std::vector<Printed> found;
-  for (std::size_t row = 0; row < rows.rows(); ++row) {
-    if (codes.at(fmt::format("{:g}", rows.column("quantity")[row])) != quantity) continue;
-    found.push_back({rows.column("at")[row], rows.column("value")[row], rows.column("unit")[row]});
-  }
-  return found;
-}
-
 void claim_statistics(const SetUp& s, const Claims<Results>& all) {
   const Claims<Results> claims =
       all.only_if(s.at * s.rate >= 6, "before two thirds of a turn it is not yet equilibrium");
@@ -273,39 +256,6 @@ void claims(const Values& values, const Claims<Results>& all) {
   const SetUp s = set_up(values);
   const Claims<Results> claims = all.at(fmt::format("h = {:g}, tau = {:g}, {} copies", s.spacing, s.tau, s.seeds));
   claim_statistics(s, claims);
-  const Claims<Results> theirs = claims.only_if(values.are({{"spacing", 0.125}, {"rate", 3.0}, {"tau", 0.02}}),
-                                                "an earlier program had 239 particles, rate = 3 and tau = 0.02");
-  Mean growth;
-  Mean scatter;
-  for (const Printed& one : printed(values, "growth")) growth.add(one.value);
-  for (const Printed& one : printed(values, "growth")) scatter.add(one.value - growth.value());
-  const std::size_t seeds = growth.count();
-  theirs.check(
-      {.id = "growth",
-       .text = "Copies part as they did in an earlier program.",
-       .quantity = "growth rate of their distance, mean of the copies",
-       .unit = "1/time",
-       .source = "regression: table reference_data/" + table},
-      [](const Results& r) { return Estimate(r.growth).measured(); },
-      evidence::Uncertainty{.expected = growth.value(),
-                            .data = scatter.rms() / std::sqrt(static_cast<double>(seeds) - 1),
-                            .useful = 4,
-                            .reason = "standard deviation of the mean of its three seeds, with Student's factor "
-                                      "for three; a rate known to no better than a quarter says nothing",
-                            .coverage = student_factor(seeds)});
-  const std::vector<Printed> digits = printed(values, "incoherent");
-  theirs.only_if(s.end >= digits.back().at, "the earlier program's numbers go to t = 1.1")
-      .check(
-          {.id = "digits",
-           .text = "The incoherent part is that of an earlier program, while copies are together.",
-           .quantity = "largest difference in units of the last printed digit",
-           .source = "regression: table reference_data/" + table},
-          [digits](const Results& r) {
-            Worst off;
-            for (const Printed& one : digits) off.add((r.incoherent_of_first(one.at) - one.value) / one.unit, one.at);
-            return off;
-          },
-          Bound{.limit = 0.5, .reason = "half a unit of the last printed digit"});
   const double operations = 40 * static_cast<double>(s.steps());
   claims.check({.id = "energy",
                 .text = "The energy is kept to round-off, through all disorder.",

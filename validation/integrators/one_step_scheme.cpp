@@ -46,7 +46,6 @@ using mechanics::AdaptiveMethod;
 using mechanics::Integrator;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 1.2";
-const std::string regression = "regression: an earlier program for the same schemes, table reference_data/";
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Role role_of(Integrator integrator) {
@@ -207,35 +206,6 @@ void claim_accuracy(const Claims<Curves>& claims, const Values& values) {
                       "smooth motion; errors below ten times that of the reference are left out"});
 }
 
-/// The pendulum of an earlier program.
-bool spherical_double_pendulum(const Values& values) {
-  return values.integer("links") == 2 && values.real("gravity") == 1;
-}
-
-void claim_digits(const Claims<Curves>& claims, const Values& values) {
-  const std::string name_of_table = "regression_one_step_scheme";
-  const io::Table table = values.table(name_of_table);
-  const auto tabulated =
-      claims.at(fmt::format("{} steps", refined_steps(values)[middle]))
-          .only_if(spherical_double_pendulum(values) && values.real("time") == 5 && values.real("tau") == 0.0125,
-                   "the table is of the standard pendulum, time and step");
-  for (const Integrator integrator : mechanics::all_integrators) {
-    const std::string column(name(integrator));
-    if (!table.has(column)) continue;
-    tabulated.check(
-        {.id = "digits-" + column,
-         .text = fmt::format("Error of an earlier program: {}.", title(integrator)),
-         .quantity = "largest coordinate error",
-         .source = regression + name_of_table},
-        [integrator](const Curves& curves) -> Measurement {
-          return {.value = curves.of(integrator).error[middle], .uncertainty = curves.uncertainty};
-        },
-        Bound{.limit = 0.5 * table.column(column)[1],
-              .reason = "half a unit of the last digit that it gives",
-              .expected = table.column(column)[0]});
-  }
-}
-
 /// The largest that scales can become: energy is conserved, so that it is ten times what the start has and gravity can
 /// add, at most; the other scales follow from it.
 rigid_chain::Scales largest_scales(const Values& values, bool pinned) {
@@ -306,30 +276,9 @@ void claim_conservation(const Claims<Results>& all, const Values& values, bool p
                              "stage"});
 }
 
-void claim_bounded(const Claims<Results>& claims, const Values& values) {
-  const std::string name_of_table = "regression_rattle_energy";
-  const io::Table table = values.table(name_of_table);
-  of(claims, Integrator::rattle, true)
-      .at("tau = 0.01")
-      .only_if(spherical_double_pendulum(values) && values.real("long_tau") == 0.01 &&
-                   static_cast<double>(values.integer("long_steps")) <= table.column("long_steps")[0],
-               "the table is of the standard pendulum, step and up to 1e6 steps")
-      .check(
-          {.id = "rattle",
-           .text = "RATTLE's energy error is bounded.",
-           .quantity = "largest energy defect of the pendulum",
-           .source = "Hairer, Lubich & Wanner, Geometric Numerical Integration, 2nd ed. (2006), IX; " + regression +
-                     name_of_table},
-          [](const KeptInvariants& kept) { return kept.broken_down.empty() ? kept.energy.back() : nan; },
-          Bound{table.column("energy_defect")[0] + 0.5e-5,
-                "1.5e-4 over 1e6 steps, plus half a unit of its last digit"});
-}
-
 void claims(const Values& values, const Claims<Results>& claims) {
   claim_accuracy(claims.of(&Results::curves), values);
-  claim_digits(claims.of(&Results::curves), values);
   for (const bool pinned : {true, false}) claim_conservation(claims, values, pinned);
-  claim_bounded(claims, values);
 }
 
 Results compute(const Run& run) {

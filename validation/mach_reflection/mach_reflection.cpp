@@ -16,8 +16,7 @@ markers on the surface, or `hexahedra`, layers of Lagrangian cells. Steps are ha
 
 **What is compared.** Amplitudes at the wall, of the incident and of the reflected wave, angles of the reflected wave
 and of the path of the stem's end. Two configurations: `angle`, and `second_angle` beyond the transition. Both on two or
-more lattices, whose differences give the numerical uncertainty. An earlier program for the same equations at $h = 0.5$
-is the reference, which makes it regression; the theories stand beside it.
+more lattices, whose differences give the numerical uncertainty. The theories are the reference.
 
 **What to look at.** Miles's plain $\kappa$ is far too low for a wave of $a = 0.3$, the one for finite angles within a
 few per cent. The reflected angle is larger than the incident one, but not by as much as $\sqrt{3a_i}$. The ratio
@@ -35,7 +34,6 @@ grows by more than 1 % in the last fifth of the run is marked, and the limit of 
 #include "validation/case/on_threads.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/mach_reflection/kept_reflection.hpp"
-#include "validation/mach_reflection/reflection_reference.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 
 namespace seiche::validation::cases::mach_reflection {
@@ -47,34 +45,23 @@ using exact::MachReflection;
 
 const std::string source = "Frank (1994), section 4.3";
 
-/// One quantity of a reflection: how to measure it, what is known of it.
+/// One quantity of a reflection, and how to measure it.
 struct Quantity {
-  std::string id, text, unit;
-  Measurement (*measured)(const Reflection&, const KnownReflection*);
-  Known KnownReflection::*known;
-  double useful;  ///< largest expanded uncertainty that still tells configurations apart
+  std::string id;
+  Measurement (*measured)(const Reflection&);
 };
 
 const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> all = {
-      {"a_w_over_a_i", "The amplitude at the wall over the incident one", "1",
-       [](const Reflection& r, const KnownReflection* known) {
-         return known ? wall_ratio_until(r, known->end) : r.wall_ratio();
-       },
-       &KnownReflection::wall_ratio, 0.3},
-      {"a_r_over_a_i", "The reflected amplitude over the incident one", "1",
-       [](const Reflection& r, const KnownReflection*) { return r.reflected_ratio(); },
-       &KnownReflection::reflected_ratio, 0.2},
-      {"psi_r", "The angle of reflection", "deg",
-       [](const Reflection& r, const KnownReflection*) { return r.reflected_angle(); },
-       &KnownReflection::reflected_angle, 6},
-      {"stem_angle", "The angle between the wall and the path of the stem's end", "deg",
-       [](const Reflection& r, const KnownReflection*) {
+      {"a_w_over_a_i", [](const Reflection& r) { return r.wall_ratio(); }},
+      {"a_r_over_a_i", [](const Reflection& r) { return r.reflected_ratio(); }},
+      {"psi_r", [](const Reflection& r) { return r.reflected_angle(); }},
+      {"stem_angle",
+       [](const Reflection& r) {
          return Measurement{.value = degrees(r.stem.value),
                             .uncertainty = degrees(r.stem.half_width()),
                             .resolution = r.run.resolution()};
-       },
-       &KnownReflection::stem_angle, 1},
+       }},
   };
   return all;
 }
@@ -139,11 +126,11 @@ struct Value {
   Measurement measured;
   double limit;
 };
-Value value_of(const Configuration& one, const Quantity& quantity, const KnownReflection* known) {
+Value value_of(const Configuration& one, const Quantity& quantity) {
   std::vector<double> values;
-  for (const Reflection& reflection : one.ladder) values.push_back(quantity.measured(reflection, known).value);
+  for (const Reflection& reflection : one.ladder) values.push_back(quantity.measured(reflection).value);
   const FineLimit lattice = fine_limit(one.sizes(), values);
-  Measurement measured = quantity.measured(one.finest(), known);
+  Measurement measured = quantity.measured(one.finest());
   measured.uncertainty = std::hypot(measured.half_width(), lattice.uncertainty);
   return {measured, lattice.value};
 }
@@ -167,7 +154,7 @@ void show_numbers(evidence::Exhibit& exhibit, const Configuration& one, const st
   keep("iterations_per_step", finest.iterations);
   keep("processor_seconds", finest.seconds);
   for (const Quantity& quantity : quantities()) {
-    const Value value = value_of(one, quantity, nullptr);
+    const Value value = value_of(one, quantity);
     if (!std::isfinite(value.measured.value)) continue;
     keep(quantity.id, value.measured.value);
     keep(quantity.id + "_uncertainty", value.measured.half_width());
@@ -175,28 +162,9 @@ void show_numbers(evidence::Exhibit& exhibit, const Configuration& one, const st
   }
 }
 
-/// The reference ran until the stem should have settled.
+/// Until the stem should have settled.
 bool long_enough(const ReflectionRun& run) {
   return run.time == 0 || run.time >= run.settled_time();
-}
-
-void claim_reference(const Claims<Configuration>& claims, double angle, const KnownReflection& known) {
-  for (const Quantity& quantity : quantities()) {
-    const Known& expected = known.*quantity.known;
-    claims.only_if(!expected.doubt, expected.doubt ? expected.doubt->reason : "")
-        .check(
-            {.id = quantity.id + "-" + id_of(angle),
-             .text = fmt::format("{}, {:g} deg, is that of an earlier program.", quantity.text, angle),
-             .quantity = quantity.id,
-             .unit = quantity.unit,
-             .source = regression_of(known_reflections_table)},
-            [quantity, known](const Configuration& one) { return value_of(one, quantity, &known).measured; },
-            evidence::Uncertainty{.expected = expected.value,
-                                  .data = expected.uncertainty,
-                                  .useful = quantity.useful,
-                                  .reason = "its numbers are of h = 0.5, with the uncertainty stated there; of "
-                                            "ours the scatter of the rows and the change with the lattice"});
-  }
 }
 
 /// Theory is of leading order in the amplitude.
@@ -238,17 +206,9 @@ void claim_steady(const Claims<Configuration>& claims, double angle, const Refle
 
 void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<double> angles = angles_of(values);
-  const std::vector<KnownReflection> known = known_reflections(values);
   for (std::size_t k = 0; k < angles.size(); ++k) {
     const ReflectionRun what = run_of(values, angles[k], lattices_of(values).front());
     const auto one = claims.at(what.resolution()).of([k](const Results& r) -> const Configuration& { return r.at(k); });
-    const auto reference = known_reflection(known, what.amplitude, angles[k]);
-    if (reference) {
-      claim_reference(one.only_if(what.model == WaveModel::plan && long_enough(what),
-                                  "the earlier program's reflections are of water columns, and of runs until the stem "
-                                  "should have settled"),
-                      angles[k], *reference);
-    }
     claim_theory(one, angles[k], what);
     claim_steady(one, angles[k], what);
   }
@@ -292,26 +252,23 @@ void draw_history(evidence::Exhibit& exhibit, const std::vector<Configuration>& 
   }
 }
 
-void tabulate(evidence::Exhibit& exhibit, const std::vector<Configuration>& all,
-              const std::vector<KnownReflection>& known) {
+void tabulate(evidence::Exhibit& exhibit, const std::vector<Configuration>& all) {
   evidence::Table table{.id = "reflections",
                         .title = "What is measured, and what others have",
                         .caption =
-                            "Limit: for fine lattices; reference: an earlier program, h = 0.5; theories: for "
-                            "small waves after infinite time, with kappa of Miles and for finite angles.",
+                            "Limit: for fine lattices; theories: for small waves after infinite time, with kappa of "
+                            "Miles and for finite angles.",
                         .columns = {{"angle", "deg"},
                                     {"quantity", ""},
                                     {"measured", ""},
                                     {"uncertainty", ""},
                                     {"limit", ""},
-                                    {"reference", ""},
                                     {"Miles", ""},
                                     {"finite angles", ""}},
                         .rows = {},
                         .atlas = {}};
   for (const Configuration& one : all) {
     const ReflectionRun& what = one.finest().run;
-    const auto reference = known_reflection(known, what.amplitude, one.angle);
     const MachReflection miles(what.amplitude, what.angle);
     const MachReflection finite(what.amplitude, what.angle, MachReflection::Theory::kodama_yeh);
     const auto theory = [](const MachReflection& t) {
@@ -319,18 +276,16 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Configuration>& all,
     };
     for (std::size_t k = 0; k < quantities().size(); ++k) {
       const Quantity& quantity = quantities()[k];
-      const Value value = value_of(one, quantity, nullptr);
+      const Value value = value_of(one, quantity);
       const auto digits = [](double number) { return std::round(number * 1e4) / 1e4; };
       table.rows.push_back({one.angle, quantity.id, digits(value.measured.value), digits(value.measured.half_width()),
-                            digits(value.limit),
-                            reference ? fmt::format("{:g}", ((*reference).*quantity.known).value) : std::string("-"),
-                            digits(theory(miles)[k]), digits(theory(finite)[k])});
+                            digits(value.limit), digits(theory(miles)[k]), digits(theory(finite)[k])});
     }
   }
   exhibit.table(std::move(table));
 }
 
-void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
+void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhibit) {
   for (const Configuration& one : all) {
     show_numbers(exhibit, one, &one == &all.front() ? "" : "_second");
     const ReflectionRun& what = one.finest().run;
@@ -342,7 +297,7 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
     draw_surface(exhibit, one);
   }
   draw_history(exhibit, all);
-  tabulate(exhibit, all, known_reflections(values));
+  tabulate(exhibit, all);
 }
 
 }  // namespace

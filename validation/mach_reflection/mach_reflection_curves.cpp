@@ -9,8 +9,7 @@ and Yeh 2016). A run covers four of them, after 250 width units $\sqrt{0.3/a_i}$
 
 **What is compared.** With Miles's (1977) theory for waves of small amplitude after infinite time, over his parameter
 $\kappa = \psi_i/\sqrt{3a_i}$ and over the one for finite angles, $\tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$ (Li, Yeh and
-Kodama 2011). With what Frank, Tanaka (1993) and others state. With an earlier program for the same equations
-(regression).
+Kodama 2011). With what Frank, Tanaka (1993) and others state.
 
 **What to look at.** The amplitude at the wall peaks just below $\kappa = 1$ for finite angles, at 3.3 to 3.6 times the
 incident one for $a_i$ = 0.3 and 0.097, not at 4. There it grows for thousands of time units: such runs are marked, and
@@ -26,13 +25,11 @@ $a_i = 0.3$) the plateau is lower; 0.99 of it is the criterion there, and no cla
 */
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
-#include "validation/mach_reflection/reflection_comparison.hpp"
 #include "validation/mach_reflection/reflection_figures.hpp"
 #include "validation/mach_reflection/reflection_reference.hpp"
 
@@ -62,16 +59,6 @@ const Plan* plan_of(double amplitude) {
   const auto found = std::find_if(plans().begin(), plans().end(),
                                   [&](const Plan& p) { return std::abs(p.amplitude - amplitude) < 1e-9; });
   return found == plans().end() ? nullptr : &*found;
-}
-
-const std::string boundary_table = "regression_mach_reflection_boundary";
-/// Angle [deg] at which reflection becomes regular by an earlier program.
-std::optional<double> known_boundary(const Values& values, double amplitude) {
-  const io::Table table = values.table(boundary_table);
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    if (std::abs(table.column("a")[k] - amplitude) < 1e-9) return table.column("psi_i_deg")[k];
-  }
-  return std::nullopt;
 }
 
 std::vector<double> angles_of(const Plan& plan, const std::vector<KnownReflection>& known) {
@@ -186,7 +173,7 @@ void claim_peak(const Claims<ReflectionSeries>& claims, const ReflectionSeries& 
       {.id = with("peak-place", series),
        .text = fmt::format("a = {:g}: it is highest just below kappa = 1 for finite angles.", series.amplitude),
        .quantity = "kappa of the highest a_w/a_i",
-       .source = regression_of(known_reflections_table)},
+       .source = "reflections of the same model, table reference_data/mach_reflection_model2"},
       [](const ReflectionSeries& s) -> Measurement {
         const Reflection& highest = s.highest();
         if (!std::isfinite(highest.wall_ratio().value)) return {};
@@ -197,8 +184,7 @@ void claim_peak(const Claims<ReflectionSeries>& claims, const ReflectionSeries& 
             .expected = 0.945});
 }
 
-void claim_boundary(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series,
-                    const std::optional<double>& known) {
+void claim_boundary(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
   const auto claim = [&](const std::string& id, const std::string& text, const std::string& from,
                          const Uncertainty& criterion) {
     claims.check({.id = id,
@@ -213,10 +199,6 @@ void claim_boundary(const Claims<ReflectionSeries>& claims, const ReflectionSeri
          .data = 0.25,
          .useful = 2,
          .reason = "half a degree, as sharply as 0.95 next to the plateau defines it"});
-  if (known) {
-    claim(with("boundary-independent", series), "at the angle of an earlier program", regression_of(boundary_table),
-          {.expected = *known, .data = 0.25, .useful = 2, .reason = "half a degree is its stated uncertainty"});
-  }
   constexpr double tanaka = 37.8;
   if (series.amplitude == 0.3) {
     claim("boundary-tanaka", "where it does by the full equations", "Tanaka (1993), abstract",
@@ -294,13 +276,12 @@ void claim_angles(const Claims<ReflectionSeries>& claims, const ReflectionSeries
       angle_difference,
       Bound{.limit = 1,
             .reason = "both as measured; twice the errors of the lines through the crests, and 0.6 deg, twice the "
-                      "standard uncertainty that the earlier program states for the same measure; 1.16 deg at most, "
+                      "standard uncertainty of the same measure, stated with mach_reflection_model2; 1.16 deg at most, "
                       "the least by which the two differ below kappa = 1 in mach_reflection_model2"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<ReflectionSeries> all = series_of(values);
-  const bool same_lattices = std::abs(values.real("h") - 0.5) < 1e-9;
   const bool fine = values.real("h") < 0.5 + 1e-9;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const ReflectionSeries& series = all[k];
@@ -314,11 +295,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     if (series.amplitude == 0.3) claim_law(one);
     if (!plan_of(series.amplitude)) continue;
     claim_boundary(one.only_if(fine, "on coarser lattices than h = 0.5 regular reflection gives back less than 0.95"),
-                   series, known_boundary(values, series.amplitude));
-    const auto same = one.only_if(same_lattices && values.real("time") == 0,
-                                  "the earlier program's runs are of h = 0.5, and until the stem should have settled");
-    claim_known_reflections(same, series, known_reflections(values));
-    claim_known_history(same, series, values);
+                   series);
   }
 }
 

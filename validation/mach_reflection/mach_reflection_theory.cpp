@@ -11,6 +11,7 @@ judged in `mach_reflection`.
 **What to look at.** The theory neglects what is of the order of $a_i$: that is the limit, and where it would no longer
 tell a stem from regular reflection nothing is decided. Small waves settle slowly, after hundreds of depths.
 */
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -82,16 +83,16 @@ std::vector<Number> numbers_of(const Values& values) {
            .source = source}}};
   return {{wanted_of({"a_w_over_a_i", "1", "amplitude at the wall over the incident one"}, wall, neglected * wall, 2,
                      "The stem is as high as the theory says."),
-           [](const KnownReflection& run) { return run.wall_ratio.value; }},
+           [](const KnownReflection& run) { return run.wall_ratio; }},
           {wanted_of({"a_r_over_a_i", "1", "amplitude of the reflected wave over the incident one"}, reflected,
                      neglected * reflected, 1, "So is the reflected wave."),
-           [](const KnownReflection& run) { return run.reflected_ratio.value; }},
+           [](const KnownReflection& run) { return run.reflected_ratio; }},
           {wanted_of({"psi_r", "deg", "angle of reflection"}, turned, neglected * turned, angle,
                      "It leaves the wall at the angle of the theory."),
-           [](const KnownReflection& run) { return run.reflected_angle.value; }},
+           [](const KnownReflection& run) { return run.reflected_angle; }},
           {wanted_of({"stem_angle", "deg", "angle between the wall and the path of the stem's end"}, stem,
                      neglected * turned / 3, 0, "The stem grows at the angle of the theory."),
-           [](const KnownReflection& run) { return run.stem_angle.value; }},
+           [](const KnownReflection& run) { return run.stem_angle; }},
           {growth, [](const KnownReflection& run) { return run.growth; }}};
 }
 
@@ -101,8 +102,13 @@ struct Results {
 
 void claims(const Values& values, const Claims<Results>& claims) {
   claim_identities(claims.of(&Results::identities), theory_of(values).self_test(), source);
-  const auto run = known_reflection(known_reflections(values), values.real("amplitude"), values.real("angle"));
-  const auto tabulated = claims.only_if(theory_of(values).has_stem() && run.has_value(),
+  const std::vector<KnownReflection> known = known_reflections(values);
+  const auto run = std::ranges::find_if(known, [&](const KnownReflection& one) {
+    return std::abs(one.amplitude - values.real("amplitude")) < 1e-9 &&
+           std::abs(one.angle - values.real("angle")) < 1e-6;
+  });
+  const bool found = run != known.end();
+  const auto tabulated = claims.only_if(theory_of(values).has_stem() && found,
                                         "no run of this amplitude and angle with a stem is tabulated");
   for (const Number& one : numbers_of(values)) {
     const Requirement& required = one.wanted.requirements.front();
@@ -112,7 +118,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
          .quantity = one.wanted.column.meaning,
          .unit = one.wanted.column.unit,
          .source = source},
-        [value = run ? one.of(*run) : 0.0](const Results&) { return value; }, required.criterion);
+        [value = found ? one.of(*run) : 0.0](const Results&) { return value; }, required.criterion);
   }
 }
 

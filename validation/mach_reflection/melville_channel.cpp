@@ -9,8 +9,8 @@ $x = 20$. The lattice follows the wall: equal columns, on each of them equal row
 bend does not move: water stagnates there. Steps are half the spacing `h`.
 
 **What is compared.** The height of the crest on the turned wall, against the distance from the bend, over that of the
-crest on the other wall when it passes the bend. Columns of water and two layers of hexahedra. With an earlier program
-for the same equations at $h = 0.5$, and with the limits for infinite time: theory for finite angles.
+crest on the other wall when it passes the bend. Columns of water and two layers of hexahedra. With the limits for
+infinite time: theory for finite angles.
 
 **What to look at.** At 20 degrees theory promises a stem of 2.9 times the incident wave. After 40 depths, longer than
 the tank, it has come a third of the way there from one. At 35 degrees reflection is regular in the end, with 2.26 at
@@ -33,7 +33,7 @@ is a hundredth lower.
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/instruments/oblique_wave.hpp"
 #include "validation/instruments/row_crests.hpp"
-#include "validation/mach_reflection/reflection_reference.hpp"
+#include "validation/mach_reflection/reflection_run.hpp"
 #include "validation/mach_reflection/surface_part.hpp"
 
 namespace seiche::validation::cases::melville_channel {
@@ -163,20 +163,6 @@ std::vector<double> angles_of(const Values& values) {
   return angles;
 }
 
-struct KnownGrowth {
-  double angle, distance, ratio;
-};
-const std::string known_table = "regression_melville_channel";
-std::vector<KnownGrowth> known_growth(const Values& values, double angle) {
-  const io::Table table = values.table(known_table);
-  std::vector<KnownGrowth> known;
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    if (std::abs(table.column("wall_angle_deg")[k] - angle) > 1e-9) continue;
-    known.push_back({angle, table.column("distance")[k], table.column("ratio")[k]});
-  }
-  return known;
-}
-
 Measurement ratio_at(const Ladder& ladder, double distance) {
   std::vector<double> sizes, values;
   for (const Growth& growth : ladder) {
@@ -184,21 +170,6 @@ Measurement ratio_at(const Ladder& ladder, double distance) {
     values.push_back(growth.at(distance));
   }
   return {.value = values.front(), .uncertainty = fine_limit(sizes, values).uncertainty};
-}
-
-void claim_known(const Claims<Ladder>& claims, const KnownGrowth& known) {
-  claims.check(
-      {.id = fmt::format("growth-{}-{:.0f}", id_of(known.angle), known.distance),
-       .text = fmt::format("{:.0f} deg, {:g} depths from the bend: the stem is as high as by an earlier program.",
-                           known.angle, known.distance),
-       .quantity = "a_w/a_i",
-       .source = regression_of(known_table)},
-      [distance = known.distance](const Ladder& ladder) { return ratio_at(ladder, distance); },
-      evidence::Uncertainty{.expected = known.ratio,
-                            .data = 0.005 * known.ratio,
-                            .useful = 0.15,
-                            .reason = "h = 0.5 there; 1 % expanded, by which its measured incident amplitude "
-                                      "depends on where it is measured. Ours: the change with the lattice"});
 }
 
 void claim_early(const Claims<Ladder>& claims, double angle) {
@@ -240,10 +211,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
         claims.at(fmt::format("h = {:g}, tau = {:g}", h, 0.5 * h)).of([k](const Results& r) -> const Ladder& {
           return r.at(k);
         });
-    for (const KnownGrowth& known : known_growth(values, angles[k])) {
-      claim_known(ladder.only_if(values.real("amplitude") == 0.1, "the earlier program's wave has the amplitude 0.1"),
-                  known);
-    }
     claim_early(ladder, angles[k]);
     claim_models(claims, values.real("amplitude"), angles[k], k, angles.size() + k);
   }
@@ -278,7 +245,7 @@ Results compute(const Run& run) {
   return all;
 }
 
-void draw(evidence::Exhibit& exhibit, const Results& all, const Values& values) {
+void draw(evidence::Exhibit& exhibit, const Results& all) {
   const ReflectionRun example{.amplitude = all.front().front().channel.amplitude, .angle = radians(20)};
   auto& figure =
       exhibit.figure("growth", "The stem in a channel whose wall turns",
@@ -300,12 +267,6 @@ void draw(evidence::Exhibit& exhibit, const Results& all, const Values& values) 
     panel.line(fmt::format("{:g} deg", angle), finest.distance, finest.ratio);
     panel.line(fmt::format("{:g} deg, h = {:g}", angle, ladder.back().channel.spacing), ladder.back().distance,
                ladder.back().ratio, Role::peer);
-    std::vector<double> place, ratio;
-    for (const KnownGrowth& known : known_growth(values, angle)) {
-      place.push_back(known.distance);
-      ratio.push_back(known.ratio);
-    }
-    if (!place.empty()) panel.points("earlier program", place, ratio, Role::data);
     const exact::MachReflection theory(finest.channel.amplitude, finest.channel.angle,
                                        exact::MachReflection::Theory::kodama_yeh);
     panel.line("after infinite time", std::vector{0.0, farthest}, std::vector(2, theory.wall_ratio()), Role::guide);
@@ -315,8 +276,8 @@ void draw(evidence::Exhibit& exhibit, const Results& all, const Values& values) 
   }
 }
 
-void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
-  draw(exhibit, all, values);
+void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  draw(exhibit, all);
   for (const Ladder& ladder : all) {
     const Growth& finest = ladder.front();
     const double angle = degrees(finest.channel.angle);

@@ -102,11 +102,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
             return r.refinement.finest(slip_quantity) / expected_slip(finest, judged_edge);
           },
           Bound{.limit = finest.spacing(), .reason = "the next term is smaller by a factor h", .expected = 1});
-  study.claim_digits(
-      claims.of(&Results::refinement)
-          .only_if(values.are({{"n", 64}, {"tau_over_h", 0.2}, {"scheme", "one_step"}, {"distortion", 0.0}}),
-                   "the earlier program ran with the default parameters"),
-      values, "regression_mms_mesh");
 }
 
 Results compute(const Run& run) {

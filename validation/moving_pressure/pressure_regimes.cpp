@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -23,75 +22,36 @@ std::vector<double> settled_distances(const PressureWaves& waves) {
   return result;
 }
 
-/// The numbers of the table for a source.
-PressureRegime with_numbers(PressureRegime regime, const io::Table& table) {
-  bool counted = false;
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    const auto at = [&](const char* column) { return table.column(column)[k]; };
-    if (at("p0") != regime.source.pressure || at("half_width") != regime.source.half_width) continue;
-    regime.time = at("time");
-    const Printed printed{at("value"), at("half_unit")};
-    switch (std::lround(at("quantity"))) {
-      case 1:
-        regime.solitons = static_cast<int>(std::lround(printed.value));
-        counted = true;
-        break;
-      case 2:
-        regime.highest_ahead = printed;
-        break;
-      case 3:
-        regime.leader = printed;
-        break;
-      case 4:
-        regime.period = printed;
-        break;
-      case 5:
-        regime.lowest = printed;
-        break;
-      default:
-        regime.highest = printed;
-    }
-  }
-  if (!counted) throw std::logic_error(fmt::format("no numbers are known of {}", regime.source.text()));
-  return regime;
-}
-
-std::vector<PressureRegime> with_numbers(std::vector<PressureRegime> regimes, const Values& values) {
-  const io::Table table = values.table("regression_moving_pressure");
-  for (PressureRegime& regime : regimes) regime = with_numbers(regime, table);
-  return regimes;
-}
-
 }  // namespace
 
-std::vector<PressureRegime> main_pressure_regimes(const Values& values) {
-  return with_numbers(
-      {{.id = "pressure", .name = "pressure: solitons", .source = {.pressure = 0.1, .half_width = 4}},
-       {.id = "suction", .name = "suction: solitons", .source = {.pressure = -0.1, .half_width = 4}},
-       {.id = "wide-suction", .name = "wide suction: none", .source = {.pressure = -0.1, .half_width = 6.5}}},
-      values);
+std::vector<PressureRegime> main_pressure_regimes() {
+  return {{"pressure", "pressure: solitons", {.pressure = 0.1, .half_width = 4}, 150},
+          {"suction", "suction: solitons", {.pressure = -0.1, .half_width = 4}, 500, true, true},
+          {"wide-suction", "wide suction: none", {.pressure = -0.1, .half_width = 6.5}, 800, false, true}};
 }
 
-std::vector<PressureRegime> more_pressure_regimes(const Values& values) {
-  return with_numbers(
-      {{.id = "pressure-1", .name = "narrow pressure", .source = {.pressure = 0.1, .half_width = 1}},
-       {.id = "pressure-2", .name = "pressure, w = 2", .source = {.pressure = 0.1, .half_width = 2}},
-       {.id = "pressure-7", .name = "wide pressure", .source = {.pressure = 0.1, .half_width = 7}},
-       {.id = "suction-7", .name = "suction, w = 7", .source = {.pressure = -0.1, .half_width = 7}},
-       {.id = "weak-suction", .name = "weak suction", .source = {.pressure = -0.05, .half_width = 4}},
-       {.id = "weak-wide-suction", .name = "weak wide suction", .source = {.pressure = -0.05, .half_width = 8}}},
-      values);
+std::vector<PressureRegime> more_pressure_regimes() {
+  return {{"pressure-1", "narrow pressure", {.pressure = 0.1, .half_width = 1}, 150},
+          {"pressure-2", "pressure, w = 2", {.pressure = 0.1, .half_width = 2}, 150},
+          {"pressure-7", "wide pressure", {.pressure = 0.1, .half_width = 7}, 800, true, true},
+          {"suction-7", "suction, w = 7", {.pressure = -0.1, .half_width = 7}, 500, false, true},
+          {"weak-suction", "weak suction", {.pressure = -0.05, .half_width = 4}, 500},
+          {"weak-wide-suction", "weak wide suction", {.pressure = -0.05, .half_width = 8}, 500, false}};
 }
 
-bool resolved_as_tabulated(const PressureRun& run) {
-  const PressureRun tabulated;
-  return run.spacing == tabulated.spacing && run.tau == tabulated.tau;
+double solitons_ahead(const PressureWaves& waves) {
+  const double count = waves.soliton_count(soliton_threshold);
+  return count > 0 ? 1 : count;
 }
 
-std::optional<PressureRegime> pressure_regime_of(const Values& values, const PressureSource& source,
-                                                 const PressureRun& run) {
-  if (!resolved_as_tabulated(run)) return std::nullopt;
-  for (const auto& regimes : {main_pressure_regimes(values), more_pressure_regimes(values)}) {
+bool usual_resolution(const PressureRun& run) {
+  const PressureRun usual;
+  return run.spacing == usual.spacing && run.tau == usual.tau;
+}
+
+std::optional<PressureRegime> pressure_regime_of(const PressureSource& source, const PressureRun& run) {
+  if (!usual_resolution(run)) return std::nullopt;
+  for (const auto& regimes : {main_pressure_regimes(), more_pressure_regimes()}) {
     const auto found = std::find_if(regimes.begin(), regimes.end(), [&](const PressureRegime& regime) {
       return regime.source == source && regime.time == run.time;
     });
@@ -121,74 +81,27 @@ void claim_leading_soliton(const Claims<PressureWaves>& claims, const std::strin
 }
 
 void claim_pressure_regime(const Claims<PressureWaves>& all, const PressureRegime& regime, const PressureRun& run) {
-  Claims<PressureWaves> claims = all;
-  using Measured = double (*)(const PressureWaves&);
-  const auto check = [&](const std::string& id, const std::string& text, const std::string& quantity, Measured measured,
-                         const evidence::Criterion& criterion, const std::string& from = pressure_regression) {
-    claims.at(run.text())
-        .check({.id = regime.id + "-" + id,
-                .text = fmt::format("{} ({})", text, regime.source.text()),
-                .quantity = quantity,
-                .source = from},
-               measured, criterion);
+  const Claims<PressureWaves> claims = all.at(run.text());
+  const auto claim = [&](const std::string& id, const std::string& text, const std::string& quantity) {
+    return evidence::Claim{.id = regime.id + "-" + id,
+                           .text = fmt::format("{} ({})", text, regime.source.text()),
+                           .quantity = quantity,
+                           .source = source};
   };
-  const auto number = [&](const std::string& id, const std::optional<Printed>& printed, const std::string& text,
-                          const std::string& quantity, Measured measured) {
-    if (!printed) return;
-    const double h = run.spacing;
-    check(id, fmt::format(fmt::runtime(text), printed->value), quantity, measured,
-          Bound{.limit = printed->half_unit + h * h / 32,
-                .reason = "half a unit of its last digit, and h^2/32: what straight lines between markers h/2 apart "
-                          "miss of a crest of curvature 1",
-                .expected = printed->value});
-  };
-
-  const std::string ahead = "highest elevation ahead";
-  if (regime.solitons == 0) {
-    check(
-        "none-ahead", "No soliton runs ahead of the source.", "forward solitons present",
-        [](const PressureWaves& waves) {
-          const double count = waves.soliton_count(soliton_threshold);
-          return count > 0 ? 1.0 : count;
-        },
-        Qualitative{
-            .detector = fmt::format("a peak above {:g} beyond the front of the source at the end", soliton_threshold),
-            .reason = "water escapes forward only as solitons; what is lower is the ripple of the start",
-            .expected = false},
-        source);
-    number("highest-ahead", regime.highest_ahead, "Nothing ahead of the source is ever higher than {:g}.", ahead,
-           [](const PressureWaves& waves) { return waves.maximum_ahead_ever(); });
-  } else {
-    check(
-        "solitons", fmt::format("{} solitons have run ahead of the source.", regime.solitons), "peaks ahead",
-        [](const PressureWaves& waves) { return waves.soliton_count(soliton_threshold); },
-        Bound{.limit = 1,
-              .reason = fmt::format("peaks above {:g}; one may just be leaving the source", soliton_threshold),
-              .expected = static_cast<double>(regime.solitons)});
-    number("highest-ahead", regime.highest_ahead, "The highest of them is {:g} high.", ahead,
-           [](const PressureWaves& waves) { return waves.maximum_ahead(); });
-  }
-  number("leader-height", regime.leader, "The first of them is {:g} high.", "height of the leading soliton",
-         [](const PressureWaves& waves) { return waves.leader(soliton_threshold).height; });
-  number("lowest", regime.lowest, "The surface at the source falls to {:g}.",
-         "lowest elevation at the source, second half of the run",
-         [](const PressureWaves& waves) { return waves.range_at_source().lowest; });
-  number("highest", regime.highest, "It rises to {:g}.", "highest elevation at the source, second half of the run",
-         [](const PressureWaves& waves) { return waves.range_at_source().highest; });
-  if (!regime.period) return;
-  check(
-      "period", fmt::format("The surface at the source oscillates with the period {:g}.", regime.period->value),
-      "lag of the first peak of the autocorrelation", [](const PressureWaves& waves) { return waves.period().length; },
-      Bound{.limit = regular,
-            .reason = "the period drifts: neighbouring distances of peaks differ by as much",
-            .expected = regime.period->value,
-            .relative = true});
-  claims = claims.only_if(regime.time >= 4 * regime.period->value,
-                          "a run of less than four periods has no two distances of peaks beside the first");
-  check(
-      "regular", "It does so regularly.", "largest deviation of a distance of peaks from their mean, relative",
+  claims.check(
+      regime.solitons ? claim("solitons", "Solitons run ahead of the source.", "forward solitons present")
+                      : claim("none-ahead", "No soliton runs ahead of the source.", "forward solitons present"),
+      solitons_ahead,
+      Qualitative{
+          .detector = fmt::format("a peak above {:g} beyond the front of the source at the end", soliton_threshold),
+          .reason = "water escapes forward only as solitons; what is lower is the ripple of the start",
+          .expected = regime.solitons});
+  if (!regime.periodic) return;
+  claims.check(
+      claim("regular", "The surface at the source oscillates regularly.",
+            "largest deviation of a distance of peaks from their mean, relative"),
       [](const PressureWaves& waves) { return relative_spread(settled_distances(waves)); },
-      Bound{regular, "periodic, not chaotic; the first distance, in which the start still shows, is left out"}, source);
+      Bound{regular, "periodic, not chaotic; the first distance, in which the start still shows, is left out"});
 }
 
 void show_pressure_waves(evidence::Exhibit& exhibit, const std::string& prefix, const std::string& leader,

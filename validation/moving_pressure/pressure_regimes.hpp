@@ -12,41 +12,29 @@
 
 namespace seiche::validation {
 
-/// Where the numbers of regimes come from.
-inline const std::string pressure_regression =
-    "regression: an earlier program for the same equations, table reference_data/regression_moving_pressure";
-
-/// A number of that table, of h = 0.25, tau = h/4, with half a unit of its last digit.
-struct Printed {
-  double value = 0;
-  double half_unit = 0;
-};
-
 struct PressureRegime {
   std::string id;
   std::string name;
   PressureSource source;
   double time = 0;
-  int solitons = 0;                           ///< ahead of the source at the end
-  std::optional<Printed> highest_ahead = {};  ///< the highest of them; without solitons, the highest ever ahead
-  std::optional<Printed> leader = {};         ///< height of the first one
-  std::optional<Printed> period = {};         ///< of the surface at the source
-  std::optional<Printed> lowest = {};         ///< elevation at the source, second half of the run
-  std::optional<Printed> highest = {};
+  bool solitons = true;   ///< run ahead of the source
+  bool periodic = false;  ///< the surface at the source, for four periods or more
 };
 
 /// The three regimes of the figure: solitons by pressure, solitons by suction, suction without solitons.
-std::vector<PressureRegime> main_pressure_regimes(const Values& values);
+std::vector<PressureRegime> main_pressure_regimes();
 /// Other widths and strengths.
-std::vector<PressureRegime> more_pressure_regimes(const Values& values);
-/// The numbers of regimes are of this spacing and step.
-bool resolved_as_tabulated(const PressureRun& run);
+std::vector<PressureRegime> more_pressure_regimes();
+/// Regimes are known at this spacing and step: at others the wide suction is near the end of its own.
+bool usual_resolution(const PressureRun& run);
 /// The regime with exactly this source, time, spacing and step, if there is one.
-std::optional<PressureRegime> pressure_regime_of(const Values& values, const PressureSource& source,
-                                                 const PressureRun& run);
+std::optional<PressureRegime> pressure_regime_of(const PressureSource& source, const PressureRun& run);
 
 /// Elevation that counts as a forward soliton, unless a case says otherwise.
 inline constexpr double soliton_threshold = 0.03;
+
+/// 1 if solitons are ahead of the source at the end, 0 if not.
+double solitons_ahead(const PressureWaves& waves);
 
 /// The leading soliton, the first wave ahead that can be told from ripples, has the speed of a solitary wave. Of
 /// sources from which one has got away by the end.

@@ -138,42 +138,6 @@ void claim_refinement(const Claims<Results>& claims, std::size_t levels) {
                                     "proportion to h"});
 }
 
-/// Largest |R/R_earlier - 1| over the entries with the spacings computed here, at cotangent 1 or on milder slopes.
-Worst off_earlier(const std::vector<Row>& rows, const io::Table& table, bool steepest) {
-  Worst off;
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    const double cot_slope = table.column("cot_slope")[k];
-    if ((cot_slope == 1) != steepest) continue;
-    const auto row = std::ranges::find_if(
-        rows, [&](const Row& one) { return one.cot_slope == cot_slope && one.amplitude == table.column("A")[k]; });
-    if (row == rows.end()) throw std::out_of_range("a row of the earlier program's table was not computed");
-    const std::vector<double>& r = row->computed[table.column("tip_divisor")[k] == 4 ? as_in_thesis : consistent];
-    for (std::size_t level = 0; level < r.size(); ++level) {
-      if (table.column("h")[k] == runup_spacing(level)) off.add(r[level] / table.column("R")[k] - 1, cot_slope);
-    }
-  }
-  return off;
-}
-
-/// Against a program that shares no code with ours. The thesis's kinetic energy, both tips, all spacings in common.
-void claim_earlier(const Claims<Results>& claims, const io::Table& table) {
-  const auto claim = [&](const std::string& id, const std::string& text, bool steepest, double limit) {
-    claims.check(
-        {.id = id,
-         .text = text,
-         .quantity = "largest |R/R_earlier - 1|",
-         .source = "regression: an earlier program for Frank (1994), ch. 3, table "
-                   "reference_data/dispersive_runup_independent"},
-        [table, steepest](const Results& r) { return off_earlier(r.rows, table, steepest); },
-        evidence::Bound{.limit = limit,
-                        .reason = "where markers meet the corner of the bed is left to each program; it "
-                                  "moves R by about 1 % at cotangent 1, by less on milder slopes"});
-  };
-  claim("independent", "On cotangents of 2 and more, an earlier program for the same model finds the same run-up.",
-        false, 0.015);
-  claim("independent-steep", "So it does at cotangent 1.", true, 0.03);
-}
-
 /// Steep: where the choice of the kinetic energy matters.
 bool steep(const Row& row) {
   return row.cot_slope <= 2;
@@ -368,10 +332,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const std::size_t levels = levels_of(values);
   claim_thesis(claims, printed(frank_runups(values)));
   claim_refinement(claims, levels);
-  claim_earlier(claims.at(fmt::format("tips V/4 and V/6, h = 0.25 to {:g}", runup_spacing(levels - 1)))
-                    .only_if(values.real("tau_over_h") == 0.25 && values.text("scheme") == "one_step",
-                             "the earlier program had tau = h/4 and the one-step scheme"),
-                values.table("dispersive_runup_independent"));
   claim_measurements(claims.at("finest spacing, tip V/6"));
   claim_mild_slopes(claims.of(&Results::mild));
 }

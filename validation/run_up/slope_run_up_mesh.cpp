@@ -10,8 +10,8 @@ and the nodes beside it slide, the scheme is the conservative one, and the hourg
 nodes in their rows. No condition is set at the shoreline.
 
 **What is compared.** The run-up, five amplitudes on each slope: with the exact values of the Euler
-equations (`seiche exact slope_runup`), with an earlier program on the same meshes, with the values of the thesis, which
-does not say on what mesh they were found, and with the formula of Hall and Watts for their measurements.
+equations (`seiche exact slope_runup`), with the values of the thesis, which does not say on what mesh they were found,
+and with the formula of Hall and Watts for their measurements.
 
 **What to look at.** The run-up converges with the first order only. A surface node feels the pressure half a cell below
 it; that makes its motion along the surface inexact to first order, and on a slope the contact point climbs by such
@@ -46,7 +46,6 @@ using evidence::Role;
 using slope_run_ups::Climbed;
 using slope_run_ups::compared;
 using slope_run_ups::meshes;
-using slope_run_ups::OnMeshes;
 using slope_run_ups::Row;
 
 const std::string source = "Frank (1994), section 2.2 and table of chapter 3";
@@ -72,50 +71,7 @@ std::size_t levels(const Values& values) {
   return values.tier() == Tier::quick ? compared : meshes.size();
 }
 
-/// Of a difference from the first run-ups on the meshes, for the rows of one slope.
-Worst largest_difference(const std::vector<Climbed>& all, double cot_slope, OnMeshes Climbed::*other) {
-  Worst worst;
-  for (const Climbed& one : all) {
-    if (one.cot_slope != cot_slope) continue;
-    for (std::size_t m = 0; m < compared; ++m) worst.add(one.runup[m] - (one.*other)[m], one.amplitude);
-  }
-  return worst;
-}
-
-void claim_regression(const Claims<std::vector<Climbed>>& claims) {
-  const auto claim = [&](double cot_slope, const std::string& id, const std::string& text, bool tells_shear,
-                         const Bound& bound) {
-    claims.at("h1 = 1, 0.5, 0.25, two cells as high as one is wide")
-        .check(
-            {.id = id,
-             .text = text,
-             .quantity = "largest difference of the run-up",
-             .unit = "depth",
-             .source = "regression: an earlier program for the same scheme, table "
-                       "reference_data/regression_slope_run_up"},
-            [cot_slope, tells_shear](const std::vector<Climbed>& all) {
-              const Worst off = largest_difference(all, cot_slope, &Climbed::earlier);
-              Measurement found{.value = off.value(), .where = fmt::format("A = {:g}", off.where())};
-              if (tells_shear) {
-                found.told.limit = largest_difference(all, cot_slope, &Climbed::wider).value() + 0.0005;
-              }
-              return found;
-            },
-            bound);
-  };
-  claim(1, "independent-steep", "On the slope of tangent 1 an earlier program finds the same run-up, mesh by mesh.",
-        false,
-        {.limit = 0.001, .reason = "it gives three decimals; as much again for how the largest value is read off"});
-  claim(2, "independent-mild", "So it does on the slope of tangent 0.5.", true,
-        {.limit = evidence::Amount::told_by_run(0.01),
-         .reason = "what the run-up changes when the columns are sheared over one depth more than eight, and half a "
-                   "unit of the third decimal: where that program begins to shear is not known so closely; a "
-                   "hundredth of the depth at most"});
-}
-
-void claim_thesis(const Claims<std::vector<Climbed>>& claims, const std::vector<Row>& rows) {
-  Largest halving;
-  for (const Row& row : rows) halving.add(row.earlier[compared - 1] / row.earlier[compared - 2] - 1);
+void claim_thesis(const Claims<std::vector<Climbed>>& claims) {
   claims.at("h1 = 0.25, 8 rows")
       .check(
           {.id = "thesis",
@@ -124,12 +80,18 @@ void claim_thesis(const Claims<std::vector<Climbed>>& claims, const std::vector<
            .source = source},
           [](const std::vector<Climbed>& all) -> Measurement {
             Worst off;
-            for (const Climbed& one : all) off.add(one.runup[compared - 1] / one.thesis - 1, one.amplitude);
-            return {.value = off.value(), .where = fmt::format("A = {:g}", off.where())};
+            Largest halving;
+            for (const Climbed& one : all) {
+              off.add(one.runup[compared - 1] / one.thesis - 1, one.amplitude);
+              halving.add(one.runup[compared - 1] / one.runup[compared - 2] - 1);
+            }
+            return {.value = off.value(),
+                    .where = fmt::format("A = {:g}", off.where()),
+                    .told = {.limit = halving.value()}};
           },
-          Bound{.limit = halving.value(),
+          Bound{.limit = evidence::Amount::told_by_run(useful),
                 .reason = "the thesis does not state the mesh of its values: what the last halving of the cells "
-                          "changes at most, by an earlier program, table reference_data/regression_slope_run_up; the "
+                          "changes at most; the "
                           "two decimals of the thesis are 2 % of the lowest value"});
 }
 
@@ -254,8 +216,7 @@ void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t l
 
 void claims(const Values& values, const Claims<Results>& claims) {
   const auto all = claims.of(&Results::all);
-  claim_regression(all);
-  claim_thesis(all, slope_run_ups::rows_of(values));
+  claim_thesis(all);
   claim_convergence(all);
   claim_exact(all, levels(values));
   claim_measurements(all, levels(values));
@@ -300,19 +261,16 @@ void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
   evidence::Table table{.id = "runup",
                         .title = "Run-up on slopes",
                         .caption =
-                            "By meshes of columns 1, 1/2, 1/4 wide (in brackets: an earlier program), then "
-                            "extrapolated from the two finest; on the finest with a toe that slides; of the Euler "
+                            "By meshes of columns 1, 1/2, 1/4 wide, then extrapolated from the two finest; on the "
+                            "finest with a toe that slides; of the Euler "
                             "equations; the thesis; the "
                             "formula of Hall and Watts; when with Frank's toe a cell folds first on the finest mesh "
                             "that does, before the largest run-up.",
                         .columns = {{"tan", "1"},
                                     {"A", "depth"},
                                     {"R (1)", "depth"},
-                                    {"(1)", "depth"},
                                     {"R (1/2)", "depth"},
-                                    {"(1/2)", "depth"},
                                     {"R (1/4)", "depth"},
-                                    {"(1/4)", "depth"},
                                     {"extrapolated", "depth"},
                                     {"sliding toe", "depth"},
                                     {"exact", "depth"},
@@ -324,10 +282,7 @@ void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
   const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
   for (const Climbed& one : all) {
     std::vector<std::variant<double, std::string>> cells{1 / one.cot_slope, one.amplitude};
-    for (std::size_t m = 0; m < compared; ++m) {
-      cells.emplace_back(rounded(one.runup[m]));
-      cells.emplace_back(one.earlier[m]);
-    }
+    for (std::size_t m = 0; m < compared; ++m) cells.emplace_back(rounded(one.runup[m]));
     cells.emplace_back(rounded(one.extrapolated()));
     cells.emplace_back(rounded(one.sliding.back()));
     cells.emplace_back(rounded(one.exact));
@@ -391,7 +346,6 @@ void show_one(const Climb& one, evidence::Exhibit& exhibit) {
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   show_one(r.one, exhibit);
-  exhibit.measure("change_by_wider_shear", largest_difference(r.all, 2, &Climbed::wider).value());
   exhibit.measure(
       "waves_that_fold_with_a_toe_that_stays",
       static_cast<double>(std::ranges::count_if(r.all, [](const Climbed& one) { return one.fold_time.has_value(); })));

@@ -39,21 +39,13 @@ double Row::formula() const {
 }
 
 std::vector<Row> rows_of(const Values& values) {
-  const io::Table earlier = values.table("regression_slope_run_up");
   const io::Table thesis = values.table("frank_1994_runup");
   const io::Table exact = values.table("slope_runup_exact");
   std::vector<Row> rows;
-  for (std::size_t k = 0; k < earlier.rows(); ++k) {
-    const double cot_slope = earlier.column("cot_slope")[k];
-    const double amplitude = earlier.column("A")[k];
-    const auto same = [&](const Row& row) { return row.cot_slope == cot_slope && row.amplitude == amplitude; };
-    auto row = std::ranges::find_if(rows, same);
-    if (row == rows.end()) row = rows.insert(row, {.cot_slope = cot_slope, .amplitude = amplitude});
-    for (std::size_t m = 0; m < compared; ++m) {
-      if (earlier.column("h1")[k] == meshes[m].spacing) row->earlier[m] = earlier.column("R")[k];
-    }
-    row->thesis = entry(thesis, "R_calc", *row);
-    row->exact = entry(exact, "R", *row);
+  for (std::size_t k = 0; k < exact.rows(); ++k) {
+    Row& row = rows.emplace_back(Row{
+        .cot_slope = exact.column("cot_slope")[k], .amplitude = exact.column("A")[k], .exact = exact.column("R")[k]});
+    row.thesis = entry(thesis, "R_calc", row);
   }
   return rows;
 }
@@ -86,10 +78,10 @@ double Climbed::order() const {
 
 Climbed climb_row(const Row& row, std::size_t levels) {
   const exact::SolitaryWave wave(row.amplitude);
-  Climbed climbed{row, {}, {}, {}, {}, {}, {}};
+  Climbed climbed{row, {}, {}, {}, {}, {}};
   for (std::size_t level = 0; level < levels; ++level) {
     const MeshSize& mesh = meshes[level];
-    MeshSlopeClimb climb{
+    const MeshSlopeClimb climb{
         .wave = wave, .tan_slope = 1 / row.cot_slope, .spacing = mesh.spacing, .rows = mesh.rows, .tau = mesh.tau};
     const MeshSlopeRun result = climb_slope(climb);
     climbed.runup.push_back(result.runup);
@@ -98,9 +90,6 @@ Climbed climb_row(const Row& row, std::size_t levels) {
     climbed.sliding.push_back(sliding.runup);
     climbed.sliding_folds.add(sliding.runup, [&](double) { return folds(sliding); });
     climbed.sliding_energy.add(sliding.energy_defect.value());
-    if (level >= compared || row.cot_slope == 1) continue;
-    climb.blend = 4 * row.cot_slope + 1;
-    climbed.wider[level] = climb_slope(climb).runup;
   }
   return climbed;
 }

@@ -20,14 +20,12 @@ struct MeshSize {
   double tau;
 };
 constexpr std::array<MeshSize, 4> meshes{{{1, 2, 0.05}, {0.5, 4, 0.05}, {0.25, 8, 0.025}, {0.125, 16, 0.0125}}};
-constexpr std::size_t compared = 3;  // meshes of the earlier program
-using OnMeshes = std::array<double, compared>;
+constexpr std::size_t compared = 3;  // meshes of all tiers
 
 /// A row of the comparison, with what is known of it.
 struct Row {
   double cot_slope = 0;
   double amplitude = 0;
-  OnMeshes earlier = {};  ///< run-up by an earlier program
   double thesis = std::numeric_limits<double>::quiet_NaN();
   double exact = std::numeric_limits<double>::quiet_NaN();
 
@@ -39,7 +37,6 @@ std::vector<Row> rows_of(const Values& values);
 
 struct Climbed : Row {
   std::vector<double> runup;        ///< on the meshes
-  OnMeshes wider = {};              ///< with the columns sheared over one depth more
   std::optional<double> fold_time;  ///< first fold on the finest mesh with one before the largest run-up
   std::vector<double> sliding;      ///< run-up with a toe that slides, on the meshes
   Count sliding_folds;              ///< of them those with a fold before it

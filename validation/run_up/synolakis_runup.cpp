@@ -103,17 +103,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
                  .source = source},
                 limit,
                 evidence::Bound{.limit = 0.05, .reason = benchmark, .expected = exact_runup(), .relative = true});
-  const io::Table earlier = values.table("regression_synolakis_runup");
-  refined.only_if(values.text("kinetics") == "frank", "the earlier program had the thesis's kinetic energy")
-      .check({.id = "runup-digits",
-              .text = "Its limit for h = 0 is that of an earlier program for the same model.",
-              .quantity = "run-up",
-              .unit = "depth",
-              .source = "regression: an earlier program, table reference_data/regression_synolakis_runup"},
-             limit,
-             evidence::Bound{.limit = earlier.column("digit")[0],
-                             .reason = "a unit of the last digit given",
-                             .expected = earlier.column("R")[0]});
 
   const auto laboratory = claims.at(climb_from(values, cot_slope, 0.02).resolution());
   laboratory.check(

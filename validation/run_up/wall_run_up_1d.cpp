@@ -62,12 +62,6 @@ struct Comparison {
 
   [[nodiscard]] double serre(std::size_t k) const { return heights.at(k).limit().extrapolated; }
   [[nodiscard]] double gap(std::size_t k) const { return std::abs(serre(k) - euler[k]); }
-  /// To zero spacing, at a height of the table.
-  [[nodiscard]] double runup_at(double height) const {
-    const auto found = std::ranges::find(amplitude, height);
-    if (found == amplitude.end()) throw std::out_of_range(fmt::format("A = {:g} was not computed", height));
-    return serre(static_cast<std::size_t>(found - amplitude.begin()));
-  }
 };
 
 Comparison compare(const Run& run) {
@@ -159,20 +153,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
                   .quantity = "largest distance over that of 2A + A^2/2",
                   .source = source},
                  over_series, evidence::Bound{.limit = 1, .reason = "nearer means less than 1"});
-  const io::Table earlier = values.table("regression_wall_run_up_serre");
-  for (std::size_t k = 0; k < earlier.rows(); ++k) {
-    const double amplitude = earlier.column("A")[k];
-    const double runup = earlier.column("R")[k];
-    compared.check(
-        {.id = fmt::format("digits-{:.0f}", 10 * amplitude),
-         .text = fmt::format("An earlier program for the same model gives {:g} for A = {:g}.", runup, amplitude),
-         .quantity = "run-up",
-         .unit = "depth",
-         .source = "regression: an earlier program, table reference_data/regression_wall_run_up_serre"},
-        [amplitude](const Comparison& all) { return all.runup_at(amplitude); },
-        evidence::Bound{
-            .limit = earlier.column("digit")[k], .reason = "a unit of the last digit given", .expected = runup});
-  }
 }
 
 Results compute(const Run& run) {

@@ -7,9 +7,8 @@ the columns' width; the first is Frank's $h_1 = H$, $h_2 = H/2$. A wave whose me
 no point. High waves climb also on meshes whose columns are put upright again when they lean (`run_up_mesh_rezoned`).
 
 **What is compared.** Run-up and loads with exact values of the Euler equations and with the series
-$R = 2A + \tfrac12 A^2 + \tfrac34 A^3$ of Su and Mirie, from which $p(0) = R\,(1 - 3A^2)$; run-up and loads with an
-earlier program for the same scheme on the same meshes. The thesis gives its own points, those of experiments and of
-other computations in the figures only.
+$R = 2A + \tfrac12 A^2 + \tfrac34 A^3$ of Su and Mirie, from which $p(0) = R\,(1 - 3A^2)$. The thesis gives its own
+points, those of experiments and of other computations in the figures only.
 
 **What to look at.** Two rows are within 3 % up to $A = 0.2$. Higher waves need more: at $A = 0.5$ the coarse mesh lacks
 15 %, the fine one 2 %; $A = 0.6$ needs the mesh that is rezoned. The pressure depends far less on the mesh, because the
@@ -36,8 +35,6 @@ namespace {
 using evidence::Role;
 
 const std::string source = "Frank (1994), section 2.2, figures 2 and 3";
-const std::string regression =
-    "regression: an earlier program for the same scheme, table reference_data/lagrangian_mesh_wall_";
 constexpr double lowest_compared = 0.1;       // of the loads
 constexpr double highest_claimed = 0.5;       // beyond, fine meshes fold
 constexpr double largest_uncertainty = 0.05;  // of a value, that still says something
@@ -81,17 +78,6 @@ struct Load {
 const std::vector<Load> compared_loads{{"still", "p_still", "pressure at y = 0", &Climbed::still},
                                        {"bottom", "p_bottom", "pressure at the bottom", &Climbed::bottom},
                                        {"force", "F", "force", &Climbed::force}};
-
-/// Largest difference of the run-up from that of a table on the same mesh.
-Worst same_mesh_difference(const Curve& curve, const io::Table& table) {
-  Worst off;
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    if (std::lround(table.column("rows")[k]) != curve.rows) continue;
-    const double amplitude = table.column("A")[k];
-    off.add(curve.value(amplitude, &Climbed::runup) - table.column("R")[k], amplitude);
-  }
-  return off;
-}
 
 /// 2, 4, 8, ... rows.
 std::vector<long> meshes_of(const Values& values) {
@@ -182,47 +168,28 @@ void claim_exact(const Claims<std::vector<Curve>>& claims, const io::Table& exac
                                 counted_text});
 }
 
-void claim_same_mesh(const Claims<std::vector<Curve>>& claims, const io::Table& table, std::size_t mesh, long rows) {
-  const std::string name = Curve{.rows = rows, .points = {}}.name();
-  claims.at(name).check(
-      {.id = fmt::format("independent-{}", rows),
-       .text = fmt::format("An earlier program gives the same run-up, {}, A = 0.1 to 0.5.", name),
-       .quantity = "largest difference",
-       .unit = "depth",
-       .source = regression + "runup_independent"},
-      [table, mesh](const std::vector<Curve>& curves) { return same_mesh_difference(curves.at(mesh), table); },
-      evidence::Bound{.limit = 5e-5, .reason = "half a unit of the last digit given: the same tank, mesh and steps"});
-}
-
-/// What loads are compared with.
-struct LoadReference {
-  std::string id, text, source;
-  double uncertainty;
-  std::string reason;
-};
-
-void claim_loads(const Claims<std::vector<Curve>>& claims, const io::Table& table, const LoadReference& reference) {
+void claim_loads(const Claims<std::vector<Curve>>& claims, const io::Table& table) {
   for (const Load& load : compared_loads) {
     claims.check(
-        {.id = reference.id + load.id,
-         .text = fmt::format(fmt::runtime(reference.text), load.name),
+        {.id = "exact-" + load.id,
+         .text = fmt::format(
+             "Up to A = 0.5 the largest {} is that of the Euler equations within the finest mesh's uncertainty.",
+             load.name),
          .quantity = "largest difference over the uncertainty, A = 0.1 to 0.5",
-         .source = reference.source},
-        [table, load, reference](const std::vector<Curve>& curves) -> Measurement {
+         .source = source},
+        [table, load](const std::vector<Curve>& curves) -> Measurement {
           Worst off;
           for (std::size_t k = 0; k < table.rows(); ++k) {
             const double amplitude = table.column("A")[k];
             if (amplitude < lowest_compared - 1e-9 || amplitude > highest_claimed + 1e-9) continue;
-            off.add(
-                over_uncertainty(curves, amplitude, load.member, table.column(load.column)[k], reference.uncertainty),
-                amplitude);
+            off.add(over_uncertainty(curves, amplitude, load.member, table.column(load.column)[k], 1e-10), amplitude);
           }
           return {.value = off.value(), .where = at_amplitude(off.where())};
         },
         evidence::Bound{.limit = 1,
                         .reason = "the 95 % half-width from the change from mesh to mesh, of which no more "
                                   "than " +
-                                  counted_text + ", and " + reference.reason});
+                                  counted_text + ", and column u of the exact values, at most 1e-10"});
   }
 }
 
@@ -262,27 +229,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const auto claims = all.of(&Results::curves);
   const auto finest = claims.at(Curve{.rows = meshes.back(), .points = {}}.name());
   claim_exact(finest, values.table("wall_runup_exact"));
-  const io::Table same = values.table("lagrangian_mesh_wall_runup_independent");
-  const std::vector<double>& tabled = same.column("rows");
-  for (std::size_t m = 0; m < meshes.size(); ++m) {
-    if (std::ranges::find(tabled, static_cast<double>(meshes[m])) == tabled.end()) continue;
-    claim_same_mesh(claims.only_if(values.text("scheme") == "one_step" && values.real("hourglass") == 0,
-                                   "the earlier program has Frank's scheme"),
-                    same, m, meshes[m]);
-  }
-  claim_loads(finest, values.table("lagrangian_mesh_wall_load_independent"),
-              {.id = "load-",
-               .text = "The largest {} is that of an earlier program's fine mesh within the uncertainty.",
-               .source = regression + "load_independent, 16 rows",
-               .uncertainty = 1e-3,
-               .reason = "a unit of the third decimal of the table"});
-  claim_loads(
-      finest, values.table("wall_load_exact"),
-      {.id = "exact-",
-       .text = "Up to A = 0.5 the largest {} is that of the Euler equations within the finest mesh's uncertainty.",
-       .source = source,
-       .uncertainty = 1e-10,
-       .reason = "column u of the exact values, at most 1e-10"});
+  claim_loads(finest, values.table("wall_load_exact"));
 }
 
 /// Numbers that no claim is about, wave by wave.
@@ -299,22 +246,8 @@ void show_numbers(const std::vector<Curve>& curves, const Values& values, eviden
     if (point == nullptr || amplitude > highest_claimed + 1e-9) continue;
     exhibit.measure(fmt::format("runup_a_{:g}_less_exact", amplitude), point->runup - exact.column("R")[k]);
   }
-  const io::Table same = values.table("lagrangian_mesh_wall_runup_independent");
-  for (const Curve& curve : curves) {
-    const Worst off = same_mesh_difference(curve, same);
-    if (off.count() > 0) exhibit.measure(fmt::format("runup_rows_{}_less_independent", curve.rows), off.value());
-  }
-  const io::Table table = values.table("lagrangian_mesh_wall_load_independent");
+  const io::Table exact_loads = values.table("wall_load_exact");
   for (const Load& load : compared_loads) {
-    Worst off;
-    for (std::size_t k = 0; k < table.rows(); ++k) {
-      const double amplitude = table.column("A")[k];
-      const double value = curves.back().value(amplitude, load.member);
-      off.add(value - table.column(load.column)[k]);
-      if (!std::isnan(value)) exhibit.measure(fmt::format("{}_a_{:g}", load.id, amplitude), value);
-    }
-    exhibit.measure(fmt::format("{}_less_independent", load.id), off.value());
-    const io::Table exact_loads = values.table("wall_load_exact");
     for (std::size_t k = 0; k < exact_loads.rows(); ++k) {
       const double amplitude = exact_loads.column("A")[k];
       const double value = curves.back().value(amplitude, load.member);

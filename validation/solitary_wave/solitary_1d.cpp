@@ -23,9 +23,7 @@ and steps. What the latter buys is in the histories: energy and every cell's vol
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -48,8 +46,6 @@ using evidence::Role;
 using evidence::Roundoff;
 
 const std::string source = "Serre (1953); Frank (1994), chapter 3";
-const std::string digits =
-    "regression: an earlier program for the same equations, table reference_data/regression_serre_solitary_wave";
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const Scheme one_step{};
 const Scheme conservative{.stepping = Stepping::conservative};
@@ -82,67 +78,12 @@ std::vector<double> fractions(double first, long count) {
   return values;
 }
 
-/// What an earlier program found on one of the resolutions.
-struct Tabulated {
-  double size, value;
-};
-
-std::vector<Tabulated> tabulated(const io::Table& table, int refined, std::size_t stepping, int quantity) {
-  std::vector<Tabulated> found;
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    if (table.column("refined")[k] == refined && table.column("stepping")[k] == static_cast<double>(stepping) &&
-        table.column("quantity")[k] == quantity) {
-      found.push_back({table.column("size")[k], table.column("value")[k]});
-    }
-  }
-  return found;
-}
-
-/// Largest relative deviation from tabulated values. @param measured  one error per size of the refinement
-template <class Errors>
-void claim_table(const Claims<Refinement>& claims, const std::string& id, const std::string& what,
-                 const std::vector<Tabulated>& expected, Errors measured, const std::string& reason) {
-  claims.at(fmt::format("{} resolutions", expected.size()))
-      .check(
-          {.id = "digits-" + id,
-           .text = what + " are those of an earlier program.",
-           .quantity = "largest relative deviation",
-           .source = digits},
-          [expected, measured](const Refinement& r) {
-            const std::vector<double> errors = std::invoke(measured, r);
-            Worst deviation;
-            for (const Tabulated& one : expected) {
-              const auto at = std::find_if(r.size.begin(), r.size.end(),
-                                           [&](double size) { return std::abs(size / one.size - 1) < 1e-9; });
-              deviation.add(at == r.size.end() ? nan
-                                               : errors[static_cast<std::size_t>(at - r.size.begin())] / one.value - 1);
-            }
-            return deviation.value();
-          },
-          Bound{.limit = 0.05, .reason = reason});
-}
-
 void claim_second_order(const Claims<Refinement>& claims, const std::string& id, const std::string& what,
                         std::vector<double> Refinement::*errors) {
   claims.check(
       {.id = "order-" + id, .text = what + ": second order.", .quantity = "observed order", .source = source},
       [errors](const Refinement& r) { return evidence::observed_order(r.size, r.*errors); },
       Order{2, 0.1, "smooth wave; the coarsest cells still deviate by a few per cent of the order"});
-}
-
-const std::string spacing_reason =
-    "the table lies between cells h wide at rest, as here, and h wide in the mean with the wave in the channel: half "
-    "of "
-    "these 1.9 % change the error in space by 1.9 %; one-step, the error in time takes off 40 %, so that the rest "
-    "changes by 3.2 %; and half a unit of the last digit, up to 1.5 %";
-
-/// L2 errors as they are when the tail that has left the channel and come in again at its beginning is an error too,
-/// as in the tabulated ones: sqrt(3) exp(-2 K s) of the wave, s from the crest to the end of the channel.
-std::vector<double> with_tail(std::vector<double> errors, const SerreWave& wave) {
-  const double decay = std::sqrt(wave.amplitude / (4 * wave.alpha * (1 + wave.amplitude)));
-  const double rest = wave.end - wave.crest - wave.exact().speed() * wave.time;
-  for (double& error : errors) error = std::hypot(error, std::numbers::sqrt3 * std::exp(-2 * decay * rest));
-  return errors;
 }
 
 /// The run that the parameters describe.
@@ -238,37 +179,9 @@ void claim_orders(const Claims<Results>& claims) {
   }
 }
 
-void claim_tables(const Claims<Results>& everything, const Values& values, const SerreWave& wave) {
-  const bool same = values.real("amplitude") == 0.2 && values.real("h") == 0.25 && values.real("tau") == 0.1 &&
-                    values.real("length") == 60 && values.real("time") == 20 && values.real("alpha") == 1.0 / 3 &&
-                    values.integer("levels") >= 5;
-  const auto claims = everything.only_if(same, "the table is of the standard wave, cells and steps");
-  const io::Table table = values.table("regression_serre_solitary_wave");
-  const auto l2_with_tail = [wave](const Refinement& r) { return with_tail(r.l2, wave); };
-  for (std::size_t k = 0; k < plain.size(); ++k) {
-    const auto together = claims.of([k](const Results& r) -> const Refinement& { return r.together.at(k); });
-    const std::string id = plain_ids.at(k);
-    const std::string name = k == 0 ? "One-step" : "Conservative";
-    claim_table(together, id + "-l2", name + ": errors of the elevation", tabulated(table, 1, k, 1), l2_with_tail,
-                spacing_reason);
-    if (k == 0) {
-      claim_table(together, id + "-max", name + ": largest errors", tabulated(table, 1, k, 2), &Refinement::largest,
-                  spacing_reason);
-    }
-    claim_table(together, id + "-phase", name + ": phases", tabulated(table, 1, k, 3), &Refinement::phase,
-                spacing_reason);
-    claim_table(claims.of([k](const Results& r) -> const Refinement& { return r.steps.at(k); }), "steps-" + id,
-                "Errors of the steps alone, " + title(plain.at(k)) + ",", tabulated(table, 3, k, 1), &Refinement::l2,
-                "two or three digits are given; the error in space hardly counts");
-  }
-  claim_table(claims.of(&Results::cells), "cells", "Errors of the cells alone", tabulated(table, 2, 0, 1),
-              &Refinement::l2, spacing_reason);
-}
-
 void claims(const Values& values, const Claims<Results>& claims) {
   claim_kept(claims.at(resolution(values)).of(&Results::own), values);
   claim_orders(claims);
-  claim_tables(claims, values, wave_of(values));
   for (std::size_t k = 0; k < plain.size(); ++k) {
     claims.at(fmt::format("tau = {:g}", 4 * values.real("tau")))
         .check(

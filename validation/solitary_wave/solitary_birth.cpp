@@ -52,9 +52,6 @@ using exact::SolitaryWave;
 using lagrangian_mesh_2d::Flow;
 
 const std::string source = "Frank (1994), chapter 2, figure 1 and table";
-const std::string table_of_digits = "regression_solitary_birth";
-const std::string digits =
-    "regression: an earlier program for the same scheme, table reference_data/" + table_of_digits;
 /// The meshes of a tier, without their waves.
 std::vector<Family> families(Tier tier) {
   std::vector<MeshResolution> meshes = {{1, 2, 0.1}, {0.5, 4, 0.1}};
@@ -140,26 +137,6 @@ Results compute(const Run& run) {
   }
   r.from_exact = follow_exact_wave(r.coarsest().mesh);
   return r;
-}
-
-void claim_digits(const Claims<Family>& claims, const Family& declared, const io::Table& table) {
-  claims.check(
-      {.id = fmt::format("digits-{}", declared.mesh.rows),
-       .text = fmt::format("Heights and speeds with {} are those of an earlier program.", declared.label),
-       .quantity = "largest difference",
-       .source = digits},
-      [table](const Family& family) {
-        Worst difference;
-        for (std::size_t k = 0; k < table.rows(); ++k) {
-          if (table.column("rows")[k] != static_cast<double>(family.mesh.rows)) continue;
-          const auto start = std::ranges::find(starts, table.column("a0")[k], &Hump::height);
-          const Born& wave = family.waves.at(static_cast<std::size_t>(start - starts.begin()));
-          difference.add(wave.amplitude - table.column("A")[k]);
-          difference.add(wave.speed - table.column("C")[k]);
-        }
-        return difference.value();
-      },
-      Bound{.limit = 1e-4, .reason = "a unit of the last digit given"});
 }
 
 void claim_source_table(const Claims<Family>& claims, const io::Table& published) {
@@ -277,10 +254,6 @@ void claim_fold(const Claims<Family>& claims) {
 void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<Family> all = families(values.tier());
   const Claims<Family> coarsest = claims.at(all.front().label).of(&Results::coarsest);
-  for (std::size_t m = 0; m < 2; ++m) {
-    claim_digits(claims.at(all[m].label).of([m](const Results& r) -> const Family& { return r.families.at(m); }),
-                 all[m], values.table(table_of_digits));
-  }
   claim_source_table(coarsest, values.table("frank_1994_celerity"));
   claim_approach(claims, all);
   claim_second_approximation(coarsest);

@@ -54,9 +54,6 @@ using lagrangian_mesh_2d::Settings;
 using lagrangian_mesh_2d::Stepping;
 
 const std::string source = "Frank (1994), chapter 2";
-const std::string table_of_digits = "regression_solitary_mesh";
-const std::string digits =
-    "regression: an earlier program for the same scheme, table reference_data/" + table_of_digits;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double length = 60;  // of the tank
 constexpr double start = 15;
@@ -158,71 +155,11 @@ struct Results {
   Outcome conservative;  ///< on the same mesh
   Travels sides;         ///< coarse, columns halved, rows halved, both
   Travels refinement;
-  Travels tabulated;
   Outcome sampled, impulse, held;  ///< the coarsest mesh under a high wave
 };
 
-constexpr std::array<double, 3> tabulated_amplitudes{0.1, 0.3, 0.5};
 const MeshResolution coarse{0.5, 4, 0.1};
 const MeshResolution coarsest{1, 2, 0.1};
-
-/// The meshes of an earlier program, not yet travelled; the finest not in the quick tier.
-Travels tabulated_meshes(const Values& values, const io::Table& table) {
-  Travels meshes;
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    const long rows = std::lround(table.column("rows")[k]);
-    if (rows > 8 && values.tier() == Tier::quick) continue;
-    meshes.push_back({table.column("A")[k], {table.column("h1")[k], rows, table.column("tau")[k]}});
-  }
-  return meshes;
-}
-
-/// How far a column's measures are from an earlier program's, beyond what the printing rounds away.
-Worst beyond_rounding(const Results& r, const io::Table& table, double amplitude, double Outcome::*measure,
-                      const std::string& column) {
-  Worst beyond;
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    for (const Travel& travel : r.tabulated) {
-      if (table.column("A")[k] != amplitude || travel.amplitude != amplitude ||
-          table.column("rows")[k] != static_cast<double>(travel.mesh.rows)) {
-        continue;
-      }
-      const double off =
-          std::abs(travel.outcome.whole(measure) - table.column(column)[k]) - 0.5 * table.column(column + "_unit")[k];
-      beyond.add(off < 0 ? 0 : off);
-    }
-  }
-  return beyond;
-}
-
-void claim_tabulated(const Claims<Results>& claims, const Values& values) {
-  const io::Table table = values.table(table_of_digits);
-  const Bound rounding{.limit = 0, .reason = "half a unit of the last digit given is all that may differ"};
-  const Bound beginning{.limit = 1e-3,
-                        .reason =
-                            "the speed of a line that begins 0.4 later differs by that on the coarsest mesh; when "
-                            "the other program's begins is not known to more digits"};
-  for (const double amplitude : tabulated_amplitudes) {
-    std::string meshes;
-    for (const Travel& travel : tabulated_meshes(values, table)) {
-      if (travel.amplitude != amplitude) continue;
-      meshes += fmt::format("{}{}", meshes.empty() ? "rows: " : ", ", travel.mesh.rows);
-    }
-    const auto claim = [&](const std::string& id, const std::string& what, double Outcome::*measure,
-                           const std::string& column, const Bound& bound) {
-      claims.at(meshes).check(
-          {.id = fmt::format("digits-{}-{:.0f}", id, 10 * amplitude),
-           .text = fmt::format("A = {:g}: the {} is that of an earlier program.", amplitude, what),
-           .quantity = "largest difference beyond half a unit of the last digit given, over A",
-           .source = digits},
-          [=](const Results& r) { return beyond_rounding(r, table, amplitude, measure, column).value() / amplitude; },
-          bound);
-    };
-    claim("speed", "speed error", &Outcome::speed_error, "speed_error", beginning);
-    claim("crest", "height of the crest", &Outcome::crest, "crest", rounding);
-    claim("profile", "profile error", &Outcome::profile, "profile", rounding);
-  }
-}
 
 /// The coarsest mesh under a high wave: how long it lasts with either start, and with the restoring force.
 void claim_fold(const Claims<Results>& all) {
@@ -314,7 +251,7 @@ double profile_of_side(const Results& r, std::size_t side) {
   return r.sides.at(side).outcome.whole(&Outcome::profile);
 }
 
-void claims(const Values& values, const Claims<Results>& claims) {
+void claims(const Values& /*values*/, const Claims<Results>& claims) {
   claim_conservation(claims);
   claims.at("from h1 = 0.5, 4 rows")
       .check(
@@ -337,7 +274,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
               "the next term is of third order, not fourth: surface nodes feel the pressure half a cell "
               "below; with four rows it takes a fifth off the error, so 0.2 off the order"});
   }
-  claim_tabulated(claims, values);
   claim_fold(claims);
 }
 
@@ -366,8 +302,6 @@ Results compute(const Run& run) {
   if (run.tier() != Tier::quick) ladder.push_back(24);
   for (const long rows : ladder) r.refinement.push_back(on(with_rows(rows)));
   run.progress(0.7);
-  r.tabulated = tabulated_meshes(run, run.table(table_of_digits));
-  for (Travel& one : r.tabulated) one.outcome = travel(SolitaryWave(one.amplitude), one.mesh);
   const SolitaryWave high(0.5);
   r.sampled = travel(high, coarsest);
   r.impulse = travel(high, coarsest, {}, 0, First::impulse);
@@ -466,8 +400,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.table(table_of(r.refinement, "refinement", "Columns, rows and steps refined together",
                          "One-step scheme, as the parameters else."));
   draw_refinement(exhibit, r);
-  exhibit.table(table_of(r.tabulated, "published", "Three heights on the same meshes as an earlier program",
-                         "One-step scheme, no hourglass force."));
 }
 
 }  // namespace
@@ -488,7 +420,7 @@ Case solitary_mesh() {
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"},
              "of the run whose measures are kept"),
       choice("start", std::string("sampled"), {"sampled", "impulse"},
-             "first velocities, but for the comparison with the earlier program"),
+             "first velocities, but for the coarsest mesh under a high wave"),
       real("hourglass", 0.0, "1", {0, 10},
            "kappa_0 of the force against node motions (-1)^(i+j), with the same exception"),
   };

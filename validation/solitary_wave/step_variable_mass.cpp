@@ -12,7 +12,7 @@ wave any more. Inverse scattering of the Korteweg-de Vries equation gives the wa
 $$\nu (\nu + 1) = \frac{2 T}{h^2}, \qquad \frac{a_n}{a_0} = h^2 (\nu - n + 1)^2 .$$
 
 **What is compared.** The crests on the shelf and the one reflected with that theory, whose own corrections are of
-relative order $a_1/h$; and, for the source's step, with another program's. Energy and what the stabilisation took.
+relative order $a_1/h$. Energy and what the stabilisation took.
 
 **What to look at.** The first wave grows for some 80 depths as it leaves the others behind, and ends a few per cent
 below theory; the second is still climbing out of the third. The passage of the corner, where the flow is singular,
@@ -42,7 +42,6 @@ using exact::SolitaryWave;
 using exact::SolitonFission;
 
 const std::string source = "inverse scattering (Madsen & Mei 1969) after Lamb's step; model: Frank (1994), section 5.3";
-const std::string table = "regression_step_variable_mass";
 constexpr std::array ladder{4L, 6L, 8L, 12L};
 constexpr std::size_t shown = 3;  // crests
 constexpr double apart = 2;       // a crest is the highest place so far around it, for ripples are not waves
@@ -104,25 +103,6 @@ Passage pass(const Run& run, const SolitaryWave& wave, long rows, const std::fun
   return p;
 }
 
-/// How far a quantity is from another program's on the same mesh.
-double off_table(const Results& r, const io::Table& digits, const std::string& column, long coarsest,
-                 const std::function<double(const Passage&)>& quantity) {
-  Worst off;
-  for (std::size_t k = 0; k < digits.rows(); ++k) {
-    for (const Passage& p : r.passages) {
-      if (p.run.rows >= coarsest && static_cast<double>(p.run.rows) == digits.column("n")[k])
-        off.add(quantity(p) - digits.column(column)[k]);
-    }
-  }
-  return std::abs(off.value());
-}
-
-/// The source's step, and the run of the other program.
-bool tabulated(const Values& values) {
-  return values.real("shelf_depth") == 0.5 && values.real("amplitude") == 0.1 && values.real("crest") == 10 &&
-         values.real("step") == 24 && values.real("time") == 92 && values.text("control") == "fixed_x";
-}
-
 void claim_theory(const Values& values, const Claims<Passage>& own) {
   const double depth = values.real("shelf_depth");
   const double amplitude = values.real("amplitude");
@@ -173,27 +153,6 @@ void claim_theory(const Values& values, const Claims<Passage>& own) {
                   .relative = true});
 }
 
-void claim_digits(const Values& values, const Claims<Results>& all) {
-  const io::Table digits = values.table(table);
-  const auto claims = all.only_if(tabulated(values), "the other program's run is that of the source's step");
-  const auto claim = [&](const std::string& id, const std::string& what, double limit, const std::string& reason,
-                         long coarsest, const std::function<double(const Passage&)>& quantity) {
-    claims.check(
-        {.id = "digits-" + id,
-         .text = what + " is that of another program.",
-         .quantity = "largest difference, of the same meshes",
-         .source = "regression: another program for the same equations, table reference_data/" + table},
-        [=](const Results& r) { return off_table(r, digits, id, coarsest, quantity); },
-        Bound{.limit = limit, .reason = reason});
-  };
-  const std::string refinement = "what its own refinement from 6 to 8 rows changes, 0.0021, rounded up";
-  claim("peak_1", "The first wave", 0.003, refinement, 4, [](const Passage& p) { return peak(p, 1); });
-  claim("peak_2", "The second wave", 0.003, refinement, 4, [](const Passage& p) { return peak(p, 2); });
-  claim("reflected", "The reflected wave", 0.002,
-        "half of the range that it prints on four rows, which are left out for that", 6,
-        [](const Passage& p) { return p.reflected; });
-}
-
 /// Throws std::invalid_argument where the first wave reaches the right wall.
 void require_long_shelf(const Values& values) {
   const double amplitude = values.real("amplitude");
@@ -219,7 +178,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const SolitonFission theory(depth);
   const auto own = claims.of(&Results::own).at(fmt::format("{} rows, tau = {:.3g}", rows, tau));
   claim_theory(values, own);
-  claim_digits(values, claims);
   // Of the first wave on the shelf: tails and speed.
   const double k = std::sqrt(3 * amplitude * theory.amplitude(1) / std::pow(depth, 3));
   const double omega = k * std::sqrt(depth + amplitude * theory.amplitude(1));

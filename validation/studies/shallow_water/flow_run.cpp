@@ -155,17 +155,6 @@ void claim_range(const Claims<FlowRun>& claims, double lowest, double highest, c
                          "times smaller"});
 }
 
-void claim_reproduced(const Claims<double>& claims, evidence::Claim claim, double stated) {
-  claim.source = "regression: an earlier program for the same schemes, table reference_data/regression_dam_break";
-  claims.check(
-      std::move(claim), [](double measured) { return measured; },
-      evidence::Bound{.limit = 0.1,
-                      .reason = "an earlier program for the same algorithm gave the expected value; 10 % "
-                                "covers different rounding of limiter decisions",
-                      .expected = stated,
-                      .relative = true});
-}
-
 void show_conservation(const FlowRun& flow, evidence::Exhibit& exhibit, const std::string& suffix) {
   exhibit.measure("mass_defect" + suffix, flow.mass_defect);
   exhibit.measure("momentum_defect" + suffix, flow.momentum_defect);

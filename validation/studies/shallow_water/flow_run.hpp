@@ -62,11 +62,6 @@ void claim_exact_profile(const Claims<FlowRun>& claims, double deepest, const Di
 void claim_range(const Claims<FlowRun>& claims, double lowest, double highest, const Discretisation& discretisation,
                  double time, const std::string& source);
 
-/// An error is what an earlier program for the same schemes gave, within 10 %: a larger one means that something got
-/// worse, a smaller one that the number stated is out of date. Regression, not validation.
-/// @param claim  without its source
-void claim_reproduced(const Claims<double>& claims, evidence::Claim claim, double stated);
-
 /// Largest Courant number and conservation defects as measurements, each name with the suffix.
 void show_conservation(const FlowRun& flow, evidence::Exhibit& exhibit, const std::string& suffix = "");
 
