@@ -30,13 +30,11 @@ take their pressure from the water make no sound: they are ten times better, and
 namespace seiche::validation::cases::hydrostatic_sph {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 using wcsph::Settings;
 
 const std::string source =
-    "Crespo, Gomez-Gesteira and Dalrymple, Comput. Mater. Contin. 5 (2007) 173; Adami, Hu and "
-    "Adams, J. Comput. Phys. 231 (2012) 7057";
+    "Crespo, Gomez-Gesteira and Dalrymple, Comput. Mater. Contin. 5 (2007) 173; Adami, Hu and Adams, J. Comput. Phys. "
+    "231 (2012) 7057";
 constexpr double gravity = 9.81;
 constexpr double width = 1;
 constexpr double depth = 0.5;
@@ -129,10 +127,7 @@ void claim_rest(const Claims<Rest>& claims, const Option& option, const Values& 
   const auto check = [&](const std::string& id, const std::string& text, const std::string& quantity,
                          double Rest::*member, const Bound& bound) {
     claims.check(
-        {.id = fmt::format("{}-{}", id, option.name),
-         .text = fmt::format("{} ({}).", text, option.name),
-         .quantity = quantity,
-         .source = source},
+        fmt::format("{}-{}", id, option.name), fmt::format("{} ({}).", text, option.name), quantity,
         [member](const Rest& rest) -> Measurement {
           return {.value = rest.*member, .resolution = sph_resolution(rest.spacing, rest.particles)};
         },
@@ -148,8 +143,8 @@ void claim_rest(const Claims<Rest>& claims, const Option& option, const Values& 
         pressure);
   Bound level{.limit = 2 * settings_of(values).smoothing * cell * compression,
               .reason =
-                  "wall particles feel the water within 2h, and carry its weight when it has come nearer by the "
-                  "share g H/c^2 of that"};
+                  "wall particles feel the water within 2h, and carry its weight when it has come nearer by the share "
+                  "g H/c^2 of that"};
   if (extrapolated) {
     level = {.limit = 0.5 * cell * compression, .reason = "the pressure of one spacing squeezes the water by as much"};
   } else if (option.name == "filter") {
@@ -173,18 +168,18 @@ void claims(const Values& values, const Claims<Results>& claims) {
   };
   const Bound half{.limit = 0.095,
                    .reason =
-                       "first order to a quarter of an order, 0.5 times 2^(1/4): the orders between three "
-                       "lattices, 1.0 and 0.8, differ by that much",
+                       "first order to a quarter of an order, 0.5 times 2^(1/4): the orders between three lattices, "
+                       "1.0 and 0.8, differ by that much",
                    .expected = 0.5};
   if (values.standard()) {
     const bool quick = values.tier() == Tier::quick;
-    claims.known_failure(converges(options.front()), ratio(0), half,
-                         {.value = quick ? 0.72 : 1.2,
-                          .width = quick ? 0.1 : 0.2,
-                          .reason = "sound that the start sets off at the walls dies away slowly, and noise in the "
-                                    "densities, which no pressure gradient feels, grows with the number of steps: "
-                                    "of both there is as much with finer spacings; density diffusion removes the "
-                                    "noise, walls that follow the water the sound"});
+    claims.known_failure(
+        converges(options.front()), ratio(0), half,
+        {.value = quick ? 0.72 : 1.2,
+         .width = quick ? 0.1 : 0.2,
+         .reason = "sound that the start sets off at the walls dies away slowly, and noise in the densities, which no "
+                   "pressure gradient feels, grows with the number of steps: of both there is as much with finer "
+                   "spacings; density diffusion removes the noise, walls that follow the water the sound"});
   } else {
     claims.check(converges(options.front()), ratio(0), half);
   }
@@ -192,18 +187,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "rest",
-                        .title = "Water at rest",
-                        .caption =
-                            "Errors of the pressure over rho g H; velocity over sqrt(g H); sinking of the "
-                            "centre of mass over H.",
-                        .columns = {{"option", ""},
-                                    {"dx", "m"},
-                                    {"rms, all", ""},
-                                    {"rms, core", ""},
-                                    {"largest", ""},
-                                    {"rms velocity", ""},
-                                    {"sinking", ""}}};
+  evidence::Table table{
+      .id = "rest",
+      .title = "Water at rest",
+      .caption = "Errors of the pressure over rho g H; velocity over sqrt(g H); sinking of the centre of mass over H.",
+      .columns = table_columns({"option", "dx [m]", "rms, all", "rms, core", "largest", "rms velocity", "sinking"})};
   auto& figure = exhibit.figure("pressure", "Pressure against height",
                                 fmt::format("Every particle of the water after {:g} s.", values.real("time")));
   for (std::size_t k = 0; k < options.size(); ++k) {
@@ -226,13 +214,13 @@ Case hydrostatic_sph() {
   Case c;
   c.title = "Water at rest in a tank: weakly compressible SPH and its walls";
   c.source =
-      "A. J. C. Crespo, M. Gomez-Gesteira, R. A. Dalrymple, Comput. Mater. Contin. 5 (2007) 173; S. Adami, X. Y. "
-      "Hu, N. A. Adams, J. Comput. Phys. 231 (2012) 7057";
+      "A. J. C. Crespo, M. Gomez-Gesteira, R. A. Dalrymple, Comput. Mater. Contin. 5 (2007) 173; S. Adami, X. Y. Hu, "
+      "N. A. Adams, J. Comput. Phys. 231 (2012) 7057";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = with({real("dx", {0.025, 0.0125, 0.00625}, "m", {0.001, 0.1}, "spacing of the particles"),
                        real("time", {1, 2, 2}, "s", {0.01, 100}, "duration")},
                       sph_parameters({.alpha = 0.1, .sound = 10}, "sqrt(2 g H)"));
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -27,8 +27,6 @@ step, with zero: not one bit may differ.
 namespace seiche::validation::cases::lake_at_rest_1d {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 namespace model = dispersive_shallow_water_1d;
 
 constexpr double length = 20;
@@ -223,12 +221,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   evidence::Table table{.id = "unrest",
                         .title = "Largest values at any step",
                         .caption = "Of all markers and both kinetic energies.",
-                        .columns = {{"lake", ""},
-                                    {"scheme", ""},
-                                    {"steps", "1"},
-                                    {"velocity", "(g H)^(1/2)"},
-                                    {"elevation", "H"},
-                                    {"displacement", "H"}}};
+                        .columns = table_columns({"lake", "scheme", "steps [1]", "velocity [(g H)^(1/2)]",
+                                                  "elevation [H]", "displacement [H]"})};
   Unrest largest;
   for (std::size_t k = 0; k < all.size(); ++k) {
     largest.include(r.lakes[k].largest());

@@ -20,7 +20,6 @@ the surface at 0.8 m, as smooth as beds come but nowhere flat.
 namespace seiche::validation::cases::lake_at_rest_particles {
 namespace {
 
-using evidence::Role;
 namespace particles = shallow_water_particles;
 
 constexpr double length = 10;
@@ -61,27 +60,17 @@ void claims(const Values& values, const Claims<Results>& claims) {
   constexpr double two_edges = 2;
   const auto at_rest = claims.at(fmt::format("N = {}, {} steps", n, values.integer("steps")));
   at_rest.check(
-      {.id = "velocity",
-       .text = "Water at rest stays at rest.",
-       .quantity = "largest velocity at any step",
-       .unit = "m/s",
-       .source = "well-balanced bed reaction"},
-      &Results::velocity,
-      evidence::Roundoff{.operations = two_edges,
-                         .scale = celerity * static_cast<double>(n),
-                         .reason = "a width is the difference of two rounded edges as large as the channel, N times "
-                                   "smaller; depths are as uncertain as widths, and a wave of relative height e has "
-                                   "the velocity e c"});
-  at_rest.check({.id = "drift",
-                 .text = "No edge moves.",
-                 .quantity = "largest displacement of an edge",
-                 .unit = "m",
-                 .source = "the same"},
-                &Results::drift,
-                evidence::Roundoff{.operations = two_edges,
-                                   .scale = length,
-                                   .reason = "these waves, two particles long, move edges by the rounding of two edges "
-                                             "of this size"});
+      "velocity", "Water at rest stays at rest.", "largest velocity at any step [m/s]", &Results::velocity,
+      Roundoff{.operations = two_edges,
+               .scale = celerity * static_cast<double>(n),
+               .reason = "a width is the difference of two rounded edges as large as the channel, N times smaller; "
+                         "depths are as uncertain as widths, and a wave of relative height e has the velocity e c"});
+  at_rest.from("the same")
+      .check(
+          "drift", "No edge moves.", "largest displacement of an edge [m]", &Results::drift,
+          Roundoff{.operations = two_edges,
+                   .scale = length,
+                   .reason = "these waves, two particles long, move edges by the rounding of two edges of this size"});
 }
 
 Results compute(const Run& run) {
@@ -149,7 +138,7 @@ Case lake_at_rest_particles() {
       real("surface", 0.8, "m", {0.45, 10}, "elevation of the surface"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "well-balanced bed reaction");
   return c;
 }
 

@@ -34,7 +34,6 @@ with hydrostatic reconstruction beside it, whose shoreline is the last cell that
 namespace seiche::validation::cases::thacker {
 namespace {
 
-using evidence::Role;
 namespace particles = shallow_water_particles;
 
 constexpr double pi = std::numbers::pi;
@@ -175,36 +174,30 @@ void claims(const Values& values, const Claims<Motion>& claims) {
       std::sqrt(values.real("gravity") * values.real("depth")) + bowl.angular_frequency() * displacement;
   const double most_steps = end_of(values) * fastest / (0.04 * cell);
   at.check(
-      {.id = "mass",
-       .text = "No water is lost at the moving shorelines.",
-       .quantity = "change of mass",
-       .unit = "m^2",
-       .source = "conservation law of mass"},
+      "mass", "No water is lost at the moving shorelines.", "change of mass [m^2]",
       [](const Motion& motion) -> Measurement {
         const auto updates = static_cast<double>(motion.depth.size() * motion.time.size());
         return {.value = motion.mass_defect, .told = {.operations = updates}};
       },
-      evidence::Roundoff{.operations = evidence::Amount::told_by_run(static_cast<double>(n) * most_steps),
-                         .scale = bowl.area() / static_cast<double>(n),
-                         .reason = "one rounded update of every cell and step, of the size of its share of the water"});
+      Roundoff{.operations = Amount::told_by_run(static_cast<double>(n) * most_steps),
+               .scale = bowl.area() / static_cast<double>(n),
+               .reason = "one rounded update of every cell and step, of the size of its share of the water"});
   // A half-wave across the water, by differences of second order: omega is off by the part (k w)^2/24, k = pi/(2 a).
   const double periods = values.real("periods") < 1 ? 1 : values.real("periods");
   const double phase = 2 * pi * periods * std::pow(0.5 * pi * cell / values.real("radius"), 2) / 24;
   const bool first_order = scheme == "muscl" || scheme == "G1";
   for (const Shoreline& shoreline : shorelines) {
-    at.check(
-        {.id = fmt::format("shoreline-{}", shoreline.side),
-         .text = fmt::format("The {} shoreline follows the exact one at all times.", shoreline.side),
-         .quantity = "largest distance",
-         .unit = "m",
-         .source = "Thacker (1981)"},
-        [shoreline, bowl](const Motion& motion) -> Measurement {
-          const Worst distance = shoreline.error(motion, bowl);
-          return {.value = distance.value(), .where = fmt::format("t = {:g} s", distance.where())};
-        },
-        evidence::Bound{.limit = first_order ? 4 * cell : phase * displacement,
-                        .reason = "second order: the displacement by the phase error (k w)^2/24 of a half-wave across "
-                                  "the water, over all periods; fixed-grid and first-order schemes: four cells"});
+    at.from("Thacker (1981)")
+        .check(
+            fmt::format("shoreline-{}", shoreline.side),
+            fmt::format("The {} shoreline follows the exact one at all times.", shoreline.side), "largest distance [m]",
+            [shoreline, bowl](const Motion& motion) -> Measurement {
+              const Worst distance = shoreline.error(motion, bowl);
+              return {.value = distance.value(), .where = fmt::format("t = {:g} s", distance.where())};
+            },
+            Bound{.limit = first_order ? 4 * cell : phase * displacement,
+                  .reason = "second order: the displacement by the phase error (k w)^2/24 of a half-wave across the "
+                            "water, over all periods; fixed-grid and first-order schemes: four cells"});
   }
 }
 
@@ -294,46 +287,49 @@ std::vector<WantedTable> wanted(const Values& values) {
     return WantedQuantity{
         .column = column,
         .reference = reference,
-        .requirements = {{.measure = Measure::largest_error,
-                          .criterion = evidence::Bound{.limit = 4 * 2 * radius / 50,
-                                                       .reason = "four cells of a grid of fifty across the water, as "
-                                                                 "for the case's own first-order schemes"},
-                          .text = fmt::format("The {} follows the exact one at all times.", column.meaning),
-                          .source = source}}};
+        .requirements = {
+            {.measure = Measure::largest_error,
+             .criterion =
+                 Bound{.limit = 4 * 2 * radius / 50,
+                       .reason =
+                           "four cells of a grid of fifty across the water, as for the case's own first-order schemes"},
+             .text = fmt::format("The {} follows the exact one at all times.", column.meaning),
+             .source = source}}};
   };
-  return {{.name = "shorelines",
-           .kind = WantedTable::Kind::series,
-           .abscissa = Column{"t", "s", "time"},
-           .quantities = {shoreline({"left", "m", "left shoreline"},
-                                    [bowl](Place p) { return bowl.left_shoreline(p.abscissa); }),
-                          shoreline({"right", "m", "right shoreline"},
-                                    [bowl](Place p) { return bowl.right_shoreline(p.abscissa); })},
-           .points = points},
-          {.name = "gauges",
-           .kind = WantedTable::Kind::series,
-           .group = Column{"x", "m", "position of the gauge"},
-           .abscissa = Column{"t", "s", "time"},
-           .quantities = {{.column = {"h", "m", "depth"},
-                           .reference = [bowl](Place p) { return bowl.at(p.group, p.abscissa).depth; },
-                           .requirements = {{.measure = Measure::shift,
-                                             .criterion = evidence::Bound{.limit = period / 50,
-                                                                          .reason = "a fiftieth of the period"},
-                                             .text = "The oscillation has the exact phase.",
-                                             .source = source},
-                                            {.measure = Measure::skill,
-                                             .criterion = evidence::Bound{.limit = 0.01,
-                                                                          .reason = "d = 0.99: an rms error of a fifth "
-                                                                                    "of the rms amplitude",
-                                                                          .expected = 1},
-                                             .text = "Amplitude and shape of the oscillation are the exact ones.",
-                                             .source = source}}}},
-           .groups = {middle - radius / 2, middle, middle + radius / 2},
-           .points = points,
-           .exact = {fmt::format("seiche exact thacker --set radius={:.17g},depth={:.17g},displacement={:.17g},"
-                                 "gravity={:.17g},length={:.17g} --grid x={:.17g}:{:.17g}:3,t=0:{:.17g}:{}",
-                                 radius, values.real("depth"), values.real("displacement"), values.real("gravity"),
-                                 channel_length(values), middle - radius / 2, middle + radius / 2, times.back(),
-                                 times.size())}}};
+  return {
+      {.name = "shorelines",
+       .kind = WantedTable::Kind::series,
+       .abscissa = Column{"t", "s", "time"},
+       .quantities = {shoreline({"left", "m", "left shoreline"},
+                                [bowl](Place p) { return bowl.left_shoreline(p.abscissa); }),
+                      shoreline({"right", "m", "right shoreline"},
+                                [bowl](Place p) { return bowl.right_shoreline(p.abscissa); })},
+       .points = points},
+      {.name = "gauges",
+       .kind = WantedTable::Kind::series,
+       .group = Column{"x", "m", "position of the gauge"},
+       .abscissa = Column{"t", "s", "time"},
+       .quantities = {{.column = {"h", "m", "depth"},
+                       .reference = [bowl](Place p) { return bowl.at(p.group, p.abscissa).depth; },
+                       .requirements = {{.measure = Measure::shift,
+                                         .criterion = Bound{.limit = period / 50, .reason = "a fiftieth of the period"},
+                                         .text = "The oscillation has the exact phase.",
+                                         .source = source},
+                                        {.measure = Measure::skill,
+                                         .criterion =
+                                             Bound{.limit = 0.01,
+                                                   .reason = "d = 0.99: an rms error of a fifth of the rms amplitude",
+                                                   .expected = 1},
+                                         .text = "Amplitude and shape of the oscillation are the exact ones.",
+                                         .source = source}}}},
+       .groups = {middle - radius / 2, middle, middle + radius / 2},
+       .points = points,
+       .exact = {fmt::format("seiche exact thacker --set "
+                             "radius={:.17g},depth={:.17g},displacement={:.17g},gravity={:.17g},length={:.17g} --grid "
+                             "x={:.17g}:{:.17g}:3,t=0:{:.17g}:{}",
+                             radius, values.real("depth"), values.real("displacement"), values.real("gravity"),
+                             channel_length(values), middle - radius / 2, middle + radius / 2, times.back(),
+                             times.size())}}};
 }
 
 }  // namespace
@@ -354,7 +350,7 @@ Case thacker() {
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
       choice("scheme", std::string("H2"), {"G1", "M2", "H2", "muscl"}, "level of the particle method, or the peer"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "conservation law of mass");
   c.submission = {.tables = wanted};
   return c;
 }

@@ -22,8 +22,6 @@ jumps, and then both that leave it.
 namespace seiche::validation::cases::colliding_bores {
 namespace {
 
-using evidence::Role;
-
 /// What the parameters decide.
 struct SetUp {
   exact::CollidingBores bores;
@@ -73,20 +71,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto here = claims.at(s.finest().text());
   claim_states(here.of(&Results::flow), s.states(), s.problem.length() / particles, one_particle);
   here.check(
-      {.id = "reconstructed_l1_h",
-       .text = "The profile after the collision is the exact one.",
-       .quantity = "reconstructed L1(h)",
-       .unit = "m",
-       .source = "Riemann problem of the states behind the bores"},
+      "reconstructed_l1_h", "The profile after the collision is the exact one.", "reconstructed L1(h) [m]",
       [particles](const Results& r) -> Measurement {
         return {.value = r.finest().errors.reconstructed.depth.l1,
                 .told = {.operations = 8 * particles * static_cast<double>(r.finest().steps)}};
       },
-      evidence::Roundoff{
-          .operations = evidence::Amount::told_by_run(8 * particles * most_steps(s.problem, s.finest(), s.time)),
-          .scale = s.bores.star().depth,
-          .reason = "both jumps are followed through the particle they share: eight rounded operations per step, "
-                    "and per particle a jump has passed"});
+      Roundoff{.operations = Amount::told_by_run(8 * particles * most_steps(s.problem, s.finest(), s.time)),
+               .scale = s.bores.star().depth,
+               .reason = "both jumps are followed through the particle they share: eight rounded operations per step, "
+                         "and per particle a jump has passed"});
 }
 
 Results compute(const Run& run) {
@@ -103,11 +96,10 @@ Results compute(const Run& run) {
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   const SetUp& s = r.set_up;
   draw_flow(r.flow, exhibit, "Two bores meet", {});
-  evidence::Table table{
-      .id = "levels",
-      .title = "Error of the levels",
-      .caption = "Cell L1(h) after the collision.",
-      .columns = {{"particles", ""}, {"G1", "m"}, {"M2", "m"}, {"H2", "m"}, {"H2 reconstructed", "m"}}};
+  evidence::Table table{.id = "levels",
+                        .title = "Error of the levels",
+                        .caption = "Cell L1(h) after the collision.",
+                        .columns = table_columns({"particles", "G1 [m]", "M2 [m]", "H2 [m]", "H2 reconstructed [m]"})};
   std::vector<double> counts;
   std::vector<std::vector<double>> errors(particle_schemes.size());
   for (std::size_t k = 0; k < r.levels.size(); ++k) {
@@ -154,7 +146,7 @@ Case colliding_bores() {
       real("after", 2.0, "s", {0.01, 10}, "time after the meeting"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "Riemann problem of the states behind the bores");
   c.submission = submission_of([](const Values& values) { return set_up(values).states(); });
   return c;
 }

@@ -28,6 +28,7 @@ digit. Every peer smears it over several cells.
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/scoring/score.hpp"
 #include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/judged_states.hpp"
@@ -35,7 +36,6 @@ digit. Every peer smears it over several cells.
 namespace seiche::validation::cases::moving_bore {
 namespace {
 
-using evidence::Role;
 namespace particles = shallow_water_particles;
 
 constexpr double length = 120;
@@ -171,23 +171,19 @@ History follow(const SetUp& s) {
 }
 
 void draw_history(evidence::Exhibit& exhibit, const History& history, const exact::Bore& bore) {
-  auto& energy = exhibit
-                     .figure("energy", "Energy against time",
-                             "Energy less the work of the piston. Of the two-state reconstruction it falls along the "
-                             "straight line of the jump conditions; of particle means it wavers as the transition "
-                             "particle fills.")
-                     .panel({.x = "t [s]", .y = "energy - work - E(0) [m$^4$/s$^2$]"});
+  auto& energy =
+      exhibit
+          .figure("energy", "Energy against time",
+                  "Energy less the work of the piston. Of the two-state reconstruction it falls along the straight "
+                  "line of the jump conditions; of particle means it wavers as the transition particle fills.")
+          .panel({.x = "t [s]", .y = "energy - work - E(0) [m$^4$/s$^2$]"});
   const auto less_work = [&](std::vector<double> values) {
     const double first = values.front();
     for (std::size_t k = 0; k < values.size(); ++k) values[k] = values[k] - history.work[k] - first;
     return values;
   };
-  std::vector<double> law;
-  std::vector<double> front;
-  for (const double t : history.time) {
-    law.push_back(-bore.energy_loss_rate() * t);
-    front.push_back(bore.position(t));
-  }
+  std::vector<double> law = each(history.time, [&](const double t) { return -bore.energy_loss_rate() * t; });
+  std::vector<double> front = each(history.time, [&](const double t) { return bore.position(t); });
   energy.line("-D t", history.time, law, Role::exact);
   energy.points("two-state reconstruction", history.time, less_work(history.energy), Role::computed);
   energy.line("particle means", history.time, less_work(history.mean_energy), Role::peer);
@@ -198,8 +194,7 @@ void draw_history(evidence::Exhibit& exhibit, const History& history, const exac
                     .panel({.x = "x [m]", .y = "t [s]", .x_min = 30, .x_max = 90});
   const std::size_t edges = history.edges.front().size();
   for (std::size_t e = edges / 4; e < edges * 3 / 4; e += 2) {
-    std::vector<double> x;
-    for (const auto& row : history.edges) x.push_back(row[e]);
+    std::vector<double> x = each(history.edges, [&](const auto& row) { return row[e]; });
     paths.line(e == edges / 4 ? "edges" : "", x, history.time, Role::computed);
   }
   paths.line("exact bore", front, history.time, Role::exact);
@@ -217,43 +212,33 @@ void claims(const Values& values, const Claims<Results>& claims) {
       claims.at(fmt::format("N = {}, tau = {:g} s", s.discretisation.particles, s.discretisation.time_step));
   claim_states(here.of(&Results::flow), s.states(), length / static_cast<double>(s.discretisation.particles),
                one_particle);
-  here.check(
-      {.id = "energy",
-       .text = "Energy falls at exactly the rate of the jump conditions.",
-       .quantity = "largest deviation of the two-state energy",
-       .unit = "m^4/s^3 s",
-       .source = "D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6"},
-      [s](const Results& r) -> Measurement {
-        const Worst deviation = energy_deviation(r.history, s.bore);
-        return {.value = deviation.value(), .where = fmt::format("t = {:g} s", deviation.where())};
-      },
-      evidence::Roundoff{.operations = static_cast<double>(s.discretisation.particles) + steps,
-                         .scale = initial_flow(s).energy(),
-                         .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});
+  here.from("D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6")
+      .check(
+          "energy", "Energy falls at exactly the rate of the jump conditions.",
+          "largest deviation of the two-state energy [m^4/s^3 s]",
+          [s](const Results& r) -> Measurement {
+            const Worst deviation = energy_deviation(r.history, s.bore);
+            return {.value = deviation.value(), .where = fmt::format("t = {:g} s", deviation.where())};
+          },
+          Roundoff{.operations = static_cast<double>(s.discretisation.particles) + steps,
+                   .scale = initial_flow(s).energy(),
+                   .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});
 
   const io::Table printed = values.table("bogomolov_zakharov_zerkal");
   const auto published =
       claims.only_if(values.as_published("bzz-fig-12"), "the paper prints it for its own parameters");
   published.check(
-      {.id = "printed-speed",
-       .text = "The speed that the paper prints follows from the jump conditions.",
-       .quantity = "bore speed",
-       .unit = "m/s",
-       .source = "section 4 of the paper"},
+      "printed-speed", "The speed that the paper prints follows from the jump conditions.", "bore speed [m/s]",
       [](const Results& r) { return r.set_up.bore.speed(); },
-      evidence::Bound{.limit = 0.05,
-                      .reason = "half a unit of the last printed digit",
-                      .expected = printed.column("bore_speed")[0]});
+      Bound{.limit = 0.05,
+            .reason = "half a unit of the last printed digit",
+            .expected = printed.column("bore_speed")[0]});
   published.check(
-      {.id = "printed-velocity",
-       .text = "So does the velocity behind the bore.",
-       .quantity = "velocity behind",
-       .unit = "m/s",
-       .source = "section 4 of the paper"},
+      "printed-velocity", "So does the velocity behind the bore.", "velocity behind [m/s]",
       [](const Results& r) { return r.set_up.bore.behind_velocity(); },
-      evidence::Bound{.limit = 0.05,
-                      .reason = "half a unit of the last printed digit",
-                      .expected = printed.column("bore_velocity")[0]});
+      Bound{.limit = 0.05,
+            .reason = "half a unit of the last printed digit",
+            .expected = printed.column("bore_velocity")[0]});
 }
 
 Results compute(const Run& run) {
@@ -299,7 +284,7 @@ Case moving_bore() {
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
   c.published = {{.tiles = {"bzz-fig-12", "bzz-fig-9", "bzz-fig-10", "bzz-fig-11"}}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "section 4 of the paper");
   c.submission = submission_of([](const Values& values) { return set_up(values).states(); });
   return c;
 }

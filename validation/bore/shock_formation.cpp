@@ -24,7 +24,6 @@ which starts at that of a simple wave and must settle to that behind a bore.
 namespace seiche::validation::cases::shock_formation {
 namespace {
 
-using evidence::Role;
 namespace particles = shallow_water_particles;
 
 constexpr double length = 60;
@@ -97,38 +96,26 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double known = values.table("regression_shock_formation").column("front_position")[0];
   here.only_if(s.gravity == 9.81 && s.speed == 1.5, "the position is known for 9.81 m/s^2 and 1.5 m/s")
       .check(
-          {.id = "front",
-           .text = "The bore is where a very fine run has it.",
-           .quantity = "position of the bore",
-           .unit = "m",
-           .source = "regression: an earlier program for the same scheme with 6400 particles, table "
-                     "reference_data/regression_shock_formation"},
+          "front", "The bore is where a very fine run has it.", "position of the bore [m]",
           [](const Results& r) -> Measurement {
             return {.value = r.positions.back(), .uncertainty = r.convergence().uncertainty};
           },
-          evidence::Uncertainty{.expected = known,
-                                .data = 0.005,
-                                .useful = 0.06,
-                                .reason =
-                                    "half a cell width of the fine run (60 m/6400) and the grid convergence here; a "
-                                    "tenth of a percent of the way decides"});
-  here.check({.id = "width",
-              .text = "The bore that has formed lies inside a single particle.",
-              .quantity = "particles between 5 % and 95 % of the jump",
-              .source = "the hand-over of the method"},
-             &Results::width,
-             evidence::Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
-  here.check(
-      {.id = "plateau",
-       .text = "The depth at the piston settles to that behind a bore.",
-       .quantity = "depth at the piston",
-       .unit = "m",
-       .source = "shock relations and Riemann invariants"},
-      &Results::at_piston,
-      evidence::Bound{.limit = s.simple - s.bore,
-                      .reason = "it starts at the depth of a simple wave; what the forming bore reflects to the piston "
-                                "brings it to that of a bore and never exceeds the first difference",
-                      .expected = s.bore});
+          Uncertainty{.expected = known,
+                      .data = 0.005,
+                      .useful = 0.06,
+                      .reason = "half a cell width of the fine run (60 m/6400) and the grid convergence here; a tenth "
+                                "of a percent of the way decides"});
+  here.from("the hand-over of the method")
+      .check("width", "The bore that has formed lies inside a single particle.",
+             "particles between 5 % and 95 % of the jump", &Results::width,
+             Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
+  here.from("shock relations and Riemann invariants")
+      .check("plateau", "The depth at the piston settles to that behind a bore.", "depth at the piston [m]",
+             &Results::at_piston,
+             Bound{.limit = s.simple - s.bore,
+                   .reason = "it starts at the depth of a simple wave; what the forming bore reflects to the piston "
+                             "brings it to that of a bore and never exceeds the first difference",
+                   .expected = s.bore});
 }
 
 Results compute(const Run& run) {
@@ -173,7 +160,9 @@ Case shock_formation() {
       real("piston_velocity", 1.5, "m/s", {0.1, 10}, "final velocity of the piston"),
       real("gravity", 9.81, "m/s^2", {0.1, 1e3}, "acceleration of gravity"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show,
+                  "regression: an earlier program for the same scheme with 6400 particles, table "
+                  "reference_data/regression_shock_formation");
   return c;
 }
 

@@ -35,11 +35,11 @@ Frank's figure; against potential flow it is one.
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "validation/breaking/pressure_breaking_reference.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::breaking_gauss {
 namespace {
 
-using evidence::Role;
 using gauss_particles::Flow;
 using gauss_particles::LatticePlan;
 using gauss_particles::SplineSpace;
@@ -216,17 +216,12 @@ void claims(const Values& values, const Claims<Results>& all) {
   claims
       .only_if(pressure == 0.1 && values.real("height") == 0.6,
                "the frames are met with a height of 0.6 and a pressure of 0.1")
-      .check(
-          {.id = "overturns",
-           .text = "With the fitted pressure the surface overturns after the frame of 6.2 and before that of 7.2.",
-           .quantity = "time at which the line of markers first goes backwards",
-           .unit = "(g k)^(-1/2)",
-           .source = source},
-          &Results::overturned,
-          evidence::Bound{.limit = 0.5,
-                          .reason = "half of the time between the frames in which the source draws a steep front and "
-                                    "a jet",
-                          .expected = 6.7});
+      .check("overturns",
+             "With the fitted pressure the surface overturns after the frame of 6.2 and before that of 7.2.",
+             "time at which the line of markers first goes backwards [(g k)^(-1/2)]", &Results::overturned,
+             Bound{.limit = 0.5,
+                   .reason = "half of the time between the frames in which the source draws a steep front and a jet",
+                   .expected = 6.7});
   const exact::StokesWave wave = wave_of(values);
   claim_potential_flow(
       claims.only_if(compared(values), "potential flow is compared for a height of 0.6 and a pressure of 0.1")
@@ -235,35 +230,24 @@ void claims(const Values& values, const Claims<Results>& all) {
   const double first = wave.amplitude();
   const double last = first + pressure * wave.phase_speed();
   claims.only_if(pressure > 0, "without a pressure there is no work")
-      .check({.id = "work",
-              .text = "The pressure does the work of linear theory, but for what the wave's steepness changes.",
-              .quantity = "work of the pressure on a wavelength",
-              .unit = "rho g/k^3",
-              .source = "Stokes waves of small amplitude: da/dt = (p0/2) c sin t, energy rho g a^2/2"},
-             &Results::work,
-             evidence::Bound{.limit = last * last,
-                             .reason = "theory of finite amplitude changes the energy by a part (k a)^2",
-                             .expected = half_length * (last * last - first * first),
-                             .relative = true});
+      .from("Stokes waves of small amplitude: da/dt = (p0/2) c sin t, energy rho g a^2/2")
+      .check("work", "The pressure does the work of linear theory, but for what the wave's steepness changes.",
+             "work of the pressure on a wavelength [rho g/k^3]", &Results::work,
+             Bound{.limit = last * last,
+                   .reason = "theory of finite amplitude changes the energy by a part (k a)^2",
+                   .expected = half_length * (last * last - first * first),
+                   .relative = true});
   claims.only_if(values.real("at") <= 6.2, "the crest then is a jet, which no lattice resolves")
-      .check({.id = "crest",
-              .text = fmt::format("The crest at t = {:g} is as high as on cells a third wider.", values.real("at")),
-              .quantity = "difference of its heights",
-              .unit = "1/k",
-              .source = source},
-             &Results::crest_change,
-             evidence::Bound{0.01 * values.real("height"),
-                             "a hundredth of the wave's height: in a figure in which it is 3 cm high, the width of a "
-                             "line"});
-  claims.check({.id = "energy",
-                .text = "The energy changes by the work of the pressure and by what the penalty takes, to round-off.",
-                .quantity = "largest defect",
-                .unit = "rho g/k^3",
-                .source = "Frank (1994), chapter 6; the discrete work is exact"},
-               &Results::balance,
-               evidence::Roundoff{.operations = frame_times.back() / values.real("tau"),
-                                  .scale = 1,
-                                  .reason = "one rounding per step of energies below 1"});
+      .check("crest", fmt::format("The crest at t = {:g} is as high as on cells a third wider.", values.real("at")),
+             "difference of its heights [1/k]", &Results::crest_change,
+             Bound{0.01 * values.real("height"),
+                   "a hundredth of the wave's height: in a figure in which it is 3 cm high, the width of a line"});
+  claims.from("Frank (1994), chapter 6; the discrete work is exact")
+      .check("energy", "The energy changes by the work of the pressure and by what the penalty takes, to round-off.",
+             "largest defect [rho g/k^3]", &Results::balance,
+             Roundoff{.operations = frame_times.back() / values.real("tau"),
+                      .scale = 1,
+                      .reason = "one rounding per step of energies below 1"});
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
@@ -278,8 +262,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
                                 .x_max = 1.6,
                                 .y_min = -0.5,
                                 .y_max = 0.8});
-    std::vector<double> x;
-    for (const double place : frame.x) x.push_back(place - frame.crest_x);
+    std::vector<double> x = each(frame.x, [&](const double place) { return place - frame.crest_x; });
     panel.line("surface", x, frame.y, Role::computed);
     const auto from_crest = [&](Polyline line) {
       for (double& place : line.x) place -= frame.crest_x;
@@ -326,7 +309,7 @@ Case breaking_gauss() {
   c.published = {
       {.tiles = {"frank-fig-10"},
        .differs = "the thesis does not state the pressure: its amplitude is a fit to the times of the frames"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -39,6 +39,7 @@ spacings.
 #include "seiche/exact/wavemaker.hpp"
 #include "validation/breaking/sph_plunging.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/straight_line.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
 #include "validation/studies/wcsph/sound_rule.hpp"
@@ -48,9 +49,6 @@ spacings.
 
 namespace seiche::validation::cases::flap_plunging_sph {
 namespace {
-
-using evidence::Bound;
-using evidence::Role;
 
 const std::string publication = "Plunging breaking waves by weakly compressible smoothed particles, figure 6";
 constexpr double gravity = 9.81;
@@ -131,26 +129,18 @@ void claim_model(const Claims<Runs>& claims, const Model& model, bool by_rule) {
       return {.value = measure(finest), .resolution = sph_resolution(finest.spacing, finest.particles)};
     };
   };
-  claims.check({.id = "plunges-" + model.id,
-                .text = fmt::format("The second wave overturns ({}).", model.name),
-                .quantity = "it does",
-                .source = publication},
+  claims.check("plunges-" + model.id, fmt::format("The second wave overturns ({}).", model.name), "it does",
                on_finest([](const SphPlunged& run) { return std::isnan(run.hangs_over) ? 0.0 : 1.0; }),
-               evidence::Qualitative{.detector = "the surface hangs over forward by two spacings before 1.46 T",
-                                     .reason = "a wave as high as the water is deep is above the steepest "
-                                               "permanent one"});
-  claims.check({.id = "contained-" + model.id,
-                .text = fmt::format("No particle gets behind the flap or through a wall ({}).", model.name),
-                .quantity = "particles outside at the end",
-                .source = publication},
-               on_finest([](const SphPlunged& run) { return static_cast<double>(run.lost); }),
-               Bound{.limit = 0, .reason = "walls are tight"});
+               Qualitative{.detector = "the surface hangs over forward by two spacings before 1.46 T",
+                           .reason = "a wave as high as the water is deep is above the steepest permanent one"});
+  claims.check(
+      "contained-" + model.id, fmt::format("No particle gets behind the flap or through a wall ({}).", model.name),
+      "particles outside at the end", on_finest([](const SphPlunged& run) { return static_cast<double>(run.lost); }),
+      Bound{.limit = 0, .reason = "walls are tight"});
   claims.only_if(by_rule, "the sound speed is given, not taken from the largest speed")
-      .check({.id = "mach-" + model.id,
-              .text = fmt::format("Speeds stay below a tenth of the sound speed ({}).", model.name),
-              .quantity = "largest Mach number",
-              .source = "Monaghan (1994)"},
-             on_finest([](const SphPlunged& run) { return run.extremes.mach; }),
+      .from("Monaghan (1994)")
+      .check("mach-" + model.id, fmt::format("Speeds stay below a tenth of the sound speed ({}).", model.name),
+             "largest Mach number", on_finest([](const SphPlunged& run) { return run.extremes.mach; }),
              Bound{.limit = 0.1, .reason = "the rule by which the sound speed is chosen"});
 }
 
@@ -162,10 +152,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   }
   claims.only_if(models.size() > 1, "the stress of unresolved eddies is for the longer tiers")
       .check(
-          {.id = "together",
-           .text = "The second wave overturns at the same time without and with the stress of unresolved eddies.",
-           .quantity = "difference of the times at which the front hangs over, in periods",
-           .source = publication},
+          "together", "The second wave overturns at the same time without and with the stress of unresolved eddies.",
+          "difference of the times at which the front hangs over, in periods",
           [](const Results& r) -> Measurement {
             const SphPlunged& standard = r.runs.front().back();
             const double apart = r.runs.back().back().hangs_over - standard.hangs_over;
@@ -191,22 +179,19 @@ void show_model(evidence::Exhibit& exhibit, const Model& model, const Runs& runs
     measure(fmt::format("largest_speed_at_{:.2f}", frames[k]), finest.speed[k]);
   }
   if (finest.jet_time.size() >= 4) measure("jet_speed", straight_line(finest.jet_time, finest.jet_x).slope);
-  std::vector<double> sizes, times;
-  for (const SphPlunged& one : runs) {
-    sizes.push_back(one.spacing);
-    times.push_back(one.hangs_over);
-  }
+  std::vector<double> sizes = each(runs, [](const SphPlunged& one) { return one.spacing; });
+  std::vector<double> times = each(runs, [](const SphPlunged& one) { return one.hangs_over; });
   measure_convergence(exhibit, "overhang_periods_" + model.id, sizes, times);
 }
 
 /// The time of the vertical front by the clocks that it may be counted with.
 void tabulate_clocks(evidence::Exhibit& exhibit, const std::vector<Model>& models, const Results& r) {
-  evidence::Table table{.id = "clocks",
-                        .title = "When the front of the second wave is vertical",
-                        .caption =
-                            "In periods. The publication does not say in which phase its flap starts and from "
-                            "which its time counts.",
-                        .columns = {{"", ""}, {"from mid-stroke", "T"}, {"from the rearmost position", "T"}}};
+  evidence::Table table{
+      .id = "clocks",
+      .title = "When the front of the second wave is vertical",
+      .caption =
+          "In periods. The publication does not say in which phase its flap starts and from which its time counts.",
+      .columns = table_columns({"", "from mid-stroke [T]", "from the rearmost position [T]"})};
   for (std::size_t m = 0; m < models.size(); ++m) {
     const double hangs_over = r.runs[m].back().hangs_over;
     table.rows.push_back({models[m].name, hangs_over, hangs_over + 0.25});
@@ -310,10 +295,9 @@ Case flap_plunging_sph() {
       {.tiles = {"sph-fig-4"}},
       {.tiles = {"sph-fig-6"},
        .tier = Tier::paper,
-       .differs =
-           "the publication states neither the length of the flume nor the height and the first phase of the paddle; "
-           "spray moves at a third of the sound speed, where it asks for a tenth"}};
-  c.study = Study(claims, compute, show);
+       .differs = "the publication states neither the length of the flume nor the height and the first phase of the "
+                  "paddle; spray moves at a third of the sound speed, where it asks for a tenth"}};
+  c.study = Study(claims, compute, show, publication);
   return c;
 }
 

@@ -41,8 +41,6 @@ to 800 spacings in a wavelength. The whole jet is right to a part of a cell.
 namespace seiche::validation::cases::overturning_gauss {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 using exact::OverturningWave;
 using gauss_particles::Flow;
 using gauss_particles::LatticePlan;
@@ -224,47 +222,37 @@ void claims(const Values& values, const Claims<Results>& all) {
       all.at(fmt::format("{} cells, {} particles to a side, tau = {:.3g}", cells, side, tau));
   for (std::size_t i = 0; i < instants.size(); ++i) {
     claims.check(
-        {.id = "distance-" + instants[i].id,
-         .text = instants[i].when + " the surface is that of potential flow, as far as the lattice resolves it.",
-         .quantity = "largest distance of the surfaces",
-         .unit = "1/k",
-         .source = source},
+        "distance-" + instants[i].id,
+        instants[i].when + " the surface is that of potential flow, as far as the lattice resolves it.",
+        "largest distance of the surfaces [1/k]",
         [i](const Results& r) -> Measurement {
           return {.value = r.finest().distances.at(i).largest,
                   .where = fmt::format("t = {:.3f}", r.times.at(i)),
                   .told = {.limit = r.limits.at(i)}};
         },
-        Bound{.limit = evidence::Amount::told_by_run(2 * cell),
+        Bound{.limit = Amount::told_by_run(2 * cell),
               .reason = "what a curve of the exact surface's largest curvature bends within a cell, K h^2/8, half a "
                         "cell at most; of a jet, half a cell and what of the exact one is thinner than a cell"});
   }
   claims.check(
-      {.id = "vertical-tangent",
-       .text = "The front is first vertical when it is in potential flow.",
-       .quantity = "time at which the line of markers first goes backwards, less the exact one",
-       .unit = "(g k)^(-1/2)",
-       .source = source},
+      "vertical-tangent", "The front is first vertical when it is in potential flow.",
+      "time at which the line of markers first goes backwards, less the exact one [(g k)^(-1/2)]",
       [](const Results& r) { return r.turned - r.vertical; },
       Bound{.limit = cell * period_of(wave) / (2 * wavelength) + tau,
-            .reason = "the front is known to half a cell, which the wave travels in that time, and looked at "
-                      "after every step"});
+            .reason = "the front is known to half a cell, which the wave travels in that time, and looked at after "
+                      "every step"});
   claims.check(
-      {.id = "convergence",
-       .text = "Halfway to a vertical front cells half as wide bring the surface nearer to potential flow.",
-       .quantity = "rms distance, finer lattice over coarser",
-       .source = source},
+      "convergence", "Halfway to a vertical front cells half as wide bring the surface nearer to potential flow.",
+      "rms distance, finer lattice over coarser",
       [](const Results& r) { return r.finest().distances[0].rms / r.particles[0].distances[0].rms; },
       Bound{.limit = std::pow(0.5, 1.5),
-            .reason = "second order in the cells' width, of which half an order is left to their random "
-                      "shifts"});
-  claims.check({.id = "energy",
-                .text = "The energy changes by what the penalty takes, to round-off.",
-                .quantity = "largest defect over the kinetic energy",
-                .source = "Frank (1994), chapter 6; exact for every space and step"},
-               &Results::energy,
-               evidence::Roundoff{.operations = std::ceil(last_phase * period_of(wave) / tau),
-                                  .scale = 2,
-                                  .reason = "one rounding per step of the kinetic and the potential energy"});
+            .reason = "second order in the cells' width, of which half an order is left to their random shifts"});
+  claims.from("Frank (1994), chapter 6; exact for every space and step")
+      .check("energy", "The energy changes by what the penalty takes, to round-off.",
+             "largest defect over the kinetic energy", &Results::energy,
+             Roundoff{.operations = std::ceil(last_phase * period_of(wave) / tau),
+                      .scale = 2,
+                      .reason = "one rounding per step of the kinetic and the potential energy"});
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
@@ -282,7 +270,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   evidence::Table table{.id = "models",
                         .title = "Distance from potential flow",
                         .caption = "Root mean square at the five instants, in 1/k, and the processor time.",
-                        .columns = {{"", ""}, {"cell or spacing", "1/k"}}};
+                        .columns = table_columns({"", "cell or spacing [1/k]"})};
   for (const Instant& instant : instants) table.columns.emplace_back(instant.id, "1/k");
   table.columns.emplace_back("time", "s");
   std::vector<const Computed*> all;
@@ -317,7 +305,7 @@ Case overturning_gauss() {
       integer("cells", {48, 80, 80}, {32, 200}, "of the lattice to a wavelength; a second one has half as many"),
       integer("columns", {100, 280, 280}, {40, 2000}, "particle spacings of SPH in a wavelength"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

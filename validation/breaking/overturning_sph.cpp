@@ -31,6 +31,7 @@ bottom by a part of a spacing; the kinetic energy is within a few per cent of th
 #include "seiche/exact/dispersion.hpp"
 #include "validation/breaking/sph_overturning.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/sph_steep_wave.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
@@ -39,9 +40,6 @@ bottom by a part of a spacing; the kinetic energy is within a few per cent of th
 
 namespace seiche::validation::cases::overturning_sph {
 namespace {
-
-using evidence::Bound;
-using evidence::Role;
 
 const std::string source = "Longuet-Higgins and Cokelet (1976); Baker, Meiron and Orszag (1982)";
 constexpr double gravity = 9.81;
@@ -110,9 +108,7 @@ struct Results {
 
   [[nodiscard]] const SphOverturned& finest() const { return runs.back(); }
   [[nodiscard]] std::vector<double> sizes() const {
-    std::vector<double> all;
-    for (const SphOverturned& one : runs) all.push_back(one.spacing);
-    return all;
+    return each(runs, [](const SphOverturned& one) { return one.spacing; });
   }
 };
 
@@ -173,9 +169,7 @@ Results compute(const Run& run) {
 }
 
 std::vector<double> of_all(const std::vector<PolylineDistance>& row, double PolylineDistance::*member) {
-  std::vector<double> values;
-  for (const PolylineDistance& distance : row) values.push_back(distance.*member);
-  return values;
+  return each(row, [&](const PolylineDistance& distance) { return distance.*member; });
 }
 
 evidence::ObservedOrder order_at(const Results& r, std::size_t instant) {
@@ -194,70 +188,56 @@ void claim_distances(const Claims<Results>& claims, const Values& values) {
   const double spacing = wavelength / static_cast<double>(values.integer("columns"));
   // The weight of the water compresses a column by g d^2/(2 c_0^2), c_0^2 = sound^2 g d: at any spacing.
   const double compressed = values.real("depth") / (2 * values.real("sound") * values.real("sound"));
-  const auto orders =
-      claims.only_if(values.tier() != Tier::quick, "its coarsest lattices do not resolve the jet")
-          .only_if(compressed < 0.5 * spacing,
-                   "what the finite sound speed leaves at any spacing, g d^2/(2 c_0^2), is not less than half a "
-                   "spacing, which is what the lattice adds: their sum has no order");
+  const auto orders = claims.only_if(values.tier() != Tier::quick, "its coarsest lattices do not resolve the jet")
+                          .only_if(compressed < 0.5 * spacing,
+                                   "what the finite sound speed leaves at any spacing, g d^2/(2 c_0^2), is not less "
+                                   "than half a spacing, which is what the lattice adds: their sum has no order");
   for (std::size_t i = 0; i < instants.size(); ++i) {
     claims.check(
-        {.id = "distance-" + instants[i].id,
-         .text = fmt::format("{} the surface is that of potential flow to one spacing.", instants[i].when),
-         .quantity = "rms distance of the surfaces",
-         .unit = "m",
-         .source = source},
+        "distance-" + instants[i].id,
+        fmt::format("{} the surface is that of potential flow to one spacing.", instants[i].when),
+        "rms distance of the surfaces [m]",
         [i](const Results& r) -> Measurement {
           return {.value = r.distances.at(i).back().rms,
                   .resolution = sph_resolution(r.finest().spacing, r.finest().particles),
                   .where = fmt::format("t = {:.3f} s", r.times.at(i))};
         },
         Bound{.limit = spacing,
-              .reason = "one spacing of the particles: no surface of theirs is known better than to a part "
-                        "of it"});
+              .reason = "one spacing of the particles: no surface of theirs is known better than to a part of it"});
     // Before, what the finite sound speed leaves is no smaller than what the lattice adds.
     if (!instants[i].past_the_front) continue;
     orders.check(
-        {.id = "order-" + instants[i].id,
-         .text = fmt::format("{} the distance falls with the spacing.", instants[i].when),
-         .quantity = "observed order of the rms distance",
-         .source = source},
-        [i](const Results& r) { return order_at(r, i); },
-        evidence::Order{.theory = 1,
-                        .tolerance = 0.75,
-                        .reason = "first order, for the surface is known to a part of the spacing and the "
-                                  "viscosity is in proportion to it; not far from half an order, nor from one "
-                                  "and a half"});
+        "order-" + instants[i].id, fmt::format("{} the distance falls with the spacing.", instants[i].when),
+        "observed order of the rms distance", [i](const Results& r) { return order_at(r, i); },
+        Order{.theory = 1,
+              .tolerance = 0.75,
+              .reason = "first order, for the surface is known to a part of the spacing and the viscosity is in "
+                        "proportion to it; not far from half an order, nor from one and a half"});
   }
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
   const double period = period_of(wave_of(values));
   claim_distances(claims, values);
-  claims.check({.id = "overturns", .text = "The wave turns over.", .quantity = "it does", .source = source},
+  claims.check("overturns", "The wave turns over.", "it does",
                on_finest([](const Results& r) { return std::isnan(r.finest().hangs_over) ? 0.0 : 1.0; }),
-               evidence::Qualitative{.detector = "the surface hangs over by a hundredth of the wavelength",
-                                     .reason = "potential flow from the same start does"});
+               Qualitative{.detector = "the surface hangs over by a hundredth of the wavelength",
+                           .reason = "potential flow from the same start does"});
   claims.only_if(values.tier() != Tier::quick, "its jet is two of its wide spacings thick before it counts")
       .check(
-          {.id = "overhang-time",
-           .text = "The front hangs over when that of potential flow does.",
-           .quantity = "when it hangs over by a hundredth of the wavelength",
-           .unit = "s",
-           .source = source},
+          "overhang-time", "The front hangs over when that of potential flow does.",
+          "when it hangs over by a hundredth of the wavelength [s]",
           [](const Results& r) -> Measurement {
             return {.value = r.finest().hangs_over,
                     .resolution = sph_resolution(r.finest().spacing, r.finest().particles),
                     .told = {.expected = r.exact_overhang}};
           },
           Bound{.limit = 0.05 * period,
-                .reason = "5 % of the period: the tip of the jet, about two spacings thick when it begins, is "
-                          "what particles form last",
-                .expected = evidence::Amount::told_by_run(last_phase * period)});
-  claims.check({.id = "kinetic-energy",
-                .text = "With a developed jet the water has the kinetic energy of potential flow.",
-                .quantity = "over that of potential flow",
-                .source = source},
-               on_finest([](const Results& r) {
+                .reason = "5 % of the period: the tip of the jet, about two spacings thick when it begins, is what "
+                          "particles form last",
+                .expected = Amount::told_by_run(last_phase * period)});
+  claims.check("kinetic-energy", "With a developed jet the water has the kinetic energy of potential flow.",
+               "over that of potential flow", on_finest([](const Results& r) {
                  return r.finest().kinetic.at(instants.size() - 1) / r.exact.integrals(r.times.back()).kinetic_energy;
                }),
                Bound{.limit = 0.05,
@@ -292,7 +272,7 @@ void tabulate_variants(const Results& r, evidence::Exhibit& exhibit) {
                         .caption = fmt::format("With dx = L/{:.0f}: rms distance of the surfaces in spacings, and the "
                                                "kinetic energy with a developed jet over that of potential flow.",
                                                wavelength / r.runs[halved].spacing),
-                        .columns = {{"", ""}}};
+                        .columns = table_columns({""})};
   for (const Instant& instant : instants) table.columns.emplace_back(instant.id, "dx");
   table.columns.emplace_back("kinetic energy", "");
   for (std::size_t k = 0; k < variants.size(); ++k) {
@@ -378,7 +358,7 @@ Case overturning_sph() {
             real("depth", 0.13, "L", {0.05, 1}, "depth of the water at rest"),
             integer("columns", {100, 400, 800}, {40, 4000}, "particle spacings in a wavelength, finest")},
            sph_parameters({.kernel = std::string("wendland_c2"), .smoothing = 2.0, .alpha = 0.01}, "sqrt(g d)"));
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -33,10 +33,6 @@ spacing, is shown and not judged: their jet is formed by few of them, and late.
 namespace seiche::validation::cases::overturning_sph_depths {
 namespace {
 
-using evidence::Amount;
-using evidence::Bound;
-using evidence::Role;
-
 const std::string source = "Longuet-Higgins and Cokelet (1976); Baker, Meiron and Orszag (1982)";
 constexpr double gravity = 9.81;
 constexpr double overhang = 0.01;    // [m]
@@ -144,10 +140,9 @@ void claim_turn(const Claims<Turn>& claims, const Shape& shape, const Values& va
               .resolution = sph_resolution(turn.run.spacing, turn.run.particles),
               .where = fmt::format("t = {:.3f} s", turn.times.at(instant))};
     };
-    const Bound spacing{.limit = 1 / static_cast<double>(values.integer("columns")),
-                        .reason =
-                            "one spacing of the particles: no surface of theirs is known better than to a part "
-                            "of it"};
+    const Bound spacing{
+        .limit = 1 / static_cast<double>(values.integer("columns")),
+        .reason = "one spacing of the particles: no surface of theirs is known better than to a part of it"};
     if (claim.id == "jet-deep" && full_as_it_stands(values)) {
       claims.known_failure(claim, distance, spacing, late_jet());
     } else {
@@ -202,18 +197,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  evidence::Table table{
-      .id = "turns",
-      .title = "When waves overturn",
-      .caption =
-          "In periods of the linear wave: vertical front of potential flow, and when the fronts hang over by a "
-          "hundredth of the wavelength. Distances over the spacing.",
-      .columns = {{"wave", ""},
-                  {"vertical", "T"},
-                  {"hangs over", "T"},
-                  {"SPH hangs over", "T"},
-                  {"distance, vertical", "dx"},
-                  {"distance, jet", "dx"}}};
+  evidence::Table table{.id = "turns",
+                        .title = "When waves overturn",
+                        .caption =
+                            "In periods of the linear wave: vertical front of potential flow, and when the fronts hang "
+                            "over by a hundredth of the wavelength. Distances over the spacing.",
+                        .columns = table_columns({"wave", "vertical [T]", "hangs over [T]", "SPH hangs over [T]",
+                                                  "distance, vertical [dx]", "distance, jet [dx]"})};
   auto& figure =
       exhibit.figure("surfaces", "Waves with a developed jet", "Surfaces of particles and of potential flow.");
   for (std::size_t k = 0; k < shapes.size(); ++k) {

@@ -30,7 +30,6 @@ throws a thick jet near the crest.
 namespace seiche::validation::cases::overturning_wave {
 namespace {
 
-using evidence::Role;
 using exact::OverturningWave;
 
 const std::string source = "Longuet-Higgins and Cokelet (1976); Baker, Meiron and Orszag (1982)";
@@ -69,33 +68,31 @@ void claim_self_test(const Claims<exact::SelfTest>& claims) {
     std::string reason;
   };
   const std::string steps = "steps of tolerance 2e-11, whose errors add up; no more than 5000 of them";
-  const std::array identities{
-      Declared{"kinetic energy at t = 0 is (pi/2) A^2 I_0(2A)", 1e-13,
-               "integral equation solved to 1e-15, kernels rounded at neighbouring markers 0.01 apart; sum over the "
-               "markers"},
-      Declared{"volume is conserved", 1e-7, steps}, Declared{"energy is conserved", 1e-7, steps},
-      Declared{"horizontal impulse is conserved", 1e-7, steps}};
+  const std::array identities{Declared{"kinetic energy at t = 0 is (pi/2) A^2 I_0(2A)", 1e-13,
+                                       "integral equation solved to 1e-15, kernels rounded at neighbouring markers "
+                                       "0.01 apart; sum over the markers"},
+                              Declared{"volume is conserved", 1e-7, steps},
+                              Declared{"energy is conserved", 1e-7, steps},
+                              Declared{"horizontal impulse is conserved", 1e-7, steps}};
   for (std::size_t k = 0; k < identities.size(); ++k) {
     claims.check(
-        {.id = fmt::format("identity-{}", k + 1),
-         .text = fmt::format("The reference satisfies its own identity: {}.", identities[k].name),
-         .quantity = "relative defect",
-         .source = source},
+        fmt::format("identity-{}", k + 1),
+        fmt::format("The reference satisfies its own identity: {}.", identities[k].name), "relative defect",
         [k](const exact::SelfTest& test) -> Measurement {
           return {.value = test.at(k).defect, .told = {.limit = test.at(k).accuracy}};
         },
-        evidence::Bound{.limit = evidence::Amount::told_by_run(identities[k].largest), .reason = identities[k].reason});
+        Bound{.limit = Amount::told_by_run(identities[k].largest), .reason = identities[k].reason});
   }
 }
 
 void claims(const Values& /*values*/, const Claims<Results>& claims) {
   claim_self_test(claims.of(&Results::identities));
   claims.check(
-      {.id = "overturns", .text = "The wave turns over.", .quantity = "the front becomes vertical", .source = source},
+      "overturns", "The wave turns over.", "the front becomes vertical",
       [](const Results& r) { return r.wave.vertical_tangent_time() ? 1.0 : 0.0; },
-      evidence::Qualitative{.detector = "x stops increasing along the surface",
-                            .reason = "a cosine of this amplitude is far steeper than any steady wave",
-                            .expected = true});
+      Qualitative{.detector = "x stops increasing along the surface",
+                  .reason = "a cosine of this amplitude is far steeper than any steady wave",
+                  .expected = true});
 }
 
 Results compute(const Run& run) {
@@ -139,10 +136,9 @@ std::vector<WantedTable> wanted(const Values& values) {
   };
   const std::vector<Requirement> close{
       {.measure = Measure::largest_error,
-       .criterion =
-           evidence::Bound{.limit = values.real("tolerance") * 2 * values.real("amplitude"),
-                           .reason = "the case's parameter `tolerance`, of the height of the cosine; by "
-                                     "default a twentieth, less than the jet grows between the instants asked for"},
+       .criterion = Bound{.limit = values.real("tolerance") * 2 * values.real("amplitude"),
+                          .reason = "the case's parameter `tolerance`, of the height of the cosine; by default a "
+                                    "twentieth, less than the jet grows between the instants asked for"},
        .text = "The surface is that of potential flow.",
        .source = source}};
   return {{.name = "surface",
@@ -179,7 +175,7 @@ Case overturning_wave() {
       integer("markers", {384, 512, 1024}, {64, 4096}, "markers per wavelength, even"),
       tolerance_parameter(),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   c.submission = {.tables = wanted};
   return c;
 }

@@ -53,64 +53,50 @@ ComparedSurface compare(const PressureBreakingReference& reference, const gauss_
 void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::vector<double>& times,
                           std::size_t steepest, BreakingLattice finest, double speed) {
   for (std::size_t frame = 0; frame < times.size(); ++frame) {
-    claims.check(
-        {.id = fmt::format("potential-flow-{:.0f}", 10 * times[frame]),
-         .text = fmt::format("At t = {:g} the surface is that of potential flow, as far as the lattice resolves it.",
-                             times[frame]),
-         .quantity = "largest distance of the two surfaces",
-         .unit = "1/k",
-         .source = source},
+    claims.from(source).check(
+        fmt::format("potential-flow-{:.0f}", 10 * times[frame]),
+        fmt::format("At t = {:g} the surface is that of potential flow, as far as the lattice resolves it.",
+                    times[frame]),
+        "largest distance of the two surfaces [1/k]",
         [frame](const BreakingComparison& c) -> Measurement {
           const ComparedSurface& surface = c.finest().frames.at(frame);
           return {.value = surface.distance.largest, .told = {.limit = surface.limit}};
         },
-        evidence::Bound{.limit = evidence::Amount::told_by_run(2 * finest.cell),
-                        .reason =
-                            "what a curve of the exact surface's largest curvature bends within a cell, K h^2/8, "
-                            "half a cell at most; of a jet, half a cell and what of the exact one is thinner than "
-                            "a cell"});
+        Bound{.limit = Amount::told_by_run(2 * finest.cell),
+              .reason = "what a curve of the exact surface's largest curvature bends within a cell, K h^2/8, half a "
+                        "cell at most; of a jet, half a cell and what of the exact one is thinner than a cell"});
   }
-  claims.check(
-      {.id = "vertical-tangent",
-       .text = "The front is first vertical when it is in potential flow.",
-       .quantity = "time at which the line of markers first goes backwards, less the exact one",
-       .unit = "(g k)^(-1/2)",
-       .source = source},
+  claims.from(source).check(
+      "vertical-tangent", "The front is first vertical when it is in potential flow.",
+      "time at which the line of markers first goes backwards, less the exact one [(g k)^(-1/2)]",
       [](const BreakingComparison& c) { return c.finest().overturned - c.vertical_tangent; },
-      evidence::Bound{.limit = finest.cell / (2 * speed) + finest.tau,
-                      .reason = "the front is known to half a cell, which the wave travels in that time, and "
-                                "looked at after every step"});
-  claims.check(
-      {.id = "convergence",
-       .text = fmt::format("At t = {:g} cells half as wide bring the surface nearer to potential flow.",
-                           times.at(steepest)),
-       .quantity = "rms distance, finest lattice over coarsest",
-       .source = source},
+      Bound{.limit = finest.cell / (2 * speed) + finest.tau,
+            .reason = "the front is known to half a cell, which the wave travels in that time, and looked at after "
+                      "every step"});
+  claims.from(source).check(
+      "convergence",
+      fmt::format("At t = {:g} cells half as wide bring the surface nearer to potential flow.", times.at(steepest)),
+      "rms distance, finest lattice over coarsest",
       [steepest](const BreakingComparison& c) {
         return c.finest().frames.at(steepest).distance.rms / c.lattices.front().frames.at(steepest).distance.rms;
       },
-      evidence::Bound{.limit = std::pow(0.5, 1.5),
-                      .reason = "second order in the cells' width, of which half an order is left to their "
-                                "random shifts"});
+      Bound{.limit = std::pow(0.5, 1.5),
+            .reason = "second order in the cells' width, of which half an order is left to their random shifts"});
   const double phase = finest.tau * finest.tau / 24;
   const double interpolation = std::pow(finest.cell, 3) / 24;
-  claims.check(
-      {.id = "exact-work",
-       .text = "The pressure does the work that it does on potential flow.",
-       .quantity = "work, relative difference",
-       .source = source},
+  claims.from(source).check(
+      "exact-work", "The pressure does the work that it does on potential flow.", "work, relative difference",
       [](const BreakingComparison& c) { return c.finest().work / c.work - 1; },
-      evidence::Bound{.limit = phase + interpolation,
-                      .reason = "(omega tau)^2/24, by which the steps make the wave lead, and (k h)^3/24, the "
-                                "error of velocities of cubic splines"});
+      Bound{.limit = phase + interpolation,
+            .reason = "(omega tau)^2/24, by which the steps make the wave lead, and (k h)^3/24, the error of "
+                      "velocities of cubic splines"});
 }
 
 evidence::Table distance_table(const BreakingComparison& comparison) {
   evidence::Table table{.id = "potential-flow",
                         .title = "Distance from potential flow",
                         .caption = "Markers until the exact front is vertical, then the outline of the particles.",
-                        .columns = {{"t", "(g k)^(-1/2)"}},
-                        .rows = {}};
+                        .columns = table_columns({"t [(g k)^(-1/2)]"})};
   for (const ComparedLattice& lattice : comparison.lattices) {
     const std::string cells = fmt::format("{:.0f} cells", forced_length / lattice.cell);
     table.columns.emplace_back("rms, " + cells, "1/k");

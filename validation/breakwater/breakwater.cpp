@@ -35,8 +35,6 @@ tenth of what a plain wall does. Waves much longer push on both together.
 namespace seiche::validation::cases::breakwater {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 using lagrangian_mesh_2d::Flow;
 
 const std::string source = "Frank (1994), section 2.3";
@@ -129,17 +127,14 @@ void claim_band(const Claims<Results>& claims, bool as_published) {
     claims.check(band, largest, tenth);
   }
   claims.check(
-      {.id = "antiphase",
-       .text = "Front and rear are then pushed in opposite directions.",
-       .quantity = "share of these waves that do so",
-       .source = source},
+      "antiphase", "Front and rear are then pushed in opposite directions.", "share of these waves that do so",
       [](const Results& r) {
         Count opposite;
         for (const StandingLoad& one : band_of(r)) opposite.add(one.force.front, [](double f) { return f < 0; });
         return opposite.value() / static_cast<double>(opposite.samples());
       },
-      evidence::Qualitative{.detector = "sign of the force on the front when the rear is pushed",
-                            .reason = "the berm is about half a wave wide"});
+      Qualitative{.detector = "sign of the force on the front when the rear is pushed",
+                  .reason = "the berm is about half a wave wide"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -147,21 +142,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto given = claims.only_if(s.as_given(), "for the berm of the default parameters");
   claims.at("up to " + s.refined(s.meshes - 1).name(s.berm))
       .check(
-          {.id = "refinement",
-           .text = "The forces converge with the mesh, for waves longer than four depths.",
-           .quantity = "largest change by the last halving over that by the one before",
-           .source = source},
+          "refinement", "The forces converge with the mesh, for waves longer than four depths.",
+          "largest change by the last halving over that by the one before",
           [](const Results& r) { return r.changes.back() / r.changes[r.changes.size() - 2]; },
           Bound{.limit = 0.5,
-                .reason = "1/4 for the model's second order, which needs a mesh that resolves the "
-                          "face of the berm, 0.2 depths; 1/2 for the first"});
+                .reason = "1/4 for the model's second order, which needs a mesh that resolves the face of the berm, "
+                          "0.2 depths; 1/2 for the first"});
   claims.at(s.mesh.name(s.berm))
-      .check({.id = "rest",
-              .text = "Water at rest stays at rest over the berm.",
-              .quantity = "largest acceleration",
-              .unit = "g",
-              .source = "Frank (1994), formula 7"},
-             &Results::rest,
+      .from("Frank (1994), formula 7")
+      .check("rest", "Water at rest stays at rest over the berm.", "largest acceleration [g]", &Results::rest,
              Bound{.limit = 0,
                    .reason = "the forces vanish without rounding: the surface is at y = 0, and the bottom does not "
                              "enter the potential energy"});
@@ -170,20 +159,18 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double fastest = std::sqrt(shortest_wavenumber * std::tanh(shortest_wavenumber));
   claims.at(fmt::format("{}, tau = {:g}", s.mesh.name(s.berm), s.tau))
       .check(
-          {.id = "in-time",
-           .text = "A small wave that runs in time has the forces of the eigenvalues.",
-           .quantity = "largest difference in a period over the larger force",
-           .source = source},
+          "in-time", "A small wave that runs in time has the forces of the eigenvalues.",
+          "largest difference in a period over the larger force",
           [s](const Results& r) -> Measurement {
             const Worst off = r.gentle.difference();
             return {.value = off.value() / worst(std::array{r.gentle.load.force.front, r.gentle.load.force.rear}),
                     .where = fmt::format("t = {:.3g}", off.where()),
                     .told = {.limit = in_time_limit(r.gentle.mode.frequency, s.tau)}};
           },
-          Bound{.limit = evidence::Amount::told_by_run(in_time_limit(fastest, s.tau)),
-                .reason = "the scheme's clock, (omega tau)^2/24 of a phase of 2 pi and of the forces; and ten "
-                          "times the height for what is not linear: the depth over the berm is 0.4. No wave of "
-                          "the basin that is longer than three depths is faster than one of three"});
+          Bound{.limit = Amount::told_by_run(in_time_limit(fastest, s.tau)),
+                .reason = "the scheme's clock, (omega tau)^2/24 of a phase of 2 pi and of the forces; and ten times "
+                          "the height for what is not linear: the depth over the berm is 0.4. No wave of the basin "
+                          "that is longer than three depths is faster than one of three"});
 }
 
 /// Largest change of a force by each halving of the cells.
@@ -239,11 +226,11 @@ void draw_forces(const std::vector<StandingLoad>& all, evidence::Exhibit& exhibi
     total.push_back(one.force.total());
     relative.push_back(one.relative());
   }
-  auto& figure = exhibit.figure("forces", "Forces on a structure loaded in antiphase",
-                                "Small standing waves: force on the front, on the rear and on both, over the height at "
-                                "the far wall, at the moment when the rear is pushed; then the total over the force on "
-                                "a plain wall.",
-                                {"frank-breakwater"});
+  auto& figure =
+      exhibit.figure("forces", "Forces on a structure loaded in antiphase",
+                     "Small standing waves: force on the front, on the rear and on both, over the height at the far "
+                     "wall, at the moment when the rear is pushed; then the total over the force on a plain wall.",
+                     {"frank-breakwater"});
   auto& forces = figure.panel({.x = "wavelength [depth]", .y = "force/height [rho g depth]"});
   forces.line("front", length, front, Role::computed);
   forces.line("rear", length, rear, Role::peer);
@@ -294,7 +281,7 @@ Case breakwater() {
       real("tau", 0.02, "sqrt(depth/g)", {1e-3, 0.2}, "time step"),
   };
   c.published = {{.tiles = {"frank-breakwater"}, .differs = "the thesis gives no geometry: this one is made up"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

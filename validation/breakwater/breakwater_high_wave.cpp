@@ -46,9 +46,6 @@ has twice the frequency.
 namespace seiche::validation::cases::breakwater_high_wave {
 namespace {
 
-using evidence::Amount;
-using evidence::Bound;
-using evidence::Role;
 using lagrangian_mesh_2d::Flow;
 
 const std::string source = "Frank (1994), section 2.3";
@@ -111,30 +108,26 @@ struct Results {
 /// Rounding of the momentum's rate: every node's velocity is rounded once per operation.
 void claim_momentum(const Claims<Results>& claims, const SetUp& s) {
   const auto nodes = static_cast<double>((s.mesh.columns(s.berm) + 1) * (s.mesh.rows + 1));
-  claims.check(
-      {.id = "momentum",
-       .text = "The water's horizontal momentum changes by the forces of the walls and of the bottom.",
-       .quantity = "largest defect of a step's balance",
-       .unit = "rho g depth^2",
-       .source = "Frank (1994), formulas 4 to 7"},
-      [s, nodes](const Results& r) -> Measurement {
-        Worst defect;
-        for (const auto& step : r.high.steps) defect.add(step.defect(), step.time);
-        const double water = r.high.wave.flow.model().mass();
-        return {.value = defect.value(),
-                .where = fmt::format("t = {:.3g}", defect.where()),
-                .told = {.scale = r.high.fastest.value() * water / nodes / s.tau}};
-      },
-      evidence::Roundoff{.operations = 20 * nodes,
-                         .scale = Amount::told_by_run(10 * s.berm.length / nodes / s.tau),
-                         .reason = "some twenty rounded operations per node and step, of the momentum of a node that "
-                                   "moves as fast as the fastest, over the step"});
+  claims.from("Frank (1994), formulas 4 to 7")
+      .check(
+          "momentum", "The water's horizontal momentum changes by the forces of the walls and of the bottom.",
+          "largest defect of a step's balance [rho g depth^2]",
+          [s, nodes](const Results& r) -> Measurement {
+            Worst defect;
+            for (const auto& step : r.high.steps) defect.add(step.defect(), step.time);
+            const double water = r.high.wave.flow.model().mass();
+            return {.value = defect.value(),
+                    .where = fmt::format("t = {:.3g}", defect.where()),
+                    .told = {.scale = r.high.fastest.value() * water / nodes / s.tau}};
+          },
+          Roundoff{.operations = 20 * nodes,
+                   .scale = Amount::told_by_run(10 * s.berm.length / nodes / s.tau),
+                   .reason = "some twenty rounded operations per node and step, of the momentum of a node that moves "
+                             "as fast as the fastest, over the step"});
   const double cell = std::max(1 / s.mesh.columns_per_depth, 1 / static_cast<double>(s.mesh.rows));
   claims.check(
-      {.id = "pressures",
-       .text = "The pressures on front and rear give the forces that balance the momentum.",
-       .quantity = "largest difference over the largest force on the front",
-       .source = source},
+      "pressures", "The pressures on front and rear give the forces that balance the momentum.",
+      "largest difference over the largest force on the front",
       [s](const Results& r) -> Measurement {
         const BermHistory& history = r.high.wave.history;
         const auto& steps = r.high.steps;
@@ -149,37 +142,32 @@ void claim_momentum(const Claims<Results>& claims, const SetUp& s) {
         return {.value = off.value() / worst(history.front), .where = fmt::format("t = {:.3g}", off.where())};
       },
       Bound{.limit = 0.5 * std::pow(0.5 * cell / s.berm.steepness, 2),
-            .reason =
-                "a cell's pressure stands for that on its edge, half a cell away: the second order of half a cell "
-                "over the length of the front face"});
+            .reason = "a cell's pressure stands for that on its edge, half a cell away: the second order of half a "
+                      "cell over the length of the front face"});
 }
 
 void claim_energy(const Claims<Results>& claims, const SetUp& s) {
   const double k = 2 * std::numbers::pi / shortest;
   const double fastest = std::sqrt(k * std::tanh(k));
-  claims.check(
-      {.id = "energy",
-       .text = "The energy of the wave is kept.",
-       .quantity = "largest change over the energy at the beginning",
-       .source = "Frank (1994), chapter 1"},
-      [s](const Results& r) -> Measurement {
-        return {.value = r.high.energy.value() / r.high.first_energy,
-                .where = fmt::format("t = {:.3g}", r.high.energy.where()),
-                .told = {.limit = std::pow(r.high.small.mode.frequency * s.tau, 2)}};
-      },
-      Bound{.limit = Amount::told_by_run(std::pow(fastest * s.tau, 2)),
-            .reason = "the one-step scheme keeps T + Pi - (tau^2/8) u.Ku in linear waves, so that T + Pi sways by "
-                      "(omega tau)^2/4 of the energy; four times that as if all of it were in the second harmonic"});
+  claims.from("Frank (1994), chapter 1")
+      .check(
+          "energy", "The energy of the wave is kept.", "largest change over the energy at the beginning",
+          [s](const Results& r) -> Measurement {
+            return {.value = r.high.energy.value() / r.high.first_energy,
+                    .where = fmt::format("t = {:.3g}", r.high.energy.where()),
+                    .told = {.limit = std::pow(r.high.small.mode.frequency * s.tau, 2)}};
+          },
+          Bound{.limit = Amount::told_by_run(std::pow(fastest * s.tau, 2)),
+                .reason =
+                    "the one-step scheme keeps T + Pi - (tau^2/8) u.Ku in linear waves, so that T + Pi sways by "
+                    "(omega tau)^2/4 of the energy; four times that as if all of it were in the second harmonic"});
 }
 
 void claim_statement(const Claims<Results>& claims, const SetUp& s) {
   const auto half = claims.only_if(s.half_wave(), "for a berm half a wave wide, as it is by default");
   half.check(
-      {.id = "antiphase",
-       .text = "Front and rear of the breakwater are pushed in antiphase by the high wave too.",
-       .quantity = "phase between front and rear",
-       .unit = "rad",
-       .source = source},
+      "antiphase", "Front and rear of the breakwater are pushed in antiphase by the high wave too.",
+      "phase between front and rear [rad]",
       [s](const Results& r) -> Measurement {
         const BermHistory& h = r.high.wave.history;
         const double frequency = r.high.small.mode.frequency;
@@ -194,10 +182,9 @@ void claim_statement(const Claims<Results>& claims, const SetUp& s) {
                       "frequency: free waves are no harmonics",
             .expected = std::numbers::pi});
   half.check(
-      {.id = "less-than-plain-wall",
-       .text = "The breakwater bears less than a plain wall by a factor that the second order allows for.",
-       .quantity = "largest total force over that on a plain wall",
-       .source = source},
+      "less-than-plain-wall",
+      "The breakwater bears less than a plain wall by a factor that the second order allows for.",
+      "largest total force over that on a plain wall",
       [s](const Results& r) -> Measurement {
         const double contact = 0.5 * std::pow(r.rear_height() * s.height, 2);
         const double second = (contact + r.second_harmonic(s)) / (r.plain_small.load.plain_wall * s.height);
@@ -282,14 +269,13 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("plain_wall_peak", r.plain_peak());
   exhibit.measure("plain_wall_of_small_waves", r.plain_small.load.plain_wall);
   exhibit.measure("worst_corner", r.high.wave.flow.worst_corner().shape);
-  auto& panel =
-      exhibit
-          .figure("history", "Forces of the high wave",
-                  fmt::format("A standing wave of {:.3g} depths and of height {:g} at the far wall; dashed: the "
-                              "same wave before a plain wall.",
-                              r.high.small.load.wavelength, s.height),
-                  {"frank-breakwater"})
-          .panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"});
+  auto& panel = exhibit
+                    .figure("history", "Forces of the high wave",
+                            fmt::format("A standing wave of {:.3g} depths and of height {:g} at the far wall; dashed: "
+                                        "the same wave before a plain wall.",
+                                        r.high.small.load.wavelength, s.height),
+                            {"frank-breakwater"})
+                    .panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"});
   draw_forces(panel, history);
   panel.line("plain wall", r.plain.history.time, r.plain.history.rear, Role::guide);
   draw_momentum(r.high, exhibit);
@@ -318,7 +304,7 @@ Case breakwater_high_wave() {
       real("hourglass", 0.1, "1", {0, 2}, "kappa_0 of the hourglass potential"),
   };
   c.published = {{.tiles = {"frank-breakwater"}, .differs = "the thesis gives no geometry: this one is made up"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

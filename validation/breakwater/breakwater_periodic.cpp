@@ -40,10 +40,6 @@ wall. Waves of fifteen depths push on both together.
 namespace seiche::validation::cases::breakwater_periodic {
 namespace {
 
-using evidence::Amount;
-using evidence::Bound;
-using evidence::Role;
-
 const std::string source = "Frank (1994), section 2.3";
 constexpr double largest_limit = 0.02;
 // A wave of this height at an antinode folds the mesh at the edge of the berm within these periods.
@@ -131,10 +127,8 @@ const std::string reason =
 
 void claim_loads(const Claims<Results>& claims, const SetUp& s) {
   claims.check(
-      {.id = "forces",
-       .text = "Periodic waves push on front and rear as small standing waves of their frequency do.",
-       .quantity = "largest difference, amplitude and phase, over the larger force",
-       .source = source},
+      "forces", "Periodic waves push on front and rear as small standing waves of their frequency do.",
+      "largest difference, amplitude and phase, over the larger force",
       [s](const Results& r) {
         return farthest(
             r,
@@ -147,41 +141,34 @@ void claim_loads(const Claims<Results>& claims, const SetUp& s) {
       },
       Bound{.limit = Amount::told_by_run(largest_limit), .reason = reason});
   claims.check(
-      {.id = "phases",
-       .text = "Front and rear are pushed when the antinode is high, or low, as in standing waves.",
-       .quantity = "largest phase from that of small standing waves",
-       .unit = "rad",
-       .source = source},
+      "phases", "Front and rear are pushed when the antinode is high, or low, as in standing waves.",
+      "largest phase from that of small standing waves [rad]",
       [s](const Results& r) {
         return farthest(
             r, [](const Periodic& one) { return worst(one.phases()); },
             [&](const Periodic& one) { return one.phase_limit(s); });
       },
       Bound{.limit = Amount::told_by_run(3 * largest_limit), .reason = reason + "; of the smaller force"});
-  claims.check(
-      {.id = "antinode",
-       .text = "The standing wave is two incident waves high.",
-       .quantity = "largest relative difference of the antinode from twice the theory of the piston",
-       .source = "Havelock (1929)"},
-      [s](const Results& r) {
-        const double cell = std::max(1 / s.mesh.columns_per_depth, 1 / static_cast<double>(s.mesh.rows));
-        return farthest(
-            r, [&](const Periodic& one) { return std::abs(std::abs(one.settled.antinode) / s.height - 1); },
-            [&](const Periodic& one) {
-              return std::pow(2 * std::numbers::pi / one.small.load.wavelength * cell, 2) + one.limit(s);
-            });
-      },
-      Bound{.limit = Amount::told_by_run(0.1),
-            .reason = "the paddle's cells are of second order, (k h)^2; and what has not settled"});
+  claims.from("Havelock (1929)")
+      .check(
+          "antinode", "The standing wave is two incident waves high.",
+          "largest relative difference of the antinode from twice the theory of the piston",
+          [s](const Results& r) {
+            const double cell = std::max(1 / s.mesh.columns_per_depth, 1 / static_cast<double>(s.mesh.rows));
+            return farthest(
+                r, [&](const Periodic& one) { return std::abs(std::abs(one.settled.antinode) / s.height - 1); },
+                [&](const Periodic& one) {
+                  return std::pow(2 * std::numbers::pi / one.small.load.wavelength * cell, 2) + one.limit(s);
+                });
+          },
+          Bound{.limit = Amount::told_by_run(0.1),
+                .reason = "the paddle's cells are of second order, (k h)^2; and what has not settled"});
 }
 
 void claim_statement(const Claims<Results>& claims, const SetUp& s) {
   claims.check(
-      {.id = "antiphase",
-       .text = "Where the berm is half a wave wide, front and rear are pushed in antiphase.",
-       .quantity = "phase between front and rear",
-       .unit = "rad",
-       .source = source},
+      "antiphase", "Where the berm is half a wave wide, front and rear are pushed in antiphase.",
+      "phase between front and rear [rad]",
       [s](const Results& r) -> Measurement {
         const Periodic& half = r.all.front();
         return {.value = std::abs(std::arg(half.settled.front / half.settled.rear)),
@@ -191,17 +178,11 @@ void claim_statement(const Claims<Results>& claims, const SetUp& s) {
             .reason = "the phases of both, " + reason,
             .expected = std::numbers::pi});
   claims.check(
-      {.id = "less-than-plain-wall",
-       .text = "The breakwater then bears less than a tenth of the force on a plain wall.",
-       .quantity = "|total|/plain wall",
-       .source = source},
-      [](const Results& r) { return r.all.front().relative(); }, Bound{.limit = 0.1, .reason = "a tenth"});
+      "less-than-plain-wall", "The breakwater then bears less than a tenth of the force on a plain wall.",
+      "|total|/plain wall", [](const Results& r) { return r.all.front().relative(); },
+      Bound{.limit = 0.1, .reason = "a tenth"});
   claims.check(
-      {.id = "together",
-       .text = "Waves much longer push on front and rear together.",
-       .quantity = "phase between front and rear",
-       .unit = "rad",
-       .source = source},
+      "together", "Waves much longer push on front and rear together.", "phase between front and rear [rad]",
       [s](const Results& r) -> Measurement {
         const Periodic& longest = r.all.back();
         return {.value = std::abs(std::arg(longest.settled.front / longest.settled.rear)),
@@ -267,23 +248,16 @@ Results compute(const Run& run) {
 }
 
 void tabulate(const Results& r, const SetUp& s, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "forces",
-                        .title = "Forces of periodic waves",
-                        .caption =
-                            "Amplitudes over the height of the antinode, and how far the phases of front and "
-                            "rear are apart. In brackets: small standing waves.",
-                        .columns = {{"wavelength", "depth"},
-                                    {"front", "rho g depth"},
-                                    {"(front)", "rho g depth"},
-                                    {"rear", "rho g depth"},
-                                    {"(rear)", "rho g depth"},
-                                    {"phase", "rad"},
-                                    {"total/plain wall", "1"},
-                                    {"(total/plain wall)", "1"},
-                                    {"antinode/2 incident", "1"},
-                                    {"not settled", "1"}},
-                        .rows = {},
-                        .atlas = {"frank-breakwater"}};
+  evidence::Table table{
+      .id = "forces",
+      .title = "Forces of periodic waves",
+      .caption =
+          "Amplitudes over the height of the antinode, and how far the phases of front and rear are apart. In "
+          "brackets: small standing waves.",
+      .columns = table_columns({"wavelength [depth]", "front [rho g depth]", "(front) [rho g depth]",
+                                "rear [rho g depth]", "(rear) [rho g depth]", "phase [rad]", "total/plain wall [1]",
+                                "(total/plain wall) [1]", "antinode/2 incident [1]", "not settled [1]"}),
+      .atlas = {"frank-breakwater"}};
   for (const Periodic& one : r.all) {
     const TankHistory::Settled& f = one.settled;
     const StandingLoad& load = one.small.load;
@@ -333,10 +307,10 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const SetUp s(values);
   tabulate(r, s, exhibit);
   draw_loads(r, s, exhibit);
-  auto& figure = exhibit.figure("tank", "Periodic waves arrive",
-                                "Forces on front, rear and both, over the height of the antinode that the standing "
-                                "wave is to have.",
-                                {"frank-breakwater"});
+  auto& figure = exhibit.figure(
+      "tank", "Periodic waves arrive",
+      "Forces on front, rear and both, over the height of the antinode that the standing wave is to have.",
+      {"frank-breakwater"});
   for (const Periodic* one : {&r.all.front(), &r.all.back()}) {
     draw_tank(*one, s,
               figure.panel({.x = "t [sqrt(depth/g)]",
@@ -360,7 +334,7 @@ Case breakwater_periodic() {
       integer("steps", 60, {60, 1000}, "time steps in a period"),
   };
   c.published = {{.tiles = {"frank-breakwater"}, .differs = "the thesis gives no geometry: this one is made up"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

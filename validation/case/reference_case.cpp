@@ -10,8 +10,7 @@ namespace {
 
 constexpr const char* tolerance_reason =
     "the case's parameter `tolerance`; by default 5 %, the limit of tsunami benchmarks against exact solutions "
-    "(Synolakis "
-    "et al. 2008)";
+    "(Synolakis et al. 2008)";
 
 }  // namespace
 
@@ -25,12 +24,12 @@ void claim_identities(const Claims<exact::SelfTest>& claims, const exact::SelfTe
          .quantity = "relative defect",
          .source = source},
         [k](const exact::SelfTest& test) { return test.at(k).defect; },
-        evidence::Bound{.limit = identity.accuracy, .reason = identity.reason});
+        Bound{.limit = identity.accuracy, .reason = identity.reason});
   }
 }
 
-evidence::Amount to_be_told() {
-  return evidence::Amount::told_by_run(std::numeric_limits<double>::infinity());
+Amount to_be_told() {
+  return Amount::told_by_run(std::numeric_limits<double>::infinity());
 }
 
 Parameter tolerance_parameter() {
@@ -40,10 +39,10 @@ Parameter tolerance_parameter() {
 Requirement within_tolerance(Measure measure, const Values& values, const std::string& text, const std::string& source,
                              double expected) {
   return {.measure = measure,
-          .criterion = evidence::Bound{.limit = values.real("tolerance"),
-                                       .reason = tolerance_reason,
-                                       .expected = expected,
-                                       .relative = expected != 0},
+          .criterion = Bound{.limit = values.real("tolerance"),
+                             .reason = tolerance_reason,
+                             .expected = expected,
+                             .relative = expected != 0},
           .text = text,
           .source = source};
 }
@@ -58,7 +57,7 @@ WantedQuantity wanted_number(const Column& column, double reference, const Value
 WantedQuantity wanted_number(const Column& column, std::function<double()> reference, const Values& values,
                              const std::string& text, const std::string& source) {
   Requirement close = within_tolerance(Measure::value, values, text, source, 1);
-  std::get<evidence::Bound>(close.criterion).expected = to_be_told();
+  std::get<Bound>(close.criterion).expected = to_be_told();
   return {.column = column,
           .reference = [kept = Lazy<double>(std::move(reference))](Place) { return *kept; },
           .requirements = {close}};

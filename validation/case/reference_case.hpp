@@ -19,7 +19,7 @@ void claim_identities(const Claims<exact::SelfTest>& claims, const exact::SelfTe
                       const std::string& source);
 
 /// What is expected of a number whose reference is computed when it is first asked for.
-evidence::Amount to_be_told();
+Amount to_be_told();
 
 /// "tolerance": the relative error that still passes a submitted result.
 Parameter tolerance_parameter();

@@ -20,6 +20,12 @@ void Refinement::add(long n, const std::vector<double>& errors) {
   for (std::size_t k = 0; k < errors.size(); ++k) errors_[k].push_back(errors[k]);
 }
 
+double Refinement::on(long n, std::size_t quantity) const {
+  const auto found = std::find(n_.begin(), n_.end(), static_cast<double>(n));
+  if (found == n_.end()) throw std::logic_error(fmt::format("no mesh of {} cells", n));
+  return errors_.at(quantity)[static_cast<std::size_t>(found - n_.begin())];
+}
+
 evidence::ObservedOrder Refinement::order(std::size_t quantity, long coarsest) const {
   const auto first = std::lower_bound(n_.begin(), n_.end(), static_cast<double>(coarsest)) - n_.begin();
   std::vector<double> sizes;

@@ -19,6 +19,8 @@ class Refinement {
   [[nodiscard]] const std::vector<double>& n() const { return n_; }
   [[nodiscard]] const std::vector<double>& errors(std::size_t quantity) const { return errors_.at(quantity); }
   [[nodiscard]] double finest(std::size_t quantity) const { return errors_.at(quantity).back(); }
+  /// Throws std::logic_error for an n that was not added.
+  [[nodiscard]] double on(long n, std::size_t quantity) const;
   /// @param coarsest  meshes of fewer cells are left out
   [[nodiscard]] evidence::ObservedOrder order(std::size_t quantity, long coarsest) const;
 
@@ -29,9 +31,9 @@ class Refinement {
 
 struct RefinedQuantity {
   std::string id;
-  std::string name;                           ///< "pressure", in legends and tables
-  std::string statement = {};                 ///< of the claim about its order
-  std::optional<evidence::Order> order = {};  ///< none: the order is measured, not judged
+  std::string name;                 ///< "pressure", in legends and tables
+  std::string statement = {};       ///< of the claim about its order
+  std::optional<Order> order = {};  ///< none: the order is measured, not judged
 };
 
 /// What is claimed and shown of it.

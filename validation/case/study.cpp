@@ -15,7 +15,7 @@ evidence::JudgedClaim judged(const DeclaredClaim& declared, const void* results)
   try {
     const DeclaredClaim::Measured measured = declared.measured(results);
     if (const auto* order = std::get_if<evidence::ObservedOrder>(&measured)) {
-      claim.judgement = judge(*order, std::get<evidence::Order>(declared.criterion));
+      claim.judgement = judge(*order, std::get<Order>(declared.criterion));
     } else {
       const auto& measurement = std::get<Measurement>(measured);
       claim.criterion = settled(declared.criterion, measurement.told);
@@ -42,6 +42,18 @@ void fail_all(const std::vector<DeclaredClaim>& claims, const std::string& why, 
                  declared.known_failure});
   }
   leave_out(claims, record);
+}
+
+std::pair<std::string, std::string> name_and_unit(const std::string& text) {
+  const auto bracket = text.rfind(" [");
+  if (bracket == std::string::npos || text.back() != ']') return {text, ""};
+  return {text.substr(0, bracket), text.substr(bracket + 2, text.size() - bracket - 3)};
+}
+
+std::vector<std::pair<std::string, std::string>> table_columns(const std::vector<std::string>& columns) {
+  std::vector<std::pair<std::string, std::string>> named;
+  for (const std::string& column : columns) named.push_back(name_and_unit(column));
+  return named;
 }
 
 std::vector<DeclaredClaim> Study::claims(const Values& values) const {

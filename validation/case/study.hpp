@@ -40,12 +40,13 @@ class Study {
   /// @param declare  all claims with their criteria, before anything is computed
   /// @param compute  numbers and curves
   /// @param show     figures, tables and measurements
+  /// @param source   of the claims that name no other
   template <class Results>
   Study(void (*declare)(const Values&, const Claims<Results>&), Results (*compute)(const Run&),
-        void (*show)(const Results&, const Values&, evidence::Exhibit&))
-      : claims_([declare](const Values& values) {
+        void (*show)(const Results&, const Values&, evidence::Exhibit&), const std::string& source = {})
+      : claims_([declare, source](const Values& values) {
           std::vector<DeclaredClaim> list;
-          declare(values, Claims<Results>(list));
+          declare(values, Claims<Results>(list, source));
           return list;
         }),
         compute_([compute](const Run& run) -> Computed { return std::make_shared<const Results>(compute(run)); }),

@@ -31,13 +31,12 @@ on them, on every lattice: it is thin sooner, and there is no friction on bed an
 #include "validation/case/reference_case.hpp"
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/gauss_column.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 
 namespace seiche::validation::cases::collapse_gauss {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 using gauss_particles::Flow;
 
 const std::string experiment = "Martin and Moyce (1952)";
@@ -146,43 +145,35 @@ struct Results {
 
   [[nodiscard]] const Collapse& finest() const { return runs.back(); }
   [[nodiscard]] std::vector<double> speeds() const {
-    std::vector<double> all;
-    for (const Collapse& run : runs) all.push_back(run.speed());
-    return all;
+    return each(runs, [](const Collapse& run) { return run.speed(); });
   }
 };
 
 void claim_method(const Column& column, double last, const Claims<Collapse>& claims) {
-  claims.check({.id = "energy",
-                .text = "The energy changes by what the penalty takes, to round-off.",
-                .quantity = "largest defect over the energy at the start",
-                .source = "Frank (1994), chapter 6; exact for every space and step"},
-               &Collapse::energy_defect,
-               evidence::Roundoff{.operations = std::ceil(last / column.unit() / column.tau()),
-                                  .scale = 2,
-                                  .reason = "one rounding per step of the kinetic and the potential energy"});
-  claims.check(
-      {.id = "contained",
-       .text = "No particle passes wall or bed.",
-       .quantity = "farthest place behind them, over tau^2/2",
-       .source = "Frank (1994), chapter 6; the fields are along the walls"},
-      [half = column.tau() * column.tau() / 2](const Collapse& run) { return run.beyond / half; },
-      Bound{.limit = 1,
-            .reason = "a step is straight: it leaves the path along a wall by tau^2/2 times an acceleration, "
-                      "and none there is greater than that of gravity"});
-  claims.check(
-      {.id = "ritter",
-       .text = "The front stays behind that of shallow water.",
-       .quantity = "at every step it does",
-       .source = "Ritter (1892)"},
-      [](const Collapse& run) {
-        bool behind = true;
-        for (std::size_t k = 0; k < run.T.size(); ++k) behind = behind && run.front[k] <= 1 + 2 * run.T[k];
-        return behind ? 1.0 : 0.0;
-      },
-      evidence::Qualitative{.detector = "X/a <= 1 + 2 T",
-                            .reason = "vertical acceleration lowers the pressure that drives the front, and "
-                                      "the column is no endless reservoir"});
+  claims.from("Frank (1994), chapter 6; exact for every space and step")
+      .check("energy", "The energy changes by what the penalty takes, to round-off.",
+             "largest defect over the energy at the start", &Collapse::energy_defect,
+             Roundoff{.operations = std::ceil(last / column.unit() / column.tau()),
+                      .scale = 2,
+                      .reason = "one rounding per step of the kinetic and the potential energy"});
+  claims.from("Frank (1994), chapter 6; the fields are along the walls")
+      .check(
+          "contained", "No particle passes wall or bed.", "farthest place behind them, over tau^2/2",
+          [half = column.tau() * column.tau() / 2](const Collapse& run) { return run.beyond / half; },
+          Bound{.limit = 1,
+                .reason = "a step is straight: it leaves the path along a wall by tau^2/2 times an acceleration, and "
+                          "none there is greater than that of gravity"});
+  claims.from("Ritter (1892)")
+      .check(
+          "ritter", "The front stays behind that of shallow water.", "at every step it does",
+          [](const Collapse& run) {
+            bool behind = true;
+            for (std::size_t k = 0; k < run.T.size(); ++k) behind = behind && run.front[k] <= 1 + 2 * run.T[k];
+            return behind ? 1.0 : 0.0;
+          },
+          Qualitative{.detector = "X/a <= 1 + 2 T",
+                      .reason = "vertical acceleration lowers the pressure that drives the front, and the column is no "
+                                "endless reservoir"});
 }
 
 /// Least-squares slope of points between two T: its standard uncertainty.
@@ -203,37 +194,32 @@ void claim_speed(const Column& column, const ColumnFront& data, const Claims<Res
   claims.at(column.resolution() + ", and two coarser lattices")
       .only_if(has_coarser(column), "coarser lattices need multiples of 4")
       .only_if(column.aspect == 2,
-               "a square column's front is thin by then, and friction, which the method has not, "
-               "holds the measured one back")
+               "a square column's front is thin by then, and friction, which the method has not, holds the measured "
+               "one back")
       .check(
-          {.id = "speed",
-           .text = "The front is as fast as the measured one.",
-           .quantity = "dX/dT between T = 2 and 3.3, in sqrt(n^2 g a)",
-           .source = experiment},
+          "speed", "The front is as fast as the measured one.", "dX/dT between T = 2 and 3.3, in sqrt(n^2 g a)",
           [](const Results& r) -> Measurement {
             const std::vector<double> speeds = r.speeds();
             std::vector<double> finest_first(speeds.rbegin(), speeds.rend());
             std::vector<double> sizes(r.spacing.rbegin(), r.spacing.rend());
             return {.value = speeds.back(), .uncertainty = fine_limit(sizes, finest_first).uncertainty};
           },
-          evidence::Uncertainty{.expected = measured,
-                                .data = slope_uncertainty(data, measured),
-                                .useful = 0.2 * measured,
-                                .reason = "points known to 0.05 in both directions, joined by a least-squares line; "
-                                          "beyond 20 % nothing is said"});
+          Uncertainty{.expected = measured,
+                      .data = slope_uncertainty(data, measured),
+                      .useful = 0.2 * measured,
+                      .reason = "points known to 0.05 in both directions, joined by a least-squares line; beyond 20 % "
+                                "nothing is said"});
 }
 
 void claim_front(const Claims<Results>& claims, const ColumnFront& data) {
   claims.check(
-      {.id = "ahead",
-       .text = "Let go at once and without friction, the column is ahead of the measured one.",
-       .quantity = "at every measured point it is",
-       .source = experiment},
+      "ahead", "Let go at once and without friction, the column is ahead of the measured one.",
+      "at every measured point it is",
       [](const Results& r) {
         return std::ranges::all_of(r.fit.raw_off, [](double lead) { return lead > 0; }) ? 1.0 : 0.0;
       },
-      evidence::Qualitative{.detector = "X/a, as it stands, is above that of each point up to X = 4.2 a",
-                            .reason = "a diaphragm and friction can only delay the water"});
+      Qualitative{.detector = "X/a, as it stands, is above that of each point up to X = 4.2 a",
+                  .reason = "a diaphragm and friction can only delay the water"});
   constexpr double no_band = std::numeric_limits<double>::infinity();
   const evidence::Claim shift{
       .id = "shift",
@@ -256,8 +242,8 @@ void claim_front(const Claims<Results>& claims, const ColumnFront& data) {
     claims.known_failure(
         rms, found, points,
         {.width = no_band,
-         .reason = "without friction the front of the square column gains on the measured one, on "
-                   "every lattice: between T = 2 and 3 it makes 2 sqrt(g a) where the points say 1.4"});
+         .reason = "without friction the front of the square column gains on the measured one, on every lattice: "
+                   "between T = 2 and 3 it makes 2 sqrt(g a) where the points say 1.4"});
   }
 }
 
@@ -283,10 +269,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const io::Table heights = values.table("martin_moyce_1952_square_height");
   compared.only_if(column.aspect == 1, "the height was measured behind a square column")
       .check(
-          {.id = "height",
-           .text = "With the same shift, the water at the wall sinks as the measured one.",
-           .quantity = "rms difference of H/a",
-           .source = experiment},
+          "height", "With the same shift, the water at the wall sinks as the measured one.", "rms difference of H/a",
           [heights](const Results& r) { return height_off(r, heights); },
           Bound{.limit = 2 * std::hypot(0.03, 0.03 * 0.25),
                 .reason = "two standard uncertainties of a point, in H and in T, along which H falls by 0.25 a unit"});
@@ -385,7 +368,7 @@ Case collapse_gauss() {
       real("last", 3.6, "1", {0.1, 5}, "scaled time T at the end"),
       real("at", 2, "1", {0, 5}, "scaled time T at which the numbers front and height are read; no later than last"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, experiment);
   return c;
 }
 

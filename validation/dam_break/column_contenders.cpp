@@ -19,8 +19,6 @@
 namespace seiche::validation {
 namespace {
 
-using evidence::Role;
-
 const double unit = std::sqrt(column_aspect);  // T/t; NOLINT(modernize-use-std-numbers): it happens to be 2
 constexpr double courant = 0.2;                ///< steps over the spacing, which a fall of the column's height takes
 

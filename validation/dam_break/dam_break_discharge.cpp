@@ -28,7 +28,6 @@ With $h_0/h_1 = \tfrac49 s$ the condition $u_* = c_*$ at the dam gives $s^3 - s^
 namespace seiche::validation::cases::dam_break_discharge {
 namespace {
 
-using evidence::Role;
 namespace particles = shallow_water_particles;
 
 /// One dam break by particles; discharges are looked at between two times.
@@ -86,40 +85,32 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const Setting& s = all[k];
     claims.at(fmt::format("N = {}", s.particles))
         .check(
-            {.id = "discharge-" + s.id,
-             .text = fmt::format("The discharge through the dam stays that of the exact solution, depth ratio {:g}.",
-                                 s.ratio),
-             .quantity = "largest deviation of the discharge",
-             .unit = "m^2/s",
-             .source = "Stoker (1957), 10.8"},
+            "discharge-" + s.id,
+            fmt::format("The discharge through the dam stays that of the exact solution, depth ratio {:g}.", s.ratio),
+            "largest deviation of the discharge [m^2/s]",
             [k, exact = s.exact](const Results& r) -> Measurement {
               const Discharge& q = r.discharges.at(k);
               Worst deviation;
               for (std::size_t i = 0; i < q.time.size(); ++i) deviation.add(q.value[i] - exact, q.time[i]);
               return {.value = deviation.value(), .where = fmt::format("t = {:.3g} s", deviation.where())};
             },
-            evidence::Bound{.limit = 2.5 / n * s.exact,
-                            .reason = "the start spoils the water of about one particle on either side of the dam, and "
-                                      "its trace at the dam decays as 1/N"});
+            Bound{.limit = 2.5 / n * s.exact,
+                  .reason = "the start spoils the water of about one particle on either side of the dam, and its trace "
+                            "at the dam decays as 1/N"});
   }
-  claims.known_failure(
-      {.id = "critical-ratio",
-       .text = "The critical ratio is the printed 0.1384.",
-       .quantity = "critical depth ratio",
-       .source = "section 7 of the paper; Stoker (1957)"},
-      &Results::critical_ratio,
-      evidence::Bound{.limit = 5e-5,
-                      .reason = "half a unit of the last printed digit",
-                      .expected = values.table("bogomolov_zakharov_zerkal").column("critical_ratio")[0]},
-      {.value = 0.138270,
-       .width = 5e-7,
-       .reason = "a cubic equation gives 0.138270; the printed value is a reading from Stoker's graph"});
-  claims.check({.id = "critical-percent",
-                .text = "The critical ratio is the 13.8 % of the same sentence.",
-                .quantity = "critical depth ratio",
-                .source = "section 7 of the paper"},
-               &Results::critical_ratio,
-               evidence::Bound{.limit = 5e-4, .reason = "half a unit of the last printed digit", .expected = 0.138});
+  claims.from("section 7 of the paper; Stoker (1957)")
+      .known_failure("critical-ratio", "The critical ratio is the printed 0.1384.", "critical depth ratio",
+                     &Results::critical_ratio,
+                     Bound{.limit = 5e-5,
+                           .reason = "half a unit of the last printed digit",
+                           .expected = values.table("bogomolov_zakharov_zerkal").column("critical_ratio")[0]},
+                     {.value = 0.138270,
+                      .width = 5e-7,
+                      .reason = "a cubic equation gives 0.138270; the printed value is a reading from Stoker's graph"});
+  claims.from("section 7 of the paper")
+      .check("critical-percent", "The critical ratio is the 13.8 % of the same sentence.", "critical depth ratio",
+             &Results::critical_ratio,
+             Bound{.limit = 5e-4, .reason = "half a unit of the last printed digit", .expected = 0.138});
 }
 
 Results compute(const Run& run) {
@@ -189,7 +180,7 @@ Case dam_break_discharge() {
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
   c.published = {{.tiles = {"bzz-fig-8", "bzz-fig-19", "bzz-fig-20", "bzz-fig-21"}}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "Stoker (1957), 10.8");
   return c;
 }
 

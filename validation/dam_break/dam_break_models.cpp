@@ -65,11 +65,10 @@ void claims(const Values& values, const Claims<Results>& all) {
   const ColumnFront data = data_of(values);
   for (const Named& model : {particles, sph}) {
     claims_of(claims.only_if(values.real("time") <= 3.6, "later the tongue is thin"), model.id)
-        .check({.id = model.id + "-front",
-                .text = fmt::format("With one shift the front goes through the measured points: {}.", model.name),
-                .quantity = "rms difference of X/a",
-                .source = data.citation},
-               error_of_finest, through_points(data));
+        .from(data.citation)
+        .check(model.id + "-front",
+               fmt::format("With one shift the front goes through the measured points: {}.", model.name),
+               "rms difference of X/a", error_of_finest, through_points(data));
     claim_dissipates(claims_of(claims, model.id), model,
                      "the penalty of the free particles and the viscosity of SPH only take", source);
     claim_lasts(
@@ -77,14 +76,11 @@ void claims(const Values& values, const Claims<Results>& all) {
         model, trial_of(values).last, source);
   }
   claims_of(claims, "particles")
-      .check({.id = "particles-energy-loss",
-              .text = "What the penalty takes from the free particles is no part of the flow.",
-              .quantity = "change over the energy of the beginning",
-              .source = source},
-             energy_of_finest,
-             evidence::Bound{.limit = 0.01 / static_cast<double>(values.integer("particles")),
-                             .reason = "a hundredth for eddies of a cell at the front, which is a cell high: a cell of "
-                                       "as many as are in the width, of a column that falls as a whole"});
+      .check("particles-energy-loss", "What the penalty takes from the free particles is no part of the flow.",
+             "change over the energy of the beginning", energy_of_finest,
+             Bound{.limit = 0.01 / static_cast<double>(values.integer("particles")),
+                   .reason = "a hundredth for eddies of a cell at the front, which is a cell high: a cell of as many "
+                             "as are in the width, of a column that falls as a whole"});
   claim_breaks(claims_of(claims, "mesh"), {"mesh", "the Lagrangian mesh"},
                "the right angle between top and face opens until it is straight, and there a corner of a cell folds",
                source);
@@ -129,7 +125,7 @@ Case dam_break_models() {
       integer("overlapping", {16, 32, 32}, {8, 64}, "overlapping particles to the width, finest of three"),
       integer("sph", {24, 60, 60}, {10, 200}, "SPH particles to the width, finest of three"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -37,8 +37,6 @@ with it tells the largest speed, from which the sound speed follows.
 namespace seiche::validation::cases::dam_break_sph {
 namespace {
 
-using evidence::Role;
-
 SphDam dam_of(const Values& values) {
   const double height = values.real("column_height");
   const double gravity = values.real("gravity");
@@ -88,14 +86,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.of(&Results::collapse)
       .of(&SphCollapses::run)
       .check(
-          {.id = "contained",
-           .text = "No particle leaves through a wall.",
-           .quantity = "particles outside the tank at the end",
-           .source = "Dalrymple and Rogers (2006)"},
+          "contained", "No particle leaves through a wall.", "particles outside the tank at the end",
           [](const SphCollapse& run) -> Measurement {
             return {.value = static_cast<double>(run.lost), .resolution = run.resolution()};
           },
-          evidence::Bound{.limit = 0, .reason = "walls are tight"});
+          Bound{.limit = 0, .reason = "walls are tight"});
 }
 
 void compare(evidence::Exhibit& exhibit, const SphCollapse& computed, const ColumnFront& data, const SphDam& dam,
@@ -120,7 +115,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   measure_run(exhibit, computed);
   measure_sound(exhibit, r.collapse);
   if (!computed.roundings.empty()) {
-    evidence::Table table{.id = "roundings", .title = "Lengths that were rounded", .columns = {{"what", ""}}};
+    evidence::Table table{.id = "roundings", .title = "Lengths that were rounded", .columns = table_columns({"what"})};
     for (const std::string& rounding : computed.roundings) table.rows.push_back({rounding});
     exhibit.table(std::move(table));
   }
@@ -176,8 +171,8 @@ Case dam_break_sph() {
   Case c;
   c.title = "A column of water collapses: weakly compressible SPH";
   c.source =
-      "R. A. Dalrymple, B. D. Rogers, Coastal Eng. 53 (2006) 141; Plunging breaking waves by weakly "
-      "compressible smoothed particles, section 3";
+      "R. A. Dalrymple, B. D. Rogers, Coastal Eng. 53 (2006) 141; Plunging breaking waves by weakly compressible "
+      "smoothed particles, section 3";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = with(
       {real("column_width", 0.05715, "m", {1e-4, 100}, "width a of the column"),
@@ -194,7 +189,7 @@ Case dam_break_sph() {
        choice("data", std::string("martin_moyce_tall_wide"), data_choices(), "published front that is compared"),
        real("judged_to", 0.0, "1", {0, 1000}, "X/a up to which a submitted front is judged; 0: all that is known")},
       sph_dam_parameters({.alpha = 0.3}));
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "Dalrymple and Rogers (2006)");
   c.submission = {.tables = wanted, .judge = judge};
   return c;
 }

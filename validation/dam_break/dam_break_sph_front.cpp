@@ -30,14 +30,12 @@ $a/71$, where the points say 1.28.
 #include "seiche/samples.hpp"
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/sph_sound.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/shifted_front.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 
 namespace seiche::validation::cases::dam_break_sph_front {
 namespace {
-
-using evidence::Bound;
-using evidence::Role;
 
 const std::string publication = "Plunging breaking waves by weakly compressible smoothed particles, section 3.1";
 const std::string experiment = "Martin and Moyce (1952), figure 3";
@@ -87,9 +85,7 @@ double speed_of(const Curve& front) {
 /// A number of each computation.
 template <class Read>
 std::vector<double> of_all(const Results& runs, Read read) {
-  std::vector<double> values;
-  for (const SphCollapses& one : runs) values.push_back(read(one.run));
-  return values;
+  return each(runs, [&](const SphCollapses& one) { return read(one.run); });
 }
 double spacing_of(const SphCollapse& run) {
   return run.spacing;
@@ -117,33 +113,26 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, lon
   } else {
     claims.check(shift, fitted(&ShiftedFront::shift), release_delay());
   }
-  claims.check({.id = "rms",
-                .text = "With this one shift the front goes through the measured points.",
-                .quantity = "rms difference of X/a",
-                .source = experiment},
+  claims.check("rms", "With this one shift the front goes through the measured points.", "rms difference of X/a",
                fitted(&ShiftedFront::rms), through_points(data));
   claims.check(
-      {.id = "ahead",
-       .text = "Let go at once, the column is ahead of one behind a diaphragm that has to melt.",
-       .quantity = "at every measured point it is",
-       .source = experiment},
+      "ahead", "Let go at once, the column is ahead of one behind a diaphragm that has to melt.",
+      "at every measured point it is",
       [data](const SphCollapse& run) -> Measurement {
         const std::vector<double> off = fit_of(run, data).raw_off;
         return {.value = std::ranges::all_of(off, [](double lead) { return lead > 0; }) ? 1.0 : 0.0,
                 .resolution = run.resolution()};
       },
-      evidence::Qualitative{.detector = "X/a, as it stands, is above that of each of the points before the far wall",
-                            .reason = "a diaphragm can only delay the water"});
+      Qualitative{.detector = "X/a, as it stands, is above that of each of the points before the far wall",
+                  .reason = "a diaphragm can only delay the water"});
 }
 
 /// By the publication's spacing where the tier has it. Finer lattices have less artificial viscosity, and their front
 /// is judged within the uncertainties.
 void claim_speed(const Claims<SphCollapse>& claims, const ColumnFront& data) {
   claims.check(
-      {.id = "speed",
-       .text = "With the publication's spacing, or that of the quick tier, the front is as fast as the measured one.",
-       .quantity = "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
-       .source = experiment},
+      "speed", "With the publication's spacing, or that of the quick tier, the front is as fast as the measured one.",
+      "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
       [](const SphCollapse& run) -> Measurement { return {.value = front_speed(run), .resolution = run.resolution()}; },
       Bound{.limit = 0.04,
             .reason = "4 %; the points alone, 0.05 each, would allow 13 %",
@@ -164,21 +153,18 @@ void claims(const Values& values, const Claims<Results>& claims) {
               data);
   claims.only_if(ladder.size() >= 3, "its uncertainty needs three lattices, which the full tier affords")
       .check(
-          {.id = "speed-uncertain",
-           .text = "The speeds agree within the uncertainties of points and lattice.",
-           .quantity = "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
-           .source = experiment},
+          "speed-uncertain", "The speeds agree within the uncertainties of points and lattice.",
+          "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
           [](const Results& runs) -> Measurement {
             const std::vector<double> speeds = of_all(runs, front_speed);
             return {.value = speeds.back(),
                     .uncertainty = resolution_uncertainty(of_all(runs, spacing_of), speeds),
                     .resolution = runs.back().run.resolution()};
           },
-          evidence::Uncertainty{.expected = speed_of(data.curve()),
-                                .data = std::numbers::sqrt2 * data.uncertainty / (data.T[3] - data.T[2]),
-                                .useful = 0.4 * speed_of(data.curve()),
-                                .reason = "two points, known to 0.05 each, 0.55 apart in T; beyond 40 % nothing is "
-                                          "said"});
+          Uncertainty{.expected = speed_of(data.curve()),
+                      .data = std::numbers::sqrt2 * data.uncertainty / (data.T[3] - data.T[2]),
+                      .useful = 0.4 * speed_of(data.curve()),
+                      .reason = "two points, known to 0.05 each, 0.55 apart in T; beyond 40 % nothing is said"});
 }
 
 void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, const ColumnFront& data) {
@@ -245,8 +231,8 @@ Case dam_break_sph_front() {
   Case c;
   c.title = "The dam break of Martin and Moyce by weakly compressible SPH";
   c.source =
-      "Plunging breaking waves by weakly compressible smoothed particles, figures 1 and 2; J. C. Martin, W. J. "
-      "Moyce, Phil. Trans. R. Soc. Lond. A 244 (1952) 312";
+      "Plunging breaking waves by weakly compressible smoothed particles, figures 1 and 2; J. C. Martin, W. J. Moyce, "
+      "Phil. Trans. R. Soc. Lond. A 244 (1952) 312";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = with(
       {integer("cells", {30, 71, 50}, {10, 1000}, "particle spacings in the width of the column"),
@@ -256,7 +242,7 @@ Case dam_break_sph_front() {
                  {.tiles = {"sph-fig-2"},
                   .tier = Tier::paper,
                   .differs = "the two shared corners of the walls hold one particle, not two"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, experiment);
   return c;
 }
 

@@ -27,9 +27,6 @@ experiment is later than both.
 namespace seiche::validation::cases::dam_break_sph_koshizuka {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
-
 constexpr double width = 0.146;
 constexpr double gravity = 9.81;
 constexpr double tank = 4;
@@ -67,12 +64,11 @@ auto on_finest(const ColumnFront& data, double ShiftedFront::*member) {
 }
 
 void claim_rms(const Claims<Results>& claims, const ColumnFront& data, const std::string& id, const Bound& bound) {
-  claims.check({.id = "rms-" + id,
-                .text = fmt::format("With one shift of time the SPH front agrees with {} within {:.2g}.", data.label,
-                                    bound.limit.value()),
-                .quantity = "rms difference of X/L",
-                .source = data.citation},
-               on_finest(data, &ShiftedFront::rms), bound);
+  claims.from(data.citation)
+      .check("rms-" + id,
+             fmt::format("With one shift of time the SPH front agrees with {} within {:.2g}.", data.label,
+                         bound.limit.value()),
+             "rms difference of X/L", on_finest(data, &ShiftedFront::rms), bound);
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -86,11 +82,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
                               .source = mps.citation};
   const Bound at_once{.limit = 0.1, .reason = "both columns are free at once"};
   if (values.integer("cells") < 80) {
-    claims.known_failure(
-        shift, on_finest(mps, &ShiftedFront::shift), at_once,
-        {.width = std::numeric_limits<double>::infinity(),
-         .reason = "artificial viscosity holds the column back: with L/40 the shift is -0.14 for alpha "
-                   "= 0.3 and -0.07 for 0.1"});
+    claims.known_failure(shift, on_finest(mps, &ShiftedFront::shift), at_once,
+                         {.width = std::numeric_limits<double>::infinity(),
+                          .reason = "artificial viscosity holds the column back: with L/40 the shift is -0.14 for "
+                                    "alpha = 0.3 and -0.07 for 0.1"});
   } else {
     claims.check(shift, on_finest(mps, &ShiftedFront::shift), at_once);
   }

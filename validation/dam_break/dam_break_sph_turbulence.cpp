@@ -26,6 +26,7 @@ passes between them (`--set wall_rows=2`); how much of it the publication lost, 
 
 #include "validation/dam_break/column_front.hpp"
 #include "validation/dam_break/sph_sound.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/shifted_front.hpp"
 #include "validation/instruments/sph_front.hpp"
 #include "validation/studies/wcsph/kept_flow.hpp"
@@ -35,9 +36,6 @@ passes between them (`--set wall_rows=2`); how much of it the publication lost, 
 
 namespace seiche::validation::cases::dam_break_sph_turbulence {
 namespace {
-
-using evidence::Bound;
-using evidence::Role;
 
 const std::string publication = "Plunging breaking waves by weakly compressible smoothed particles, figure 3";
 constexpr double a = 0.3;
@@ -80,8 +78,7 @@ struct Frames {
 
 Frames frames_of(const SphDam& dam, const Values& values) {
   const double unit = std::sqrt(gravity / a);
-  std::vector<double> frames;
-  for (const double t : times) frames.push_back(unit * t);
+  std::vector<double> frames = each(times, [&](const double t) { return unit * t; });
   Frames result;
   result.collapse = collapse_by_rule(dam, values, {.unit = unit, .last = frames.back(), .samples = 400}, frames,
                                      [&](std::size_t, const wcsph::Flow& flow) {
@@ -119,28 +116,23 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, boo
     };
   };
   claims.only_if(enough, "spacings of a twentieth of the column delay the front by a tenth of sqrt(a/g)")
-      .check({.id = "shift",
-              .text = "The measured square column is late by what its diaphragm explains.",
-              .quantity = "shift of the time origin, in sqrt(a/g)",
-              .source = data.citation},
-             fitted(&ShiftedFront::shift), release_delay());
-  claims.check({.id = "rms",
-                .text = "With this one shift the front goes through the measured points.",
-                .quantity = "rms difference of X/a",
-                .source = data.citation},
-               fitted(&ShiftedFront::rms), through_points(data));
+      .from(data.citation)
+      .check("shift", "The measured square column is late by what its diaphragm explains.",
+             "shift of the time origin, in sqrt(a/g)", fitted(&ShiftedFront::shift), release_delay());
+  claims.from(data.citation)
+      .check("rms", "With this one shift the front goes through the measured points.", "rms difference of X/a",
+             fitted(&ShiftedFront::rms), through_points(data));
 }
 
 void claim_events(const Claims<Frames>& claims) {
   const double unit = std::sqrt(gravity / a);
   const auto event = [&](const std::string& id, const std::string& text, const std::string& detector, auto happens) {
     claims.check(
-        {.id = id, .text = text, .quantity = "it happens", .source = publication},
+        id, text, "it happens",
         [happens](const Frames& frames) -> Measurement {
           return {.value = happens(frames) ? 1.0 : 0.0, .resolution = frames.series().resolution()};
         },
-        evidence::Qualitative{.detector = detector,
-                              .reason = "the frames of the publication follow this order of events"});
+        Qualitative{.detector = detector, .reason = "the frames of the publication follow this order of events"});
   };
   event("strikes", "The front strikes the far wall between the second and the third frame.",
         "the front is two smoothing lengths from the wall at a time between 0.160 and 0.364 s",
@@ -157,10 +149,7 @@ void claim_events(const Claims<Frames>& claims) {
 
 void claim_contained(const Claims<SphCollapse>& claims) {
   claims.check(
-      {.id = "contained",
-       .text = "No particle leaves through a wall.",
-       .quantity = "particles beside or below the tank at the end",
-       .source = publication},
+      "contained", "No particle leaves through a wall.", "particles beside or below the tank at the end",
       [](const SphCollapse& series) -> Measurement {
         return {.value = static_cast<double>(series.lost), .resolution = series.resolution()};
       },
@@ -242,8 +231,8 @@ Case dam_break_sph_turbulence() {
   Case c;
   c.title = "A dam break with sub-particle-scale turbulence";
   c.source =
-      "Plunging breaking waves by weakly compressible smoothed particles, figure 3; J. C. Martin, W. J. Moyce, "
-      "Phil. Trans. R. Soc. Lond. A 244 (1952) 312";
+      "Plunging breaking waves by weakly compressible smoothed particles, figure 3; J. C. Martin, W. J. Moyce, Phil. "
+      "Trans. R. Soc. Lond. A 244 (1952) 312";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = with(
       {integer("cells", {20, 60, 60}, {10, 1000}, "particle spacings in the width of the column"),
@@ -253,7 +242,7 @@ Case dam_break_sph_turbulence() {
   c.published = {{.tiles = {"sph-fig-3"},
                   .tier = Tier::paper,
                   .differs = "time steps of 0.15 h/(c + sigma) where the publication has 0.3"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, publication);
   return c;
 }
 

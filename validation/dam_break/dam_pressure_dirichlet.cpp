@@ -36,9 +36,6 @@ nothing restores, the loss of quality that the source reports.
 namespace seiche::validation::cases::dam_pressure_dirichlet {
 namespace {
 
-using evidence::Bound;
-using evidence::Order;
-using evidence::Role;
 using exact::ReleasedColumn;
 using free_lagrangian::Mesh;
 
@@ -138,10 +135,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const long finest = meshes_up_to(values.integer("ny")).back();
   claims.at(fmt::format("h = H/{}", finest))
       .check(
-          {.id = "rms",
-           .text = "The pressure inside is known better than to a cell.",
-           .quantity = "error over rho g H, rms",
-           .source = source},
+          "rms", "The pressure inside is known better than to a cell.", "error over rho g H, rms",
           [](const Results& r) { return r.finest.rms; },
           Bound{.limit = 1 / static_cast<double>(finest),
                 .reason = "the hydrostatic pressure over one cell, twice what the cells of the free faces are off by"});
@@ -149,10 +143,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .only_if(tabulated && stabilisation == 0.1, "less leaves the pressure chequered, more smooths it; " + other_shape)
       .at(fmt::format("h = H/{}", mesh_of_corner))
       .check(
-          {.id = "corner",
-           .text = "The pressure at the foot of the wall is that of the series.",
-           .quantity = "error over rho g H",
-           .source = source},
+          "corner", "The pressure at the foot of the wall is that of the series.", "error over rho g H",
           [](const Results& r) { return r.corner - r.exact.pressure(0, 0) / r.height; },
           Bound{.limit = std::pow(std::numbers::pi / 2 / mesh_of_corner, 2) / 8,
                 .reason = "(k h)^2/8 of the gravest mode, k = pi/(2 H): what a second-order difference is off by"});
@@ -161,12 +152,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
                "with less the order changes from 2 to 1 on the way; more than 0.1 smooths the pressure; " + other_shape)
       .at(fmt::format("h = H/{} to H/{}", coarsest, finest_of_order))
       .check(
-          {.id = "order",
-           .text = stabilisation == 0 ? "Without stabilisation the pressure is of first order."
-                                      : "The pressure is of second order on these meshes.",
-           .quantity = "order of the error, rms",
-           .source = source},
-          [](const Results& r) { return r.own.order(0, coarsest); }, order_of(stabilisation));
+          "order",
+          stabilisation == 0 ? "Without stabilisation the pressure is of first order."
+                             : "The pressure is of second order on these meshes.",
+          "order of the error, rms", [](const Results& r) { return r.own.order(0, coarsest); },
+          order_of(stabilisation));
 }
 
 Results compute(const Run& run) {
@@ -241,7 +231,7 @@ Case dam_pressure_dirichlet() {
   };
   c.published = {{.tiles = {"frank-dirichlet"},
                   .differs = "the source tells of the mesh in words and prints neither a run nor its parameters"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -29,8 +29,6 @@ has no answer over a dry bed.
 namespace seiche::validation::cases::dry_dam_break {
 namespace {
 
-using evidence::Role;
-
 constexpr double dam = 10;
 /// Steps 13, 26, 39 of ten particles; the same times for any number of them.
 const std::vector<double> times{0, 1.04, 2.08, 3.12};
@@ -101,29 +99,21 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double end = times.back();
   const double front = s.ritter.front(end);
   const auto here = claims.at(s.discretisation.text());
-  here.check(
-      {.id = "front",
-       .text = "The dry front is exactly where Ritter's solution has it.",
-       .quantity = "front position",
-       .unit = "m",
-       .source = "Ritter (1892)"},
-      &Results::front,
-      evidence::Roundoff{.operations = std::pow(end / s.discretisation.time_step / 4, 2),
-                         .scale = front,
-                         .reason = "two roundings per step, of the increment and of the position, each by at most half "
-                                   "an eps; the increment is the same in every step, so that they repeat and add up "
-                                   "linearly: eps per step, which the criterion's factor 4 makes of steps/4",
-                         .expected = front});
+  here.check("front", "The dry front is exactly where Ritter's solution has it.", "front position [m]", &Results::front,
+             Roundoff{.operations = std::pow(end / s.discretisation.time_step / 4, 2),
+                      .scale = front,
+                      .reason = "two roundings per step, of the increment and of the position, each by at most half an "
+                                "eps; the increment is the same in every step, so that they repeat and add up "
+                                "linearly: eps per step, which the criterion's factor 4 makes of steps/4",
+                      .expected = front});
   claim_conservation(here.of(&Results::flow), s.problem, s.discretisation, end);
-  here.known_failure(
-      {.id = "maccormack",
-       .text = "MacCormack's scheme finishes over a dry bed.",
-       .quantity = "finished",
-       .source = "figure 24 uses the scheme over a wet bed only"},
-      [](const Results& r) { return r.by("maccormack").finished() ? 1.0 : 0.0; },
-      evidence::Qualitative{.detector = "no negative or undefined depth until the end",
-                            .reason = "a usable scheme must survive drying"},
-      {.value = 0, .reason = "its predictor makes negative depths at a dry front; a property of the scheme"});
+  here.from("figure 24 uses the scheme over a wet bed only")
+      .known_failure(
+          "maccormack", "MacCormack's scheme finishes over a dry bed.", "finished",
+          [](const Results& r) { return r.by("maccormack").finished() ? 1.0 : 0.0; },
+          Qualitative{.detector = "no negative or undefined depth until the end",
+                      .reason = "a usable scheme must survive drying"},
+          {.value = 0, .reason = "its predictor makes negative depths at a dry front; a property of the scheme"});
 }
 
 Results compute(const Run& run) {
@@ -159,7 +149,7 @@ Case dry_dam_break() {
   };
   c.published = {{.tiles = {"bzz-fig-6", "bzz-fig-5", "bzz-fig-7"},
                   .differs = "the paper does not state the depth behind the dam: 1 m"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "Ritter (1892)");
   return c;
 }
 

@@ -99,24 +99,17 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_states(here.of(&Results::flow), states_of(values), cell, smearing_of(s, cell));
   here.only_if(s.discretisation.scheme == "H2" && s.dry(), "only H2 follows a dry front, where there is one")
       .check(
-          {.id = "dry-front",
-           .text = "The dry front is where the exact one is.",
-           .quantity = "front position",
-           .unit = "m",
-           .source = "Ritter (1892)"},
+          "dry-front", "The dry front is where the exact one is.", "front position [m]",
           [](const Results& r) -> Measurement {
             return {.value = r.set_up.judged_position(r.flow.profile()),
                     .told = {.operations = std::pow(static_cast<double>(r.flow.steps()) / 4, 2)}};
           },
-          evidence::Roundoff{
-              .operations =
-                  evidence::Amount::told_by_run(std::pow(most_steps(s.problem, s.discretisation, s.time) / 4, 2)),
-              .scale = std::abs(s.judged.front.position) + s.problem.length(),
-              .reason =
-                  "two roundings per step, of the increment and of the position, each by at most half an eps; the "
-                  "increment is the same in every step, so that they repeat and add up linearly: eps per step, "
-                  "which the criterion's factor 4 makes of steps/4",
-              .expected = s.judged.front.position});
+          Roundoff{.operations = Amount::told_by_run(std::pow(most_steps(s.problem, s.discretisation, s.time) / 4, 2)),
+                   .scale = std::abs(s.judged.front.position) + s.problem.length(),
+                   .reason = "two roundings per step, of the increment and of the position, each by at most half an "
+                             "eps; the increment is the same in every step, so that they repeat and add up linearly: "
+                             "eps per step, which the criterion's factor 4 makes of steps/4",
+                   .expected = s.judged.front.position});
 }
 
 Results compute(const Run& run) {
@@ -136,10 +129,11 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("front_position", s.judged_position(r.flow.profile()));
   exhibit.measure("front_position_exact", s.judged.front.position);
   if (s.judged.is_jump) exhibit.measure("front_width", front_width(r.flow.profile(), s.judged.front));
-  auto& figure = exhibit.figure("profile", "Depth and velocity",
-                                fmt::format("At t = {:g} s: the exact solution, and the {} as rectangles of their mean "
-                                            "depth and dots at their velocity.",
-                                            s.time, s.particles() ? "particles" : "cells"));
+  auto& figure = exhibit.figure(
+      "profile", "Depth and velocity",
+      fmt::format(
+          "At t = {:g} s: the exact solution, and the {} as rectangles of their mean depth and dots at their velocity.",
+          s.time, s.particles() ? "particles" : "cells"));
   draw_frame(figure, exhibit, r.flow, r.flow.frames.back(), fmt::format("t = {:g} s", s.time));
 }
 
@@ -166,7 +160,7 @@ Case riemann() {
       real("theta", 2.0, "1", {1, 2}, "limiter: 1 minmod, 2 monotonised central"),
       choice("scheme", std::string("H2"), all_schemes, "level of the particle method, or a peer"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "Ritter (1892)");
   c.submission = submission_of(states_of);
   return c;
 }

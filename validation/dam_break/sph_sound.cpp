@@ -37,15 +37,13 @@ SphCollapses collapse_by_rule(const SphDam& dam, const Values& values, const Wat
 
 void claim_sound(const Claims<SphCollapses>& claims, const Values& values) {
   claims.only_if(by_sound_rule(values), "the sound speed is given, not taken from the largest speed")
+      .from("Monaghan (1994)")
       .check(
-          {.id = "mach",
-           .text = "Speeds stay below a tenth of the sound speed.",
-           .quantity = "largest Mach number",
-           .source = "Monaghan (1994)"},
+          "mach", "Speeds stay below a tenth of the sound speed.", "largest Mach number",
           [](const SphCollapses& runs) -> Measurement {
             return {.value = runs.run.extremes.mach, .resolution = runs.run.resolution()};
           },
-          evidence::Bound{.limit = 0.1, .reason = "the rule by which the sound speed is chosen"});
+          Bound{.limit = 0.1, .reason = "the rule by which the sound speed is chosen"});
 }
 
 void measure_sound(evidence::Exhibit& exhibit, const SphCollapses& runs) {

@@ -41,7 +41,6 @@ namespace {
 
 using dispersive_shallow_water_1d::Stepping;
 using dispersive_shallow_water_1d::stepping_named;
-using evidence::Role;
 using exact::FrankDispersion;
 
 const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, formula (13)";
@@ -196,8 +195,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                        const std::string& from, const std::vector<StandingBox>& boxes, const std::string& resolution) {
     claims.of(part)
         .at(resolution)
-        .check({.id = id, .text = text, .quantity = quantity, .source = from}, worst_of,
-               frequency_roundoff(boxes, periods, &StandingBox::cells));
+        .from(from)
+        .check(id, text, quantity, worst_of, frequency_roundoff(boxes, periods, &StandingBox::cells));
   };
   const std::string largest = "largest relative deviation of the frequency";
   law(&Results::own, "frequency", "The wave of the parameters has the frequency of the discrete model's law.",
@@ -234,13 +233,8 @@ evidence::Table table_of(const Results& r) {
   evidence::Table table{.id = "waves",
                         .title = "Frequencies measured and of the law",
                         .caption = "Depth and gravity are 1; deviations are relative to the law.",
-                        .columns = {{"wavenumber", ""},
-                                    {"cells", ""},
-                                    {"tau", ""},
-                                    {"one-step: measured", ""},
-                                    {"deviation", ""},
-                                    {"conservative: measured", ""},
-                                    {"deviation", ""}}};
+                        .columns = table_columns({"wavenumber", "cells", "tau", "one-step: measured", "deviation",
+                                                  "conservative: measured", "deviation"})};
   const std::vector<StandingBox> boxes = twelve_boxes(Stepping::one_step);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Found& one_step = r.one_step[i];
@@ -253,12 +247,12 @@ evidence::Table table_of(const Results& r) {
 }
 
 void draw(evidence::Exhibit& exhibit, const std::vector<Found>& found) {
-  auto& figure = exhibit.figure(
-      "dispersion", "Phase speed of the discrete model",
-      "Lines: the laws, the discrete ones for the one-step scheme with tau = s/2, up to the shortest wave that the "
-      "markers resolve; the tuned pair is for s = 0.25. Circles: measured. The error of long waves is that of the time "
-      "step, $k^2\\tau^2/24$; of the others that of the model.",
-      {"frank-formula-13"});
+  auto& figure =
+      exhibit.figure("dispersion", "Phase speed of the discrete model",
+                     "Lines: the laws, the discrete ones for the one-step scheme with tau = s/2, up to the shortest "
+                     "wave that the markers resolve; the tuned pair is for s = 0.25. Circles: measured. The error of "
+                     "long waves is that of the time step, $k^2\\tau^2/24$; of the others that of the model.",
+                     {"frank-formula-13"});
   auto& speed =
       figure.panel({.x = "k H", .y = "phase speed/sqrt(g H)", .title = "Phase speed", .y_min = 0, .y_max = 1.05});
   auto& error = figure.panel({.x = "k H",

@@ -35,13 +35,12 @@ too few for that. Deviations of the measured frequencies from the law are roundi
 #include "validation/case/reference_case.hpp"
 #include "validation/dispersion/boussinesq_mesh.hpp"
 #include "validation/dispersion/frequency_roundoff.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 
 namespace seiche::validation::cases::dispersion_mesh {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 using exact::LagrangianMeshDispersion;
 using lagrangian_mesh_2d::Stepping;
 using mechanics::stepping_named;
@@ -58,8 +57,8 @@ constexpr double amplitude = 1e-6;
 
 /// Frequencies measured in tanks.
 std::vector<double> frequencies(const std::vector<MeshTank>& tanks, double periods) {
-  std::vector<double> measured;
-  for (const MeshTank& tank : tanks) measured.push_back(smallest_wave_frequency(tank, periods, amplitude));
+  std::vector<double> measured =
+      each(tanks, [&](const MeshTank& tank) { return smallest_wave_frequency(tank, periods, amplitude); });
   return measured;
 }
 
@@ -181,21 +180,16 @@ void claim_waves(const Values& values, const Claims<Results>& claims) {
   const MeshTank own = own_tank(values);
   claims.at(fmt::format("{} x {} cells, tau = {:g}", own.columns, own.rows, own.tau))
       .check(
-          {.id = "frequency",
-           .text = "The wave of the parameters has the frequency of the mesh's law.",
-           .quantity = "relative deviation of the frequency",
-           .source = law_source},
-          [own](const Results& r) { return deviation(own, r.own); },
+          "frequency", "The wave of the parameters has the frequency of the mesh's law.",
+          "relative deviation of the frequency", [own](const Results& r) { return deviation(own, r.own); },
           frequency_roundoff(std::vector{own}, periods, &MeshTank::columns));
   const auto twelve = [&](const std::string& id, const std::string& scheme, Stepping stepping,
                           std::vector<double> Results::*measured) {
     const std::vector<MeshTank> tanks = twelve_tanks(stepping);
     claims.at("1 to 8 rows, tau = 0.05 to 0.4")
         .check(
-            {.id = id,
-             .text = fmt::format("Twelve waves have the law's frequency with the {} scheme.", scheme),
-             .quantity = "largest relative deviation of the frequency",
-             .source = law_source},
+            id, fmt::format("Twelve waves have the law's frequency with the {} scheme.", scheme),
+            "largest relative deviation of the frequency",
             [tanks, measured](const Results& r) { return worst_deviation(tanks, r.*measured); },
             frequency_roundoff(tanks, periods, &MeshTank::columns));
   };
@@ -204,10 +198,8 @@ void claim_waves(const Values& values, const Claims<Results>& claims) {
   const std::vector<MeshTank> tanks = tanks_of_figure();
   claims.at("20 columns, 2, 4 and 8 rows, tau = 0.05")
       .check(
-          {.id = "figure",
-           .text = "So do all waves of the figure, up to the shortest that the meshes resolve.",
-           .quantity = "largest relative deviation of the frequency",
-           .source = law_source},
+          "figure", "So do all waves of the figure, up to the shortest that the meshes resolve.",
+          "largest relative deviation of the frequency",
           [tanks](const Results& r) { return worst_deviation(tanks, r.figure); },
           frequency_roundoff(tanks, periods, &MeshTank::columns));
 }
@@ -216,18 +208,17 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_waves(values, claims);
   const std::vector<MeshTank> tanks = long_tanks();
   const MeshTank& seven = tanks.front();
-  evidence::Roundoff of_the_law = frequency_roundoff(tanks, values.real("periods"), &MeshTank::columns);
+  Roundoff of_the_law = frequency_roundoff(tanks, values.real("periods"), &MeshTank::columns);
   of_the_law.expected = std::abs(seven.law().frequency(seven.wavenumber) / airy.frequency(seven.wavenumber) - 1);
   of_the_law.reason =
-      "longer waves are better: it is the law's error at seven depths, 2.94 per cent; Frank gives no "
-      "number. Measured as exactly as frequencies are: " +
+      "longer waves are better: it is the law's error at seven depths, 2.94 per cent; Frank gives no number. Measured "
+      "as exactly as frequencies are: " +
       of_the_law.reason;
   claims.at("h1 = H, h2 = H/2")
+      .from(frank)
       .check(
-          {.id = "seven-depths",
-           .text = "Waves of seven depths and more are right to three per cent on the coarse mesh.",
-           .quantity = "largest relative error of the frequency against Airy",
-           .source = frank},
+          "seven-depths", "Waves of seven depths and more are right to three per cent on the coarse mesh.",
+          "largest relative error of the frequency against Airy",
           [tanks](const Results& r) {
             Worst error;
             for (std::size_t i = 0; i < tanks.size(); ++i) error.add(error_of(tanks[i], r.long_waves.at(i)));
@@ -235,12 +226,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
           },
           of_the_law);
   claims.at("3, 4, 6, 8, 16 rows")
+      .from(frank)
       .check(
-          {.id = "boussinesq",
-           .text = "With three rows or more there is a width of columns for which the mesh has nearly the law of "
-                   "Boussinesq's equations.",
-           .quantity = "largest relative difference of the frequency, wavelengths of 3.5 depths and more",
-           .source = frank},
+          "boussinesq",
+          "With three rows or more there is a width of columns for which the mesh has nearly the law of Boussinesq's "
+          "equations.",
+          "largest relative difference of the frequency, wavelengths of 3.5 depths and more",
           [](const Results& r) {
             Worst distance;
             for (const Nearest& n : r.nearest) {
@@ -252,10 +243,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                 .reason = "half a per cent, not seen in a plot of the law; water differs from Boussinesq's equations "
                           "by ten times as much at 3.5 depths"});
   claims.check(
-      {.id = "boussinesq-few-rows",
-       .text = "With one or two rows there is none.",
-       .quantity = "no width of columns brings the difference below half a per cent",
-       .source = law_source},
+      "boussinesq-few-rows", "With one or two rows there is none.",
+      "no width of columns brings the difference below half a per cent",
       [](const Results& r) {
         Count near;
         for (const Nearest& n : r.nearest) {
@@ -263,8 +252,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
         }
         return 1 - near.value();
       },
-      evidence::Qualitative{.detector = "smallest difference over widths of 0.02 to 1.7 depths",
-                            .reason = "their k^4 term is 1/3 + h2^2/6, beyond what the width can repair"});
+      Qualitative{.detector = "smallest difference over widths of 0.02 to 1.7 depths",
+                  .reason = "their k^4 term is 1/3 + h2^2/6, beyond what the width can repair"});
 }
 
 Results compute(const Run& run) {
@@ -289,16 +278,10 @@ void tabulate(const Results& r, evidence::Exhibit& exhibit) {
   evidence::Table waves{.id = "waves",
                         .title = "Frequencies measured and of the law",
                         .caption =
-                            "Depth and gravity are 1; deviations are relative to the law. The last three rows "
-                            "have tuned surface inertia.",
-                        .columns = {{"wavenumber", ""},
-                                    {"columns", ""},
-                                    {"rows", ""},
-                                    {"tau", ""},
-                                    {"one-step: measured", ""},
-                                    {"deviation", ""},
-                                    {"conservative: measured", ""},
-                                    {"deviation", ""}}};
+                            "Depth and gravity are 1; deviations are relative to the law. The last three rows have "
+                            "tuned surface inertia.",
+                        .columns = table_columns({"wavenumber", "columns", "rows", "tau", "one-step: measured",
+                                                  "deviation", "conservative: measured", "deviation"})};
   const std::vector<MeshTank> one_step = twelve_tanks(Stepping::one_step);
   const std::vector<MeshTank> conservative = twelve_tanks(Stepping::conservative);
   for (std::size_t i = 0; i < one_step.size(); ++i) {
@@ -313,7 +296,7 @@ void tabulate(const Results& r, evidence::Exhibit& exhibit) {
       .id = "long-waves",
       .title = "Long waves on the coarse mesh, h1 = H, h2 = H/2",
       .caption = "Measured in a tank of one wavelength with tau = 0.05, the time step's effect taken out by the law.",
-      .columns = {{"wavelength/H", ""}, {"frequency", ""}, {"error against Airy", "%"}}};
+      .columns = table_columns({"wavelength/H", "frequency", "error against Airy [%]"})};
   const std::vector<MeshTank> tanks = long_tanks();
   for (std::size_t i = 0; i < tanks.size(); ++i) {
     const double error = error_of(tanks[i], r.long_waves[i]);
@@ -323,23 +306,21 @@ void tabulate(const Results& r, evidence::Exhibit& exhibit) {
   }
   exhibit.table(std::move(coarse));
 
-  evidence::Table nearest{
-      .id = "boussinesq",
-      .title = "Meshes that come nearest to Boussinesq's equations",
-      .caption =
-          "Width of the columns for which the largest relative difference of the frequency "
-          "from $k/\\sqrt{1 + k^2/3}$, over wavelengths of 3.5 depths and more, is smallest. With one "
-          "or two rows the narrowest columns tried, 0.001 depths, are the best.",
-      .columns = {{"rows", ""}, {"h1/H", ""}, {"difference", "%"}}};
+  evidence::Table nearest{.id = "boussinesq",
+                          .title = "Meshes that come nearest to Boussinesq's equations",
+                          .caption =
+                              "Width of the columns for which the largest relative difference of the frequency from "
+                              "$k/\\sqrt{1 + k^2/3}$, over wavelengths of 3.5 depths and more, is smallest. With one "
+                              "or two rows the narrowest columns tried, 0.001 depths, are the best.",
+                          .columns = table_columns({"rows", "h1/H", "difference [%]"})};
   for (const Nearest& n : r.nearest) nearest.rows.push_back({static_cast<double>(n.rows), n.width, 100 * n.distance});
   exhibit.table(std::move(nearest));
 }
 
 void draw(const std::vector<double>& measured, evidence::Exhibit& exhibit) {
   auto& figure = exhibit.figure("dispersion", "Phase speed of waves on the Lagrangian mesh",
-                                "Lines: the laws, up to the shortest wave of each mesh. Circles: measured with tau "
-                                "= 0.05, the time step's effect "
-                                "taken out by its law.",
+                                "Lines: the laws, up to the shortest wave of each mesh. Circles: measured with tau = "
+                                "0.05, the time step's effect taken out by its law.",
                                 {"frank-dispersion-2d"});
   auto& speed =
       figure.panel({.x = "k H", .y = "phase speed/sqrt(g H)", .title = "Phase speed", .y_min = 0, .y_max = 1.05});
@@ -426,7 +407,7 @@ Case dispersion_mesh() {
       real("periods", {20.0, 30.0, 60.0}, "1", {2, 1000}, "length of the series"),
   };
   c.published = {{.tiles = {"frank-dispersion-2d"}}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, law_source);
   return c;
 }
 

@@ -34,9 +34,6 @@ for the errors of the pressure and of the inertia cancel; at an angle $\theta$ a
 namespace seiche::validation::cases::dispersion_plan {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
-
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank (1994), formula 13 and section 4.2; closed form of the linearised cells";
 
@@ -60,10 +57,8 @@ Fitted fitted(double kx, double ky, double h1, double h2) {
   constexpr double most = 4e6;  // some gigabytes
   if (const double cells = static_cast<double>(result.tank.columns) * static_cast<double>(result.tank.rows);
       cells > most) {
-    throw std::invalid_argument(
-        fmt::format("h1 = {:g}, h2 = {:g} and the wavenumber make {:.3g} cells: must be at most "
-                    "{:g}",
-                    h1, h2, cells, most));
+    throw std::invalid_argument(fmt::format(
+        "h1 = {:g}, h2 = {:g} and the wavenumber make {:.3g} cells: must be at most {:g}", h1, h2, cells, most));
   }
   return result;
 }
@@ -121,24 +116,18 @@ void claim_law(const Claims<std::vector<Deviations>>& claims, const std::string&
       return worst;
     };
   };
-  claims.check({.id = id + "-eigenvalue",
-                .text = "The linearised model has the eigenvalue of the closed form: " + what + ".",
-                .quantity = "relative deviation of omega^2",
-                .source = source},
-               largest(&Deviations::eigenvalue),
-               evidence::Roundoff{.operations = 30,
-                                  .scale = condition(tank),
-                                  .reason = "some thirty roundings of a row of a direct solution, amplified by the "
-                                            "condition of the equation for the pressure"});
+  claims.check(id + "-eigenvalue", "The linearised model has the eigenvalue of the closed form: " + what + ".",
+               "relative deviation of omega^2", largest(&Deviations::eigenvalue),
+               Roundoff{.operations = 30,
+                        .scale = condition(tank),
+                        .reason = "some thirty roundings of a row of a direct solution, amplified by the condition of "
+                                  "the equation for the pressure"});
   constexpr double tolerance = 1e-13;
   const double steps = 2 * pi * periods / phase;
   const double operations = 100 + 6 / (4 * std::pow(phase, 4) * steps);
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::sqrt(operations);
-  claims.check({.id = id + "-run",
-                .text = "A run has the frequency of the closed form: " + what + ".",
-                .quantity = "relative deviation of the frequency",
-                .source = source},
-               largest(&Deviations::run),
+  claims.check(id + "-run", "A run has the frequency of the closed form: " + what + ".",
+               "relative deviation of the frequency", largest(&Deviations::run),
                Bound{.limit = tolerance + rounding,
                      .reason = "the pressure of the wave is solved to the part 1e-13 of itself; second differences "
                                "divide the rounding of amplitudes by (omega tau)^2, the mean over n steps that by "
@@ -183,15 +172,10 @@ evidence::Table fan_table(const std::vector<Deviations>& fan, const PlanTank& ta
   evidence::Table table{.id = "fan",
                         .title = "Waves in a box of 24 x 24 cells",
                         .caption =
-                            "Relative deviations of eigenvalues and of measured frequencies from the closed "
-                            "form, and of the closed form from the Green-Naghdi equations.",
-                        .columns = {{"half-waves along x", ""},
-                                    {"along y", ""},
-                                    {"k H", ""},
-                                    {"direction", "degrees"},
-                                    {"eigenvalue", ""},
-                                    {"run", ""},
-                                    {"error of the lattice", ""}}};
+                            "Relative deviations of eigenvalues and of measured frequencies from the closed form, and "
+                            "of the closed form from the Green-Naghdi equations.",
+                        .columns = table_columns({"half-waves along x", "along y", "k H", "direction [degrees]",
+                                                  "eigenvalue", "run", "error of the lattice"})};
   for (std::size_t i = 0; i < fan_modes.size(); ++i) {
     const auto& [m, n] = fan_modes[i];
     const PlanMode mode(tank, m, n);
@@ -206,8 +190,8 @@ evidence::Table fan_table(const std::vector<Deviations>& fan, const PlanTank& ta
 void draw(const Values& values, evidence::Exhibit& exhibit) {
   const exact::PlanDispersion law(1, 1, values.real("h1"), values.real("h2"));
   auto& figure = exhibit.figure("anisotropy", "Direction makes a difference on a lattice",
-                                fmt::format("Frequency of the closed form below that of the Green-Naghdi equations, "
-                                            "in per cent, against the direction of the wave; cells {:g} x {:g}.",
+                                fmt::format("Frequency of the closed form below that of the Green-Naghdi equations, in "
+                                            "per cent, against the direction of the wave; cells {:g} x {:g}.",
                                             values.real("h1"), values.real("h2")));
   auto& polar = figure.panel({.x = "direction", .y = "frequency too low [%]", .title = "Direction", .polar = true});
   auto& along = figure.panel({.x = "k H", .y = "phase speed/sqrt(g H)", .title = "Phase speed"});
@@ -258,7 +242,7 @@ Case dispersion_plan() {
       real("tau", 0.1, "sqrt(H/g)", {1e-3, 1}, "time step"),
       real("periods", {10.0, 20.0, 40.0}, "1", {2, 1000}, "length of the run"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -19,7 +19,6 @@
 namespace seiche::validation {
 namespace {
 
-using evidence::Role;
 using exact::StretchingDrop;
 
 /// Of the pressures of cells: regular rings may be singular.

@@ -88,80 +88,62 @@ void claim_kept(const Claims<Contest>& all, const Values& values) {
   }
   for (const Named& model : names) {
     claims_of(all, model.id)
+        .from("Frank (1994), chapter 1; forces of pairs are opposite")
         .check(
-            {.id = model.id + "-momentum",
-             .text = fmt::format("The momentum of {} is kept to round-off.", model.name),
-             .quantity = "change over the sum of all momenta",
-             .source = "Frank (1994), chapter 1; forces of pairs are opposite"},
-            [](const Entry& entry) { return entry.finest().momentum; },
-            evidence::Roundoff{.operations = steps_of(values, model.id),
-                               .scale = 1,
-                               .reason = "the sum of all momenta is rounded once in each step"});
+            model.id + "-momentum", fmt::format("The momentum of {} is kept to round-off.", model.name),
+            "change over the sum of all momenta", [](const Entry& entry) { return entry.finest().momentum; },
+            Roundoff{.operations = steps_of(values, model.id),
+                     .scale = 1,
+                     .reason = "the sum of all momenta is rounded once in each step"});
   }
   for (const Named& model : {names[2], names[3]}) {
     claim_dissipates(claims_of(all, model.id), model,
                      "in each step the stabilisation takes a square of differences of the multipliers", source);
   }
   claims_of(all, "sph")
-      .check({.id = "sph-energy",
-              .text = "The energy of SPH, that of its compression included, is nearly kept.",
-              .quantity = "change over the energy of the stretching",
-              .source = "Monaghan (1994)"},
-             energy_of_finest,
-             evidence::Bound{.limit = 1.0 / (6 * 14 * 14),
-                             .reason = "the energy of the compression at the beginning, 1/(6 c^2): "
-                                       "what steps change must be less than what they resolve"});
+      .from("Monaghan (1994)")
+      .check("sph-energy", "The energy of SPH, that of its compression included, is nearly kept.",
+             "change over the energy of the stretching", energy_of_finest,
+             Bound{.limit = 1.0 / (6 * 14 * 14),
+                   .reason = "the energy of the compression at the beginning, 1/(6 c^2): what steps change must be "
+                             "less than what they resolve"});
 }
 
 void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   claims_of(all, "particles")
-      .check({.id = "particles-rim",
-              .text = "Free particles have the rim where it should be.",
-              .quantity = "rms distance from the exact places",
-              .unit = "radius",
-              .source = source},
-             error_of_finest,
-             evidence::Bound{.limit = 0.01 / static_cast<double>(values.integer("rings")),
-                             .reason = "a hundredth of the spacing of the rings, below which particles do not tell "
-                                       "where a surface is"});
+      .check(
+          "particles-rim", "Free particles have the rim where it should be.",
+          "rms distance from the exact places [radius]", error_of_finest,
+          Bound{.limit = 0.01 / static_cast<double>(values.integer("rings")),
+                .reason =
+                    "a hundredth of the spacing of the rings, below which particles do not tell where a surface is"});
   claims_of(all, "mesh")
       .check(
-          {.id = "mesh-order",
-           .text = "The outline of the mesh converges with the first order.",
-           .quantity = "order of the rms distance from the exact places",
-           .source = source},
-          [](const Entry& entry) { return entry.order(); },
-          evidence::Order{.theory = 1,
-                          .tolerance = 0.25,
-                          .reason =
-                              "nodes of the outline slip along it to first order; the meshes begin with cells of a "
-                              "quarter of the radius, where terms of other orders are as much of the error"});
+          "mesh-order", "The outline of the mesh converges with the first order.",
+          "order of the rms distance from the exact places", [](const Entry& entry) { return entry.order(); },
+          Order{.theory = 1,
+                .tolerance = 0.25,
+                .reason = "nodes of the outline slip along it to first order; the meshes begin with cells of a quarter "
+                          "of the radius, where terms of other orders are as much of the error"});
   for (const Named& model : {names[2], names[3], names[5]}) {
     claims_of(all, model.id)
         .check(
-            {.id = model.id + "-rim",
-             .text = fmt::format("The rim of {} is off by less than a spacing.", model.name),
-             .quantity = "rms distance from the exact places over the spacing",
-             .source = source},
+            model.id + "-rim", fmt::format("The rim of {} is off by less than a spacing.", model.name),
+            "rms distance from the exact places over the spacing",
             [](const Entry& entry) { return entry.finest().error / entry.finest().size; },
-            evidence::Bound{.limit = 1, .reason = "a surface is not known by less than the spacing"});
+            Bound{.limit = 1, .reason = "a surface is not known by less than the spacing"});
   }
   claims_of(all, "overlapping")
       .at(fmt::format("{} spacings to the radius", values.integer("overlapping") / 2))
       .check(
-          {.id = "overlapping-rim",
-           .text = "So is that of overlapping particles on half as many rows.",
-           .quantity = "rms distance from the exact places over the spacing",
-           .source = source},
+          "overlapping-rim", "So is that of overlapping particles on half as many rows.",
+          "rms distance from the exact places over the spacing",
           [](const Entry& entry) { return entry.attempts.at(1).error / entry.attempts.at(1).size; },
-          evidence::Bound{.limit = 1,
-                          .reason = "a surface is not known by less than the spacing; on finer rows noise of single "
-                                    "particles is in it, which nobody can foretell"});
+          Bound{.limit = 1,
+                .reason = "a surface is not known by less than the spacing; on finer rows noise of single particles is "
+                          "in it, which nobody can foretell"});
   all.check(
-      {.id = "nearest",
-       .text = "None is nearer than the free particles.",
-       .quantity = "their error is the least",
-       .source = source},
+      "nearest", "None is nearer than the free particles.", "their error is the least",
       [](const Contest& contest) {
         const double least = contest.of("particles").finest().error;
         return std::ranges::all_of(contest.entries(),
@@ -169,8 +151,8 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
                    ? 1.0
                    : 0.0;
       },
-      evidence::Qualitative{.detector = "error of the finest resolution of each",
-                            .reason = "their space holds the linear fields of the exact motion"});
+      Qualitative{.detector = "error of the finest resolution of each",
+                  .reason = "their space holds the linear fields of the exact motion"});
 }
 
 void claim_ends(const Claims<Contest>& all, const Values& values) {
@@ -220,7 +202,7 @@ Case drop_models() {
       integer("overlapping", {16, 40, 40}, {12, 80}, "spacings of overlapping particles to the radius, finest of four"),
       integer("sph", {28, 80, 80}, {12, 400}, "spacings of SPH particles to the radius, finest of three"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -33,7 +33,6 @@ cut cells, the sums over particles, and the steps.
 namespace seiche::validation::cases::ellipse_gauss {
 namespace {
 
-using evidence::Role;
 using exact::AffineDrop;
 using gauss_particles::FieldSpace;
 using gauss_particles::Flow;
@@ -63,10 +62,10 @@ SetUp set_up(const Values& values) {
   Eigen::Matrix2d gradient;
   gradient << values.real("xx"), values.real("xy"), values.real("yx"), -values.real("xx");
   if (!(gradient.determinant() < 0)) {
-    throw std::invalid_argument(fmt::format(
-        "xx^2 + xy yx = {:g} is out of range: positive; else the pressure is below that of the surroundings "
-        "and the surface unstable",
-        -gradient.determinant()));
+    throw std::invalid_argument(
+        fmt::format("xx^2 + xy yx = {:g} is out of range: positive; else the pressure is below that of the "
+                    "surroundings and the surface unstable",
+                    -gradient.determinant()));
   }
   const auto rings = std::lround(std::sqrt(static_cast<double>(values.integer("particles")) / 3));
   return {gradient, AffineDrop(Eigen::Matrix2d::Identity(), gradient), static_cast<std::size_t>(rings),
@@ -181,40 +180,25 @@ Results compute(const Run& run) {
 void claim_accuracy(const SetUp& s, const Claims<Results>& claims) {
   const double strain = s.gradient.norm() / std::numbers::sqrt2;
   claims.check(
-      {.id = "places",
-       .text = "The particles are where they should be.",
-       .quantity = "rms distance from the exact places",
-       .unit = "radius",
-       .source = source},
+      "places", "The particles are where they should be.", "rms distance from the exact places [radius]",
       [](const Results& r) { return r.splines.rms; },
-      evidence::Bound{std::pow(strain * s.tau, 2),
-                      "second order: the square of strain rate times step, in radii; Frank's projection scheme, "
-                      "of first order, errs by a part of strain rate times step"});
-  claims.check({.id = "lattice",
-                .text = "What the splines add to the error is less than that of the steps.",
-                .quantity = "rms distance over that with linear fields alone",
-                .source = source},
-               &Results::beside_linear,
-               evidence::Bound{2, "as much again: an error budget of which steps and splines have equal parts"});
+      Bound{std::pow(strain * s.tau, 2),
+            "second order: the square of strain rate times step, in radii; Frank's projection scheme, of first order, "
+            "errs by a part of strain rate times step"});
+  claims.check("lattice", "What the splines add to the error is less than that of the steps.",
+               "rms distance over that with linear fields alone", &Results::beside_linear,
+               Bound{2, "as much again: an error budget of which steps and splines have equal parts"});
   claims.check(
-      {.id = "surface",
-       .text = "The markers stay on the surface.",
-       .quantity = "largest distance of a marker from its exact place",
-       .unit = "radius",
-       .source = source},
+      "surface", "The markers stay on the surface.", "largest distance of a marker from its exact place [radius]",
       [](const Results& r) { return r.splines.surface; },
-      evidence::Bound{0.01 * s.spacing(),
-                      "a hundredth of the spacing of the rings, below which particles do not tell where a "
-                      "surface is; splines that are not continued at cut cells err by a third of the spacing"});
-  claims.check(
-      {.id = "pressure",
-       .text = "The pressure at the middle is Dirichlet's, from the reactions alone.",
-       .quantity = "largest relative error at ten instants",
-       .source = source},
-      &Results::pressure_error,
-      evidence::Bound{0.1 / std::sqrt(s.particles()),
-                      "what a lattice leaves in the gradients, up to a tenth of them, is of either sign: a mean "
-                      "over all particles"});
+      Bound{0.01 * s.spacing(),
+            "a hundredth of the spacing of the rings, below which particles do not tell where a surface is; splines "
+            "that are not continued at cut cells err by a third of the spacing"});
+  claims.check("pressure", "The pressure at the middle is Dirichlet's, from the reactions alone.",
+               "largest relative error at ten instants", &Results::pressure_error,
+               Bound{0.1 / std::sqrt(s.particles()),
+                     "what a lattice leaves in the gradients, up to a tenth of them, is of either sign: a mean over "
+                     "all particles"});
 }
 
 void claim_invariants(const SetUp& s, const Claims<Results>& claims) {
@@ -223,14 +207,11 @@ void claim_invariants(const SetUp& s, const Claims<Results>& claims) {
   const double inertia = std::numbers::pi / 4 * end.deformation.squaredNorm();
   const auto kept = [&](const std::string& id, const std::string& what, double Results::*member, double scale,
                         const std::string& of_scale) {
-    claims.check({.id = id,
-                  .text = "The " + what + " is kept to round-off.",
-                  .quantity = "largest defect",
-                  .source = "Frank (1994), chapter 6, proposition 4"},
-                 member,
-                 evidence::Roundoff{.operations = std::ceil(s.end / s.tau),
-                                    .scale = scale,
-                                    .reason = "one rounded velocity per step; scale: " + of_scale});
+    claims.from("Frank (1994), chapter 6, proposition 4")
+        .check(id, "The " + what + " is kept to round-off.", "largest defect", member,
+               Roundoff{.operations = std::ceil(s.end / s.tau),
+                        .scale = scale,
+                        .reason = "one rounded velocity per step; scale: " + of_scale});
   };
   kept("energy", "energy", &Results::energy, 1, "the kinetic energy, over which it is taken");
   kept("momentum", "momentum", &Results::momentum, std::sqrt(2 * first.kinetic_energy * first.area),
@@ -319,7 +300,7 @@ Case ellipse_gauss() {
   };
   c.published = {
       {.tiles = {"frank-ellipse"}, .differs = "the thesis states neither the velocity gradient nor the particles"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -43,9 +43,6 @@ namespace {
 
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
-using evidence::Bound;
-using evidence::Order;
-using evidence::Role;
 using exact::AffineDrop;
 using overlapping_particles::Flow;
 using overlapping_particles::Particles;
@@ -194,20 +191,13 @@ void claim_accuracy(const SetUp& s, const Claims<Results>& all) {
                                      .only_if(s.usual(), otherwise);
   const double deformed = s.strain() * s.end;
   claims.check(
-      {.id = "places",
-       .text = "The particles are where they should be, but for about a spacing.",
-       .quantity = "rms distance from the exact places",
-       .unit = "radius",
-       .source = source},
-      [](const Results& r) { return r.own.rms; },
+      "places", "The particles are where they should be, but for about a spacing.",
+      "rms distance from the exact places [radius]", [](const Results& r) { return r.own.rms; },
       Bound{s.spacing * deformed,
             "a spacing that the surface is not known by, and strains as the drop is strained: first order"});
   claims.only_if(deformed <= 1.2 && s.spacing <= 0.1, "for drops not much thinner than in the source's first tests")
       .check(
-          {.id = "stretch",
-           .text = "The larger semi-axis is that of the exact drop.",
-           .quantity = "relative error",
-           .source = source},
+          "stretch", "The larger semi-axis is that of the exact drop.", "relative error",
           [](const Results& r) { return r.own.stretch.larger / r.exact.larger - 1; },
           Bound{std::pow(s.settings.support * s.spacing / 2, 2),
                 "the projection takes a part of the velocity that is orthogonal to the rest, as wide as half a volume, "
@@ -222,17 +212,15 @@ void claim_invariants(const SetUp& s, const Claims<Results>& claims) {
   const double inertia = std::numbers::pi / 4 * s.drop.at(s.end).deformation.squaredNorm();
   const auto kept = [&](const std::string& id, const std::string& what, double Drop::*member, double scale,
                         const std::string& of_scale) {
-    claims.check(
-        {.id = id,
-         .text = "The " + what + " is kept to round-off.",
-         .quantity = "largest defect",
-         .source = "Frank (1994), chapter 1"},
-        [member](const Results& r) { return r.own.*member; },
-        evidence::Roundoff{.operations = 40 * std::ceil(s.end / s.tau),
-                           .scale = scale,
-                           .reason = "in every step the multipliers of a particle's forty volumes and its own, "
-                                     "rounded; scale: " +
-                                     of_scale});
+    claims.from("Frank (1994), chapter 1")
+        .check(
+            id, "The " + what + " is kept to round-off.", "largest defect",
+            [member](const Results& r) { return r.own.*member; },
+            Roundoff{
+                .operations = 40 * std::ceil(s.end / s.tau),
+                .scale = scale,
+                .reason = "in every step the multipliers of a particle's forty volumes and its own, rounded; scale: " +
+                          of_scale});
   };
   kept("energy", "energy", &Drop::energy, 1, "the kinetic energy, over which it is taken");
   const double particles = s.particles();
@@ -352,7 +340,7 @@ Case ellipse_overlapping() {
   c.published = {
       {.tiles = {"frank-overlapping"},
        .differs = "the thesis reports tests with exact free-surface flows in words, without their parameters"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

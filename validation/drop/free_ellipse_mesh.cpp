@@ -32,14 +32,12 @@ It is an exact solution too, but its surface is unstable, and any method loses i
 #include "validation/case/reference_case.hpp"
 #include "validation/case/refinement.hpp"
 #include "validation/drop/round_patch.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::free_ellipse_mesh {
 namespace {
 
-using evidence::Amount;
-using evidence::Order;
-using evidence::Role;
 using exact::StretchingDrop;
 using lagrangian_mesh_2d::Flow;
 using lagrangian_mesh_2d::Mesh;
@@ -152,18 +150,12 @@ Measurement energy_defect(const Results& r) {
 void claims(const Values& values, const Claims<Results>& claims) {
   const RefinementStudy study = study_of_orders();
   const long finest = meshes_up_to(values.integer("n")).back();
-  claims.check(
-      {.id = "energy",
-       .text = "The kinetic energy is kept on all meshes.",
-       .quantity = "largest defect",
-       .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
-      energy_defect,
-      evidence::Roundoff{
-          .operations = Amount::told_by_run(values.real("time") / step_on(values, finest) + 1 +
-                                            std::pow(static_cast<double>(finest + 1), 2)),
-          .scale = std::numbers::pi / 4 * std::pow(values.real("strain_rate"), 2),
-          .reason = "rounding of the energy of the exact motion, pi s^2/4: in a sum over the nodes, and once per "
-                    "step; each mesh by its own nodes and steps"});
+  claims.check("energy", "The kinetic energy is kept on all meshes.", "largest defect", energy_defect,
+               Roundoff{.operations = Amount::told_by_run(values.real("time") / step_on(values, finest) + 1 +
+                                                          std::pow(static_cast<double>(finest + 1), 2)),
+                        .scale = std::numbers::pi / 4 * std::pow(values.real("strain_rate"), 2),
+                        .reason = "rounding of the energy of the exact motion, pi s^2/4: in a sum over the nodes, and "
+                                  "once per step; each mesh by its own nodes and steps"});
   study.claim_orders(claims.of(&Results::refinement));
 }
 
@@ -192,12 +184,10 @@ void draw_mesh_at_end(const Flow& flow, const StretchingDrop& drop, evidence::Ex
   const auto panel = [&](const std::string& title, std::span<const double> x, std::span<const double> y, double t) {
     auto& one = figure.panel({.x = "x", .y = "y", .title = title, .equal_aspect = true});
     draw_mesh(one, "mesh", mesh, x, y);
-    std::vector<double> outline_x;
-    std::vector<double> outline_y;
-    for (const double angle : evenly(0, 2 * std::numbers::pi, 201)) {
-      outline_x.push_back(drop.semi_axis(t) * std::cos(angle));
-      outline_y.push_back(drop.other_axis(t) * std::sin(angle));
-    }
+    std::vector<double> outline_x = each(evenly(0, 2 * std::numbers::pi, 201),
+                                         [&](const double angle) { return drop.semi_axis(t) * std::cos(angle); });
+    std::vector<double> outline_y = each(evenly(0, 2 * std::numbers::pi, 201),
+                                         [&](const double angle) { return drop.other_axis(t) * std::sin(angle); });
     one.line("exact", outline_x, outline_y, Role::exact);
   };
   panel("t = 0", mesh.x, mesh.y, 0);
@@ -211,8 +201,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   study.draw(r.refinement, figure.panel({.x = "cells n", .y = "error", .log_x = true, .log_y = true}));
   auto& axis = figure.panel({.x = "t", .y = "a"});
   const std::vector<double> times = evenly(0, values.real("time"), 101);
-  std::vector<double> exact;
-  for (const double t : times) exact.push_back(r.drop.semi_axis(t));
+  std::vector<double> exact = each(times, [&](const double t) { return r.drop.semi_axis(t); });
   axis.line("exact", times, exact, Role::exact);
   for (const std::size_t m : {0, 1}) {
     axis.line(fmt::format("n = {:g}", r.refinement.n()[m]), r.histories[m].time, r.histories[m].tip);
@@ -243,7 +232,7 @@ Case free_ellipse_mesh() {
       real("time", 1.0, "1", {1e-2, 10}, "end of the run"),
       choice("scheme", std::string("one_step"), {"one_step", "conservative"}, "time stepping"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "Frank, Discrete models of incompressible fluid (1994), chapter 1");
   return c;
 }
 

@@ -36,7 +36,6 @@ One step with feedback gives up the energy to bring areas back.
 namespace seiche::validation::cases::free_patch_mesh {
 namespace {
 
-using evidence::Roundoff;
 using lagrangian_mesh_2d::Flow;
 using lagrangian_mesh_2d::Mesh;
 using lagrangian_mesh_2d::Stepping;
@@ -174,14 +173,14 @@ void claims(const Values& values, const Claims<Results>& claims) {
     to.at(fmt::format("{} x {} cells, tau = {:g}, {:g} steps", values.integer("nx"), values.integer("ny"),
                       values.real("tau"), steps))
         .check(
-            {.id = id, .text = text, .quantity = "largest defect", .source = source},
+            id, text, "largest defect",
             [defect, scale](const Results& r) -> Measurement {
               const Worst found = r.largest(defect);
               return {
                   .value = found.value(), .where = fmt::format("t = {:g}", found.where()), .told = {.scale = scale(r)}};
             },
             Roundoff{.operations = steps + summed,
-                     .scale = evidence::Amount::told_by_run(largest),
+                     .scale = Amount::told_by_run(largest),
                      .reason = reason + ", once per step"});
   };
   const auto of = [](double Scales::*scale) { return [scale](const Results& r) { return r.largest(scale); }; };
@@ -278,7 +277,7 @@ Case free_patch_mesh() {
       integer("steps", {1000, 10000, 100000}, {1, 1e8}, "number of steps"),
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -29,6 +29,7 @@ several times better than the cubic spline with $h = 1.3\,dx$. Momenta are kept 
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/agreement.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/studies/wcsph/particle_frames.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
@@ -36,8 +37,6 @@ several times better than the cubic spline with $h = 1.3\,dx$. Momenta are kept 
 namespace seiche::validation::cases::patch_sph {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 using wcsph::Flow;
 
 const std::string source = "Monaghan, J. Comput. Phys. 110 (1994) 399; Dirichlet (1860)";
@@ -146,34 +145,27 @@ void claim_momenta(const Claims<Stretched>& claims, const Values& values) {
           .value = worst.value(), .resolution = run.resolution(), .where = fmt::format("t = {:g} s", worst.where())};
     };
   };
-  claims.check({.id = "momentum",
-                .text = "Momentum is kept to rounding.",
-                .quantity = "largest defect over sum m|u|",
-                .source = source},
-               kept(&Stretched::momentum),
-               evidence::Roundoff{.operations = particles * steps,
-                                  .scale = 1 / particles,
-                                  .reason = counted + "forces of pairs are opposite bit by bit, sums of different "
-                                                      "order round differently"});
-  claims.check({.id = "angular-momentum",
-                .text = "Angular momentum is kept to rounding: the patch is symmetric.",
-                .quantity = "largest defect over sum m|u| times the radius",
-                .source = source},
-               kept(&Stretched::angular_momentum),
-               evidence::Roundoff{.operations = particles * steps,
-                                  .scale = 1 / particles,
-                                  .reason = counted + "the midpoint rule keeps it to second order only, but errors of "
-                                                      "mirrored particles cancel"});
+  claims.check(
+      "momentum", "Momentum is kept to rounding.", "largest defect over sum m|u|", kept(&Stretched::momentum),
+      Roundoff{
+          .operations = particles * steps,
+          .scale = 1 / particles,
+          .reason = counted + "forces of pairs are opposite bit by bit, sums of different order round differently"});
+  claims.check(
+      "angular-momentum", "Angular momentum is kept to rounding: the patch is symmetric.",
+      "largest defect over sum m|u| times the radius", kept(&Stretched::angular_momentum),
+      Roundoff{.operations = particles * steps,
+               .scale = 1 / particles,
+               .reason = counted +
+                         "the midpoint rule keeps it to second order only, but errors of mirrored particles cancel"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
   const auto finest = claims.of([](const Results& runs) -> const Stretched& { return runs.back(); });
   for (const double t : {0.5, 1.0}) {
     finest.check(
-        {.id = fmt::format("axis-{:g}", 10 * t),
-         .text = fmt::format("The patch is as long as the exact one at t = {:g}.", t),
-         .quantity = "relative error of b",
-         .source = source},
+        fmt::format("axis-{:g}", 10 * t), fmt::format("The patch is as long as the exact one at t = {:g}.", t),
+        "relative error of b",
         [t](const Stretched& run) -> Measurement {
           return {.value = at(run, run.axis_error, t), .resolution = run.resolution()};
         },
@@ -182,14 +174,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
   }
   claim_momenta(finest, values);
   finest.check(
-      {.id = "energy",
-       .text = "Energy is kept to the order of the steps.",
-       .quantity = "defect at the end over the kinetic energy of the beginning",
-       .source = source},
+      "energy", "Energy is kept to the order of the steps.",
+      "defect at the end over the kinetic energy of the beginning",
       [](const Stretched& run) -> Measurement { return {.value = run.energy, .resolution = run.resolution()}; },
       Bound{.limit = 1 / (6 * std::pow(values.real("sound"), 2)),
-            .reason = "the energy of the compression, the integral of p^2/(2 rho c^2) over that of rho r^2/2: "
-                      "1/(6 c^2); what steps change must be less than what they are to resolve"});
+            .reason = "the energy of the compression, the integral of p^2/(2 rho c^2) over that of rho r^2/2: 1/(6 "
+                      "c^2); what steps change must be less than what they are to resolve"});
 }
 
 void draw(evidence::Exhibit& exhibit, const Results& runs) {
@@ -197,8 +187,7 @@ void draw(evidence::Exhibit& exhibit, const Results& runs) {
   auto& figure = exhibit.figure("patch", "Semi-axis and particles",
                                 "Left: the longer semi-axis; right: particles at the end and the exact ellipse.");
   auto& axis = figure.panel({.x = "t [s]", .y = "b [m]"});
-  std::vector<double> exact_axis;
-  for (const double t : runs.back().time) exact_axis.push_back(drop.other_axis(t));
+  std::vector<double> exact_axis = each(runs.back().time, [&](const double t) { return drop.other_axis(t); });
   axis.line("exact", runs.back().time, exact_axis, Role::exact);
   axis.points("SPH", runs.back().time, runs.back().axis, Role::computed);
   auto& places = figure.panel({.x = "x [m]", .y = "z [m]", .equal_aspect = true});
@@ -211,14 +200,10 @@ void draw(evidence::Exhibit& exhibit, const Results& runs) {
   }
   places.line("exact", x, z, Role::exact);
   auto& study = exhibit.figure("convergence", "Errors", "Of the semi-axis and of the velocities, relative.");
-  std::vector<double> sizes;
-  for (const Stretched& one : runs) sizes.push_back(one.spacing);
+  std::vector<double> sizes = each(runs, [](const Stretched& one) { return one.spacing; });
   for (const double t : {0.5, 1.0}) {
-    std::vector<double> axes, velocities;
-    for (const Stretched& one : runs) {
-      axes.push_back(std::abs(at(one, one.axis_error, t)));
-      velocities.push_back(at(one, one.velocity_error, t));
-    }
+    std::vector<double> axes = each(runs, [&](const Stretched& one) { return std::abs(at(one, one.axis_error, t)); });
+    std::vector<double> velocities = each(runs, [&](const Stretched& one) { return at(one, one.velocity_error, t); });
     auto& panel = study.panel(
         {.x = "dx [m]", .y = "relative error", .title = fmt::format("t = {:g} s", t), .log_x = true, .log_y = true});
     panel.points("semi-axis", sizes, axes, Role::computed);
@@ -242,13 +227,12 @@ Case patch_sph() {
   Case c;
   c.title = "A free patch of water is stretched: weakly compressible SPH";
   c.source =
-      "J. J. Monaghan, J. Comput. Phys. 110 (1994) 399; P. G. L. Dirichlet, Abh. Kgl. Ges. Wiss. Goettingen 8 "
-      "(1860) 3";
+      "J. J. Monaghan, J. Comput. Phys. 110 (1994) 399; P. G. L. Dirichlet, Abh. Kgl. Ges. Wiss. Goettingen 8 (1860) 3";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = with(
       {real("dx", {0.03, 0.01, 0.005}, "m", {0.001, 0.2}, "spacing of the particles; the radius is 1")},
       sph_parameters({.viscosity = "none", .sound = 14, .courant = {0.3, 0.2, 0.2}}, "the speed A_0 times the radius"));
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

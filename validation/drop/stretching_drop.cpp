@@ -16,11 +16,10 @@ semi-axes and the pressure in time.
 #include "seiche/exact/stretching_drop.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::stretching_drop {
 namespace {
-
-using evidence::Role;
 
 const std::string source = "Dirichlet (1860); Longuet-Higgins (1972)";
 
@@ -43,14 +42,9 @@ exact::SelfTest compute(const Run& run) {
 void show(const exact::SelfTest& /*identities*/, const Values& values, evidence::Exhibit& exhibit) {
   const exact::StretchingDrop drop = drop_of(values);
   const std::vector<double> times = times_of(values);
-  std::vector<double> along;
-  std::vector<double> across;
-  std::vector<double> pressure;
-  for (const double t : times) {
-    along.push_back(drop.semi_axis(t));
-    across.push_back(drop.other_axis(t));
-    pressure.push_back(drop.at(t).central_pressure);
-  }
+  std::vector<double> along = each(times, [&](const double t) { return drop.semi_axis(t); });
+  std::vector<double> across = each(times, [&](const double t) { return drop.other_axis(t); });
+  std::vector<double> pressure = each(times, [&](const double t) { return drop.at(t).central_pressure; });
   auto& figure = exhibit.figure("drop", "Semi-axes and pressure", "Along and across the stretching; at the centre.");
   auto& axes = figure.panel({.x = "t [s]", .y = "semi-axis [m]"});
   axes.line("along x", times, along, Role::exact);

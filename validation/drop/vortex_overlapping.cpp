@@ -38,8 +38,6 @@ same equilibrium is reached.
 namespace seiche::validation::cases::vortex_overlapping {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 using overlapping_particles::Flow;
 using overlapping_particles::Particles;
 
@@ -231,24 +229,19 @@ void claim_statistics(const SetUp& s, const Claims<Results>& all) {
   const Claims<Results> claims =
       all.only_if(s.at * s.rate >= 6, "before two thirds of a turn it is not yet equilibrium");
   claims.check(
-      {.id = "incoherent",
-       .text = "Of the exact flow nothing is left.",
-       .quantity = "incoherent part of the energy, mean of the copies",
-       .source = source},
+      "incoherent", "Of the exact flow nothing is left.", "incoherent part of the energy, mean of the copies",
       [](const Results& r) { return Estimate(r.incoherent_at).measured(); },
       Bound{.limit = 0.1,
-            .reason = "a tenth of the energy is what a disc of the exact flow with a third of the velocity has: "
-                      "below that there is no eddy to follow",
+            .reason = "a tenth of the energy is what a disc of the exact flow with a third of the velocity has: below "
+                      "that there is no eddy to follow",
             .expected = 1});
   claims.check(
-      {.id = "kurtosis",
-       .text = "What is left of the velocities is Gaussian.",
-       .quantity = "kurtosis, mean of the copies and of the rest of the run",
-       .source = source},
+      "kurtosis", "What is left of the velocities is Gaussian.",
+      "kurtosis, mean of the copies and of the rest of the run",
       [](const Results& r) { return Estimate(r.kurtosis).measured(); },
       Bound{.limit = 2 * std::sqrt(24 / (2 * s.particles())),
-            .reason = "2 sqrt(24/2N), two standard deviations of the kurtosis of 2N Gaussian velocities; uniform "
-                      "ones have 1.8, those of an oscillation 1.5",
+            .reason = "2 sqrt(24/2N), two standard deviations of the kurtosis of 2N Gaussian velocities; uniform ones "
+                      "have 1.8, those of an oscillation 1.5",
             .expected = 3});
 }
 
@@ -257,24 +250,19 @@ void claims(const Values& values, const Claims<Results>& all) {
   const Claims<Results> claims = all.at(fmt::format("h = {:g}, tau = {:g}, {} copies", s.spacing, s.tau, s.seeds));
   claim_statistics(s, claims);
   const double operations = 40 * static_cast<double>(s.steps());
-  claims.check({.id = "energy",
-                .text = "The energy is kept to round-off, through all disorder.",
-                .quantity = "largest defect of all flows, over the energy",
-                .source = "Frank (1994), chapter 1"},
-               &Results::energy,
-               evidence::Roundoff{.operations = operations,
-                                  .scale = 1,
-                                  .reason = "in every step the multipliers of a particle's forty volumes, rounded"});
-  claims.check(
-      {.id = "angular_momentum",
-       .text = "So is the angular momentum.",
-       .quantity = "largest defect of all flows",
-       .source = "Frank (1994), chapter 1"},
-      &Results::angular_momentum,
-      evidence::Roundoff{.operations = operations,
-                         .scale = s.rate / std::sqrt(s.particles()),
-                         .reason = "as for the energy; scale: sum of m |r| |u|, with particles up to 3 away at speeds "
-                                   "of a third of the rate, mass pi; over sqrt N, for particles round on their own"});
+  claims.from("Frank (1994), chapter 1")
+      .check("energy", "The energy is kept to round-off, through all disorder.",
+             "largest defect of all flows, over the energy", &Results::energy,
+             Roundoff{.operations = operations,
+                      .scale = 1,
+                      .reason = "in every step the multipliers of a particle's forty volumes, rounded"});
+  claims.from("Frank (1994), chapter 1")
+      .check("angular_momentum", "So is the angular momentum.", "largest defect of all flows",
+             &Results::angular_momentum,
+             Roundoff{.operations = operations,
+                      .scale = s.rate / std::sqrt(s.particles()),
+                      .reason = "as for the energy; scale: sum of m |r| |u|, with particles up to 3 away at speeds of "
+                                "a third of the rate, mass pi; over sqrt N, for particles round on their own"});
 }
 
 Results compute(const Run& run) {
@@ -377,7 +365,7 @@ Case vortex_overlapping() {
   };
   c.published = {{.tiles = {"frank-overlapping"},
                   .differs = "the thesis reports the stochastic regime in words, without its parameters"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

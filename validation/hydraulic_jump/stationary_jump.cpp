@@ -24,7 +24,6 @@ for them. For the particles the water moves 43 m and the jump stays: to the last
 namespace seiche::validation::cases::stationary_jump {
 namespace {
 
-using evidence::Role;
 using exact::StationaryJump;
 
 constexpr double length = 105;

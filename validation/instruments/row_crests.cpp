@@ -58,10 +58,10 @@ Crest refined_crest(const SurfaceLattice& surface, std::size_t column, std::size
   const double left = along(top - 1);
   const double right = along(top + 1);
   if (!(left < 0 && right > 0)) {
-    throw std::invalid_argument(fmt::format(
-        "row {} of the surface does not advance along the wall at column {}: x = {:g}, {:g}, {:g}; allowed: "
-        "increasing, as of waves that do not turn over",
-        j, column, surface.x[top - 1], surface.x[top], surface.x[top + 1]));
+    throw std::invalid_argument(
+        fmt::format("row {} of the surface does not advance along the wall at column {}: x = {:g}, {:g}, {:g}; "
+                    "allowed: increasing, as of waves that do not turn over",
+                    j, column, surface.x[top - 1], surface.x[top], surface.x[top + 1]));
   }
   const double slope_left = (surface.z[top - 1] - surface.z[top]) / left;
   const double slope_right = (surface.z[top + 1] - surface.z[top]) / right;

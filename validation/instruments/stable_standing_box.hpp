@@ -19,10 +19,10 @@ inline StandingBox stable(StandingBox box) {
   const double stiffness = std::max(1.0, box.slope_energy + box.gamma * slope * slope) / box.alpha;
   const double longest = 2 / std::sqrt(box.gravity / box.depth * stiffness);
   if (box.tau <= longest) return box;
-  throw std::invalid_argument(fmt::format(
-      "tau = {:g} is out of range: must not exceed {:.4g} with alpha = {:g}, gamma = {:g} and markers {:.3g} apart, or "
-      "the shortest waves grow",
-      box.tau, longest, box.alpha, box.gamma, box.spacing()));
+  throw std::invalid_argument(
+      fmt::format("tau = {:g} is out of range: must not exceed {:.4g} with alpha = {:g}, gamma = {:g} and markers "
+                  "{:.3g} apart, or the shortest waves grow",
+                  box.tau, longest, box.alpha, box.gamma, box.spacing()));
 }
 
 }  // namespace seiche::validation

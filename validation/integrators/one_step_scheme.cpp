@@ -38,10 +38,6 @@ then drifts by their work on the rounding of the rates; reprojecting the velocit
 namespace seiche::validation::cases::one_step_scheme {
 namespace {
 
-using evidence::Amount;
-using evidence::Bound;
-using evidence::Role;
-using evidence::Roundoff;
 using mechanics::AdaptiveMethod;
 using mechanics::Integrator;
 
@@ -156,29 +152,20 @@ void claim_half_the_cost(const Claims<Curves>& claims, const std::string& range)
   };
   claims.at("equal steps")
       .check(
-          {.id = "cost",
-           .text = "A step costs half of RK2's.",
-           .quantity = "solves of the scheme / solves of RK2",
-           .source = source},
+          "cost", "A step costs half of RK2's.", "solves of the scheme / solves of RK2",
           [](const Curves& curves) {
             return curves.of(Integrator::one_step).solves[middle] / curves.of(Integrator::runge_kutta_2).solves[middle];
           },
           Bound{.limit = 0, .reason = "one solve per step against two", .expected = 0.5});
   claims.at(range).check(
-      {.id = "accuracy",
-       .text = "At equal steps the error is smaller than RK2's.",
-       .quantity = "largest error ratio, scheme / RK2",
-       .source = source},
+      "accuracy", "At equal steps the error is smaller than RK2's.", "largest error ratio, scheme / RK2",
       [largest_ratio](const Curves& curves) {
         return largest_ratio(
             curves, [](const WorkPrecision& rk2, const WorkPrecision&, std::size_t i) { return rk2.error[i]; });
       },
       Bound{1, "better means less than 1"});
   claims.at(range).check(
-      {.id = "accuracy-at-equal-cost",
-       .text = "At equal numbers of solves it is smaller still.",
-       .quantity = "largest error ratio, scheme / RK2",
-       .source = source},
+      "accuracy-at-equal-cost", "At equal numbers of solves it is smaller still.", "largest error ratio, scheme / RK2",
       [largest_ratio](const Curves& curves) {
         return largest_ratio(curves, [](const WorkPrecision& rk2, const WorkPrecision& own, std::size_t i) {
           return error_at(rk2, own.solves[i]);
@@ -194,16 +181,13 @@ void claim_accuracy(const Claims<Curves>& claims, const Values& values) {
                       fmt::format("{} .. {} steps", steps.front(), steps.back()));
   const bool fourth = order(scheme) == 4;
   claims.check(
-      {.id = "order",
-       .text = fmt::format("The scheme is of order {}.", order(scheme)),
-       .quantity = "order of the largest coordinate error",
-       .source = source},
+      "order", fmt::format("The scheme is of order {}.", order(scheme)), "order of the largest coordinate error",
       [scheme](const Curves& curves) {
         const WorkPrecision& own = curves.of(scheme);
         return evidence::observed_order(own.tau, own.error, 10 * curves.uncertainty);
       },
-      evidence::Order{fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
-                      "smooth motion; errors below ten times that of the reference are left out"});
+      Order{fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
+            "smooth motion; errors below ten times that of the reference are left out"});
 }
 
 /// The largest that scales can become: energy is conserved, so that it is ten times what the start has and gravity can
@@ -233,19 +217,15 @@ void claim_conservation(const Claims<Results>& all, const Values& values, bool p
   const auto claim = [&](const std::string& id, const std::string& text, std::vector<double> KeptInvariants::*defect,
                          double rigid_chain::Scales::*scale, const std::string& reason) {
     claims.at(fmt::format("tau = {:g}, {:g} steps", tau, until))
-        .check(
-            {.id = (pinned ? "pendulum-" : "free-chain-") + id,
-             .text = text,
-             .quantity = "largest defect",
-             .source = source},
-            [=](const KeptInvariants& kept) -> Measurement {
-              const std::optional<std::size_t> last = kept.last_until(until * tau);
-              return {.value = last ? (kept.*defect)[*last] : nan,
-                      .told = {.scale = last ? kept.scales[*last].*scale : nan}};
-            },
-            Roundoff{.operations = until * static_cast<double>(stages(scheme)),
-                     .scale = Amount::told_by_run(most.*scale),
-                     .reason = reason + ", once per solved stage"});
+        .check((pinned ? "pendulum-" : "free-chain-") + id, text, "largest defect",
+               [=](const KeptInvariants& kept) -> Measurement {
+                 const std::optional<std::size_t> last = kept.last_until(until * tau);
+                 return {.value = last ? (kept.*defect)[*last] : nan,
+                         .told = {.scale = last ? kept.scales[*last].*scale : nan}};
+               },
+               Roundoff{.operations = until * static_cast<double>(stages(scheme)),
+                        .scale = Amount::told_by_run(most.*scale),
+                        .reason = reason + ", once per solved stage"});
   };
   claim("energy", pinned ? "Energy of the pendulum is kept: its potential is linear." : "Energy of the chain is kept.",
         &KeptInvariants::energy, &rigid_chain::Scales::energy, "rounding of T + |Pi|");
@@ -260,20 +240,18 @@ void claim_conservation(const Claims<Results>& all, const Values& values, bool p
   claims.at(fmt::format("tau = {:g}, {:g} steps", tau, steps))
       .only_if(scheme == Integrator::one_step, "it is a law of the one-step scheme")
       .check(
-          {.id = pinned ? "pendulum-links" : "free-chain-links",
-           .text = "Links change only by (tau^2/8) times the square of the velocity across them.",
-           .quantity = "largest defect",
-           .source = source},
+          pinned ? "pendulum-links" : "free-chain-links",
+          "Links change only by (tau^2/8) times the square of the velocity across them.", "largest defect",
           [pinned](const KeptInvariants& kept) -> Measurement {
             if (!kept.broken_down.empty()) return {.told = {.scale = nan}};
             const rigid_chain::Scales& whole = kept.scales.back();
             return {.value = kept.modified_links,
                     .told = {.scale = pinned ? 1 : whole.angular_momentum / whole.momentum}};
           },
-          Roundoff{.operations = steps * static_cast<double>(stages(scheme)),
-                   .scale = Amount::told_by_run(pinned ? 1 : most.angular_momentum / most.momentum),
-                   .reason = "a rounded coordinate, of the size of the distance from the origin, once per solved "
-                             "stage"});
+          Roundoff{
+              .operations = steps * static_cast<double>(stages(scheme)),
+              .scale = Amount::told_by_run(pinned ? 1 : most.angular_momentum / most.momentum),
+              .reason = "a rounded coordinate, of the size of the distance from the origin, once per solved stage"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -333,12 +311,8 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<History>& histories,
   evidence::Table table{.id = pinned ? "pendulum" : "free_chain",
                         .title = pinned ? "Pendulum: largest defects" : "Free chain: largest defects",
                         .caption = "Over the whole run; a run that breaks down is given up to there.",
-                        .columns = {{"integrator", ""},
-                                    {"until", ""},
-                                    {"energy", "1"},
-                                    {"momentum", "1"},
-                                    {"angular momentum", "1"},
-                                    {"links", "1"}}};
+                        .columns = table_columns({"integrator", "until", "energy [1]", "momentum [1]",
+                                                  "angular momentum [1]", "links [1]"})};
   for (const History& history : histories) {
     const KeptInvariants& kept = history.kept;
     if (kept.time.empty()) continue;
@@ -383,7 +357,7 @@ Case one_step_scheme() {
   };
   c.published = {
       {.tiles = {"frank-integrator"}, .differs = "the thesis states the result, not the systems nor the steps"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -22,8 +22,7 @@ using namespace laboratory;
 
 const std::string source =
     "J. B. Hansen, I. A. Svendsen, Regular waves in shoaling water: experimental data, Series Paper 21, ISVA, "
-    "Technical "
-    "University of Denmark (1979)";
+    "Technical University of Denmark (1979)";
 
 struct Wave {
   double number, period, height;

@@ -56,18 +56,18 @@ std::vector<Cause> misses() {
 }
 
 std::vector<Cause> misses_of_breaking() {
-  return {{"the wave falls from 0.68 to 0.59 depths between gauges 4 and 6 in the flume, before the slope makes it "
-           "break; Serre's solitary wave keeps its height there and is broader than the Euler equations' of so great a "
-           "height",
-           {"gauges-misfit-4", "gauges-highest-5", "gauges-misfit-5", "gauges-highest-6", "gauges-misfit-6",
-            "gauges-highest-7", "gauges-misfit-7"}},
-          {"a wave that is too high runs too fast: it is early by what it was at the gauge before, and more",
-           {"gauges-arrival-5", "gauges-arrival-6", "gauges-arrival-7", "gauges-arrival-8", "gauges-arrival-9",
-            "gauges-arrival-10"}},
-          {"the bore comes from a wave that was too high and lost more, and the viscosity that leaves no waves behind "
-           "it leaves none on the wave that comes back from the wall either",
-           {"gauges-highest-8", "gauges-misfit-8", "gauges-highest-9", "gauges-misfit-9", "gauges-highest-10",
-            "gauges-misfit-10"}}};
+  return {
+      {"the wave falls from 0.68 to 0.59 depths between gauges 4 and 6 in the flume, before the slope makes it break; "
+       "Serre's solitary wave keeps its height there and is broader than the Euler equations' of so great a height",
+       {"gauges-misfit-4", "gauges-highest-5", "gauges-misfit-5", "gauges-highest-6", "gauges-misfit-6",
+        "gauges-highest-7", "gauges-misfit-7"}},
+      {"a wave that is too high runs too fast: it is early by what it was at the gauge before, and more",
+       {"gauges-arrival-5", "gauges-arrival-6", "gauges-arrival-7", "gauges-arrival-8", "gauges-arrival-9",
+        "gauges-arrival-10"}},
+      {"the bore comes from a wave that was too high and lost more, and the viscosity that leaves no waves behind it "
+       "leaves none on the wave that comes back from the wall either",
+       {"gauges-highest-8", "gauges-misfit-8", "gauges-highest-9", "gauges-misfit-9", "gauges-highest-10",
+        "gauges-misfit-10"}}};
 }
 
 }  // namespace

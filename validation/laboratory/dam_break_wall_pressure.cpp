@@ -79,8 +79,8 @@ Submitted compute(const Run& run, double coarsening) {
 
 std::vector<Cause> misses(Tier tier) {
   std::vector<Cause> all{
-      {"cause unknown: the water keeps the head that shallow water without friction has, 0.8 to 1, "
-       "where 0.6 was measured",
+      {"cause unknown: the water keeps the head that shallow water without friction has, 0.8 to 1, where 0.6 was "
+       "measured",
        {"pressure-impulse", "pressure-mean-3_4-5_4"}}};
   if (tier == Tier::full) all.front().claims.emplace_back("pressure-misfit");
   return all;

@@ -1,4 +1,5 @@
 #include "validation/laboratory/experiment.hpp"
+#include "validation/instruments/each.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -144,14 +145,10 @@ std::vector<WantedTable> wanted(const Experiment& experiment, const Values& valu
                                             const Measured& curve = find(p.group);
                                             return scalar ? curve.y.front() : linear_at(curve.curve(), p.abscissa);
                                           }}},
-                      .reference_role = evidence::Role::data};
+                      .reference_role = Role::data};
     if (!scalar) table.points = [find](double group) { return find(group).x; };
     if (part.group) {
-      table.groups = [curves] {
-        std::vector<double> groups;
-        for (const Measured& curve : *curves) groups.push_back(curve.group);
-        return groups;
-      };
+      table.groups = [curves] { return each(*curves, [](const Measured& curve) { return curve.group; }); };
     }
     std::vector<std::string> files{fmt::format("reference_data/{}/table.csv", part.table)};
     for (const std::string& file : experiment.files) files.push_back("reference_data/" + file);

@@ -21,6 +21,7 @@ and falls behind; asymmetry grows until the shore.
 #include "seiche/io/table.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "validation/case/data_folder.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/wave_source.hpp"
 #include "validation/instruments/wave_statistics.hpp"
 #include "validation/laboratory/dispersive_flume.hpp"
@@ -80,8 +81,7 @@ Submitted compute(const Run& run, double coarsening) {
       channel, dispersive::still_markers(channel, dispersive::equal_labels(channel, begin, shore, cells)), {}, forcing);
   *flow_now = &flow;
   flow.advance_to(warm_up, flume.tau);
-  std::vector<double> places;
-  for (const double one : depths) places.push_back(20 * (depth - one));
+  std::vector<double> places = each(depths, [&](const double one) { return 20 * (depth - one); });
   const std::vector<SubmittedGroup> gauges =
       gauge_records(flow, flume, depths, places, sample, warm_up + run.real("duration"), warm_up);
   std::map<std::string, std::vector<double>> statistics;

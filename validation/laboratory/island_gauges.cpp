@@ -32,8 +32,7 @@ using namespace laboratory;
 
 const std::string source =
     "M. J. Briggs, C. E. Synolakis, G. S. Harkins, D. R. Green, Pure Appl. Geophys. 144 (1995) 569-593; P. L.-F. Liu "
-    "et "
-    "al., J. Fluid Mech. 302 (1995) 259-285";
+    "et al., J. Fluid Mech. 302 (1995) 259-285";
 
 struct Wave {
   std::string table;

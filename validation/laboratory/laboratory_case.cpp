@@ -10,9 +10,6 @@
 namespace seiche::validation::laboratory {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
-
 constexpr std::size_t most_panels = 10;
 
 /// Whether every reading of the questions passes with the curve in the place of the measured one.
@@ -60,21 +57,18 @@ void claim_trials(const Experiment& experiment, const Claims<Computed>& claims) 
     const auto trial = claims.of([k](const Computed& r) -> const Trial& { return r.trials.at(k); }).at("the data");
     const auto count = [&](const std::string& id, const std::string& text, long Trial::*groups, long limit,
                            const std::string& reason) {
-      trial.check(
-          {.id = fmt::format("{}-{}", part.name, id),
-           .text = text,
-           .quantity = "groups that pass",
-           .source = experiment.source},
-          [groups](const Trial& t) { return static_cast<double>(t.*groups); },
-          Bound{.limit = static_cast<double>(limit), .reason = reason});
+      trial.from(experiment.source)
+          .check(
+              fmt::format("{}-{}", part.name, id), text, "groups that pass",
+              [groups](const Trial& t) { return static_cast<double>(t.*groups); },
+              Bound{.limit = static_cast<double>(limit), .reason = reason});
     };
-    trial.check(
-        {.id = part.name + "-decides",
-         .text = fmt::format("The {} is known well enough to decide.", part.quantity.meaning),
-         .quantity = "largest expanded uncertainty of a reading over what still decides",
-         .source = experiment.source},
-        [](const Trial& t) -> Measurement { return {.value = t.dullest, .where = t.where}; },
-        Bound{.limit = 1, .reason = "beyond it agreement says nothing"});
+    trial.from(experiment.source)
+        .check(
+            part.name + "-decides", fmt::format("The {} is known well enough to decide.", part.quantity.meaning),
+            "largest expanded uncertainty of a reading over what still decides",
+            [](const Trial& t) -> Measurement { return {.value = t.dullest, .where = t.where}; },
+            Bound{.limit = 1, .reason = "beyond it agreement says nothing"});
     if (part.group) {
       count("neighbour",
             fmt::format("A {} that belongs to the next {} is told.", part.quantity.meaning, part.group->name),
@@ -134,14 +128,11 @@ void draw(const Series& part, const std::vector<Measured>& data, const Computed&
 }
 
 void list_uncertainties(const std::vector<Question>& all, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "readings",
-                        .title = "What is judged",
-                        .caption =
-                            "Readings of the measured curves, with standard uncertainties of the data and from "
-                            "the incident wave.",
-                        .columns = {{"claim", ""}, {"measured", "1"}, {"u_data", "1"}, {"u_input", "1"}, {"unit", ""}},
-                        .rows = {},
-                        .atlas = {}};
+  evidence::Table table{
+      .id = "readings",
+      .title = "What is judged",
+      .caption = "Readings of the measured curves, with standard uncertainties of the data and from the incident wave.",
+      .columns = table_columns({"claim", "measured [1]", "u_data [1]", "u_input [1]", "unit"})};
   for (const Question& one : all) {
     table.rows.push_back(
         {one.claim().id, one.expected(), one.data_uncertainty(), one.input_uncertainty(), one.claim().unit});
@@ -170,7 +161,7 @@ void claim_experiment(const Experiment& experiment, const Values& values, const 
     const Cause* open = cause_of(experiment.undecided, one);
     const auto judged =
         claims.at(experiment.model + ", two spacings").only_if(open == nullptr, open == nullptr ? "" : open->reason);
-    const evidence::Uncertainty criterion = experiment.known_within.empty() ? one.criterion() : one.criterion_of_run();
+    const Uncertainty criterion = experiment.known_within.empty() ? one.criterion() : one.criterion_of_run();
     if (const Cause* miss = cause_of(experiment.misses, one)) {
       constexpr double no_band = std::numeric_limits<double>::infinity();
       judged.known_failure(one.claim(), answer, criterion, {.width = no_band, .reason = miss->reason});

@@ -25,8 +25,7 @@ using namespace laboratory;
 
 const std::string source =
     "H. Favre, Etude theorique et experimentale des ondes de translation dans les canaux decouverts, Dunod, Paris "
-    "(1935); "
-    "A. Treske, J. Hydraul. Res. 32 (1994) 355-370";
+    "(1935); A. Treske, J. Hydraul. Res. 32 (1994) 355-370";
 const std::vector<double> depths{0.1, 0.16, 0.2};
 
 Submitted compute(const Run& run, double coarsening) {

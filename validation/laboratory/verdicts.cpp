@@ -75,16 +75,16 @@ evidence::Claim Question::claim() const {
           .source = source_};
 }
 
-evidence::Uncertainty Question::criterion() const {
+Uncertainty Question::criterion() const {
   std::string reason = fmt::format("u_data {} reference_data/{}",
                                    reading_.note.empty() ? "from" : reading_.note + ", beside", part_.table);
   if (u_input_ > 0) reason += fmt::format("; u_input, {:g} % of it: {}", 100 * part_.input, part_.input_reason);
   return {.expected = expected_, .data = u_data_, .input = u_input_, .useful = useful_, .reason = reason};
 }
 
-evidence::Uncertainty Question::criterion_of_run() const {
-  evidence::Uncertainty criterion = this->criterion();
-  criterion.input = evidence::Amount::told_by_run(useful_ / 2);
+Uncertainty Question::criterion_of_run() const {
+  Uncertainty criterion = this->criterion();
+  criterion.input = Amount::told_by_run(useful_ / 2);
   criterion.reason += "; u_input holds what parameters change that no source states";
   return criterion;
 }
@@ -154,17 +154,10 @@ void show_readings(const std::vector<Question>& all, const Submitted& computed,
   evidence::Table table{.id = "laboratory-readings",
                         .title = solver,
                         .caption =
-                            "What was measured and computed, with standard uncertainties, in the units of the "
-                            "claims; arrivals are counted from the last column.",
-                        .columns = {{"quantity", ""},
-                                    {"claim", ""},
-                                    {"measured", "1"},
-                                    {"u measured", "1"},
-                                    {"computed", "1"},
-                                    {"u computed", "1"},
-                                    {"origin", "1"}},
-                        .rows = {},
-                        .atlas = {}};
+                            "What was measured and computed, with standard uncertainties, in the units of the claims; "
+                            "arrivals are counted from the last column.",
+                        .columns = table_columns({"quantity", "claim", "measured [1]", "u measured [1]", "computed [1]",
+                                                  "u computed [1]", "origin [1]"})};
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Question& one = all[k];
     table.rows.push_back({name(one.reading().kind), one.claim().id, one.expected(),
@@ -180,9 +173,7 @@ void show_calibration(const Experiment& experiment, const Values& values, const 
   evidence::Table table{.id = "calibration",
                         .title = "Calibration",
                         .caption = "Readings of the gauges that set the input of a computation: no claims.",
-                        .columns = {{"reading", ""}, {"measured", "1"}, {"computed", "1"}, {"unit", ""}},
-                        .rows = {},
-                        .atlas = {}};
+                        .columns = table_columns({"reading", "measured [1]", "computed [1]", "unit"})};
   for (const Question& one : questions(experiment, values, true)) {
     table.rows.push_back({one.claim().id, one.expected(), one.answer(computed), one.claim().unit});
   }

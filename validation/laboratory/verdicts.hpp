@@ -24,13 +24,13 @@ class Question {
   /// Largest expanded uncertainty that still decides.
   [[nodiscard]] double useful() const { return useful_; }
   [[nodiscard]] evidence::Claim claim() const;
-  [[nodiscard]] evidence::Uncertainty criterion() const;
+  [[nodiscard]] Uncertainty criterion() const;
   /// What a computed record gives. NaN where the part or the group is not there.
   [[nodiscard]] double answer(const Submitted& computed) const;
   /// Standard, from what is stated of the columns; none where nothing is.
   [[nodiscard]] std::optional<double> stated(const std::map<std::string, StatedUncertainty>& uncertainty) const;
   /// With an input uncertainty that the run tells.
-  [[nodiscard]] evidence::Uncertainty criterion_of_run() const;
+  [[nodiscard]] Uncertainty criterion_of_run() const;
   /// A record that answers with no uncertainty of its own would pass.
   [[nodiscard]] bool passes(double answer) const;
   [[nodiscard]] const Measured& measured() const { return *measured_; }

@@ -14,7 +14,7 @@ std::string name_of(const ReflectionRun& what) {
 
 }  // namespace
 
-void exchange(Tape& tape, evidence::Measurement& m) {
+void exchange(Tape& tape, Measurement& m) {
   tape(m.value, m.uncertainty, m.resolution, m.where, m.told);
 }
 

@@ -6,7 +6,7 @@
 
 namespace seiche::validation {
 
-void exchange(Tape& tape, evidence::Measurement& measurement);
+void exchange(Tape& tape, Measurement& measurement);
 void exchange(Tape& tape, Reflection& reflection);
 
 /// reflect(what), a part of the run.

@@ -32,6 +32,7 @@ grows by more than 1 % in the last fifth of the run is marked, and the limit of 
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/on_threads.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/mach_reflection/kept_reflection.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
@@ -39,8 +40,6 @@ grows by more than 1 % in the last fifth of the run is marked, and the limit of 
 namespace seiche::validation::cases::mach_reflection {
 namespace {
 
-using evidence::Measurement;
-using evidence::Role;
 using exact::MachReflection;
 
 const std::string source = "Frank (1994), section 4.3";
@@ -73,9 +72,7 @@ struct Configuration {
 
   [[nodiscard]] const Reflection& finest() const { return ladder.front(); }
   [[nodiscard]] std::vector<double> sizes() const {
-    std::vector<double> h;
-    for (const Reflection& reflection : ladder) h.push_back(reflection.run.spacing);
-    return h;
+    return each(ladder, [](const Reflection& reflection) { return reflection.run.spacing; });
   }
 };
 
@@ -127,8 +124,8 @@ struct Value {
   double limit;
 };
 Value value_of(const Configuration& one, const Quantity& quantity) {
-  std::vector<double> values;
-  for (const Reflection& reflection : one.ladder) values.push_back(quantity.measured(reflection).value);
+  std::vector<double> values =
+      each(one.ladder, [&](const Reflection& reflection) { return quantity.measured(reflection).value; });
   const FineLimit lattice = fine_limit(one.sizes(), values);
   Measurement measured = quantity.measured(one.finest());
   measured.uncertainty = std::hypot(measured.half_width(), lattice.uncertainty);
@@ -176,32 +173,28 @@ void claim_theory(const Claims<Configuration>& claims, double angle, const Refle
                "the theory has a cusp at kappa = 1, within 0.15 of which it is not judged")
       .only_if(long_enough(what), "the limit of a run that does not wait for its stem is not known")
       .check(
-          {.id = "theory-" + id_of(angle),
-           .text = fmt::format("At {:g} deg the amplitude at the wall is that of the theory of small waves, with its "
-                               "parameter for finite angles.",
-                               angle),
-           .quantity = "a_w/a_i for infinite time",
-           .source = "Miles (1977); Li, Yeh and Kodama (2011)"},
-          [](const Configuration& one) { return one.finest().limit_ratio(); },
-          evidence::Bound{.limit = finite.theory_uncertainty(),
-                          .reason =
-                              "what it leaves out is of the order of the incident amplitude; not judged within 0.15 of "
-                              "kappa = 1, where it has a cusp",
-                          .expected = finite.wall_ratio(),
-                          .relative = true});
+          "theory-" + id_of(angle),
+          fmt::format("At {:g} deg the amplitude at the wall is that of the theory of small waves, with its parameter "
+                      "for finite angles.",
+                      angle),
+          "a_w/a_i for infinite time", [](const Configuration& one) { return one.finest().limit_ratio(); },
+          Bound{.limit = finite.theory_uncertainty(),
+                .reason = "what it leaves out is of the order of the incident amplitude; not judged within 0.15 of "
+                          "kappa = 1, where it has a cusp",
+                .expected = finite.wall_ratio(),
+                .relative = true});
 }
 
 void claim_steady(const Claims<Configuration>& claims, double angle, const ReflectionRun& what) {
   claims
       .only_if(std::abs(what.kappa_finite_angle() - 1) > 0.25 && long_enough(what),
                "next to kappa = 1, and in runs that do not wait for it, the stem still grows at the end")
+      .from(source)
       .check(
-          {.id = "steady-" + id_of(angle),
-           .text = fmt::format("At {:g} deg the amplitude at the wall no longer grows.", angle),
-           .quantity = "relative growth during the last fifth of the run",
-           .source = source},
+          "steady-" + id_of(angle), fmt::format("At {:g} deg the amplitude at the wall no longer grows.", angle),
+          "relative growth during the last fifth of the run",
           [](const Configuration& one) { return one.finest().limit.growth; },
-          evidence::Bound{.limit = steady_growth, .reason = "what counts as steady here"});
+          Bound{.limit = steady_growth, .reason = "what counts as steady here"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -216,12 +209,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
 
 void draw_surface(evidence::Exhibit& exhibit, const Configuration& one) {
   const Reflection& r = one.finest();
-  auto& figure = exhibit.figure(
-      "surface-" + id_of(one.angle), fmt::format("The pattern at {:g} deg", one.angle),
-      fmt::format(
-          "a_i = {:g}, {}; {}. x from the crest on the wall, y from the wall. Dots: the crests that are measured; "
-          "lines: fitted to them.",
-          r.run.amplitude, r.run.resolution(), r.growth_flag()));
+  auto& figure = exhibit.figure("surface-" + id_of(one.angle), fmt::format("The pattern at {:g} deg", one.angle),
+                                fmt::format("a_i = {:g}, {}; {}. x from the crest on the wall, y from the wall. Dots: "
+                                            "the crests that are measured; lines: fitted to them.",
+                                            r.run.amplitude, r.run.resolution(), r.growth_flag()));
   auto& plan = figure.panel({.x = "x [depth]", .y = "y [depth]", .z = "elevation [depth]"});
   plan.plan("elevation", r.surface.lattice());
   const auto crests = [&](const std::string& name, const std::vector<Crest>& found, const StraightLine& line) {
@@ -258,15 +249,8 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Configuration>& all)
                         .caption =
                             "Limit: for fine lattices; theories: for small waves after infinite time, with kappa of "
                             "Miles and for finite angles.",
-                        .columns = {{"angle", "deg"},
-                                    {"quantity", ""},
-                                    {"measured", ""},
-                                    {"uncertainty", ""},
-                                    {"limit", ""},
-                                    {"Miles", ""},
-                                    {"finite angles", ""}},
-                        .rows = {},
-                        .atlas = {}};
+                        .columns = table_columns(
+                            {"angle [deg]", "quantity", "measured", "uncertainty", "limit", "Miles", "finite angles"})};
   for (const Configuration& one : all) {
     const ReflectionRun& what = one.finest().run;
     const MachReflection miles(what.amplitude, what.angle);
@@ -307,8 +291,7 @@ Case mach_reflection() {
   c.title = "Reflection of a solitary wave at a wall, with and without a Mach stem";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 4.3; J. W. Miles, J. "
-      "Fluid "
-      "Mech. 79 (1977) 171; W. Li, H. Yeh, Y. Kodama, J. Fluid Mech. 672 (2011) 326";
+      "Fluid Mech. 79 (1977) 171; W. Li, H. Yeh, Y. Kodama, J. Fluid Mech. 672 (2011) 326";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {
       real("amplitude", 0.3, "depth", {0.01, 0.55}, "a_i of the incident wave"),
@@ -319,7 +302,7 @@ Case mach_reflection() {
       choice("model", std::string("plan"), {"plan", "hexahedra"}, "water columns or layers of hexahedra"),
       integer("layers", 2, {1, 8}, "of hexahedra"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "Miles (1977); Li, Yeh and Kodama (2011)");
   return c;
 }
 

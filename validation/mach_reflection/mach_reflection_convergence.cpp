@@ -24,8 +24,6 @@ follow a power of $h$.
 namespace seiche::validation::cases::mach_reflection_convergence {
 namespace {
 
-using evidence::Bound;
-
 const std::string source = "Frank (1994), section 4.3";
 
 /// Runs that differ in one size, by factors of sqrt(2).
@@ -62,14 +60,11 @@ double when(const Values& values) {
 
 void claim_order(const Claims<Ladder>& claims, const Ladder& ladder) {
   claims.check(
-      {.id = "order-" + ladder.id,
-       .text = fmt::format("The height of the stem converges with second order in the {}.", ladder.text),
-       .quantity = "observed order of the differences between neighbours",
-       .source = source},
+      "order-" + ladder.id, fmt::format("The height of the stem converges with second order in the {}.", ladder.text),
+      "observed order of the differences between neighbours",
       [](const Ladder& l) { return evidence::observed_order(l.coarser(), l.differences()); },
-      evidence::Order{2, 0.5,
-                      "the scheme's order; half an order for the coarsest, on which a stem is four to "
-                      "six spacings wide"});
+      Order{2, 0.5,
+            "the scheme's order; half an order for the coarsest, on which a stem is four to six spacings wide"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -77,10 +72,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_order(claims.of(&Results::steps), Results{}.steps);
   const double steps = values.real("time") / usual_run(values).tau();
   claims.check(
-      {.id = "window",
-       .text = "With a window twice as high the stem is as high.",
-       .quantity = "difference of a_w/a_i",
-       .source = source},
+      "window", "With a window twice as high the stem is as high.", "difference of a_w/a_i",
       [](const Results& r) -> Measurement {
         const Measurement a = r.usual.wall_ratio();
         const Measurement b = r.window.wall_ratio();
@@ -88,14 +80,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
                 .resolution = r.window.run.resolution(),
                 .told = {.limit = std::hypot(a.half_width(), b.half_width())}};
       },
-      Bound{.limit = evidence::Amount::told_by_run(0.03),
+      Bound{.limit = Amount::told_by_run(0.03),
             .reason = "the scatter of the incident amplitude along its crest, in both runs; a hundredth of a_w/a_i at "
                       "most, about the error of the lattice"});
   claims.check(
-      {.id = "solver",
-       .text = "With a solver with a tolerance of 1e-10 the stem is as high.",
-       .quantity = "difference of a_w/a_i",
-       .source = source},
+      "solver", "With a solver with a tolerance of 1e-10 the stem is as high.", "difference of a_w/a_i",
       [](const Results& r) -> Measurement {
         return {.value = r.solver.wall_ratio().value - r.usual.wall_ratio().value,
                 .resolution = r.solver.run.resolution()};
@@ -162,7 +151,7 @@ Case mach_reflection_convergence() {
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 4.3";
   c.tiers = {Tier::full};
   c.parameters = {real("time", {40, 120, 120}, "sqrt(depth/g)", {40, 1000}, "when the stem is measured")};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -36,8 +36,6 @@ $a_i = 0.3$) the plateau is lower; 0.99 of it is the criterion there, and no cla
 namespace seiche::validation::cases::mach_reflection_curves {
 namespace {
 
-using evidence::Bound;
-using evidence::Uncertainty;
 using exact::MachReflection;
 
 const std::string source = "Frank (1994), section 4.3, figures 7 and 8";
@@ -122,18 +120,19 @@ Worst from_theory(const ReflectionSeries& series, double (ReflectionRun::*kappa)
 }
 
 void claim_theory(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
-  claims.check(
-      {.id = with("theory", series),
-       .text = fmt::format("a = {:g}: a_w/a_i is that of the theory of small waves over the parameter for "
-                           "finite angles, farther than {:g} from its cusp.",
-                           series.amplitude, cusp),
-       .quantity = "largest relative difference of the limits for infinite time",
-       .source = "Miles (1977); Li, Yeh and Kodama (2011)"},
-      [](const ReflectionSeries& s) -> Measurement {
-        const Worst worst = from_theory(s, &ReflectionRun::kappa_finite_angle);
-        return {.value = worst.value(), .resolution = lattice_of(s), .where = fmt::format("{:g} deg", worst.where())};
-      },
-      Bound{.limit = series.amplitude, .reason = "what it leaves out is of the order of the amplitude"});
+  claims.from("Miles (1977); Li, Yeh and Kodama (2011)")
+      .check(
+          with("theory", series),
+          fmt::format("a = {:g}: a_w/a_i is that of the theory of small waves over the parameter for finite angles, "
+                      "farther than {:g} from its cusp.",
+                      series.amplitude, cusp),
+          "largest relative difference of the limits for infinite time",
+          [](const ReflectionSeries& s) -> Measurement {
+            const Worst worst = from_theory(s, &ReflectionRun::kappa_finite_angle);
+            return {
+                .value = worst.value(), .resolution = lattice_of(s), .where = fmt::format("{:g} deg", worst.where())};
+          },
+          Bound{.limit = series.amplitude, .reason = "what it leaves out is of the order of the amplitude"});
 }
 
 /// "35 deg, h = 1, tau = 0.5, t = 408, growth 1.4 %: not steady".
@@ -149,10 +148,9 @@ void claim_peak(const Claims<ReflectionSeries>& claims, const ReflectionSeries& 
                "how high the highest stem becomes in the end is known well enough to tell 3.5 from 4 for a = 0.097 and "
                "0.3 alone: elsewhere it still grows when the run ends")
       .check(
-          {.id = with("peak", series),
-           .text = fmt::format("a = {:g}: the largest a_w/a_i is near Frank's 3.5, not 4.", series.amplitude),
-           .quantity = "highest a_w/a_i that was reached",
-           .source = "Frank (1994), section 4.3"},
+          with("peak", series),
+          fmt::format("a = {:g}: the largest a_w/a_i is near Frank's 3.5, not 4.", series.amplitude),
+          "highest a_w/a_i that was reached",
           [](const ReflectionSeries& s) -> Measurement {
             const Reflection& highest = s.highest();
             const Measurement limit = highest.limit_ratio();
@@ -161,38 +159,33 @@ void claim_peak(const Claims<ReflectionSeries>& claims, const ReflectionSeries& 
                     .uncertainty = std::hypot(limit.value - reached, limit.half_width()),
                     .resolution = state_of(highest)};
           },
-          Uncertainty{.expected = frank,
-                      .data = 0.05 * frank,
-                      .useful = 0.3725,
-                      .reason =
-                          "printed to two digits as about the largest value; ours: what the fitted approach to "
-                          "its limit adds, and the uncertainty of that. A value that passes, known to v, excludes "
-                          "4 if hypot(0.35, v) + v < 0.5, where 0.35 is twice 5 % of 3.5: v < 0.1275, together "
-                          "0.3725"});
-  claims.check(
-      {.id = with("peak-place", series),
-       .text = fmt::format("a = {:g}: it is highest just below kappa = 1 for finite angles.", series.amplitude),
-       .quantity = "kappa of the highest a_w/a_i",
-       .source = "reflections of the same model, table reference_data/mach_reflection_model2"},
-      [](const ReflectionSeries& s) -> Measurement {
-        const Reflection& highest = s.highest();
-        if (!std::isfinite(highest.wall_ratio().value)) return {};
-        return {.value = highest.run.kappa_finite_angle(), .resolution = state_of(highest)};
-      },
-      Bound{.limit = 0.06,
-            .reason = "a degree to either side, the distance of the angles, of the mean of 0.938 to 0.954 there",
-            .expected = 0.945});
+          Uncertainty{
+              .expected = frank,
+              .data = 0.05 * frank,
+              .useful = 0.3725,
+              .reason = "printed to two digits as about the largest value; ours: what the fitted approach to its limit "
+                        "adds, and the uncertainty of that. A value that passes, known to v, excludes 4 if hypot(0.35, "
+                        "v) + v < 0.5, where 0.35 is twice 5 % of 3.5: v < 0.1275, together 0.3725"});
+  claims.from("reflections of the same model, table reference_data/mach_reflection_model2")
+      .check(
+          with("peak-place", series),
+          fmt::format("a = {:g}: it is highest just below kappa = 1 for finite angles.", series.amplitude),
+          "kappa of the highest a_w/a_i",
+          [](const ReflectionSeries& s) -> Measurement {
+            const Reflection& highest = s.highest();
+            if (!std::isfinite(highest.wall_ratio().value)) return {};
+            return {.value = highest.run.kappa_finite_angle(), .resolution = state_of(highest)};
+          },
+          Bound{.limit = 0.06,
+                .reason = "a degree to either side, the distance of the angles, of the mean of 0.938 to 0.954 there",
+                .expected = 0.945});
 }
 
 void claim_boundary(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
   const auto claim = [&](const std::string& id, const std::string& text, const std::string& from,
                          const Uncertainty& criterion) {
-    claims.check({.id = id,
-                  .text = fmt::format("a = {:g}: reflection becomes regular {}.", series.amplitude, text),
-                  .quantity = "angle at which a_r = 0.95 a_i",
-                  .unit = "deg",
-                  .source = from},
-                 &ReflectionSeries::boundary, criterion);
+    claims.from(from).check(id, fmt::format("a = {:g}: reflection becomes regular {}.", series.amplitude, text),
+                            "angle at which a_r = 0.95 a_i [deg]", &ReflectionSeries::boundary, criterion);
   };
   claim(with("boundary-finite", series), "at tan(psi)/cos(psi) = sqrt(3a)", "Li, Yeh and Kodama (2011)",
         {.expected = resonant_angle(series.amplitude),
@@ -209,10 +202,8 @@ void claim_boundary(const Claims<ReflectionSeries>& claims, const ReflectionSeri
 void claim_law(const Claims<ReflectionSeries>& claims) {
   constexpr double frank = 0.62;
   claims.check(
-      {.id = "angle-law",
-       .text = "a = 0.3: the reflected amplitude goes like the square of the angle with Frank's factor.",
-       .quantity = "C of a_r = C psi^2 up to 35 deg",
-       .source = "Frank (1994), section 4.3"},
+      "angle-law", "a = 0.3: the reflected amplitude goes like the square of the angle with Frank's factor.",
+      "C of a_r = C psi^2 up to 35 deg",
       [](const ReflectionSeries& s) -> Measurement {
         const AngleLaw law = angle_law(s, last_of_law);
         return {.value = law.factor,
@@ -222,8 +213,8 @@ void claim_law(const Claims<ReflectionSeries>& claims) {
       Uncertainty{.expected = frank,
                   .data = 0.05 * frank,
                   .useful = 0.15,
-                  .reason = "printed to two digits, 5 % assumed; ours: twice the standard error of the fit. "
-                            "Miles's 1/3 is far outside"});
+                  .reason = "printed to two digits, 5 % assumed; ours: twice the standard error of the fit. Miles's "
+                            "1/3 is far outside"});
 }
 
 /// 1 if the angle of reflection falls from angle to angle where reflection is irregular, each within its uncertainty;
@@ -259,21 +250,17 @@ Worst angle_difference(const ReflectionSeries& series) {
 }
 
 void claim_angles(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
-  claims.check({.id = with("angle-falls", series),
-                .text = fmt::format("a = {:g}: where reflection is irregular, the angle of reflection falls as that of "
-                                    "incidence grows.",
-                                    series.amplitude),
-                .quantity = "falls",
-                .source = source},
-               angle_falls,
-               evidence::Qualitative{.detector = "from angle to angle up to kappa = 1, each within its uncertainty",
-                                     .reason = "Frank: the dependence is not monotonic"});
-  claims.check(
-      {.id = with("angle-equal", series),
-       .text = fmt::format("a = {:g}: where reflection is regular, the two angles are equal.", series.amplitude),
-       .quantity = "largest difference over its expanded uncertainty, kappa above 1.1",
-       .source = source},
-      angle_difference,
+  claims.from(source).check(
+      with("angle-falls", series),
+      fmt::format("a = {:g}: where reflection is irregular, the angle of reflection falls as that of incidence grows.",
+                  series.amplitude),
+      "falls", angle_falls,
+      Qualitative{.detector = "from angle to angle up to kappa = 1, each within its uncertainty",
+                  .reason = "Frank: the dependence is not monotonic"});
+  claims.from(source).check(
+      with("angle-equal", series),
+      fmt::format("a = {:g}: where reflection is regular, the two angles are equal.", series.amplitude),
+      "largest difference over its expanded uncertainty, kappa above 1.1", angle_difference,
       Bound{.limit = 1,
             .reason = "both as measured; twice the errors of the lines through the crests, and 0.6 deg, twice the "
                       "standard uncertainty of the same measure, stated with mach_reflection_model2; 1.16 deg at most, "
@@ -343,8 +330,7 @@ Case mach_reflection_curves() {
   c.title = "Reflected and wall amplitudes of solitary waves against the angle";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 4.3, figures 7 and 8; J. "
-      "W. "
-      "Miles, J. Fluid Mech. 79 (1977) 171; M. Tanaka, J. Fluid Mech. 248 (1993) 637";
+      "W. Miles, J. Fluid Mech. 79 (1977) 171; M. Tanaka, J. Fluid Mech. 248 (1993) 637";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {
       real("amplitude", {0.3, 0, 0}, "depth", {0, 0.55}, "of the only series; 0 for 0.05, 0.097, 0.186 and 0.3"),
@@ -354,7 +340,7 @@ Case mach_reflection_curves() {
   c.published = {{.tiles = {"frank-fig-7", "frank-fig-8", "frank-ar-law"},
                   .tier = Tier::full,
                   .differs = "the thesis states neither the spacing nor all of the angles"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "Frank (1994), section 4.3");
   return c;
 }
 

@@ -33,6 +33,7 @@ mostly theirs.
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/on_threads.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/mach_reflection/kept_reflection.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
@@ -41,9 +42,6 @@ mostly theirs.
 namespace seiche::validation::cases::mach_reflection_limits {
 namespace {
 
-using evidence::Bound;
-using evidence::Measurement;
-using evidence::Role;
 using exact::MachReflection;
 
 const std::string theory_source = "Miles (1977); Li, Yeh and Kodama (2011)";
@@ -114,11 +112,8 @@ struct Wave {
 
   /// Of fine lattices, from what each of them gave.
   [[nodiscard]] Measurement limit(Measurement (Reflection::*of)() const) const {
-    std::vector<double> sizes, numbers;
-    for (const Reflection& r : lattices) {
-      sizes.push_back(r.run.spacing);
-      numbers.push_back((r.*of)().value);
-    }
+    std::vector<double> sizes = each(lattices, [](const Reflection& r) { return r.run.spacing; });
+    std::vector<double> numbers = each(lattices, [&](const Reflection& r) { return (r.*of)().value; });
     const FineLimit fine = fine_limit(sizes, numbers);
     return {.value = fine.value,
             .uncertainty = std::hypot(fine.uncertainty, (lattices.front().*of)().half_width()),
@@ -165,10 +160,8 @@ Measurement relative(const Measurement& found, double expected) {
 void claim_theory(const Claims<Wave>& claims, const Wave& wave) {
   const Bound bound{.limit = wave.amplitude, .reason = "what the theory leaves out is of the order of the amplitude"};
   claims.check(
-      {.id = "wall-" + wave.id(),
-       .text = wave.text() + ": the wave on the wall is as high as the theory says.",
-       .quantity = "a_w/a_i for fine lattices and infinite time over the theory's, less 1",
-       .source = theory_source},
+      "wall-" + wave.id(), wave.text() + ": the wave on the wall is as high as the theory says.",
+      "a_w/a_i for fine lattices and infinite time over the theory's, less 1",
       [](const Wave& w) { return relative(w.limit(&Reflection::limit_ratio), w.theory().wall_ratio()); }, bound);
   const MachReflection nominal = wave.nominal();
   const bool unsteady = wave.model == WaveModel::hexahedra && wave.amplitude < small && !wave.stem();
@@ -177,70 +170,64 @@ void claim_theory(const Claims<Wave>& claims, const Wave& wave) {
                "waves lower than 0.03 depths these lattices do not know to a tenth")
       .only_if(!unsteady, "the three lattices of hexahedra leave two fifths of this regular reflection open")
       .check(
-          {.id = "reflected-" + wave.id(),
-           .text = wave.text() + ": so is the reflected wave.",
-           .quantity = "a_r/a_i for fine lattices over the theory's, less 1",
-           .source = theory_source},
+          "reflected-" + wave.id(), wave.text() + ": so is the reflected wave.",
+          "a_r/a_i for fine lattices over the theory's, less 1",
           [](const Wave& w) { return relative(w.limit(&Reflection::reflected_ratio), w.theory().reflected_ratio()); },
           Bound{.limit = 2 * wave.amplitude,
                 .reason = "kappa is known to the order of the amplitude, its square to twice that"});
   claims.check(
-      {.id = "angle-" + wave.id(),
-       .text = wave.text() + ": it leaves the wall at the theory's angle.",
-       .quantity = "psi_r for fine lattices over the theory's, less 1",
-       .source = theory_source},
+      "angle-" + wave.id(), wave.text() + ": it leaves the wall at the theory's angle.",
+      "psi_r for fine lattices over the theory's, less 1",
       [](const Wave& w) { return relative(w.limit(&Reflection::reflected_angle), w.theory_angle()); }, bound);
 }
 
 void claim_small(const Claims<Wave>& claims, const Wave& wave) {
   const double kappa = wave.nominal().kappa();
-  claims.check(
-      {.id = "settling-" + wave.id(),
-       .text = wave.text() + ": the stem settles at the theory's rate.",
-       .quantity = "rate of the fitted exponential over the theory's, less 1",
-       .source = "Kodama and Yeh (2016)"},
-      [](const Wave& w) -> Measurement {
-        const Reflection& r = w.lattices.front();
-        return {.value = r.limit.exponential.rate / r.run.settling_rate() - 1, .resolution = r.run.resolution()};
-      },
-      Bound{.limit = wave.amplitude * (2.5 + kappa / (1 - kappa)),
-            .reason = "r = S^3 kappa (1 - kappa)/3: a relative error a in S^2 and in kappa makes 3a/2, a and "
-                      "a kappa/(1 - kappa)"});
+  claims.from("Kodama and Yeh (2016)")
+      .check(
+          "settling-" + wave.id(), wave.text() + ": the stem settles at the theory's rate.",
+          "rate of the fitted exponential over the theory's, less 1",
+          [](const Wave& w) -> Measurement {
+            const Reflection& r = w.lattices.front();
+            return {.value = r.limit.exponential.rate / r.run.settling_rate() - 1, .resolution = r.run.resolution()};
+          },
+          Bound{.limit = wave.amplitude * (2.5 + kappa / (1 - kappa)),
+                .reason = "r = S^3 kappa (1 - kappa)/3: a relative error a in S^2 and in kappa makes 3a/2, a and a "
+                          "kappa/(1 - kappa)"});
 }
 
 void claim_start(const Claims<Wave>& claims, const Wave& wave) {
-  claims.check(
-      {.id = "start-" + wave.id(),
-       .text = wave.text() + ": a wave that starts half as high again next to the wall ends alike.",
-       .quantity = "difference of a_w/a_i for infinite time",
-       .source = "Frank (1994), section 4.3"},
-      [](const Wave& w) -> Measurement {
-        const Measurement usual = w.lattices.back().limit_ratio();
-        const Measurement other = w.strengthened->limit_ratio();
-        return {.value = other.value - usual.value,
-                .resolution = w.strengthened->run.resolution(),
-                .told = {.limit = std::hypot(usual.half_width(), other.half_width())}};
-      },
-      Bound{.limit = evidence::Amount::told_by_run(0.1),
-            .reason = "how well the two limits are known, together; a tenth at most, where a start that is half "
-                      "remembered would leave a quarter of a_w/a_i"});
+  claims.from("Frank (1994), section 4.3")
+      .check(
+          "start-" + wave.id(), wave.text() + ": a wave that starts half as high again next to the wall ends alike.",
+          "difference of a_w/a_i for infinite time",
+          [](const Wave& w) -> Measurement {
+            const Measurement usual = w.lattices.back().limit_ratio();
+            const Measurement other = w.strengthened->limit_ratio();
+            return {.value = other.value - usual.value,
+                    .resolution = w.strengthened->run.resolution(),
+                    .told = {.limit = std::hypot(usual.half_width(), other.half_width())}};
+          },
+          Bound{.limit = Amount::told_by_run(0.1),
+                .reason = "how well the two limits are known, together; a tenth at most, where a start that is half "
+                          "remembered would leave a quarter of a_w/a_i"});
 }
 
 void claim_models(const Claims<Results>& claims, const Wave& wave, std::size_t columns, std::size_t hexahedra) {
-  claims.check(
-      {.id = fmt::format("models-{}-{:g}", id_of(wave.amplitude), wave.angle),
-       .text = fmt::format("a = {:g}, {:g} deg: the two models have nearly the same amplitude at the wall.",
-                           wave.amplitude, wave.angle),
-       .quantity = "a_w/a_i of the hexahedra over that of the columns, less 1",
-       .source = "Frank (1994), section 4.3"},
-      [=](const Results& r) {
-        const Measurement layered = r.at(hexahedra).limit(&Reflection::limit_ratio);
-        const Measurement plain = r.at(columns).limit(&Reflection::limit_ratio);
-        return Measurement{.value = layered.value / plain.value - 1,
-                           .uncertainty = std::hypot(layered.half_width(), plain.half_width()) / plain.value,
-                           .resolution = layered.resolution};
-      },
-      Bound{.limit = wave.amplitude, .reason = "they differ by what the theory of both leaves out"});
+  claims.from("Frank (1994), section 4.3")
+      .check(
+          fmt::format("models-{}-{:g}", id_of(wave.amplitude), wave.angle),
+          fmt::format("a = {:g}, {:g} deg: the two models have nearly the same amplitude at the wall.", wave.amplitude,
+                      wave.angle),
+          "a_w/a_i of the hexahedra over that of the columns, less 1",
+          [=](const Results& r) {
+            const Measurement layered = r.at(hexahedra).limit(&Reflection::limit_ratio);
+            const Measurement plain = r.at(columns).limit(&Reflection::limit_ratio);
+            return Measurement{.value = layered.value / plain.value - 1,
+                               .uncertainty = std::hypot(layered.half_width(), plain.half_width()) / plain.value,
+                               .resolution = layered.resolution};
+          },
+          Bound{.limit = wave.amplitude, .reason = "they differ by what the theory of both leaves out"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -294,10 +281,10 @@ struct Points {
 };
 
 void draw(evidence::Exhibit& exhibit, const Results& all) {
-  auto& figure = exhibit.figure("amplitudes", "Amplitudes for fine lattices and long times, by both models",
-                                "Against kappa for finite angles, by the measured incident amplitude. Lines: theory "
-                                "for small waves.",
-                                {"frank-fig-7"});
+  auto& figure = exhibit.figure(
+      "amplitudes", "Amplitudes for fine lattices and long times, by both models",
+      "Against kappa for finite angles, by the measured incident amplitude. Lines: theory for small waves.",
+      {"frank-fig-7"});
   auto& wall = figure.panel({.x = "kappa", .y = "a_w/a_i"});
   auto& reflected = figure.panel({.x = "kappa", .y = "a_r/a_i"});
   std::vector<double> kappa, high, low;
@@ -349,25 +336,11 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
       .id = "limits",
       .title = "Limits of fine lattices and long times",
       .caption =
-          "h: the finest lattice's spacing. Settling: rate of the fitted exponential over the theory's. "
-          "Time: processor's, of the finest run.",
-      .columns = {{"model", ""},
-                  {"a", "depth"},
-                  {"psi_i", "deg"},
-                  {"h", "depth"},
-                  {"a_i", "depth"},
-                  {"kappa", "1"},
-                  {"a_w/a_i", "1"},
-                  {"theory", "1"},
-                  {"a_r/a_i", "1"},
-                  {"theory", "1"},
-                  {"3 a_r/psi_i^2", "1"},
-                  {"psi_r", "deg"},
-                  {"theory", "deg"},
-                  {"settling", "1"},
-                  {"time", "s"}},
-      .rows = {},
-      .atlas = {}};
+          "h: the finest lattice's spacing. Settling: rate of the fitted exponential over the theory's. Time: "
+          "processor's, of the finest run.",
+      .columns = table_columns({"model", "a [depth]", "psi_i [deg]", "h [depth]", "a_i [depth]", "kappa [1]",
+                                "a_w/a_i [1]", "theory [1]", "a_r/a_i [1]", "theory [1]", "3 a_r/psi_i^2 [1]",
+                                "psi_r [deg]", "theory [deg]", "settling [1]", "time [s]"})};
   const auto digits = [](double value) { return std::round(value * 1e4) / 1e4; };
   for (const Wave& wave : all) {
     const Reflection& finest = wave.lattices.front();
@@ -394,8 +367,7 @@ Case mach_reflection_limits() {
   c.title = "Mach reflection by two models: limits of fine lattices, small waves and long times";
   c.source =
       "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 4, figure 7; J. W. Miles, "
-      "J. "
-      "Fluid Mech. 79 (1977) 171";
+      "J. Fluid Mech. 79 (1977) 171";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {
       real("amplitude", {0.097, 0, 0}, "depth", {0, 0.3}, "of the only wave: 0.05, 0.097, 0.186 or 0.3; 0 for all"),
@@ -406,7 +378,7 @@ Case mach_reflection_limits() {
   c.published = {{.tiles = {"frank-fig-7"},
                   .tier = Tier::full,
                   .differs = "the thesis states neither the spacing nor all of the angles"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, theory_source);
   return c;
 }
 

@@ -45,10 +45,9 @@ using Results = std::vector<Pair>;
 
 void claim_models(const Claims<Pair>& claims, const Configuration& configuration) {
   claims.check(
-      {.id = "models-" + configuration.id(),
-       .text = fmt::format("{}: the two models have nearly the same amplitude at the wall.", configuration.text()),
-       .quantity = "a_w/a_i of the hexahedra over that of the columns, less 1",
-       .source = source},
+      "models-" + configuration.id(),
+      fmt::format("{}: the two models have nearly the same amplitude at the wall.", configuration.text()),
+      "a_w/a_i of the hexahedra over that of the columns, less 1",
       [](const Pair& pair) -> Measurement {
         const Measurement layered = pair.hexahedra.wall_ratio();
         const Measurement columns = pair.columns.wall_ratio();
@@ -56,7 +55,7 @@ void claim_models(const Claims<Pair>& claims, const Configuration& configuration
                 .uncertainty = std::hypot(layered.half_width(), columns.half_width()) / columns.value,
                 .resolution = pair.hexahedra.run.resolution()};
       },
-      evidence::Bound{.limit = 0.06, .reason = "an earlier program finds 4 to 6 % between the two models"});
+      Bound{.limit = 0.06, .reason = "an earlier program finds 4 to 6 % between the two models"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -93,20 +92,9 @@ void show(const Results& pairs, const Values& /*values*/, evidence::Exhibit& exh
   evidence::Table table{.id = "models",
                         .title = "Two models on the same lattices",
                         .caption = "Growth: of a_w in the last fifth of the run.",
-                        .columns = {{"a", "depth"},
-                                    {"psi_i", "deg"},
-                                    {"model", ""},
-                                    {"run", ""},
-                                    {"a_i", "depth"},
-                                    {"a_w/a_i", "1"},
-                                    {"growth", "1"},
-                                    {"a_r/a_i", "1"},
-                                    {"psi_r", "deg"},
-                                    {"stem angle", "deg"},
-                                    {"iterations", "1"},
-                                    {"processor time", "s"}},
-                        .rows = {},
-                        .atlas = {}};
+                        .columns = table_columns({"a [depth]", "psi_i [deg]", "model", "run", "a_i [depth]",
+                                                  "a_w/a_i [1]", "growth [1]", "a_r/a_i [1]", "psi_r [deg]",
+                                                  "stem angle [deg]", "iterations [1]", "processor time [s]"})};
   auto& history =
       exhibit.figure("history", "Amplitude at the wall by two models", "Over the measured incident amplitude.");
   for (const Pair& pair : pairs) {
@@ -145,7 +133,7 @@ Case mach_reflection_models() {
   c.source = "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 4";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {integer("layers", 2, {1, 8}, "of hexahedra")};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

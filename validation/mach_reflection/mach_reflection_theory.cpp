@@ -22,14 +22,12 @@ tell a stem from regular reflection nothing is decided. Small waves settle slowl
 #include "seiche/exact/mach_reflection.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/mach_reflection/reflection_reference.hpp"
 
 namespace seiche::validation::cases::mach_reflection_theory {
 namespace {
 
-using evidence::Amount;
-using evidence::Bound;
-using evidence::Role;
 using exact::MachReflection;
 
 const std::string source = "Miles (1977); Li, Yeh and Kodama (2011)";
@@ -48,16 +46,17 @@ struct Number {
 /// A number that the theory knows to about `neglected`. @param other  what it is in regular reflection
 WantedQuantity wanted_of(const Column& column, double expected, double neglected, double other,
                          const std::string& text) {
-  return {.column = column,
-          .reference = [expected](Place) { return expected; },
-          .requirements = {{.measure = Measure::value,
-                            .criterion = Bound{.limit = Amount::at_most(neglected, 0.5 * std::abs(expected - other)),
-                                               .reason = "the theory neglects what is of the order of the incident "
-                                                         "amplitude over the depth; half of what separates it from "
-                                                         "regular reflection still decides",
-                                               .expected = expected},
-                            .text = text,
-                            .source = source}}};
+  return {
+      .column = column,
+      .reference = [expected](Place) { return expected; },
+      .requirements = {
+          {.measure = Measure::value,
+           .criterion = Bound{.limit = Amount::at_most(neglected, 0.5 * std::abs(expected - other)),
+                              .reason = "the theory neglects what is of the order of the incident amplitude over the "
+                                        "depth; half of what separates it from regular reflection still decides",
+                              .expected = expected},
+           .text = text,
+           .source = source}}};
 }
 
 std::vector<Number> numbers_of(const Values& values) {
@@ -136,8 +135,8 @@ void show(const Results& /*results*/, const Values& values, evidence::Exhibit& e
   const std::vector<double> angles = evenly(1, 60, 237);
   for (const auto& [theory, label] : {std::pair{MachReflection::Theory::miles, "Miles"},
                                       std::pair{MachReflection::Theory::kodama_yeh, "Kodama and Yeh"}}) {
-    std::vector<double> ratio;
-    for (const double angle : angles) ratio.push_back(MachReflection(amplitude, angle * degree, theory).wall_ratio());
+    std::vector<double> ratio = each(
+        angles, [&](const double angle) { return MachReflection(amplitude, angle * degree, theory).wall_ratio(); });
     panel.line(label, angles, ratio, Role::guide);
   }
 }

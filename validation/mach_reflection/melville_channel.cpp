@@ -30,6 +30,7 @@ is a hundredth lower.
 #include "seiche/models/lagrangian_mesh_3d/layer.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/on_threads.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/instruments/oblique_wave.hpp"
 #include "validation/instruments/row_crests.hpp"
@@ -41,8 +42,6 @@ namespace {
 
 using dispersive_shallow_water_2d::Flow;
 using dispersive_shallow_water_2d::Lattice;
-using evidence::Bound;
-using evidence::Role;
 
 const std::string source = "Melville (1980); Frank (1994), section 4.3";
 constexpr double width = 34;                               // of the channel
@@ -164,24 +163,18 @@ std::vector<double> angles_of(const Values& values) {
 }
 
 Measurement ratio_at(const Ladder& ladder, double distance) {
-  std::vector<double> sizes, values;
-  for (const Growth& growth : ladder) {
-    sizes.push_back(growth.channel.spacing);
-    values.push_back(growth.at(distance));
-  }
+  std::vector<double> sizes = each(ladder, [](const Growth& growth) { return growth.channel.spacing; });
+  std::vector<double> values = each(ladder, [&](const Growth& growth) { return growth.at(distance); });
   return {.value = values.front(), .uncertainty = fine_limit(sizes, values).uncertainty};
 }
 
 void claim_early(const Claims<Ladder>& claims, double angle) {
   constexpr double tank = 30;
   claims.check(
-      {.id = "early-" + id_of(angle),
-       .text = fmt::format("{:g} deg: within {:g} depths of the bend the stem stays below twice the incident "
-                           "wave.",
-                           angle, tank),
-       .quantity = "a_w/a_i there",
-       .source = source},
-      [](const Ladder& ladder) { return ratio_at(ladder, tank); },
+      "early-" + id_of(angle),
+      fmt::format("{:g} deg: within {:g} depths of the bend the stem stays below twice the incident wave.", angle,
+                  tank),
+      "a_w/a_i there", [](const Ladder& ladder) { return ratio_at(ladder, tank); },
       Bound{.limit = 0.5, .reason = "between 1 and 2: what Melville measured", .expected = 1.5});
 }
 
@@ -189,11 +182,9 @@ void claim_models(const Claims<Results>& claims, double amplitude, double angle,
                   std::size_t hexahedra) {
   constexpr double tank = 30;
   claims.check(
-      {.id = "models-" + id_of(angle),
-       .text =
-           fmt::format("{:g} deg: by hexahedra the stem has grown as much, {:g} depths from the bend.", angle, tank),
-       .quantity = "a_w/a_i - 1 there over that of the columns, less 1",
-       .source = source},
+      "models-" + id_of(angle),
+      fmt::format("{:g} deg: by hexahedra the stem has grown as much, {:g} depths from the bend.", angle, tank),
+      "a_w/a_i - 1 there over that of the columns, less 1",
       [=](const Results& r) -> Measurement {
         const Measurement plain = ratio_at(r.at(columns), tank);
         const Measurement layered = ratio_at(r.at(hexahedra), tank);
@@ -247,12 +238,11 @@ Results compute(const Run& run) {
 
 void draw(evidence::Exhibit& exhibit, const Results& all) {
   const ReflectionRun example{.amplitude = all.front().front().channel.amplitude, .angle = radians(20)};
-  auto& figure =
-      exhibit.figure("growth", "The stem in a channel whose wall turns",
-                     fmt::format("a = {:g}, h = {:g}. Thin: where theory for small waves and finite angles sees "
-                                 "the end.",
-                                 example.amplitude, all.front().front().channel.spacing),
-                     {"frank-melville"});
+  auto& figure = exhibit.figure(
+      "growth", "The stem in a channel whose wall turns",
+      fmt::format("a = {:g}, h = {:g}. Thin: where theory for small waves and finite angles sees the end.",
+                  example.amplitude, all.front().front().channel.spacing),
+      {"frank-melville"});
   auto& panel =
       figure.panel({.x = "distance from the bend along the wall [depth]", .y = "a_w/a_i", .y_min = 1, .y_max = 4});
   auto& map = exhibit.figure("surface", "The channel from above",
@@ -306,7 +296,7 @@ Case melville_channel() {
            "spacing of the lattice at rest; also 1.4 and 2 times that; finer ones than 0.4 may fold at the bend"),
   };
   c.published = {{.tiles = {"frank-melville"}, .differs = "the thesis does not state the spacing"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

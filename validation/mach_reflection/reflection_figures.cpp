@@ -1,4 +1,5 @@
 #include "validation/mach_reflection/reflection_figures.hpp"
+#include "validation/instruments/each.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@ namespace seiche::validation {
 namespace {
 
 using evidence::Panel;
-using evidence::Role;
 using exact::MachReflection;
 
 /// "a = 0.3: h = 0.5, tau = 0.25, t = 318 .. 720".
@@ -44,8 +44,7 @@ void theory_curve(Panel& panel, double (*ratio)(double), double last) {
   std::vector<double> kappa = evenly(0.1, 1, 46);
   for (double step = 1e-4; step < 0.05; step *= 1.6) kappa.push_back(1 + step);
   for (double k = 1.05; k <= last; k += 0.05) kappa.push_back(k);
-  std::vector<double> values;
-  for (const double k : kappa) values.push_back(ratio(k));
+  std::vector<double> values = each(kappa, [&](const double k) { return ratio(k); });
   panel.line("theory of small waves", kappa, values, Role::exact);
 }
 
@@ -73,14 +72,13 @@ void limits(Panel& panel, const std::vector<ReflectionSeries>& series, Kappa kap
 }  // namespace
 
 void draw_amplitudes(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
-  auto& figure = exhibit.figure(
-      "amplitudes", "Amplitudes at the wall and of the reflected wave",
-      "Over the measured incident amplitude; bars: the scatter along the crests. Left over the parameter of Miles "
-      "(1977), "
-      "right over that for finite angles of Li, Yeh and Kodama (2011). Thin: Frank's largest a_w/a_i, 3.5, and his "
-      "a_r/a_i of regular reflection, 0.95. a_w at the end of the run; where it has grown by more than 1 % in the last "
-      "fifth also its limit.",
-      {"frank-fig-7"});
+  auto& figure =
+      exhibit.figure("amplitudes", "Amplitudes at the wall and of the reflected wave",
+                     "Over the measured incident amplitude; bars: the scatter along the crests. Left over the "
+                     "parameter of Miles (1977), right over that for finite angles of Li, Yeh and Kodama (2011). Thin: "
+                     "Frank's largest a_w/a_i, 3.5, and his a_r/a_i of regular reflection, 0.95. a_w at the end of the "
+                     "run; where it has grown by more than 1 % in the last fifth also its limit.",
+                     {"frank-fig-7"});
   for (const Axis& axis : axes()) {
     const double last = last_kappa(series, axis.kappa);
     auto& panel = figure.panel({.x = axis.label, .y = "a_w/a_i", .x_max = last, .y_min = 1, .y_max = 4.1});
@@ -112,17 +110,13 @@ void draw_regimes(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries
   auto& figure = exhibit.figure("regimes", "Regular and irregular reflection",
                                 "Irregular: a_r below 0.95 a_i, or, on lattices so coarse that no a_r reaches that, "
                                 "below 0.99 of the largest. Curves: the boundary of Miles (1977) and kappa = 1 for "
-                                "finite angles. Horizontal: "
-                                "transitions in experiments as quoted by Frank (1994).",
+                                "finite angles. Horizontal: transitions in experiments as quoted by Frank (1994).",
                                 {"frank-fig-8"});
   auto& panel =
       figure.panel({.x = "a_i [depth]", .y = "psi_i [deg]", .x_min = 0, .x_max = 0.4, .y_min = 0, .y_max = 60});
   const std::vector<double> fine = evenly(1e-4, 0.4, 200);
-  std::vector<double> miles, finite;
-  for (const double a : fine) {
-    miles.push_back(degrees(std::sqrt(3 * a)));
-    finite.push_back(resonant_angle(a));
-  }
+  std::vector<double> miles = each(fine, [&](const double a) { return degrees(std::sqrt(3 * a)); });
+  std::vector<double> finite = each(fine, [&](const double a) { return resonant_angle(a); });
   panel.line("psi = sqrt(3a)", fine, miles, Role::exact);
   panel.line("tan(psi)/cos(psi) = sqrt(3a)", fine, finite, Role::exact);
   std::vector<double> irregular_a, irregular_psi, regular_a, regular_psi;
@@ -176,11 +170,10 @@ void draw_angle_law(evidence::Exhibit& exhibit, const ReflectionSeries& series, 
 }
 
 void draw_reflected_angles(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
-  auto& figure =
-      exhibit.figure("angles", "The angle of reflection",
-                     "Bars: twice the standard error of the line through the reflected crest. Where "
-                     "reflection is irregular, psi_r falls as psi_i grows; Miles (1977) has sqrt(3 a_i) there, "
-                     "drawn up to it. Then the two angles are equal.");
+  auto& figure = exhibit.figure(
+      "angles", "The angle of reflection",
+      "Bars: twice the standard error of the line through the reflected crest. Where reflection is irregular, psi_r "
+      "falls as psi_i grows; Miles (1977) has sqrt(3 a_i) there, drawn up to it. Then the two angles are equal.");
   auto& panel = figure.panel({.x = "psi_i [deg]", .y = "psi_r [deg]", .y_min = 15, .y_max = 60});
   for (const ReflectionSeries& one : series) {
     panel.points(name_of(one), one.angles, one.all([](const Reflection& r) { return r.reflected_angle().value; }),
@@ -195,10 +188,9 @@ void draw_reflected_angles(evidence::Exhibit& exhibit, const std::vector<Reflect
 }
 
 void draw_growth(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
-  auto& figure =
-      exhibit.figure("growth", "The amplitude at the wall as time goes on",
-                     "Over the measured incident amplitude, against the slow time of weakly nonlinear waves. "
-                     "The nearer to resonance, the slower.");
+  auto& figure = exhibit.figure("growth", "The amplitude at the wall as time goes on",
+                                "Over the measured incident amplitude, against the slow time of weakly nonlinear "
+                                "waves. The nearer to resonance, the slower.");
   for (const ReflectionSeries& one : series) {
     const double slow = std::pow(one.amplitude, 1.5);
     auto& panel = figure.panel({.x = "a_i^(3/2) t [sqrt(depth/g)]",
@@ -218,31 +210,16 @@ void draw_growth(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>
 }
 
 void tabulate_reflections(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
-  evidence::Table table{.id = "runs",
-                        .title = "All runs",
-                        .caption =
-                            "kappa': for finite angles. Growth: of a_w in the last fifth of the run; a run that "
-                            "grows by more than 1 % is not steady, and the limit is what counts.",
-                        .columns = {{"a", "depth"},
-                                    {"psi_i", "deg"},
-                                    {"kappa", "1"},
-                                    {"kappa'", "1"},
-                                    {"h", "depth"},
-                                    {"end", "sqrt(depth/g)"},
-                                    {"a_i", "depth"},
-                                    {"a_w/a_i", "1"},
-                                    {"growth", "1"},
-                                    {"steady", ""},
-                                    {"limit", "1"},
-                                    {"uncertainty", "1"},
-                                    {"a_r/a_i", "1"},
-                                    {"psi_r", "deg"},
-                                    {"stem angle", "deg"},
-                                    {"iterations", "1"},
-                                    {"cells", "1"},
-                                    {"processor time", "s"}},
-                        .rows = {},
-                        .atlas = {}};
+  evidence::Table table{
+      .id = "runs",
+      .title = "All runs",
+      .caption =
+          "kappa': for finite angles. Growth: of a_w in the last fifth of the run; a run that grows by more than 1 % "
+          "is not steady, and the limit is what counts.",
+      .columns = table_columns({"a [depth]", "psi_i [deg]", "kappa [1]", "kappa' [1]", "h [depth]",
+                                "end [sqrt(depth/g)]", "a_i [depth]", "a_w/a_i [1]", "growth [1]", "steady",
+                                "limit [1]", "uncertainty [1]", "a_r/a_i [1]", "psi_r [deg]", "stem angle [deg]",
+                                "iterations [1]", "cells [1]", "processor time [s]"})};
   const auto rounded = [](double value, double per_unit) { return std::round(value * per_unit) / per_unit; };
   for (const ReflectionSeries& one : series) {
     for (std::size_t k = 0; k < one.angles.size(); ++k) {

@@ -30,11 +30,11 @@ double ReflectionSeries::regular_ratio() const {
   return ratio.value() > regular_from ? regular_from : regular_from_largest * ratio.value();
 }
 
-evidence::Measurement ReflectionSeries::boundary() const {
+Measurement ReflectionSeries::boundary() const {
   const double regular = regular_ratio();
   for (std::size_t k = 1; k < reflections.size(); ++k) {
-    const evidence::Measurement below = reflections[k - 1].reflected_ratio();
-    const evidence::Measurement above = reflections[k].reflected_ratio();
+    const Measurement below = reflections[k - 1].reflected_ratio();
+    const Measurement above = reflections[k].reflected_ratio();
     if (!(below.value < regular && above.value >= regular)) continue;
     const double slope = (above.value - below.value) / (angles[k] - angles[k - 1]);
     const double scatter = largest(std::array{below.half_width(), above.half_width()}) / slope;

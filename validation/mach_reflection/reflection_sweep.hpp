@@ -35,7 +35,7 @@ struct ReflectionSeries {
   [[nodiscard]] double regular_ratio() const;
   /// Angle [deg] at which a_r/a_i passes it, linearly between the neighbours; uncertainty: from those of the
   /// ratios there and half of their distance in angle where the ratios differ by less. NaN if it does not.
-  [[nodiscard]] evidence::Measurement boundary() const;
+  [[nodiscard]] Measurement boundary() const;
 };
 
 /// Angle [deg] at which tan(psi)/cos(psi) = sqrt(3a): kappa = 1 for finite angles.

@@ -33,15 +33,13 @@ are of first order in every respect.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/refinement.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/mesh_double_shear.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::mms_mesh {
 namespace {
 
-using evidence::Bound;
-using evidence::Order;
-using evidence::Role;
 using lagrangian_mesh_2d::Flow;
 
 DoubleShearRun run_of(const Values& values, long n) {
@@ -94,10 +92,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.at(fmt::format("n = {}", finest.n))
       .only_if(finest.distortion == 0, "the estimate is for equal cells")
       .check(
-          {.id = "slip",
-           .text = "The slip is that of the pressure gradient half a cell below the surface.",
-           .quantity = "slip along the surface over its estimate 2 h P X (1 - cos t), X = 3/4",
-           .source = "momentum of a surface node; see the article"},
+          "slip", "The slip is that of the pressure gradient half a cell below the surface.",
+          "slip along the surface over its estimate 2 h P X (1 - cos t), X = 3/4",
           [finest](const Results& r) {
             return r.refinement.finest(slip_quantity) / expected_slip(finest, judged_edge);
           },
@@ -150,8 +146,8 @@ void draw_slips(const Results& r, const DoubleShearRun& finest, evidence::Exhibi
     panel.line(fmt::format("n = {:g}", r.refinement.n()[m]), r.slips[m].label, r.slips[m].slip);
   }
   const std::vector<double> labels = evenly(-1, 1, 2);
-  std::vector<double> expected;
-  for (const double label : labels) expected.push_back(expected_slip(finest, label) / finest.spacing());
+  std::vector<double> expected =
+      each(labels, [&](const double label) { return expected_slip(finest, label) / finest.spacing(); });
   panel.line("estimate", labels, expected, Role::guide);
 }
 
@@ -181,7 +177,7 @@ Case mms_mesh() {
       choice("scheme", std::string("one_step"), {"one_step", "conservative"}, "time stepping"),
       real("distortion", 0.0, "1", {0, 0.2}, "amplitude of the initial mesh's displacement"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "momentum of a surface node; see the article");
   return c;
 }
 

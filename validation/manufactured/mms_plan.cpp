@@ -25,8 +25,6 @@ The volumes of the cells err by the time step alone; with the conservative schem
 namespace seiche::validation::cases::mms_plan {
 namespace {
 
-using evidence::Order;
-
 PlanManufacturedRun run_of(const Values& values, long n) {
   return {.n = static_cast<std::size_t>(n),
           .steps_per_cell = values.integer("steps_per_cell"),
@@ -74,8 +72,8 @@ void show(const Refinement& refinement, const Values& values, evidence::Exhibit&
                              .panel({.x = "cells n", .y = "error", .log_x = true, .log_y = true}));
   study.tabulate(refinement, exhibit);
   auto& figure = exhibit.figure("motion", "The lattice in its basin at the beginning",
-                                "Elevation of the surface at t = 0 over the places of the columns, seen from above "
-                                "and in perspective: the columns are not where their labels are.");
+                                "Elevation of the surface at t = 0 over the places of the columns, seen from above and "
+                                "in perspective: the columns are not where their labels are.");
   const auto flow = plan_manufactured_flow(run_of(values, study.coarsest));
   const evidence::Lattice lattice{
       .columns = flow.shape().columns, .rows = flow.shape().rows, .x = flow.x(), .y = flow.y(), .z = flow.z()};

@@ -45,13 +45,9 @@ void claims(const Values& values, const Claims<PressureWaves>& claims) {
       "leader", source, run);
   if (regime) claim_pressure_regime(claims, *regime, run);
   claims.at(run.text())
-      .check({.id = "endless",
-              .text = "Nothing reaches the wall ahead: the channel is as good as endless.",
-              .quantity = "largest elevation at the wall ahead, at any time",
-              .unit = "H",
-              .source = "set-up"},
-             &PressureWaves::largest_at_wall,
-             evidence::Bound{.limit = 0.0005, .reason = "a sixtieth of what counts as a soliton"});
+      .check("endless", "Nothing reaches the wall ahead: the channel is as good as endless.",
+             "largest elevation at the wall ahead, at any time [H]", &PressureWaves::largest_at_wall,
+             Bound{.limit = 0.0005, .reason = "a sixtieth of what counts as a soliton"});
 }
 
 PressureWaves compute(const Run& run) {
@@ -61,9 +57,9 @@ PressureWaves compute(const Run& run) {
 
 void show(const PressureWaves& waves, const Values& values, evidence::Exhibit& exhibit) {
   show_pressure_waves(exhibit, "", "leader", waves, values.real("threshold"));
-  auto& figure = exhibit.figure("waves", "Waves of the source",
-                                "Surfaces one above the other, time upwards, in the frame of the source; and the "
-                                "elevation at its centre.");
+  auto& figure = exhibit.figure(
+      "waves", "Waves of the source",
+      "Surfaces one above the other, time upwards, in the frame of the source; and the elevation at its centre.");
   waves.draw_ridges(figure);
   waves.draw_at_source(figure);
 }
@@ -85,7 +81,7 @@ Case moving_pressure_1d() {
       real("tau_over_h", 0.25, "(g H)^(-1/2)", {0.01, 0.7}, "time step over the distance of markers"),
       real("threshold", soliton_threshold, "H", {1e-4, 1}, "what is higher, ahead of the source, is a soliton"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "set-up");
   return c;
 }
 

@@ -8,9 +8,6 @@
 namespace seiche::validation {
 namespace {
 
-using evidence::Bound;
-using evidence::Qualitative;
-
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 3.3";
 constexpr double regular = 0.03;        // peaks of a periodic surface are equidistant to this fraction
 constexpr double lowest_soliton = 0.1;  // what is lower may be a ripple
@@ -63,20 +60,17 @@ std::optional<PressureRegime> pressure_regime_of(const PressureSource& source, c
 void claim_leading_soliton(const Claims<PressureWaves>& claims, const std::string& id, const PressureSource& of,
                            const PressureRun& run) {
   claims.at(run.text())
+      .from("Serre, La Houille Blanche 8 (1953) 374")
       .check(
-          {.id = id,
-           .text =
-               fmt::format("The leading soliton is as fast as Serre's solitary wave of its height. ({})", of.text()),
-           .quantity = "speed of its crest / (1 + height)^(1/2)",
-           .source = "Serre, La Houille Blanche 8 (1953) 374"},
+          id, fmt::format("The leading soliton is as fast as Serre's solitary wave of its height. ({})", of.text()),
+          "speed of its crest / (1 + height)^(1/2)",
           [](const PressureWaves& waves) {
             const PressureWaves::Leader leader = waves.leader(lowest_soliton);
             return leader.speed / std::sqrt(1 + leader.height);
           },
           Bound{.limit = run.spacing * run.spacing / 36 + std::exp(-8.0),
-                .reason =
-                    "k^4 h^2/36, the error of the discrete model's dispersion law, at k = 1, the length of such a "
-                    "wave; and exp(-8), what is still over the source of a wave four of its lengths ahead",
+                .reason = "k^4 h^2/36, the error of the discrete model's dispersion law, at k = 1, the length of such "
+                          "a wave; and exp(-8), what is still over the source of a wave four of its lengths ahead",
                 .expected = 1});
 }
 

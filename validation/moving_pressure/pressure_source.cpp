@@ -1,4 +1,5 @@
 #include "validation/moving_pressure/pressure_source.hpp"
+#include "validation/instruments/each.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,8 +50,7 @@ PressureSurface surface_of(const model::Flow& flow, const PressureSource& source
 
 PressureSurface ridge_of(const model::Flow& flow, const PressureSource& source) {
   PressureSurface ridge{.time = flow.time(), .place = evenly(-70, 85, 311), .elevation = {}};
-  std::vector<double> x;
-  for (const double z : ridge.place) x.push_back(z + source.speed * flow.time());
+  std::vector<double> x = each(ridge.place, [&](const double z) { return z + source.speed * flow.time(); });
   ridge.elevation = flow.elevation_at(x);
   return ridge;
 }
@@ -160,9 +160,9 @@ void PressureWaves::draw_ridges(evidence::Figure& figure) const {
   const double scale = std::max(1.0, std::floor(4 * interval / highest.value() / 5) * 5);
   auto& panel = figure.panel({.x = "x - U t", .y = fmt::format("t + {:g} elevation", scale), .title = source_.text()});
   for (const PressureSurface& ridge : ridges_) {
-    std::vector<double> line;
-    for (const double elevation : ridge.elevation) line.push_back(ridge.time + scale * elevation);
-    panel.line("surface", ridge.place, line, evidence::Role::computed);
+    std::vector<double> line =
+        each(ridge.elevation, [&](const double elevation) { return ridge.time + scale * elevation; });
+    panel.line("surface", ridge.place, line, Role::computed);
   }
 }
 

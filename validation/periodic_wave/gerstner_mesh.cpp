@@ -33,13 +33,12 @@ within a few cells, a little more on finer meshes.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/refinement.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::gerstner_mesh {
 namespace {
 
-using evidence::Order;
-using evidence::Role;
 using exact::GerstnerWave;
 using lagrangian_mesh_2d::Flow;
 using lagrangian_mesh_2d::Mesh;
@@ -227,8 +226,7 @@ void draw_wave(const Flow& flow, const Wave& wave, evidence::Exhibit& exhibit) {
                     .panel({.x = "x", .y = "y", .equal_aspect = true});
   draw_mesh(panel, "mesh", flow);
   const std::vector<double> x = evenly(flow.surface_x().front(), flow.surface_x().back(), 201);
-  std::vector<double> y;
-  for (const double at : x) y.push_back(wave.elevation(at, flow.time()));
+  std::vector<double> y = each(x, [&](const double at) { return wave.elevation(at, flow.time()); });
   panel.line("exact surface", x, y, Role::exact);
 }
 
@@ -243,10 +241,8 @@ void draw_slips(const Results& r, const Values& values, evidence::Exhibit& exhib
     panel.line(fmt::format("n = {:g}", r.refinement.n()[m]), r.slips[m].label, r.slips[m].slip);
   }
   const std::vector<double> labels = evenly(0, 2 * pi, 201);
-  std::vector<double> estimate;
-  for (const double a : labels) {
-    estimate.push_back(amplitude / 2 * (std::sin(a - time) - std::sin(a) + time * std::cos(a)));
-  }
+  std::vector<double> estimate = each(
+      labels, [&](const double a) { return amplitude / 2 * (std::sin(a - time) - std::sin(a) + time * std::cos(a)); });
   panel.line("estimate for small waves", labels, estimate, Role::guide);
 }
 

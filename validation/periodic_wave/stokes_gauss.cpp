@@ -33,7 +33,6 @@ the steps make it lead; momentum; the energy, which changes by what the penalty 
 namespace seiche::validation::cases::stokes_gauss {
 namespace {
 
-using evidence::Role;
 using exact::StokesWave;
 using gauss_particles::Flow;
 using gauss_particles::LatticePlan;
@@ -172,50 +171,37 @@ void claim_wave(const SetUp& s, const Values& values, const Claims<WaveRun>& cla
   const StokesWave wave = s.wave();
   const double turn = 2 * std::numbers::pi / static_cast<double>(s.steps);
   const auto periods = static_cast<double>(values.integer("periods"));
-  claims.check({.id = s.named("surface"),
-                .text = fmt::format("{}: after {:g} periods the surface is the exact one.", s.name(), periods),
-                .quantity = "rms difference of the markers' elevations",
-                .source = source},
-               &WaveRun::rms,
-               evidence::Bound{0.01 * s.height,
-                               "a hundredth of the height: in a figure in which the wave is 3 cm high, the width of a "
-                               "line"});
+  claims.check(s.named("surface"),
+               fmt::format("{}: after {:g} periods the surface is the exact one.", s.name(), periods),
+               "rms difference of the markers' elevations", &WaveRun::rms,
+               Bound{0.01 * s.height,
+                     "a hundredth of the height: in a figure in which the wave is 3 cm high, the width of a line"});
   const double linear = std::sqrt(std::tanh(wave.wavenumber() * s.depth) / wave.wavenumber());
   const double excess = wave.phase_speed() / linear - 1;
   const bool on_surface = values.text("gravity") == "surface";
   claims.only_if(excess > 0.01, "the wave is so low that its height adds less than 1 per cent to its speed")
-      .check(
-          {.id = s.named("phase"),
-           .text = fmt::format("{}: it travels at its speed, but for what the steps make it lead.", s.name()),
-           .quantity = "lead of the phase per period",
-           .unit = "wavelengths",
-           .source = source},
-          &WaveRun::phase,
-          evidence::Bound{.limit = 0.01 * excess,
-                          .reason = fmt::format("a hundredth of what its height adds to the speed of an infinitesimal "
-                                                "wave, {:.3f} of it; expected: {}",
-                                                excess,
-                                                on_surface ? "-(omega tau)^2/12, the lag of the discrete gradient"
-                                                           : "(omega tau)^2/24, leapfrog's lead"),
-                          .expected = on_surface ? -turn * turn / 12 : turn * turn / 24});
-  claims.check(
-      {.id = s.named("loss"),
-       .text = fmt::format("{}: the penalty takes next to nothing of the energy.", s.name()),
-       .quantity = "energy taken over the kinetic energy",
-       .source = source},
-      &WaveRun::loss,
-      evidence::Bound{0.01 * 2 * std::numbers::pi * turn * periods,
-                      "a hundredth of what Frank's projection scheme loses with the same steps, "
-                      "(tau/2) sum m |a|^2 = tau omega^2 times the kinetic energy per unit of time in a linear "
-                      "wave"});
-  claims.check({.id = s.named("energy"),
-                .text = fmt::format("{}: the energy changes by what the penalty takes, to round-off.", s.name()),
-                .quantity = "largest defect over the kinetic energy",
-                .source = "Frank (1994), chapter 6; exact for every space and step"},
-               &WaveRun::energy_defect,
-               evidence::Roundoff{.operations = static_cast<double>(s.steps) * periods,
-                                  .scale = 2,
-                                  .reason = "one rounding per step of the kinetic and of the potential energy"});
+      .check(s.named("phase"),
+             fmt::format("{}: it travels at its speed, but for what the steps make it lead.", s.name()),
+             "lead of the phase per period [wavelengths]", &WaveRun::phase,
+             Bound{.limit = 0.01 * excess,
+                   .reason = fmt::format("a hundredth of what its height adds to the speed of an infinitesimal wave, "
+                                         "{:.3f} of it; expected: {}",
+                                         excess,
+                                         on_surface ? "-(omega tau)^2/12, the lag of the discrete gradient"
+                                                    : "(omega tau)^2/24, leapfrog's lead"),
+                   .expected = on_surface ? -turn * turn / 12 : turn * turn / 24});
+  claims.check(s.named("loss"), fmt::format("{}: the penalty takes next to nothing of the energy.", s.name()),
+               "energy taken over the kinetic energy", &WaveRun::loss,
+               Bound{0.01 * 2 * std::numbers::pi * turn * periods,
+                     "a hundredth of what Frank's projection scheme loses with the same steps, (tau/2) sum m |a|^2 = "
+                     "tau omega^2 times the kinetic energy per unit of time in a linear wave"});
+  claims.from("Frank (1994), chapter 6; exact for every space and step")
+      .check(s.named("energy"),
+             fmt::format("{}: the energy changes by what the penalty takes, to round-off.", s.name()),
+             "largest defect over the kinetic energy", &WaveRun::energy_defect,
+             Roundoff{.operations = static_cast<double>(s.steps) * periods,
+                      .scale = 2,
+                      .reason = "one rounding per step of the kinetic and of the potential energy"});
 }
 
 /// The uniform flow, of the stream function y, is kept as exactly as the normal equations are solved.
@@ -225,18 +211,14 @@ void claim_momentum(const SetUp& s, const Values& values, const Claims<WaveRun>&
   // Its rms over the depth, decaying as exp(k y) from the surface.
   const double stream = wave.phase_speed() * s.height / 2 / std::sqrt(2 * wave.wavenumber() * s.depth);
   const double momentum = wave.impulse() * s.length;
-  claims.check(
-      {.id = s.named("momentum"),
-       .text = fmt::format("{}: the horizontal momentum is kept to round-off.", s.name()),
-       .quantity = "largest defect over the momentum",
-       .source = "Frank (1994), chapter 6; the uniform flow is in the space"},
-      &WaveRun::momentum_defect,
-      evidence::Roundoff{
-          .operations = unknowns * static_cast<double>(s.steps * values.integer("periods")),
-          .scale = 4 * s.depth * stream / momentum,
-          .reason = "one rounding per unknown's equation and step, of the sum of its entries' magnitudes, 4, "
-                    "times the stream function, c H/2 over sqrt(2 k d), times that of the uniform flow, the depth; "
-                    "over the momentum"});
+  claims.from("Frank (1994), chapter 6; the uniform flow is in the space")
+      .check(s.named("momentum"), fmt::format("{}: the horizontal momentum is kept to round-off.", s.name()),
+             "largest defect over the momentum", &WaveRun::momentum_defect,
+             Roundoff{.operations = unknowns * static_cast<double>(s.steps * values.integer("periods")),
+                      .scale = 4 * s.depth * stream / momentum,
+                      .reason = "one rounding per unknown's equation and step, of the sum of its entries' magnitudes, "
+                                "4, times the stream function, c H/2 over sqrt(2 k d), times that of the uniform flow, "
+                                "the depth; over the momentum"});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
@@ -321,7 +303,7 @@ Case stokes_gauss() {
   };
   c.published = {{.tiles = {"frank-fig-9"},
                   .differs = "the thesis states neither the waves nor the numbers of particles and fields"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

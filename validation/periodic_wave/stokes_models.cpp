@@ -36,6 +36,7 @@ SPH does not. A longer wave has less dispersion, and the dispersive model less e
 #include "validation/case/case.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/periodic_wave/surface_fit.hpp"
 #include "validation/periodic_wave/travelling_models.hpp"
@@ -43,7 +44,6 @@ SPH does not. A longer wave has less dispersion, and the dispersive model less e
 namespace seiche::validation::cases::stokes_models {
 namespace {
 
-using evidence::Role;
 using exact::SerreCnoidal;
 using exact::StokesWave;
 
@@ -166,8 +166,8 @@ void claim_orders(const Claims<Results>& all, const Values& values) {
   const auto second = [](const Claims<Results>& claims, const std::string& id, const std::string& text,
                          double tolerance, const std::string& why,
                          std::function<evidence::ObservedOrder(const Results&)> measure) {
-    claims.check({.id = id, .text = text, .quantity = "order of the rms error of the surface", .source = source},
-                 std::move(measure), evidence::Order{.theory = 2, .tolerance = tolerance, .reason = why});
+    claims.check(id, text, "order of the rms error of the surface", std::move(measure),
+                 Order{.theory = 2, .tolerance = tolerance, .reason = why});
   };
   const double coarsest = static_cast<double>(cells_of(values).front()) / values.real("length");
   const auto resolved =
@@ -195,10 +195,10 @@ void claim_dispersion(const Claims<Results>& claims, const Waves& waves) {
           const std::vector<double> values = reversed(r.dispersive.*numbers);
           return {.value = values.front(), .uncertainty = fine_limit(reversed(r.dispersive.size), values).uncertainty};
         },
-        evidence::Uncertainty{.expected = expected,
-                              .useful = 0.1 * std::abs(expected),
-                              .reason = "both exact waves are known to round-off; of use where the spacing "
-                                        "matters a tenth of what the equations do"});
+        Uncertainty{.expected = expected,
+                    .useful = 0.1 * std::abs(expected),
+                    .reason = "both exact waves are known to round-off; of use where the spacing matters a tenth of "
+                              "what the equations do"});
   };
   ends("dispersive-error", "Against the Euler equations the dispersive model ends where its equations do.",
        "rms error over the height", "1", &Ladder::error, equations_apart(waves));
@@ -215,25 +215,19 @@ void claims(const Values& values, const Claims<Results>& all) {
   const double turn = 2 * std::numbers::pi / steps;
   const double excess = waves.excess();
   const Claims<Ladder> particles = all.at(fmt::format("{} cells", cells)).of(&Results::particles);
-  particles.check({.id = "particles-energy",
-                   .text = "The energy of the free particles is kept to round-off.",
-                   .quantity = "change over the kinetic energy",
-                   .source = "Frank (1994), chapter 6; exact for every space and step"},
-                  &Ladder::energy_change,
-                  evidence::Roundoff{.operations = steps,
-                                     .scale = 2,
-                                     .reason = "one rounding per step of the kinetic and of the potential energy"});
+  particles.from("Frank (1994), chapter 6; exact for every space and step")
+      .check("particles-energy", "The energy of the free particles is kept to round-off.",
+             "change over the kinetic energy", &Ladder::energy_change,
+             Roundoff{.operations = steps,
+                      .scale = 2,
+                      .reason = "one rounding per step of the kinetic and of the potential energy"});
   const auto speed = [&](const Claims<Ladder>& claims, const std::string& id, const std::string& text, double expected,
                          double limit, const std::string& why) {
     claims.only_if(excess > 0.005, "the wave is so low that its height adds less than 0.5 per cent to its speed")
         .check(
-            {.id = id,
-             .text = text,
-             .quantity = "lead of the phase in one period",
-             .unit = "wavelengths",
-             .source = source},
+            id, text, "lead of the phase in one period [wavelengths]",
             [](const Ladder& ladder) { return ladder.lead.back(); },
-            evidence::Bound{.limit = limit * excess, .reason = why, .expected = expected});
+            Bound{.limit = limit * excess, .reason = why, .expected = expected});
   };
   speed(particles, "particles-phase", "Particles lag by what their steps make them lag.", -turn * turn / 12, 0.02,
         "a fiftieth of what its height adds to the wave's speed; expected: -(omega tau)^2/12, the lag of the discrete "
@@ -245,15 +239,11 @@ void claims(const Values& values, const Claims<Results>& all) {
   const Claims<Ladder> sph = all.at(fmt::format("{} rows", values.integer("sph_rows"))).of(&Results::sph);
   speed(sph, "sph-phase", "So does that of SPH.", 0, 0.5, distinguished);
   sph.check(
-      {.id = "sph-falls",
-       .text = "The finest lattice of SPH is nearer to the exact wave than one of half as many rows.",
-       .quantity = "it is",
-       .source = source},
+      "sph-falls", "The finest lattice of SPH is nearer to the exact wave than one of half as many rows.", "it is",
       [](const Ladder& ladder) { return ladder.error.back() < ladder.error.front() ? 1.0 : 0.0; },
-      evidence::Qualitative{
-          .detector = "rms error of the surface",
-          .reason = "its sums over neighbours converge, and its viscosity is in proportion to the spacing: with "
-                    "a quarter of the water in a particle it must show"});
+      Qualitative{.detector = "rms error of the surface",
+                  .reason = "its sums over neighbours converge, and its viscosity is in proportion to the spacing: "
+                            "with a quarter of the water in a particle it must show"});
 }
 
 struct Shown {
@@ -275,12 +265,8 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   evidence::Table table{.id = "models",
                         .title = "Error and processor time",
                         .caption = "After one period; of the mesh, a third of the time for three waves.",
-                        .columns = {{"model", ""},
-                                    {"size of", ""},
-                                    {"size", "depth"},
-                                    {"rms error", "height"},
-                                    {"phase", "wavelengths"},
-                                    {"time", "s"}}};
+                        .columns = table_columns({"model", "size of", "size [depth]", "rms error [height]",
+                                                  "phase [wavelengths]", "time [s]"})};
   for (const Shown& model : models) {
     const Ladder& ladder = model.ladder;
     cost.points(model.name, ladder.seconds, ladder.error, model.role);
@@ -296,8 +282,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   auto& profile = exhibit.figure("profile", "The wave after one period", "The finest of each, and the exact wave.")
                       .panel({.x = "(x - c t)/L", .y = "elevation"});
   const std::vector<double> at = evenly(-0.5, 0.5, 401);
-  std::vector<double> exact;
-  for (const double x : at) exact.push_back(r.waves.euler.elevation(x * r.waves.length()));
+  std::vector<double> exact = each(at, [&](const double x) { return r.waves.euler.elevation(x * r.waves.length()); });
   profile.line("exact", at, exact, Role::exact);
   for (const Shown& model : models) {
     std::vector<double> x;
@@ -327,7 +312,7 @@ Case stokes_models() {
       integer("markers", {160, 320, 640}, {80, 2560}, "of the dispersive model to a wavelength, finest of four"),
       integer("sph_rows", {16, 32, 48}, {12, 96}, "of SPH particles, finest of three"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

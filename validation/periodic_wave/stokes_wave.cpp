@@ -22,8 +22,6 @@ particle methods round it off, spectral ones ring.
 namespace seiche::validation::cases::stokes_wave {
 namespace {
 
-using evidence::Role;
-
 const std::string source = "Schwartz (1974); Cokelet (1977); Longuet-Higgins (1975)";
 
 exact::StokesWave wave_of(const Values& values) {

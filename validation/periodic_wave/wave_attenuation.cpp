@@ -44,6 +44,7 @@ it.
 #include "validation/case/case.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/periodic_wave/attenuation.hpp"
 #include "validation/periodic_wave/surface_fit.hpp"
 #include "validation/periodic_wave/travelling_models.hpp"
@@ -51,8 +52,6 @@ it.
 namespace seiche::validation::cases::wave_attenuation {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 using exact::SerreCnoidal;
 using exact::StokesWave;
 
@@ -179,15 +178,13 @@ double viscous_decay(const StokesWave& wave, double spacing) {
 }
 
 void claim_height(const Claims<Results>& claims, const std::string& model, const std::string& text) {
-  claims.check(
-      {.id = model + "-height",
-       .text = text,
-       .quantity = "what a wavelength takes from the height, the worst of three waves",
-       .source = attenuation_source},
-      [model](const Results& r) {
-        return worst_over_heights(r, model, [](const Course& one) { return one.rates.decay; });
-      },
-      Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
+  claims.from(attenuation_source)
+      .check(
+          model + "-height", text, "what a wavelength takes from the height, the worst of three waves",
+          [model](const Results& r) {
+            return worst_over_heights(r, model, [](const Course& one) { return one.rates.decay; });
+          },
+          Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
 }
 
 void claim_particles(const Claims<Results>& claims, const Values& values) {
@@ -197,26 +194,21 @@ void claim_particles(const Claims<Results>& claims, const Values& values) {
   const double turn = 2 * std::numbers::pi / steps;
   claim_height(claims, "particles", "Free particles keep the height of the wave.");
   claims.check(
-      {.id = "particles-phase",
-       .text = "Free particles lag by what their steps make them lag.",
-       .quantity = "lead of the phase in a wavelength, the worst of three waves, beside what is expected",
-       .unit = "wavelengths",
-       .source = "Frank (1994), chapter 6"},
+      "particles-phase", "Free particles lag by what their steps make them lag.",
+      "lead of the phase in a wavelength, the worst of three waves, beside what is expected [wavelengths]",
       [turn](const Results& r) {
         return worst_over_heights(r, "particles", [&](const Course& one) { return one.rates.lead + turn * turn / 12; });
       },
       Bound{.limit = 0.02 * excess_of(steepest),
-            .reason = "a fiftieth of what its height adds to the highest wave's speed; expected: "
-                      "-(omega tau)^2/12, the lag of the discrete gradient"});
-  claims.check(
-      {.id = "particles-energy",
-       .text = "Over all periods the free particles keep their energy to round-off.",
-       .quantity = "change over the kinetic energy",
-       .source = "Frank (1994), chapter 6; exact for every space and step"},
-      [](const Results& r) { return finest(r, "particles").energy_change; },
-      evidence::Roundoff{.operations = steps * static_cast<double>(values.integer("periods")),
-                         .scale = 2,
-                         .reason = "one rounding per step of the kinetic and of the potential energy"});
+            .reason = "a fiftieth of what its height adds to the highest wave's speed; expected: -(omega tau)^2/12, "
+                      "the lag of the discrete gradient"});
+  claims.from("Frank (1994), chapter 6; exact for every space and step")
+      .check(
+          "particles-energy", "Over all periods the free particles keep their energy to round-off.",
+          "change over the kinetic energy", [](const Results& r) { return finest(r, "particles").energy_change; },
+          Roundoff{.operations = steps * static_cast<double>(values.integer("periods")),
+                   .scale = 2,
+                   .reason = "one rounding per step of the kinetic and of the potential energy"});
 }
 
 void claim_sph(const Claims<Results>& claims, const Values& values) {
@@ -224,26 +216,25 @@ void claim_sph(const Claims<Results>& claims, const Values& values) {
   const double spacing = length / std::round(length * static_cast<double>(values.integer("sph_rows")));
   const double viscous = viscous_decay(wave_of(values.real("height"), length), spacing);
   const auto decay = [](const Results& r) { return finest(r, "sph").rates.decay; };
-  claims.known_failure({.id = "sph-height",
-                        .text = "SPH keeps the height of the wave.",
-                        .quantity = "what a wavelength takes from the height of the highest wave",
-                        .source = attenuation_source},
-                       decay, Bound{.limit = per_wavelength, .reason = per_wavelength_reason},
-                       {.value = 0.08,
-                        .width = 0.05,
-                        .reason = "its artificial viscosity, which it needs, takes more than that in the water and at "
-                                  "the floor: sph-viscous"});
-  claims.check({.id = "sph-viscous",
-                .text = "It loses what its artificial viscosity takes, in the water and at the floor.",
-                .quantity = "what a wavelength takes from the height of the highest wave",
-                .source = "Monaghan, Rep. Prog. Phys. 68 (2005) 1703; Lamb, Hydrodynamics, article 348; Dean and "
-                          "Dalrymple, Water Wave Mechanics (1991), ch. 9"},
-               decay,
-               Bound{.limit = 0.3,
-                     .reason = "viscosity alpha h c/8 of a continuum, 2 nu k^2 and k sqrt(nu omega/2)/sinh(2 k d); the "
-                               "layer at the floor is no thicker than a spacing: a third is left to that",
-                     .expected = viscous,
-                     .relative = true});
+  claims.from(attenuation_source)
+      .known_failure("sph-height", "SPH keeps the height of the wave.",
+                     "what a wavelength takes from the height of the highest wave", decay,
+                     Bound{.limit = per_wavelength, .reason = per_wavelength_reason},
+                     {.value = 0.08,
+                      .width = 0.05,
+                      .reason = "its artificial viscosity, which it needs, takes more than that in the water and at "
+                                "the floor: sph-viscous"});
+  claims
+      .from(
+          "Monaghan, Rep. Prog. Phys. 68 (2005) 1703; Lamb, Hydrodynamics, article 348; Dean and Dalrymple, Water Wave "
+          "Mechanics (1991), ch. 9")
+      .check("sph-viscous", "It loses what its artificial viscosity takes, in the water and at the floor.",
+             "what a wavelength takes from the height of the highest wave", decay,
+             Bound{.limit = 0.3,
+                   .reason = "viscosity alpha h c/8 of a continuum, 2 nu k^2 and k sqrt(nu omega/2)/sinh(2 k d); the "
+                             "layer at the floor is no thicker than a spacing: a third is left to that",
+                   .expected = viscous,
+                   .relative = true});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
@@ -252,28 +243,26 @@ void claims(const Values& values, const Claims<Results>& all) {
   claim_particles(all.at(fmt::format("{} cells to a wavelength", values.integer("cells"))), values);
   const Claims<Results> mesh = all.at(fmt::format("{} rows", values.integer("rows")));
   claim_height(mesh, "mesh", "The Lagrangian mesh keeps the height of the wave.");
-  mesh.check(
-      {.id = "mesh-phase",
-       .text = "And its phase.",
-       .quantity = "lead of the phase in a wavelength, the worst of three waves",
-       .unit = "wavelengths",
-       .source = attenuation_source},
-      [](const Results& r) { return worst_over_heights(r, "mesh", [](const Course& one) { return one.rates.lead; }); },
-      Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
+  mesh.from(attenuation_source)
+      .check(
+          "mesh-phase", "And its phase.", "lead of the phase in a wavelength, the worst of three waves [wavelengths]",
+          [](const Results& r) {
+            return worst_over_heights(r, "mesh", [](const Course& one) { return one.rates.lead; });
+          },
+          Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
   const Claims<Results> dispersive = all.at(fmt::format("{} markers to a wavelength", values.integer("markers")));
   claim_height(dispersive, "dispersive", "The dispersive model keeps the height of its wave.");
-  dispersive.check(
-      {.id = "dispersive-phase",
-       .text = "It is late by what its equations' wave is slower, at every height.",
-       .quantity = "difference over it, the worst of three waves",
-       .source = "Serre (1953); Schwartz (1974)"},
-      [length](const Results& r) {
-        return worst_over_heights(r, "dispersive",
-                                  [&](const Course& one) { return one.rates.lead / own_lead(one.height, length) - 1; });
-      },
-      Bound{.limit = 0.1,
-            .reason = "both exact waves are known to round-off; a tenth of their difference is left to the "
-                      "spacing"});
+  dispersive.from("Serre (1953); Schwartz (1974)")
+      .check(
+          "dispersive-phase", "It is late by what its equations' wave is slower, at every height.",
+          "difference over it, the worst of three waves",
+          [length](const Results& r) {
+            return worst_over_heights(
+                r, "dispersive", [&](const Course& one) { return one.rates.lead / own_lead(one.height, length) - 1; });
+          },
+          Bound{
+              .limit = 0.1,
+              .reason = "both exact waves are known to round-off; a tenth of their difference is left to the spacing"});
   claim_sph(all.at(fmt::format("{} rows", values.integer("sph_rows"))), values);
 }
 
@@ -302,13 +291,8 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
   evidence::Table table{.id = "rates",
                         .title = "What a wavelength changes",
                         .caption = "Decay of the fundamental and lead of its phase in a wavelength of way.",
-                        .columns = {{"model", ""},
-                                    {"height", "depth"},
-                                    {"size", "depth"},
-                                    {"cells in the height", ""},
-                                    {"decay", "1"},
-                                    {"lead", "wavelengths"},
-                                    {"time", "s"}}};
+                        .columns = table_columns({"model", "height [depth]", "size [depth]", "cells in the height",
+                                                  "decay [1]", "lead [wavelengths]", "time [s]"})};
   for (const Shown& model : shown_models()) {
     std::vector<double> cells, decays, phases, seconds, larger;
     for (const Course& one : results) {
@@ -333,11 +317,8 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
   auto& lead = course.panel({.x = "t/T", .y = "lead [wavelengths]"});
   for (const Shown& model : shown_models()) {
     const Course& one = finest(results, model.id);
-    std::vector<double> heights, leads;
-    for (const Fundamental& station : one.stations) {
-      heights.push_back(station.height);
-      leads.push_back(station.lead);
-    }
+    std::vector<double> heights = each(one.stations, [](const Fundamental& station) { return station.height; });
+    std::vector<double> leads = each(one.stations, [](const Fundamental& station) { return station.lead; });
     height.line(model.name, one.way, heights, model.role);
     lead.line(model.name, one.way, leads, model.role);
   }
@@ -349,8 +330,8 @@ Case wave_attenuation() {
   Case c;
   c.title = "A wave on a long way: what it loses in a wavelength, and how late it is";
   c.source =
-      "L. W. Schwartz, J. Fluid Mech. 62 (1974) 553; A. M. Frank, Discrete models of incompressible fluid, "
-      "doctoral thesis (1994)";
+      "L. W. Schwartz, J. Fluid Mech. 62 (1974) 553; A. M. Frank, Discrete models of incompressible fluid, doctoral "
+      "thesis (1994)";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("height", 0.2, "depth", {0.02, 0.4}, "from trough to crest, of the highest of ours; of the one submitted"),
@@ -365,7 +346,7 @@ Case wave_attenuation() {
       integer("sph_rows", {10, 24, 36}, {8, 96}, "of SPH particles, finest"),
       tolerance_parameter(),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "Frank (1994), chapter 6");
   c.submission = {.tables = wanted_waves, .judge = judge_waves};
   return c;
 }

@@ -27,8 +27,6 @@ is dispersive in the mean alone has one velocity over the depth.
 namespace seiche::validation::cases::wave_kinematics {
 namespace {
 
-using evidence::Role;
-
 const std::string source = "Cokelet (1977); Longuet-Higgins and Fenton (1974)";
 constexpr std::size_t fewest = 8;  ///< points of a section: with two, lines hide what changes over the depth
 
@@ -102,9 +100,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const Wave& wave = r.wave;
   exhibit.measure("crest_velocity", wave.crest_velocity);
   exhibit.measure("speed", wave.speed);
-  auto& figure = exhibit.figure("velocities", "Velocities over the depth",
-                                "In four sections, from the crest on; the linear wave of the same height below the "
-                                "crest of a periodic one.");
+  auto& figure = exhibit.figure(
+      "velocities", "Velocities over the depth",
+      "In four sections, from the crest on; the linear wave of the same height below the crest of a periodic one.");
   auto& along = figure.panel({.x = "u [m/s]", .y = "y [m]"});
   auto& upwards = figure.panel({.x = "v [m/s]", .y = "y [m]"});
   for (const double section : wave.sections) {
@@ -134,10 +132,10 @@ std::vector<WantedTable> wanted(const Values& values) {
   if (wave.period > 0) {
     const double off = std::abs(std::remainder(way, wave.period));
     if (off < 0.1 * wave.period) {
-      throw std::invalid_argument(fmt::format(
-          "way = {:g} is out of range: must be a tenth of the wavelength {:g} or more off a whole number of "
-          "them, where a wave that never moved is right",
-          way, wave.period));
+      throw std::invalid_argument(
+          fmt::format("way = {:g} is out of range: must be a tenth of the wavelength {:g} or more off a whole number "
+                      "of them, where a wave that never moved is right",
+                      way, wave.period));
     }
   }
   const double time = way / wave.speed;
@@ -148,13 +146,12 @@ std::vector<WantedTable> wanted(const Values& values) {
   const auto from_crest = [wave, way](double x) {
     return wave.period > 0 ? std::remainder(x - way, wave.period) : x - way;
   };
-  const Requirement close{
-      .measure = Measure::largest_error,
-      .criterion = evidence::Bound{.limit = values.real("tolerance") * wave.crest_velocity,
-                                   .reason = "the case's parameter `tolerance`, of the velocity at the crest; by "
-                                             "default 5 %, which makes 10 % in a drag"},
-      .text = "Over the depth the velocity is that of the exact wave.",
-      .source = source};
+  const Requirement close{.measure = Measure::largest_error,
+                          .criterion = Bound{.limit = values.real("tolerance") * wave.crest_velocity,
+                                             .reason = "the case's parameter `tolerance`, of the velocity at the "
+                                                       "crest; by default 5 %, which makes 10 % in a drag"},
+                          .text = "Over the depth the velocity is that of the exact wave.",
+                          .source = source};
   WantedTable table{
       .name = "velocities",
       .kind = WantedTable::Kind::profile,

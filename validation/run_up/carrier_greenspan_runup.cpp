@@ -25,8 +25,6 @@ others: `seiche score carrier_greenspan_runup` takes the largest run-up, and the
 namespace seiche::validation::cases::carrier_greenspan_runup {
 namespace {
 
-using evidence::Role;
-
 exact::SolitaryRunup wave_of(const Values& values) {
   // Beaches so gentle that waves of this height break far out, and that the quadrature takes minutes.
   require_within("cot_slope sqrt(amplitude/depth)",
@@ -80,25 +78,25 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 std::vector<WantedTable> wanted(const Values& values) {
   const Lazy<exact::SolitaryRunup> wave([values] { return wave_of(values); });
   const std::string source = "Synolakis (1987)";
-  return {{.name = "scalars",
-           .quantities = {{.column = {"runup", "m", "largest height of the shoreline above still water"},
-                           .reference = [wave](Place) { return wave->highest().elevation; },
-                           .requirements = {{.measure = Measure::value,
-                                             .criterion =
-                                                 evidence::Bound{
-                                                     .limit = 0.05,
-                                                     .reason = "tolerance of analytical benchmarks for tsunami models, "
-                                                               "Synolakis et al., NOAA Tech. Memo. OAR PMEL-135 (2007)",
-                                                     .expected = to_be_told(),
-                                                     .relative = true},
-                                             .text = "The run-up is that of the exact solution.",
-                                             .source = source}}}}},
-          {.name = "shoreline",
-           .kind = WantedTable::Kind::series,
-           .abscissa = Column{"t", "s", "time since the crest was at the toe"},
-           .quantities = {{.column = {"eta", "m", "elevation of the shoreline"},
-                           .reference = [wave](Place p) { return wave->shoreline(p.abscissa).elevation; }}},
-           .points = [wave, values](double) { return times_of(values, *wave); }}};
+  return {
+      {.name = "scalars",
+       .quantities = {{.column = {"runup", "m", "largest height of the shoreline above still water"},
+                       .reference = [wave](Place) { return wave->highest().elevation; },
+                       .requirements = {{.measure = Measure::value,
+                                         .criterion =
+                                             Bound{.limit = 0.05,
+                                                   .reason = "tolerance of analytical benchmarks for tsunami models, "
+                                                             "Synolakis et al., NOAA Tech. Memo. OAR PMEL-135 (2007)",
+                                                   .expected = to_be_told(),
+                                                   .relative = true},
+                                         .text = "The run-up is that of the exact solution.",
+                                         .source = source}}}}},
+      {.name = "shoreline",
+       .kind = WantedTable::Kind::series,
+       .abscissa = Column{"t", "s", "time since the crest was at the toe"},
+       .quantities = {{.column = {"eta", "m", "elevation of the shoreline"},
+                       .reference = [wave](Place p) { return wave->shoreline(p.abscissa).elevation; }}},
+       .points = [wave, values](double) { return times_of(values, *wave); }}};
 }
 
 }  // namespace
@@ -107,8 +105,8 @@ Case carrier_greenspan_runup() {
   Case c;
   c.title = "A solitary wave climbs a plane beach: the exact solution";
   c.source =
-      "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523; G. F. Carrier, H. P. Greenspan, "
-      "J. Fluid Mech. 4 (1958) 97";
+      "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523; G. F. Carrier, H. P. Greenspan, J. "
+      "Fluid Mech. 4 (1958) 97";
   c.parameters = {
       real("amplitude", 0.019, "m", {1e-9, 1e6}, "crest height of the incident wave"),
       real("depth", 1.0, "m", {1e-6, 1e6}, "depth before the beach"),

@@ -41,6 +41,7 @@ high at the sides as the water of the experiment.
 #include "seiche/divergence.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_source.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/instruments/island_flow.hpp"
 
@@ -49,8 +50,6 @@ namespace {
 
 using dispersive_shallow_water_2d::Flow;
 using dispersive_shallow_water_2d::RezonedFlow;
-using evidence::Role;
-using evidence::Uncertainty;
 
 const std::string source = "Briggs, Synolakis, Harkins and Green (1995)";
 constexpr double depth = 0.32;       // [m]
@@ -180,12 +179,8 @@ double finest_spacing(const Values& values) {
 }
 
 Measurement deviation_of(const std::vector<Passed>& spacings, const Measured& data) {
-  std::vector<double> size;
-  std::vector<double> rms;
-  for (const Passed& passed : spacings) {
-    size.push_back(passed.spacing);
-    rms.push_back(deviation(passed, data));
-  }
+  std::vector<double> size = each(spacings, [](const Passed& passed) { return passed.spacing; });
+  std::vector<double> rms = each(spacings, [&](const Passed& passed) { return deviation(passed, data); });
   return {.value = rms.front(), .uncertainty = fine_limit(size, rms, 1).uncertainty};
 }
 
@@ -212,10 +207,10 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
         .check(runup, off, criterion);
   } else {
     const auto rms = [data](const std::vector<Passed>& spacings) { return deviation(spacings.front(), data); };
-    const evidence::Bound limit{.limit = 0.2,
-                                .reason =
-                                    "twice the 10 % of the measurements; the model's own is not of first order "
-                                    "where the wave breaks, so that two spacings do not tell it"};
+    const Bound limit{.limit = 0.2,
+                      .reason =
+                          "twice the 10 % of the measurements; the model's own is not of first order where the wave "
+                          "breaks, so that two spacings do not tell it"};
     if (resolves_breaking(spacing)) {
       claims.check(runup, rms, limit);
     } else {
@@ -234,7 +229,7 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
     return static_cast<double>(
         std::ranges::count_if(data.angle, [&](double angle) { return !spacings.front().saw(angle); }));
   };
-  const evidence::Bound none{.limit = 0, .reason = "none"};
+  const Bound none{.limit = 0, .reason = "none"};
   if (wave.name == "C" && resolves_breaking(spacing)) {
     claims.known_failure(climbed, missed, none,
                          {.value = 1,
@@ -254,16 +249,16 @@ void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
   const auto sound = [](const std::vector<Passed>& spacings) {
     return std::ranges::any_of(spacings, [](const Passed& one) { return one.folded.has_value(); }) ? 0.0 : 1.0;
   };
-  const evidence::Qualitative criterion{.detector =
-                                            "no cell folds until 6 s after the crest would pass the middle, at "
-                                            "either spacing",
-                                        .reason = "the water behind the island has run up and down by then"};
+  const Qualitative criterion{
+      .detector = "no cell folds until 6 s after the crest would pass the middle, at either spacing",
+      .reason = "the water behind the island has run up and down by then"};
   if (wave.name == "C" && resolves_breaking(spacing)) {
-    claims.known_failure(whole, sound, criterion,
-                         {.value = 0,
-                          .width = 0,
-                          .reason = "the two fronts have met behind the island and run back, where columns beside the "
-                                    "shoreline fall dry"});
+    claims.known_failure(
+        whole, sound, criterion,
+        {.value = 0,
+         .width = 0,
+         .reason =
+             "the two fronts have met behind the island and run back, where columns beside the shoreline fall dry"});
   } else {
     claims.check(whole, sound, criterion);
   }
@@ -271,13 +266,11 @@ void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
 
 void claim_lee(const Claims<Passed>& claims) {
   claims.check(
-      {.id = "lee",
-       .text = "Behind the island, where the two ends of the crest meet, the water climbs higher than beside it.",
-       .quantity = "run-up at 180 degrees over that at 157.5",
-       .source = source},
+      "lee", "Behind the island, where the two ends of the crest meet, the water climbs higher than beside it.",
+      "run-up at 180 degrees over that at 157.5",
       [](const Passed& passed) { return passed.saw(180) && passed.at(180) > 1.2 * passed.at(157.5) ? 1.0 : 0.0; },
-      evidence::Qualitative{.detector = "run-up at 180 degrees above 1.2 times that at 157.5 degrees",
-                            .reason = "measured: 1.6 times"});
+      Qualitative{.detector = "run-up at 180 degrees above 1.2 times that at 157.5 degrees",
+                  .reason = "measured: 1.6 times"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -330,9 +323,8 @@ Results compute(const Run& run) {
 void draw_runup(evidence::Exhibit& exhibit, const Results& r, const io::Table& table) {
   auto& figure =
       exhibit.figure("runup", "Run-up around a conical island",
-                     "Against the angle from the front. Measurements with their uncertainty; the model as far "
-                     "as the wave has passed, should the lattice fold; the shallow-water model of Liu et al. "
-                     "(1995).");
+                     "Against the angle from the front. Measurements with their uncertainty; the model as far as the "
+                     "wave has passed, should the lattice fold; the shallow-water model of Liu et al. (1995).");
   for (std::size_t k = 0; k < r.passed.size(); ++k) {
     const Passed& passed = r.passed[k].front();
     const Measured data = measured(table, waves[k].stated);
@@ -354,10 +346,10 @@ void draw_runup(evidence::Exhibit& exhibit, const Results& r, const io::Table& t
 
 /// Case of the parameters: the surface from above, the shoreline in front and behind.
 void draw_shown(evidence::Exhibit& exhibit, const Results& r, double height) {
-  auto& plans = exhibit.figure("plan", "The wave around the island",
-                               fmt::format("Elevation of the surface from above, A = {:g} depths; the white disc is "
-                                           "what is dry of the island.",
-                                           height));
+  auto& plans = exhibit.figure(
+      "plan", "The wave around the island",
+      fmt::format("Elevation of the surface from above, A = {:g} depths; the white disc is what is dry of the island.",
+                  height));
   for (const Plan& plan : r.plans) {
     plans
         .panel({.x = "x [m]",
@@ -410,7 +402,7 @@ Case conical_island() {
   c.parameters = {real("height", waves[0].height, "depth", {0.01, 0.25}, "height of the wave"),
                   real("depth", 0.32, "m", {0.25, 0.45}, "of the water"),
                   real("spacing", {0.45, 0.5, 0.5}, "m", {0.2, 1}, "of the columns along the walls of the basin")};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

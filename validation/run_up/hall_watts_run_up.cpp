@@ -21,7 +21,6 @@ more closely.
 namespace seiche::validation::cases::hall_watts_run_up {
 namespace {
 
-using evidence::Role;
 using exact::HallWatts;
 
 const std::string source = "Hall and Watts (1953)";
@@ -66,22 +65,20 @@ void show(const Results& /*results*/, const Values& values, evidence::Exhibit& e
 
 std::vector<WantedTable> wanted(const Values& values) {
   const HallWatts law = law_of(values);
-  return {
-      {.name = "runups",
-       .group = Column{"A_over_d", "1", "height of the wave in depths"},
-       .quantities = {{.column = {"R_over_d", "1", "largest run-up in depths"},
-                       .reference = [law](Place p) { return law.runup(p.group); },
-                       .requirements = {{.measure = Measure::relative_error,
-                                         .criterion = evidence::Uncertainty{.data = HallWatts::scatter(),
-                                                                            .useful = 0.25,
-                                                                            .reason = "scatter of such experiments, "
-                                                                                      "assumed"},
-                                         .text = "The run-up is that of the experiments' law.",
-                                         .source = source}}}},
-       .groups = {0.05, 0.1, 0.2, 0.3},
-       .exact = {fmt::format("seiche exact hall_watts --set amplitude=0.1,cot_slope={:.17g}",
-                             values.real("cot_slope"))},
-       .reference_role = Role::data}};
+  return {{.name = "runups",
+           .group = Column{"A_over_d", "1", "height of the wave in depths"},
+           .quantities = {{.column = {"R_over_d", "1", "largest run-up in depths"},
+                           .reference = [law](Place p) { return law.runup(p.group); },
+                           .requirements = {{.measure = Measure::relative_error,
+                                             .criterion = Uncertainty{.data = HallWatts::scatter(),
+                                                                      .useful = 0.25,
+                                                                      .reason = "scatter of such experiments, assumed"},
+                                             .text = "The run-up is that of the experiments' law.",
+                                             .source = source}}}},
+           .groups = {0.05, 0.1, 0.2, 0.3},
+           .exact = {fmt::format("seiche exact hall_watts --set amplitude=0.1,cot_slope={:.17g}",
+                                 values.real("cot_slope"))},
+           .reference_role = Role::data}};
 }
 
 }  // namespace

@@ -65,81 +65,71 @@ std::vector<SmallWave> small_waves(const Values& values, double spacing) {
 }
 
 void claim_mild_slopes(const Claims<MildSlopes>& claims) {
-  claims.check(
-      {.id = "small-waves",
-       .text = "Small waves climb as high as by the exact solution of the shallow-water equations, with either kinetic "
-               "energy, on cotangents 10, 3.732 and 2.747.",
-       .quantity = "largest |R/R_exact - 1|, A = 0.005",
-       .source = "Synolakis (1987)"},
-      [](const MildSlopes& r) {
-        Worst off;
-        for (const SmallWave& wave : r.small) {
-          off.add(wave.frank / wave.exact - 1, wave.cot_slope);
-          off.add(wave.green_naghdi / wave.exact - 1, wave.cot_slope);
-        }
-        return off;
-      },
-      evidence::Bound{.limit = SmallWave::amplitude,
-                      .reason = "the theory's incident wave, sech^2 at the speed sqrt(g d), and its lack of dispersion "
-                                "are errors of the order of A"});
+  claims.from("Synolakis (1987)")
+      .check(
+          "small-waves",
+          "Small waves climb as high as by the exact solution of the shallow-water equations, with either kinetic "
+          "energy, on cotangents 10, 3.732 and 2.747.",
+          "largest |R/R_exact - 1|, A = 0.005",
+          [](const MildSlopes& r) {
+            Worst off;
+            for (const SmallWave& wave : r.small) {
+              off.add(wave.frank / wave.exact - 1, wave.cot_slope);
+              off.add(wave.green_naghdi / wave.exact - 1, wave.cot_slope);
+            }
+            return off;
+          },
+          Bound{.limit = SmallWave::amplitude,
+                .reason = "the theory's incident wave, sech^2 at the speed sqrt(g d), and its lack of dispersion are "
+                          "errors of the order of A"});
   const auto meshes = claims.at("mesh: h1 = 0.5, 0.25, 0.125, extrapolated; finest spacing, tip V/6");
-  meshes.check(
-      {.id = "mild-euler",
-       .text =
-           "On slopes milder than cotangent 2 waves that do not break climb as high with Green and Naghdi's kinetic "
-           "energy as by the Euler equations.",
-       .quantity = "rms of R/R_Euler - 1",
-       .source = "Frank (1994), section 2.2"},
-      [](const MildSlopes& r) -> Measurement {
-        Mean off;
-        Mean uncertain;
-        for (const EulerRunup& one : r.euler) {
-          off.add(one.green_naghdi / one.runup - 1);
-          uncertain.add(one.uncertainty / one.runup);
-        }
-        return {.value = off.rms(), .uncertainty = uncertain.rms()};
-      },
-      evidence::Uncertainty{
-          .data = 0.025,
-          .useful = 0.075,
-          .reason = "twice u_data is 5 %, the tolerance of analytical benchmarks in Synolakis et al., NOAA Tech. Memo. "
-                    "OAR PMEL-135 (2007); of the mesh, what the last halving of its cells changes; together less than "
-                    "three quarters of the tenth that is to be explained"});
-  meshes.check(
-      {.id = "mild-friction",
-       .text = "There the measurements lie below flow without friction: every one of them is lower than by the Euler "
-               "equations.",
-       .quantity = "waves measured as high or higher",
-       .source = "Hall and Watts (1953), in Frank (1994)"},
-      [](const MildSlopes& r) {
-        Count higher;
-        for (const EulerRunup& one : r.euler) {
-          higher.add(one.measured - (one.runup - one.uncertainty), [](double above) { return above >= 0; });
-        }
-        return higher.value();
-      },
-      evidence::Bound{.limit = 0,
-                      .reason =
-                          "friction takes energy, everything else is in the equations; the run-up of the mesh less "
-                          "its own uncertainty counts"});
+  meshes.from("Frank (1994), section 2.2")
+      .check(
+          "mild-euler",
+          "On slopes milder than cotangent 2 waves that do not break climb as high with Green and Naghdi's kinetic "
+          "energy as by the Euler equations.",
+          "rms of R/R_Euler - 1",
+          [](const MildSlopes& r) -> Measurement {
+            Mean off;
+            Mean uncertain;
+            for (const EulerRunup& one : r.euler) {
+              off.add(one.green_naghdi / one.runup - 1);
+              uncertain.add(one.uncertainty / one.runup);
+            }
+            return {.value = off.rms(), .uncertainty = uncertain.rms()};
+          },
+          Uncertainty{.data = 0.025,
+                      .useful = 0.075,
+                      .reason = "twice u_data is 5 %, the tolerance of analytical benchmarks in Synolakis et al., NOAA "
+                                "Tech. Memo. OAR PMEL-135 (2007); of the mesh, what the last halving of its cells "
+                                "changes; together less than three quarters of the tenth that is to be explained"});
+  meshes.from("Hall and Watts (1953), in Frank (1994)")
+      .check(
+          "mild-friction",
+          "There the measurements lie below flow without friction: every one of them is lower than by the Euler "
+          "equations.",
+          "waves measured as high or higher",
+          [](const MildSlopes& r) {
+            Count higher;
+            for (const EulerRunup& one : r.euler) {
+              higher.add(one.measured - (one.runup - one.uncertainty), [](double above) { return above >= 0; });
+            }
+            return higher.value();
+          },
+          Bound{.limit = 0,
+                .reason = "friction takes energy, everything else is in the equations; the run-up of the mesh less its "
+                          "own uncertainty counts"});
 }
 
 void show_mild_slopes(const MildSlopes& mild, evidence::Exhibit& exhibit) {
-  evidence::Table table{
-      .id = "mild",
-      .title = "Without friction on mild slopes",
-      .caption =
-          "Waves that do not break on their way up: measured by Hall and Watts; by the Euler "
-          "equations on the Lagrangian mesh, extrapolated, with what the last halving changes; by the "
-          "one-dimensional model with the kinetic energy of Green and Naghdi.",
-      .columns = {{"cot", "1"},
-                  {"A", "depth"},
-                  {"measured", "depth"},
-                  {"Euler", "depth"},
-                  {"+-", "depth"},
-                  {"Green-Naghdi", "depth"}},
-      .rows = {},
-      .atlas = {}};
+  evidence::Table table{.id = "mild",
+                        .title = "Without friction on mild slopes",
+                        .caption =
+                            "Waves that do not break on their way up: measured by Hall and Watts; by the Euler "
+                            "equations on the Lagrangian mesh, extrapolated, with what the last halving changes; by "
+                            "the one-dimensional model with the kinetic energy of Green and Naghdi.",
+                        .columns = table_columns({"cot [1]", "A [depth]", "measured [depth]", "Euler [depth]",
+                                                  "+- [depth]", "Green-Naghdi [depth]"})};
   const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
   Mean off;
   for (const EulerRunup& one : mild.euler) {

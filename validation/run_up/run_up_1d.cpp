@@ -32,7 +32,6 @@ namespace seiche::validation::cases::run_up_1d {
 namespace {
 
 using dispersive::Flow;
-using evidence::Role;
 
 /// The beach is long where A is this many times (0.288 tan)^2, "much greater".
 constexpr double much_greater = 10;
@@ -125,18 +124,14 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .only_if(theory.nonbreaking(), "the wave breaks on its way up")
       .only_if(climb.amplitude >= much_greater * theory.short_beach_amplitude(), "the beach is too short for the law")
       .check(
-          {.id = "law",
-           .text = "The run-up is that of the run-up law.",
-           .quantity = "run-up",
-           .unit = "depth",
-           .source = "Synolakis (1987)"},
+          "law", "The run-up is that of the run-up law.", "run-up [depth]",
           [](const Results& r) { return r.up.height; },
-          evidence::Bound{.limit = 0.05 + std::abs(theory.highest().elevation / theory.law() - 1),
-                          .reason = "5 %, the tolerance of analytical benchmarks in Synolakis et al., NOAA Tech. "
-                                    "Memo. OAR PMEL-135 (2007), and the law's own distance from the integral of "
-                                    "which it is the leading term",
-                          .expected = theory.law(),
-                          .relative = true});
+          Bound{.limit = 0.05 + std::abs(theory.highest().elevation / theory.law() - 1),
+                .reason =
+                    "5 %, the tolerance of analytical benchmarks in Synolakis et al., NOAA Tech. Memo. OAR "
+                    "PMEL-135 (2007), and the law's own distance from the integral of which it is the leading term",
+                .expected = theory.law(),
+                .relative = true});
 }
 
 Results compute(const Run& run) {
@@ -190,7 +185,7 @@ Case run_up_1d() {
                          },
                          climb_parameters({0.25, 0.125, 0.0625}),
                          slope_parameters()});
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "Synolakis (1987)");
   return c;
 }
 

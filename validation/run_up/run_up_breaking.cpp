@@ -28,8 +28,6 @@ comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85,
 namespace seiche::validation::cases::run_up_breaking {
 namespace {
 
-using evidence::Role;
-
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 const std::string source = "Synolakis (1987); Frank (1994), chapter 3";
 
@@ -106,20 +104,10 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
       .id = "fates",
       .title = "Run-down of solitary waves, below and above the limit",
       .caption =
-          "A over the limit; run-up; lowest shoreline and the highest after it; energy at the end over that of "
-          "the start; how the run ended, time since the largest run-up. Above the limit only the run-up is to be "
-          "used.",
-      .columns = {{"cot", "1"},
-                  {"A", "depth"},
-                  {"A/limit", "1"},
-                  {"h", "depth"},
-                  {"run-up", "depth"},
-                  {"lowest", "depth"},
-                  {"later", "depth"},
-                  {"energy", "1"},
-                  {"end", ""}},
-      .rows = {},
-      .atlas = {}};
+          "A over the limit; run-up; lowest shoreline and the highest after it; energy at the end over that of the "
+          "start; how the run ended, time since the largest run-up. Above the limit only the run-up is to be used.",
+      .columns = table_columns({"cot [1]", "A [depth]", "A/limit [1]", "h [depth]", "run-up [depth]", "lowest [depth]",
+                                "later [depth]", "energy [1]", "end"})};
   using Cell = std::variant<double, std::string>;
   const auto rounded = [](double value) -> Cell {
     if (!std::isfinite(value)) return std::string();
@@ -166,51 +154,40 @@ Samples later_heights(const std::vector<Told>& all, bool under, const Property&.
 
 void claim_fates(const Claims<Results>& claims, bool quick) {
   claims.check(
-      {.id = "below",
-       .text = "Waves below the limit run through run-up and run-down.",
-       .quantity = "all do",
-       .source = source},
+      "below", "Waves below the limit run through run-up and run-down.", "all do",
       [](const Results& r) {
         return all_are(
             r.told, [](const Told& one) { return below(one.wave); },
             [](const Told& one) { return one.fate.through(); });
       },
-      evidence::Qualitative{.detector = "no failure until the reflected wave has left",
-                            .reason = "below 0.479 cot^(-10/9) no bore forms"});
+      Qualitative{.detector = "no failure until the reflected wave has left",
+                  .reason = "below 0.479 cot^(-10/9) no bore forms"});
   claims.check(
-      {.id = "stated",
-       .text = "A run that stops says when and where, and its last state is sound.",
-       .quantity = "all do",
-       .source = source},
+      "stated", "A run that stops says when and where, and its last state is sound.", "all do",
       [](const Results& r) {
         return all_are(
             r.told, [](const Told& one) { return !one.fate.through(); },
             [](const Told& one) { return one.fate.sound; });
       },
-      evidence::Qualitative{.detector = "the failure's time and place are finite, the place is in the water, "
-                                        "all markers and rates before it are finite",
-                            .reason = "a failure must not pass as a result"});
+      Qualitative{.detector = "the failure's time and place are finite, the place is in the water, all markers and "
+                              "rates before it are finite",
+                  .reason = "a failure must not pass as a result"});
   claims.check(
-      {.id = "later-below",
-       .text = "Below the limit the water never returns to the height of the first run-up.",
-       .quantity = "largest later height of the shoreline over the run-up",
-       .source = source},
+      "later-below", "Below the limit the water never returns to the height of the first run-up.",
+      "largest later height of the shoreline over the run-up",
       [](const Results& r) { return later_heights<Largest>(r.told, true).value(); },
-      evidence::Bound{.limit = 1, .reason = "the wave came once; what returns has lost energy to the reflected wave"});
+      Bound{.limit = 1, .reason = "the wave came once; what returns has lost energy to the reflected wave"});
   claims.known_failure(
-      {.id = "later-above",
-       .text = "Nor does it above the limit.",
-       .quantity = "runs whose shoreline later stands above the run-up",
-       .source = source},
+      "later-above", "Nor does it above the limit.", "runs whose shoreline later stands above the run-up",
       [](const Results& r) {
         return later_heights<Count>(r.told, false, [](double ratio) { return ratio > 1; }).value();
       },
-      evidence::Bound{.limit = 0, .reason = "the wave came once; what returns has lost energy to the reflected wave"},
+      Bound{.limit = 0, .reason = "the wave came once; what returns has lost energy to the reflected wave"},
       {.value = quick ? 6.0 : 3.0,
        .width = 1,
-       .reason = "the bore of the run-down meets the tip, a marker of almost no mass, and throws it up the slope; "
-                 "such runs may even go through: above the limit nothing after the first run-up is to be used. With "
-                 "finer markers more of them stop before"});
+       .reason = "the bore of the run-down meets the tip, a marker of almost no mass, and throws it up the slope; such "
+                 "runs may even go through: above the limit nothing after the first run-up is to be used. With finer "
+                 "markers more of them stop before"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -219,16 +196,14 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_fates(claims.at(fmt::format("h = {0:g} and {1:g}", h, h / 2)), quick);
   claims.at(fmt::format("h = {:g}", h))
       .check(
-          {.id = "map-below",
-           .text = "On all slopes of the map waves below the limit run through and return lower than they came.",
-           .quantity = "all do",
-           .source = source},
+          "map-below", "On all slopes of the map waves below the limit run through and return lower than they came.",
+          "all do",
           [](const Results& r) {
             const auto lower = [](const Mapped& one) { return !below(one.wave) || returns_lower(one.fate); };
             return std::ranges::all_of(r.map, lower) ? 1.0 : 0.0;
           },
-          evidence::Qualitative{.detector = "no failure, no later height above the run-up",
-                                .reason = "below 0.479 cot^(-10/9) no bore forms"});
+          Qualitative{.detector = "no failure, no later height above the run-up",
+                      .reason = "below 0.479 cot^(-10/9) no bore forms"});
 }
 
 Results compute(const Run& run) {
@@ -286,7 +261,7 @@ Case run_up_breaking() {
       "incompressible fluid, doctoral thesis (1994), chapter 3";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = joined({climb_parameters({0.25, 0.125, 0.125}), slope_parameters()});
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -35,14 +35,12 @@ more slowly than at a wall.
 #include "seiche/exact/wall_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/run_up/gauss_climb.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::run_up_gauss {
 namespace {
-
-using evidence::Bound;
-using evidence::Role;
 
 const std::string source = "Frank (1994), chapter 6; Su and Mirie (1980)";
 const std::string experiment = "Hall and Watts (1953), in Frank (1994)";
@@ -114,32 +112,27 @@ std::optional<double> measured(const Values& values) {
 
 void claim_method(const GaussClimb& climb, const Claims<GaussClimbRun>& claims) {
   const double latest = (climb.crest() + 4 * climb.cot_slope + 10) / climb.wave.speed();
-  claims.check({.id = "energy",
-                .text = "The energy changes by what the penalty takes, to round-off.",
-                .quantity = "largest defect over the wave's energy",
-                .source = "Frank (1994), chapter 6; exact for every space and step"},
-               &GaussClimbRun::energy_defect,
-               evidence::Roundoff{.operations = std::ceil(latest / climb.tau()),
-                                  .scale = 1,
-                                  .reason = "one rounding per step of the kinetic and the potential energy, which "
-                                            "are the wave's together"});
-  claims.check({.id = "loss",
-                .text = "The penalty takes so little that the run-up does not tell.",
-                .quantity = "energy taken over the wave's",
-                .source = "Frank (1994), chapter 6"},
-               &GaussClimbRun::penalty_loss,
-               Bound{.limit = 0.01,
-                     .reason = "a wave's energy grows as its height to the power 3/2, the run-up as the height: 1 % "
-                               "of the one is 0.7 % of the other"});
-  claims.check(
-      {.id = "contained",
-       .text = "No particle passes bottom or walls.",
-       .quantity = "farthest place behind them, over tau^2/2",
-       .source = "Frank (1994), chapter 6; the fields are along the walls"},
-      [half = climb.tau() * climb.tau() / 2](const GaussClimbRun& run) { return run.beyond / half; },
-      Bound{.limit = 1,
-            .reason = "a step is straight: it leaves the path along a wall by tau^2/2 times an acceleration, "
-                      "and none there is greater than that of gravity"});
+  claims.from("Frank (1994), chapter 6; exact for every space and step")
+      .check(
+          "energy", "The energy changes by what the penalty takes, to round-off.",
+          "largest defect over the wave's energy", &GaussClimbRun::energy_defect,
+          Roundoff{.operations = std::ceil(latest / climb.tau()),
+                   .scale = 1,
+                   .reason =
+                       "one rounding per step of the kinetic and the potential energy, which are the wave's together"});
+  claims.from("Frank (1994), chapter 6")
+      .check("loss", "The penalty takes so little that the run-up does not tell.", "energy taken over the wave's",
+             &GaussClimbRun::penalty_loss,
+             Bound{.limit = 0.01,
+                   .reason = "a wave's energy grows as its height to the power 3/2, the run-up as the height: 1 % of "
+                             "the one is 0.7 % of the other"});
+  claims.from("Frank (1994), chapter 6; the fields are along the walls")
+      .check(
+          "contained", "No particle passes bottom or walls.", "farthest place behind them, over tau^2/2",
+          [half = climb.tau() * climb.tau() / 2](const GaussClimbRun& run) { return run.beyond / half; },
+          Bound{.limit = 1,
+                .reason = "a step is straight: it leaves the path along a wall by tau^2/2 times an acceleration, and "
+                          "none there is greater than that of gravity"});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
@@ -151,39 +144,30 @@ void claims(const Values& values, const Claims<Results>& all) {
   const std::optional<double> exact = tabled_exact(values);
   ladder.only_if(is_known(climb), "no exact value is known on such a slope")
       .check(
-          {.id = "exact",
-           .text = "The run-up is that of the Euler equations.",
-           .quantity = "run-up",
-           .unit = "depth",
-           .source = source},
+          "exact", "The run-up is that of the Euler equations.", "run-up [depth]",
           [tabled = exact.has_value()](const Results& r) -> Measurement {
             Measurement runup{.value = r.runup.back(), .uncertainty = r.limit().uncertainty};
             if (!tabled) runup.told.expected = r.exact;
             return runup;
           },
-          evidence::Uncertainty{
-              .expected = exact ? evidence::Amount(*exact) : evidence::Amount::told_by_run(4 * amplitude),
-              .data = 1.1e-5,
-              .useful = 0.05 * 2 * amplitude,
-              .reason = "from the change from lattice to lattice, of use up to 5 % of 2 A; the exact value to 1.1e-5, "
-                        "and where no table has it, computed: it is less than 4 A"});
-  ladder.check({.id = "converged",
-                .text = "The run-up does not depend on the lattice any more.",
-                .quantity = "change by the last refinement, relative",
-                .source = source},
-               &Results::last_change, Bound{.limit = 0.01, .reason = "a fifth of the scatter of measured run-up, 5 %"});
+          Uncertainty{.expected = exact ? Amount(*exact) : Amount::told_by_run(4 * amplitude),
+                      .data = 1.1e-5,
+                      .useful = 0.05 * 2 * amplitude,
+                      .reason = "from the change from lattice to lattice, of use up to 5 % of 2 A; the exact value to "
+                                "1.1e-5, and where no table has it, computed: it is less than 4 A"});
+  ladder.check("converged", "The run-up does not depend on the lattice any more.",
+               "change by the last refinement, relative", &Results::last_change,
+               Bound{.limit = 0.01, .reason = "a fifth of the scatter of measured run-up, 5 %"});
   const std::optional<double> expected = measured(values);
   all.at(climb.resolution())
       .only_if(expected.has_value(), "measurements are of slopes")
+      .from(experiment)
       .check(
-          {.id = "measurements",
-           .text = "The run-up lies above the measured one, by no more than friction and scatter explain.",
-           .quantity = "R/R_measured - 1",
-           .source = experiment},
-          [expected](const Results& r) { return r.finest.runup() / *expected - 1; },
+          "measurements", "The run-up lies above the measured one, by no more than friction and scatter explain.",
+          "R/R_measured - 1", [expected](const Results& r) { return r.finest.runup() / *expected - 1; },
           Bound{.limit = 0.05,
-                .reason = "0 to 10 %: what has no friction cannot lie below; above, by two standard uncertainties "
-                          "of the measurements, 5 % each (assumed), at most",
+                .reason = "0 to 10 %: what has no friction cannot lie below; above, by two standard uncertainties of "
+                          "the measurements, 5 % each (assumed), at most",
                 .expected = 0.05});
 }
 
@@ -245,8 +229,7 @@ void draw_convergence(const Results& r, evidence::Exhibit& exhibit) {
     figure.panel({.x = "h [depth]", .y = "R [depth]"}).points("particles", r.spacing, r.runup, Role::computed);
     return;
   }
-  std::vector<double> errors;
-  for (const double runup : r.runup) errors.push_back(std::abs(runup - r.exact));
+  std::vector<double> errors = each(r.runup, [&](const double runup) { return std::abs(runup - r.exact); });
   auto& panel = figure.panel({.x = "h [depth]", .y = "|R - R_exact| [depth]", .log_x = true, .log_y = true});
   panel.points("particles", r.spacing, errors, Role::computed);
   slope_guide(panel, 2, r.spacing, errors.back());
@@ -293,7 +276,7 @@ Case run_up_gauss() {
       integer("cells", {4, 8, 8}, {2, 40}, "cells of the lattice to a depth"),
       integer("per_cell", {12, 16, 16}, {6, 40}, "particles to a cell's side"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

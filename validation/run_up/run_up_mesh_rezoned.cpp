@@ -31,6 +31,7 @@ thousandth of the energy, at the wall half of it while the sheet falls.
 #include "reports/evidence/grid_convergence.hpp"
 #include "reports/evidence/slope_guide.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_slope_climb.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
@@ -38,7 +39,6 @@ thousandth of the energy, at the wall half of it while the sheet falls.
 namespace seiche::validation::cases::run_up_mesh_rezoned {
 namespace {
 
-using evidence::Role;
 using lagrangian_mesh_2d::Flow;
 
 const std::string source = "C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227";
@@ -94,9 +94,7 @@ struct Climbed {
 
   template <class Of>
   [[nodiscard]] std::vector<double> each(const Of& of) const {
-    std::vector<double> values;
-    for (const Reached& one : on) values.push_back(of(one));
-    return values;
+    return validation::each(on, of);
   }
   [[nodiscard]] std::vector<double> spacings() const {
     return each([](const Reached& one) { return one.spacing; });
@@ -138,11 +136,10 @@ std::string resolution(long rows) {
 
 void claim_whole(const Climb& climb, const Claims<Results>& claims) {
   claims.check(
-      {.id = "whole-" + climb.id(),
-       .text = fmt::format("{}: the mesh holds, {}.", climb.title(),
-                           climb.wall() ? "until the wave has left the wall" : "until the water has fallen"),
-       .quantity = "meshes on which it folds",
-       .source = source},
+      "whole-" + climb.id(),
+      fmt::format("{}: the mesh holds, {}.", climb.title(),
+                  climb.wall() ? "until the wave has left the wall" : "until the water has fallen"),
+      "meshes on which it folds",
       [id = climb.id()](const Results& all) {
         Count folded;
         for (const Reached& one : find(all, id).on) {
@@ -150,40 +147,34 @@ void claim_whole(const Climb& climb, const Claims<Results>& claims) {
         }
         return folded.value();
       },
-      evidence::Bound{.limit = 0, .reason = "none: the Euler equations have a solution to the end"});
+      Bound{.limit = 0, .reason = "none: the Euler equations have a solution to the end"});
 }
 
 void claim_runup(const Climb& climb, double exact, long rows, const Claims<Results>& claims) {
   claims.only_if(climb.cot_slope < 2 || rows >= fine, "fewer than 16 rows do not tell on a slope of tangent 0.5")
       .check(
-          {.id = "exact-" + climb.id(),
-           .text = fmt::format("{}: the run-up is that of the Euler equations.", climb.title()),
-           .quantity = "run-up",
-           .unit = "depth",
-           .source = source},
+          "exact-" + climb.id(), fmt::format("{}: the run-up is that of the Euler equations.", climb.title()),
+          "run-up [depth]",
           [climb](const Results& all) { return find(all, climb.id()).finest(runup_of, climb.order()); },
-          evidence::Uncertainty{.expected = exact,
-                                .data = 1e-6,
-                                .useful = 0.1 * exact,
-                                .reason = "from the change from mesh to mesh, of use up to a tenth of the run-up; the "
-                                          "exact one to seven digits"});
+          Uncertainty{.expected = exact,
+                      .data = 1e-6,
+                      .useful = 0.1 * exact,
+                      .reason = "from the change from mesh to mesh, of use up to a tenth of the run-up; the exact one "
+                                "to seven digits"});
   claims.only_if(rows >= fine, "four rows are too few for an order: 16 rows and more")
       .check(
-          {.id = "order-" + climb.id(),
-           .text = fmt::format("{}: it converges to it with order {:g}.", climb.title(), climb.order()),
-           .quantity = "order in the size of the cells",
-           .source = source},
+          "order-" + climb.id(), fmt::format("{}: it converges to it with order {:g}.", climb.title(), climb.order()),
+          "order in the size of the cells",
           [climb, exact](const Results& all) {
             const Climbed& one = find(all, climb.id());
             return evidence::observed_order(one.spacings(),
                                             one.each([&](const Reached& on) { return std::abs(on.runup - exact); }));
           },
-          evidence::Order{.theory = climb.order(),
-                          .tolerance = 0.5,
-                          .reason =
-                              "as without rezoning; at the wall nodes move along the surface with errors of order "
-                              "1, so that the next term is smaller by a factor h1 only: 2 h1 for the coarsest "
-                              "of these meshes, half an order"});
+          Order{.theory = climb.order(),
+                .tolerance = 0.5,
+                .reason =
+                    "as without rezoning; at the wall nodes move along the surface with errors of order 1, so that the "
+                    "next term is smaller by a factor h1 only: 2 h1 for the coarsest of these meshes, half an order"});
 }
 
 void claim_loads(const Climb& climb, const io::Table& table, const Claims<Results>& claims) {
@@ -198,27 +189,26 @@ void claim_loads(const Climb& climb, const io::Table& table, const Claims<Result
         [climb, k](const Results& all) {
           return find(all, climb.id()).finest([k](const Reached& one) { return one.loads.at(k); }, 2);
         },
-        evidence::Uncertainty{.expected = exact,
-                              .data = 1e-9,
-                              .useful = 0.05 * exact,
-                              .reason = "from the change from mesh to mesh, of use up to 5 % of the load"});
+        Uncertainty{.expected = exact,
+                    .data = 1e-9,
+                    .useful = 0.05 * exact,
+                    .reason = "from the change from mesh to mesh, of use up to 5 % of the load"});
   }
 }
 
 void claim_energy(const Climb& climb, double tau, const Claims<Results>& claims) {
   const exact::SolitaryWave wave(climb.amplitude);
-  claims.check(
-      {.id = "energy-" + climb.id(),
-       .text = fmt::format("{}: energy changes by what rezoning is booked for.", climb.title()),
-       .quantity = "largest change of the energy that is not booked, over the wave's energy",
-       .source = "Frank (1994), section 1.2"},
-      [id = climb.id()](const Results& all) -> Measurement {
-        const Worst& off = find(all, id).on.back().unbooked;
-        return {.value = off.value(), .where = fmt::format("t = {:.2f}", off.where())};
-      },
-      evidence::Bound{.limit = std::pow(wave.speed() * wave.decay_rate() * tau, 2) / 4,
-                      .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega is the rate at which "
-                                "the wave rises at a place, its speed times its tail's decay"});
+  claims.from("Frank (1994), section 1.2")
+      .check(
+          "energy-" + climb.id(), fmt::format("{}: energy changes by what rezoning is booked for.", climb.title()),
+          "largest change of the energy that is not booked, over the wave's energy",
+          [id = climb.id()](const Results& all) -> Measurement {
+            const Worst& off = find(all, id).on.back().unbooked;
+            return {.value = off.value(), .where = fmt::format("t = {:.2f}", off.where())};
+          },
+          Bound{.limit = std::pow(wave.speed() * wave.decay_rate() * tau, 2) / 4,
+                .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega is the rate at which the "
+                          "wave rises at a place, its speed times its tail's decay"});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
@@ -298,11 +288,9 @@ void tabulate(const Results& all, const Values& values, evidence::Exhibit& exhib
   evidence::Table table{.id = "runup",
                         .title = "Run-up on rezoned meshes",
                         .caption =
-                            "From coarse to fine; of the Euler equations; how often the finest mesh was rezoned "
-                            "and what part of the wave's energy that took.",
-                        .columns = {{"wave", ""}},
-                        .rows = {},
-                        .atlas = {}};
+                            "From coarse to fine; of the Euler equations; how often the finest mesh was rezoned and "
+                            "what part of the wave's energy that took.",
+                        .columns = table_columns({"wave"})};
   for (const long part : parts) {
     table.columns.emplace_back(fmt::format("{} rows", values.integer("rows") * part / parts.back()), "depth");
   }
@@ -368,7 +356,7 @@ Case run_up_mesh_rezoned() {
       integer("rows", {8, 16, 16}, {8, 32}, "of the finest mesh; the others have 1/2, 5/8 and 3/4 of them"),
       real("drift", 0.2, "cells", {0.05, 0.5}, "farthest of a node from its place before the mesh is rezoned"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -40,8 +40,6 @@ thesis's kinetic energy comes nearer to them there because it errs to the same s
 namespace seiche::validation::cases::run_up_table {
 namespace {
 
-using evidence::Role;
-
 const std::string thesis = "Frank (1994), table of chapter 3";
 
 using Row = ComputedRunup;
@@ -97,20 +95,16 @@ Printed printed(const Rows& rows) {
 void claim_thesis(const Claims<Results>& claims, const Printed& thesis_values) {
   claims.at("h = 0.25, tip V/4")
       .check(
-          {.id = "thesis",
-           .text = "The run-up is that of the thesis's table, in the mean over its 25 rows.",
-           .quantity = "rms of R/R_thesis - 1",
-           .source = thesis},
+          "thesis", "The run-up is that of the thesis's table, in the mean over its 25 rows.", "rms of R/R_thesis - 1",
           [thesis_values](const Results& r) -> Measurement {
             return {.value = off_thesis(r.rows, 0), .told = {.limit = thesis_values.open(own_change(r.rows))}};
           },
-          evidence::Bound{
-              .limit = evidence::Amount::told_by_run(thesis_values.open(1.5 * thesis_values.change)),
-              .reason = fmt::format(
-                  "what both sides leave open: three printed decimals ({:.2g}), and the discretisation error of "
-                  "either, twice the change when the steps are halved (thesis, six rows: {:.2g}; here it may be "
-                  "half as much again), as the V/4 tip converges with the first order; the thesis states no steps",
-                  thesis_values.decimals, thesis_values.change)});
+          Bound{.limit = Amount::told_by_run(thesis_values.open(1.5 * thesis_values.change)),
+                .reason = fmt::format(
+                    "what both sides leave open: three printed decimals ({:.2g}), and the discretisation error of "
+                    "either, twice the change when the steps are halved (thesis, six rows: {:.2g}; here it may be half "
+                    "as much again), as the V/4 tip converges with the first order; the thesis states no steps",
+                    thesis_values.decimals, thesis_values.change)});
 }
 
 /// Largest change by the last halving, V/6 tip, on slopes that are as steep as cotangent 1 or not.
@@ -127,15 +121,12 @@ void claim_refinement(const Claims<Results>& claims, std::size_t levels) {
   const double halvings = static_cast<double>(levels) - 3;  // from 1/8 to 1/16 it is none
   claims.at(fmt::format("h = {:g} to {:g}", runup_spacing(levels - 2), runup_spacing(levels - 1)))
       .check(
-          {.id = "refinement",
-           .text = "With the V/6 tip the run-up is converged, on slopes of cotangent 2 and more.",
-           .quantity = "largest relative change by the last halving",
-           .source = thesis},
+          "refinement", "With the V/6 tip the run-up is converged, on slopes of cotangent 2 and more.",
+          "largest relative change by the last halving",
           [](const Results& r) { return change_by_last_halving(r.rows, false); },
-          evidence::Bound{.limit = 0.006 / std::pow(2.0, halvings),
-                          .reason = "from h = 1/8 to 1/16 less than 0.6 %, below the 0.7 % by which the thesis's "
-                                    "values change in the mean when its steps are halved; at other spacings in "
-                                    "proportion to h"});
+          Bound{.limit = 0.006 / std::pow(2.0, halvings),
+                .reason = "from h = 1/8 to 1/16 less than 0.6 %, below the 0.7 % by which the thesis's values change "
+                          "in the mean when its steps are halved; at other spacings in proportion to h"});
 }
 
 /// Steep: where the choice of the kinetic energy matters.
@@ -174,15 +165,14 @@ void claim_measurements(const Claims<Results>& claims) {
   const auto off = [](std::size_t variant, bool on_steep) {
     return [variant, on_steep](const Results& r) { return off_measured(r.rows, variant, on_steep); };
   };
-  const evidence::Uncertainty scatter{
+  const Uncertainty scatter{
       .data = reference_source("frank_1994_runup_hall_watts").standard_uncertainty.at("R_HW").value,
       .useful = 0.15,
       .reason =
-          "scatter of such experiments and of their interpolation, 5 % (assumed); the model's own from the "
-          "spacings"};
+          "scatter of such experiments and of their interpolation, 5 % (assumed); the model's own from the spacings"};
   claims.check(claim("measurements-green-naghdi",
-                     "On slopes of cotangent 2 and 1 the model with Green and Naghdi's kinetic energy agrees with "
-                     "the measurements."),
+                     "On slopes of cotangent 2 and 1 the model with Green and Naghdi's kinetic energy agrees with the "
+                     "measurements."),
                off(green_naghdi, true), scatter);
   claims.known_failure(claim("measurements", "So it does with the thesis's kinetic energy."), off(consistent, true),
                        scatter,
@@ -201,13 +191,11 @@ void claim_measurements(const Claims<Results>& claims) {
        .reason = "no friction: the Euler equations, which have none either, lie as far above the measurements (claims "
                  "mild-euler and mild-friction), and the two waves that break on their way up lose energy besides"});
   claims.check(
-      {.id = "other-authors",
-       .text = "Over the whole table Green and Naghdi's kinetic energy brings the model nearer to the other "
-               "computations.",
-       .quantity = "rms distance over that with the thesis's kinetic energy",
-       .source = thesis},
+      "other-authors",
+      "Over the whole table Green and Naghdi's kinetic energy brings the model nearer to the other computations.",
+      "rms distance over that with the thesis's kinetic energy",
       [](const Results& r) { return off_other_authors(r.rows, green_naghdi) / off_other_authors(r.rows, consistent); },
-      evidence::Bound{.limit = 1, .reason = "nearer means less than 1"});
+      Bound{.limit = 1, .reason = "nearer means less than 1"});
 }
 
 std::variant<double, std::string> cell(double value) {
@@ -221,8 +209,8 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Row>& rows, std::siz
       .title = "Run-up on plane slopes",
       .caption =
           "Printed columns: Frank (1994) with the value for halved steps, other authors, the run-up law, Hall and "
-          "Watts. Computed columns: the model with the thesis's V/4 tip at h = 1/4 and finest, with the V/6 "
-          "tip at the finest spacing, and the latter with the kinetic energy of Green and Naghdi.",
+          "Watts. Computed columns: the model with the thesis's V/4 tip at h = 1/4 and finest, with the V/6 tip at the "
+          "finest spacing, and the latter with the kinetic energy of Green and Naghdi.",
       .columns = {{"cot", "1"},
                   {"A", "depth"},
                   {"thesis", "depth"},
@@ -236,7 +224,6 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Row>& rows, std::siz
                   {"law", "depth"},
                   {"others", "depth"},
                   {"by", ""}},
-      .rows = {},
       .atlas = {"frank-table-runup"}};
   for (const Row& row : rows) {
     const double value = row.computed[as_in_thesis][0];
@@ -406,7 +393,7 @@ Case run_up_table() {
                   .values = {{"halvings", 1L}},
                   .tier = Tier::full,
                   .differs = "the thesis does not state the spacing: 1/4 of the depth, and half of it"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, thesis);
   return c;
 }
 

@@ -24,8 +24,6 @@ tension, and no measured tongue is followed to where it is thinner than a film.
 namespace seiche::validation::cases::slope_run_up_exact {
 namespace {
 
-using evidence::Role;
-
 const std::string source = "Grilli, Svendsen and Subramanya (1997)";
 
 struct Results {
@@ -44,17 +42,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
                    exact::SlopeRunup::identities(values.real("amplitude") / values.real("depth")), source);
   claims.only_if(values.real("cotangent") > 0, "measurements are of slopes")
       .check(
-          {.id = "measurements",
-           .text = "The run-up lies above the measured one, by no more than friction and scatter explain.",
-           .quantity = "R/R_measured - 1",
-           .source = "Hall and Watts (1953)"},
+          "measurements", "The run-up lies above the measured one, by no more than friction and scatter explain.",
+          "R/R_measured - 1",
           [measured = values.real("cotangent") > 0 ? formula(values) : 0](const Results& r) {
             return r.runup / measured - 1;
           },
-          evidence::Bound{.limit = 0.05,
-                          .reason = "0 to 10 %: what has no friction cannot lie below; above, by two standard "
-                                    "uncertainties of the measurements, 5 % each (assumed), at most",
-                          .expected = 0.05});
+          Bound{.limit = 0.05,
+                .reason = "0 to 10 %: what has no friction cannot lie below; above, by two standard uncertainties of "
+                          "the measurements, 5 % each (assumed), at most",
+                .expected = 0.05});
 }
 
 Results compute(const Run& run) {
@@ -127,7 +123,7 @@ Case slope_run_up_exact() {
       real("depth", 1.0, "m", {1e-6, 1e6}, "depth"),
       tolerance_parameter(),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "Hall and Watts (1953)");
   c.submission = {.tables = wanted};
   return c;
 }

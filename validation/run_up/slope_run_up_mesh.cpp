@@ -41,8 +41,6 @@ eighth wide, a few tenths of a per cent of most.
 namespace seiche::validation::cases::slope_run_up_mesh {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 using slope_run_ups::Climbed;
 using slope_run_ups::compared;
 using slope_run_ups::meshes;
@@ -74,10 +72,7 @@ std::size_t levels(const Values& values) {
 void claim_thesis(const Claims<std::vector<Climbed>>& claims) {
   claims.at("h1 = 0.25, 8 rows")
       .check(
-          {.id = "thesis",
-           .text = "The run-up is that of the thesis's two-dimensional model.",
-           .quantity = "largest |R/R_thesis - 1|",
-           .source = source},
+          "thesis", "The run-up is that of the thesis's two-dimensional model.", "largest |R/R_thesis - 1|",
           [](const std::vector<Climbed>& all) -> Measurement {
             Worst off;
             Largest halving;
@@ -89,19 +84,17 @@ void claim_thesis(const Claims<std::vector<Climbed>>& claims) {
                     .where = fmt::format("A = {:g}", off.where()),
                     .told = {.limit = halving.value()}};
           },
-          Bound{.limit = evidence::Amount::told_by_run(useful),
+          Bound{.limit = Amount::told_by_run(useful),
                 .reason = "the thesis does not state the mesh of its values: what the last halving of the cells "
-                          "changes at most; the "
-                          "two decimals of the thesis are 2 % of the lowest value"});
+                          "changes at most; the two decimals of the thesis are 2 % of the lowest value"});
 }
 
 void claim_convergence(const Claims<std::vector<Climbed>>& claims) {
   claims.at("three finest meshes")
+      .from("contact points climb along the surface, where nodes are first-order accurate")
       .check(
-          {.id = "order",
-           .text = "The run-up on slopes converges with the first order.",
-           .quantity = "order from the last two halvings, farthest from 1 of all waves",
-           .source = "contact points climb along the surface, where nodes are first-order accurate"},
+          "order", "The run-up on slopes converges with the first order.",
+          "order from the last two halvings, farthest from 1 of all waves",
           [](const std::vector<Climbed>& all) -> Measurement {
             Worst off;
             for (std::size_t k = 0; k < all.size(); ++k) off.add(all[k].order() - 1, static_cast<double>(k));
@@ -117,10 +110,8 @@ void claim_convergence(const Claims<std::vector<Climbed>>& claims) {
 void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels) {
   const auto finest = claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing));
   finest.check(
-      {.id = "exact",
-       .text = "The run-up is that of the Euler equations within the finest mesh's uncertainty.",
-       .quantity = "largest difference over the uncertainty that the change from mesh to mesh gives",
-       .source = source},
+      "exact", "The run-up is that of the Euler equations within the finest mesh's uncertainty.",
+      "largest difference over the uncertainty that the change from mesh to mesh gives",
       [](const std::vector<Climbed>& all) -> Measurement {
         Worst off;
         for (const Climbed& one : all) {
@@ -130,13 +121,11 @@ void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels)
         return {.value = off.value(), .where = fmt::format("A = {:g}", off.where())};
       },
       Bound{.limit = 1,
-            .reason = "the 95 % half-width from the change from mesh to mesh, of which no more than 15 % of "
-                      "the run-up counts; the exact values are known to seven digits"});
+            .reason = "the 95 % half-width from the change from mesh to mesh, of which no more than 15 % of the run-up "
+                      "counts; the exact values are known to seven digits"});
   finest.check(
-      {.id = "exact-order",
-       .text = "It converges to that of the Euler equations with the first order.",
-       .quantity = "order of the difference from the last halving, farthest from 1 of all waves",
-       .source = source},
+      "exact-order", "It converges to that of the Euler equations with the first order.",
+      "order of the difference from the last halving, farthest from 1 of all waves",
       [](const std::vector<Climbed>& all) -> Measurement {
         Worst off;
         for (std::size_t k = 0; k < all.size(); ++k) off.add(all[k].order_of_error() - 1, static_cast<double>(k));
@@ -149,11 +138,10 @@ void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels)
 
 void claim_measurements(const Claims<std::vector<Climbed>>& claims, std::size_t levels) {
   claims.at(fmt::format("to zero from h1 = {:g} and {:g}", meshes[levels - 2].spacing, meshes[levels - 1].spacing))
+      .from("Hall and Watts (1953)")
       .check(
-          {.id = "measurements",
-           .text = "Extrapolated to fine meshes, it is that of Hall and Watts' formula for their measurements.",
-           .quantity = "rms of R/R_formula - 1",
-           .source = "Hall and Watts (1953)"},
+          "measurements", "Extrapolated to fine meshes, it is that of Hall and Watts' formula for their measurements.",
+          "rms of R/R_formula - 1",
           [](const std::vector<Climbed>& all) -> Measurement {
             Mean deviation;
             Mean change;  // by the last halving: three times what the next order leaves; no rms changes by more
@@ -163,20 +151,18 @@ void claim_measurements(const Claims<std::vector<Climbed>>& claims, std::size_t 
             }
             return {.value = deviation.rms(), .uncertainty = change.rms()};
           },
-          evidence::Uncertainty{.data = exact::HallWatts::scatter(),
-                                .useful = useful,
-                                .reason = "scatter of the measurements about their formula, 5 % (assumed); of the "
-                                          "extrapolation, what the last halving of the cells changes"});
+          Uncertainty{.data = exact::HallWatts::scatter(),
+                      .useful = useful,
+                      .reason = "scatter of the measurements about their formula, 5 % (assumed); of the extrapolation, "
+                                "what the last halving of the cells changes"});
 }
 
 void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t levels) {
   const double finest = meshes[levels - 1].tau;
   claims.at("all meshes")
       .check(
-          {.id = "folds",
-           .text = "With a toe that slides no cell folds before the largest run-up.",
-           .quantity = "meshes on which one does, of all waves",
-           .source = source},
+          "folds", "With a toe that slides no cell folds before the largest run-up.",
+          "meshes on which one does, of all waves",
           [](const std::vector<Climbed>& all) {
             double folded = 0;
             for (const Climbed& one : all) folded += one.sliding_folds.value();
@@ -184,28 +170,24 @@ void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t l
           },
           Bound{.limit = 0, .reason = "none"});
   claims.at("all meshes")
+      .from("the discrete gradient, and chords for tangents: exact on any curve")
       .check(
-          {.id = "energy",
-           .text = "Energy stays while nodes slide around the toe, until the largest run-up.",
-           .quantity = "largest change over the wave's energy",
-           .source = "the discrete gradient, and chords for tangents: exact on any curve"},
+          "energy", "Energy stays while nodes slide around the toe, until the largest run-up.",
+          "largest change over the wave's energy",
           [](const std::vector<Climbed>& all) -> Measurement {
             Worst off;
             for (const Climbed& one : all) off.add(one.sliding_energy.value(), one.amplitude);
             return {.value = off.value(), .where = fmt::format("A = {:g}", off.where())};
           },
-          evidence::Roundoff{.operations = latest_runup / finest * sweeps,
-                             .scale = farthest,
-                             .reason =
-                                 "a rounded place, at most 27 depths from the origin, per sweep of a step, six a "
-                                 "step, up to t = 17 on the finest mesh; pressures of the wave's height do the work "
-                                 "of its energy over a depth"});
+          Roundoff{.operations = latest_runup / finest * sweeps,
+                   .scale = farthest,
+                   .reason =
+                       "a rounded place, at most 27 depths from the origin, per sweep of a step, six a step, up to t = "
+                       "17 on the finest mesh; pressures of the wave's height do the work of its energy over a depth"});
   claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing))
       .check(
-          {.id = "toe",
-           .text = "Whether the toe stays or slides changes the run-up by no more than what either still errs.",
-           .quantity = "largest change of the run-up over what the last halving of the cells changes with both toes",
-           .source = source},
+          "toe", "Whether the toe stays or slides changes the run-up by no more than what either still errs.",
+          "largest change of the run-up over what the last halving of the cells changes with both toes",
           [](const std::vector<Climbed>& all) -> Measurement {
             Worst off;
             for (const Climbed& one : all) off.add(one.toe_matters(), one.amplitude);
@@ -258,27 +240,17 @@ Results compute(const Run& run) {
 }
 
 void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "runup",
-                        .title = "Run-up on slopes",
-                        .caption =
-                            "By meshes of columns 1, 1/2, 1/4 wide, then extrapolated from the two finest; on the "
-                            "finest with a toe that slides; of the Euler "
-                            "equations; the thesis; the "
-                            "formula of Hall and Watts; when with Frank's toe a cell folds first on the finest mesh "
-                            "that does, before the largest run-up.",
-                        .columns = {{"tan", "1"},
-                                    {"A", "depth"},
-                                    {"R (1)", "depth"},
-                                    {"R (1/2)", "depth"},
-                                    {"R (1/4)", "depth"},
-                                    {"extrapolated", "depth"},
-                                    {"sliding toe", "depth"},
-                                    {"exact", "depth"},
-                                    {"thesis", "depth"},
-                                    {"Hall-Watts", "depth"},
-                                    {"fold", "sqrt(depth/g)"}},
-                        .rows = {},
-                        .atlas = {"frank-slopes-2d"}};
+  evidence::Table table{
+      .id = "runup",
+      .title = "Run-up on slopes",
+      .caption =
+          "By meshes of columns 1, 1/2, 1/4 wide, then extrapolated from the two finest; on the finest with a toe that "
+          "slides; of the Euler equations; the thesis; the formula of Hall and Watts; when with Frank's toe a cell "
+          "folds first on the finest mesh that does, before the largest run-up.",
+      .columns = table_columns({"tan [1]", "A [depth]", "R (1) [depth]", "R (1/2) [depth]", "R (1/4) [depth]",
+                                "extrapolated [depth]", "sliding toe [depth]", "exact [depth]", "thesis [depth]",
+                                "Hall-Watts [depth]", "fold [sqrt(depth/g)]"}),
+      .atlas = {"frank-slopes-2d"}};
   const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
   for (const Climbed& one : all) {
     std::vector<std::variant<double, std::string>> cells{1 / one.cot_slope, one.amplitude};
@@ -378,7 +350,7 @@ Case slope_run_up_mesh() {
               {real("rounding", 0.0, "columns", {0, 4}, "of the toe, to either side; 0: the toe's node stays"),
                toggle("beyond_folds", true, "go on when a cell folds, as Frank's model does")}});
   c.published = {{.tiles = {"frank-slopes-2d"}, .differs = "the thesis does not state the mesh"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

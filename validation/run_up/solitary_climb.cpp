@@ -104,16 +104,16 @@ void claim_energy(const Claims<RunUp>& claims, const SolitaryClimb& climb) {
                   .resolution = resolution,
                   .told = {.operations = static_cast<double>(run.steps)}};
         },
-        evidence::Roundoff{.operations = evidence::Amount::told_by_run(most_steps),
-                           .reason = "the discrete gradients are exact: one rounded energy per step"});
+        Roundoff{.operations = Amount::told_by_run(most_steps),
+                 .reason = "the discrete gradients are exact: one rounded energy per step"});
     return;
   }
   const double omega = 2 * std::sqrt(0.75 * climb.amplitude) * exact::SerreSolitary(climb.amplitude).speed();
   claims.at(climb.resolution())
       .check(claim, energy_defect,
-             evidence::Bound{.limit = std::pow(omega * climb.tau_over_spacing * climb.spacing, 2) / 4,
-                             .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega = 2 c "
-                                       "sqrt(3A/4), the rate at which the wave passes"});
+             Bound{.limit = std::pow(omega * climb.tau_over_spacing * climb.spacing, 2) / 4,
+                   .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega = 2 c sqrt(3A/4), the "
+                             "rate at which the wave passes"});
 }
 
 void show_energy(const RunUp& run, evidence::Exhibit& exhibit) {

@@ -41,8 +41,7 @@ std::vector<WantedTable> wanted(const Values& values) {
   const Column time{"t", "1", "time t sqrt(g/d)"};
   const Column place{"x_over_d", "1", "distance from the shoreline at rest, positive offshore"};
   const BeachClaim each = each_profile();
-  evidence::Bound near{
-      .limit = each.bound.limit, .reason = each.bound.reason, .expected = to_be_told(), .relative = true};
+  Bound near{.limit = each.bound.limit, .reason = each.bound.reason, .expected = to_be_told(), .relative = true};
   return {
       wanted_curves(profiles_of(values, profile_table),
                     {.name = "profiles", .kind = WantedTable::Kind::profile, .group = time, .abscissa = place},

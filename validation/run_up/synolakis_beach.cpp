@@ -40,7 +40,6 @@ namespace seiche::validation::cases::synolakis_beach {
 namespace {
 
 using dispersive::Flow;
-using evidence::Role;
 
 constexpr double cot_slope = beach_cot_slope;
 constexpr double laboratory_amplitude = 0.0185;
@@ -184,8 +183,8 @@ void draw_profiles(evidence::Exhibit& exhibit, const Profiles& laboratory, const
 void draw_breaking_wave(evidence::Exhibit& exhibit, const Profiles& laboratory, const std::vector<Breaking>& runs,
                         const Profiles& closure) {
   auto& figure = exhibit.figure("breaking_wave", "A wave that breaks in the laboratory",
-                                "A = 0.3, outside the validity of the model without breaking. Its curves end where "
-                                "the run with that spacing stops.");
+                                "A = 0.3, outside the validity of the model without breaking. Its curves end where the "
+                                "run with that spacing stops.");
   for (const auto& [t, measured] : laboratory) {
     auto& panel = figure.panel({.x = "x [depth]", .y = "elevation [depth]", .title = fmt::format("t = {:g}", t)});
     panel.points("laboratory", measured.x, measured.y, Role::data);
@@ -207,9 +206,7 @@ evidence::Table difference_table() {
           .caption =
               "Root mean square over the reference points, the beach where the model is dry; range of the reference "
               "profile; reference points where the model is dry.",
-          .columns = {{"reference", ""}, {"A", "depth"}, {"t", ""}, {"rms", "depth"}, {"range", "depth"}, {"dry", "1"}},
-          .rows = {},
-          .atlas = {}};
+          .columns = table_columns({"reference", "A [depth]", "t", "rms [depth]", "range [depth]", "dry [1]"})};
 }
 
 /// Measures and tabulates every profile that was reached.
@@ -232,54 +229,42 @@ void claims(const Values& values, const Claims<Results>& claims) {
                           .reason = "at t = 65 the surface is nearly level and the wave, dispersive and faster than "
                                     "sqrt(g d), has already left; with finer markers the distance stays"});
   profiles.known_failure(
-      {.id = "laboratory-profiles",
-       .text = "At all times the surface is the measured one.",
-       .quantity = "largest rms distance",
-       .unit = "depth",
-       .source = source},
+      "laboratory-profiles", "At all times the surface is the measured one.", "largest rms distance [depth]",
       [](const Results& r) -> Measurement {
         const Worst worst = farthest(r.off_laboratory);
         return {.value = worst.value(),
                 .uncertainty = fine_limit(r.spacing, r.distance, 1).uncertainty,
                 .where = fmt::format("t = {:g}", worst.where())};
       },
-      evidence::Uncertainty{
+      Uncertainty{
           .data = reference_source("synolakis_1987_profiles_0_0185").standard_uncertainty.at("eta_over_d").value,
           .useful = 0.005,
           .reason = "gauge and repeatability, 5 % of the wave's height (assumed)"},
       {.value = 0.0068,
        .width = 0.0003,
-       .reason = "the exact solution of the shallow-water equations is as far off: the incident wave in the "
-                 "laboratory is not quite a solitary wave, and friction and surface tension hold the thin tongue "
-                 "back"});
+       .reason = "the exact solution of the shallow-water equations is as far off: the incident wave in the laboratory "
+                 "is not quite a solitary wave, and friction and surface tension hold the thin tongue back"});
   profiles.check(
-      {.id = "as-near",
-       .text = "The model is no farther from the measured surface than the exact solution of the "
-               "shallow-water equations.",
-       .quantity = "rms distance over that of the exact solution, t = 40 to 70",
-       .source = source},
-      [](const Results& r) { return r.nearness.ratio(); },
-      evidence::Bound{.limit = 1, .reason = "no farther means at most 1"});
+      "as-near",
+      "The model is no farther from the measured surface than the exact solution of the shallow-water equations.",
+      "rms distance over that of the exact solution, t = 40 to 70", [](const Results& r) { return r.nearness.ratio(); },
+      Bound{.limit = 1, .reason = "no farther means at most 1"});
   claims.at("h = 0.5, 0.25, 0.125, tau = h/16")
       .check(
-          {.id = "breaking-wave",
-           .text = "A wave of A = 0.3 is outside the model's validity: the finer the markers, the earlier its "
-                   "front is too steep for them.",
-           .quantity = "runs stop earlier with each halving of the spacing",
-           .source = source},
+          "breaking-wave",
+          "A wave of A = 0.3 is outside the model's validity: the finer the markers, the earlier its front is too "
+          "steep for them.",
+          "runs stop earlier with each halving of the spacing",
           [](const Results& r) { return stop_ever_earlier(r.breaking) ? 1.0 : 0.0; },
-          evidence::Qualitative{.detector = "times at which markers cross or the water is gone",
-                                .reason = "waves higher than 0.8183 cot^(-10/9) = 0.03 break on the way up; a "
-                                          "model that keeps energy cannot carry the bore"});
+          Qualitative{.detector = "times at which markers cross or the water is gone",
+                      .reason = "waves higher than 0.8183 cot^(-10/9) = 0.03 break on the way up; a model that keeps "
+                                "energy cannot carry the bore"});
   const auto closure = claims.at("h = 0.125, breaking, friction");
   closure.check(
-      {.id = "closure-follows",
-       .text = "With breaking and friction it is followed up the beach and down again, until t = 80.",
-       .quantity = "runs to the end",
-       .source = source},
-      [](const Results& r) { return r.closure.stopped ? 0.0 : 1.0; },
-      evidence::Qualitative{.detector = "markers cross or the water is gone before t = 80",
-                            .reason = "the front is a bore of finite width, and the tongue is slowed down"});
+      "closure-follows", "With breaking and friction it is followed up the beach and down again, until t = 80.",
+      "runs to the end", [](const Results& r) { return r.closure.stopped ? 0.0 : 1.0; },
+      Qualitative{.detector = "markers cross or the water is gone before t = 80",
+                  .reason = "the front is a bore of finite width, and the tongue is slowed down"});
   const auto distance = [](double t, const Results& r) {
     const std::map<double, Difference> all = differences(r.closure.surfaces, r.breaking_laboratory);
     return all.at(t).off.rms() / all.at(t).range;
@@ -294,7 +279,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                                 .quantity = "rms distance over the range of the profile",
                                 .source = source};
     const auto measure = [distance, t](const Results& r) { return distance(t, r); };
-    const evidence::Bound bound{.limit = 0.1, .reason = laboratory};
+    const Bound bound{.limit = 0.1, .reason = laboratory};
     if (t > 20) {
       closure.check(claim, measure, bound);
     } else {
@@ -356,7 +341,7 @@ Case synolakis_beach() {
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = joined({climb_parameters({0.25, 0.125, 0.0625}), slope_parameters()});
   c.published = {{.tiles = {"frank-fig-5"}, .differs = "the thesis does not state the spacing"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   c.submission = beach_submission();
   return c;
 }

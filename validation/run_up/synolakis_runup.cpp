@@ -27,7 +27,6 @@ namespace seiche::validation::cases::synolakis_runup {
 namespace {
 
 using dispersive::TipMass;
-using evidence::Role;
 
 constexpr double cot_slope = 19.85;
 constexpr double shown_amplitude = 0.019;
@@ -96,35 +95,25 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto limit = [](const Results& r) { return r.consistent.limit().extrapolated; };
   const auto refined = claims.at(fmt::format("h = 0.5 to {:g}, tip V/6, extrapolated",
                                              0.5 / std::pow(2.0, static_cast<double>(values.integer("levels") - 1))));
-  refined.check({.id = "runup",
-                 .text = "The largest run-up is that of the exact solution of the shallow-water equations.",
-                 .quantity = "run-up",
-                 .unit = "depth",
-                 .source = source},
-                limit,
-                evidence::Bound{.limit = 0.05, .reason = benchmark, .expected = exact_runup(), .relative = true});
+  refined.check("runup", "The largest run-up is that of the exact solution of the shallow-water equations.",
+                "run-up [depth]", limit,
+                Bound{.limit = 0.05, .reason = benchmark, .expected = exact_runup(), .relative = true});
 
   const auto laboratory = claims.at(climb_from(values, cot_slope, 0.02).resolution());
   laboratory.check(
-      {.id = "law",
-       .text = "For the heights of the laboratory the model follows the run-up law.",
-       .quantity = "rms of R/R_law - 1, A <= 0.045",
-       .source = source},
-      [](const Results& r) { return r.laboratory.off_law.rms(); }, evidence::Bound{.limit = 0.05, .reason = benchmark});
+      "law", "For the heights of the laboratory the model follows the run-up law.", "rms of R/R_law - 1, A <= 0.045",
+      [](const Results& r) { return r.laboratory.off_law.rms(); }, Bound{.limit = 0.05, .reason = benchmark});
   laboratory.known_failure(
-      {.id = "laboratory-runups",
-       .text = "The run-up is the measured one.",
-       .quantity = "rms of R/R_measured - 1, A <= 0.045",
-       .source = source},
+      "laboratory-runups", "The run-up is the measured one.", "rms of R/R_measured - 1, A <= 0.045",
       [](const Results& r) -> Measurement {
         const double rms = r.laboratory.off_measured.rms();
         return {.value = rms, .uncertainty = fine_limit({1, 2}, {rms, r.coarse.off_measured.rms()}, 1).uncertainty};
       },
-      evidence::Uncertainty{
+      Uncertainty{
           .data = reference_source("synolakis_1987_runup").standard_uncertainty.at("R_over_d").value,
           .useful = 0.15,
-          .reason = "5 %, the scatter of repeated heights (assumed); the model's own from twice the spacing, of first "
-                    "order"},
+          .reason =
+              "5 %, the scatter of repeated heights (assumed); the model's own from twice the spacing, of first order"},
       {.value = 0.29,
        .width = 0.015,
        .reason = "from A = 0.01 on, flow without friction and surface tension climbs higher than water in a "
@@ -194,7 +183,7 @@ Case synolakis_runup() {
   c.parameters = joined({climb_parameters({0.25, 0.25, 0.125}),
                          slope_parameters(),
                          {integer("levels", {3, 4, 5}, {3, 6}, "spacings of the sequence 1/2, 1/4, ...")}});
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -24,12 +24,12 @@ a velocity that is uniform over the depth knows nothing.
 #include "seiche/exact/wall_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::wall_run_up_1d {
 namespace {
 
-using evidence::Role;
 using exact::WallRunup;
 
 const std::string source = "Su and Mirie (1980); Serre (1953)";
@@ -125,8 +125,8 @@ void draw_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
   heights.line("Byatt-Smith", fine, byatt_smith, Role::guide);
   auto& difference = figure.panel({.x = "A [depth]", .y = "|R - R_Euler| [depth]", .log_x = true, .log_y = true});
   difference.points("model", all.amplitude, gap, Role::computed);
-  std::vector<double> fifth;
-  for (const double a : all.amplitude) fifth.push_back(gap[1] * std::pow(a / all.amplitude[1], 5));
+  std::vector<double> fifth =
+      each(all.amplitude, [&](const double a) { return gap[1] * std::pow(a / all.amplitude[1], 5); });
   difference.line("A^5", all.amplitude, fifth, Role::guide);
 }
 
@@ -148,11 +148,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto compared = claims.of(&Results::comparison)
                             .at(fmt::format("h = {:g} to {:g}, extrapolated, tau = {:g} h", 4 * climb.spacing,
                                             climb.spacing, climb.tau_over_spacing));
-  compared.check({.id = "second-order",
-                  .text = "At all heights the model is nearer to the Euler equations than the second-order series.",
-                  .quantity = "largest distance over that of 2A + A^2/2",
-                  .source = source},
-                 over_series, evidence::Bound{.limit = 1, .reason = "nearer means less than 1"});
+  compared.check(
+      "second-order", "At all heights the model is nearer to the Euler equations than the second-order series.",
+      "largest distance over that of 2A + A^2/2", over_series, Bound{.limit = 1, .reason = "nearer means less than 1"});
 }
 
 Results compute(const Run& run) {
@@ -193,7 +191,7 @@ Case wall_run_up_1d() {
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = joined({{real("amplitude", 0.4, "depth", {0.05, 0.6}, "height of the incident wave")},
                          climb_parameters({0.05, 0.025, 0.0125})});
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -21,8 +21,6 @@ thin sheet, and the exact values leave every series.
 namespace seiche::validation::cases::wall_run_up_exact {
 namespace {
 
-using evidence::Role;
-
 const std::string source = "Su and Mirie (1980); Cooker, Weidman and Bale (1997)";
 
 struct Results {

@@ -30,13 +30,13 @@ Above $A = 0.45$ they may fold when the water falls again; the case then tells w
 #include "reports/evidence/slope_guide.hpp"
 #include "seiche/exact/wall_runup.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::wall_run_up_mesh {
 namespace {
 
-using evidence::Role;
 using lagrangian_mesh_2d::Flow;
 
 const std::string source = "Frank (1994), chapter 2; Su and Mirie (1980)";
@@ -108,9 +108,7 @@ struct Sequence {
     return evidence::grid_convergence(spacing, this->*values, 2);
   }
   [[nodiscard]] std::vector<double> errors(std::vector<double> Sequence::*values, double exact) const {
-    std::vector<double> errors;
-    for (const double value : this->*values) errors.push_back(std::abs(value - exact));
-    return errors;
+    return each(this->*values, [&](const double value) { return std::abs(value - exact); });
   }
 };
 
@@ -146,16 +144,15 @@ void claim_energy(const MeshWallClimb& climb, const Claims<Results>& claims) {
     const double columns = 2 * MeshWallClimb::distance / climb.spacing;
     claims.check(
         claim, defect,
-        evidence::Roundoff{
-            .operations = std::ceil(climb.end() / climb.tau) + (columns + 1) * static_cast<double>(climb.rows + 1),
-            .reason = "discrete gradients are exact: one rounded energy per step, summed over the nodes"});
+        Roundoff{.operations = std::ceil(climb.end() / climb.tau) + (columns + 1) * static_cast<double>(climb.rows + 1),
+                 .reason = "discrete gradients are exact: one rounded energy per step, summed over the nodes"});
     return;
   }
   const double rate = climb.wave.speed() * climb.wave.decay_rate();
   claims.check(claim, defect,
-               evidence::Bound{.limit = std::pow(rate * climb.tau, 2) / 4,
-                               .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega is the rate "
-                                         "at which the wave rises at a place, its speed times its tail's decay"});
+               Bound{.limit = std::pow(rate * climb.tau, 2) / 4,
+                     .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega is the rate at which "
+                               "the wave rises at a place, its speed times its tail's decay"});
 }
 
 void claim_holds(const MeshWallClimb& climb, const Claims<Results>& claims) {
@@ -167,8 +164,8 @@ void claim_holds(const MeshWallClimb& climb, const Claims<Results>& claims) {
     if (!r.up.fold) return {.value = 1};
     return {.value = 0, .where = fmt::format("t = {:.2f}, x = {:.2f}", r.up.fold->time, r.up.fold->place)};
   };
-  const evidence::Qualitative holds{.detector = "no corner of a cell folds",
-                                    .reason = "the Euler equations have a solution to the end"};
+  const Qualitative holds{.detector = "no corner of a cell folds",
+                          .reason = "the Euler equations have a solution to the end"};
   // A little lower it depends on the mesh.
   constexpr double folding = 0.48;
   if (climb.wave.amplitude() >= folding && climb.settings.hourglass == 0 && climb.rezone == 0) {
@@ -182,14 +179,14 @@ void claim_holds(const MeshWallClimb& climb, const Claims<Results>& claims) {
   }
 }
 
-evidence::Order second_order(const MeshWallClimb& climb) {
+Order second_order(const MeshWallClimb& climb) {
   constexpr double coarsest_judged = 0.25;
-  return {.theory = 2,
-          .tolerance = 2 * std::min(climb.spacing, coarsest_judged),
-          .reason =
-              "areas, pressure and the surface's shape are of order 2; nodes move along the surface with errors of "
-              "order 1, so that the next term is smaller by a factor h1 only: 2 h1 for the finest mesh, and no "
-              "more than 0.5"};
+  return {
+      .theory = 2,
+      .tolerance = 2 * std::min(climb.spacing, coarsest_judged),
+      .reason =
+          "areas, pressure and the surface's shape are of order 2; nodes move along the surface with errors of order "
+          "1, so that the next term is smaller by a factor h1 only: 2 h1 for the finest mesh, and no more than 0.5"};
 }
 
 /// Of the largest loads, where a table has exact values for the wave.
@@ -217,17 +214,15 @@ void claim_loads(const Values& values, const MeshWallClimb& climb, const Claims<
             [load](const Results& r) -> Measurement {
               return {.value = (r.all.*load.values).back(), .uncertainty = r.all.limit(load.values).uncertainty};
             },
-            evidence::Uncertainty{
+            Uncertainty{
                 .expected = exact,
                 .data = 1e-10,
                 .useful = 0.05 * exact,
                 .reason = "from the change from mesh to mesh, of use up to 5 % of the load; the exact one to 1e-10"});
     if (!load.converges) continue;
     known.check(
-        {.id = "load-" + load.id + "-order",
-         .text = fmt::format("The largest {} converges to it with order 2.", load.name),
-         .quantity = "order in the size of the cells",
-         .source = source},
+        "load-" + load.id + "-order", fmt::format("The largest {} converges to it with order 2.", load.name),
+        "order in the size of the cells",
         [load, exact](const Results& r) {
           return evidence::observed_order(r.all.spacing, r.all.errors(load.values, exact));
         },
@@ -245,29 +240,20 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const std::optional<double> tabled = tabled_runup(values);
   known.at(fmt::format("{}, and 4 coarser meshes", climb.resolution()))
       .check(
-          {.id = "exact",
-           .text = "The run-up is that of the Euler equations.",
-           .quantity = "run-up",
-           .unit = "depth",
-           .source = source},
+          "exact", "The run-up is that of the Euler equations.", "run-up [depth]",
           [](const Results& r) -> Measurement {
             if (!r.all.complete()) throw std::runtime_error("a mesh folds before its largest run-up");
             Measurement runup{.value = r.all.runup.back(), .uncertainty = r.all.limit(&Sequence::runup).uncertainty};
             if (!r.tabled) runup.told.expected = r.exact;
             return runup;
           },
-          evidence::Uncertainty{
-              .expected = tabled ? evidence::Amount(*tabled) : evidence::Amount::told_by_run(3 * amplitude),
-              .data = 1.1e-5,
-              .useful = 0.05 * 2 * amplitude,
-              .reason = "from the change from mesh to mesh, of use up to 5 % of 2 A; the exact value to 1.1e-5, and "
-                        "where no table has it, "
-                        "computed: up to A = 0.6 it is less than 3 A"});
+          Uncertainty{.expected = tabled ? Amount(*tabled) : Amount::told_by_run(3 * amplitude),
+                      .data = 1.1e-5,
+                      .useful = 0.05 * 2 * amplitude,
+                      .reason = "from the change from mesh to mesh, of use up to 5 % of 2 A; the exact value to "
+                                "1.1e-5, and where no table has it, computed: up to A = 0.6 it is less than 3 A"});
   known.check(
-      {.id = "order",
-       .text = "The run-up converges to it with order 2.",
-       .quantity = "order in the size of the cells",
-       .source = source},
+      "order", "The run-up converges to it with order 2.", "order in the size of the cells",
       [](const Results& r) { return evidence::observed_order(r.all.spacing, r.errors()); }, second_order(climb));
   claim_loads(values, climb, claims);
 }
@@ -364,15 +350,15 @@ Case wall_run_up_mesh() {
   c.former_names = {"wall_run_up_2d"};
   c.title = "A solitary wave climbs a vertical wall on the two-dimensional Lagrangian mesh";
   c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.2, figures 2 and 3; "
-      "C. H. Su, R. M. Mirie, J. Fluid Mech. 98 (1980) 509";
+      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.2, figures 2 and 3; C. "
+      "H. Su, R. M. Mirie, J. Fluid Mech. 98 (1980) 509";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = mesh_parameters({0.25, 0.125, 0.125}, {8, 16, 16}, {0.025, 0.0125, 0.0125});
   c.parameters.insert(c.parameters.begin(),
                       real("amplitude", 0.3, "depth", {0.02, 0.8}, "height of the incident wave"));
   c.parameters.push_back(real("rezone", 0, "cells", {0, 0.5},
                               "farthest of a node from its place before the mesh is rezoned; 0: never, as Frank's"));
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -27,12 +27,11 @@ where the pressure begins like the elevation.
 #include "seiche/exact/wall_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_wall_climb.hpp"
 
 namespace seiche::validation::cases::wall_run_up_mesh_figures {
 namespace {
-
-using evidence::Role;
 
 const std::string source = "Frank (1994), section 2.2, figures 2 and 3";
 constexpr double lowest_compared = 0.1;       // of the loads
@@ -51,9 +50,7 @@ struct Curve {
   bool rezoned = false;
 
   [[nodiscard]] std::vector<double> column(double Climbed::*member) const {
-    std::vector<double> values;
-    for (const Climbed& point : points) values.push_back(point.*member);
-    return values;
+    return each(points, [&](const Climbed& point) { return point.*member; });
   }
   [[nodiscard]] const Climbed* at(double amplitude) const {
     const auto found = std::find_if(points.begin(), points.end(),
@@ -150,10 +147,8 @@ std::string at_amplitude(double amplitude) {
 
 void claim_exact(const Claims<std::vector<Curve>>& claims, const io::Table& exact) {
   claims.check(
-      {.id = "exact",
-       .text = "Up to A = 0.5 the run-up is that of the Euler equations within the finest mesh's uncertainty.",
-       .quantity = "largest difference over the uncertainty that the change from mesh to mesh gives",
-       .source = source},
+      "exact", "Up to A = 0.5 the run-up is that of the Euler equations within the finest mesh's uncertainty.",
+      "largest difference over the uncertainty that the change from mesh to mesh gives",
       [exact](const std::vector<Curve>& curves) -> Measurement {
         Worst off;
         for (std::size_t k = 0; k < exact.rows(); ++k) {
@@ -163,20 +158,18 @@ void claim_exact(const Claims<std::vector<Curve>>& claims, const io::Table& exac
         }
         return {.value = off.value(), .where = at_amplitude(off.where())};
       },
-      evidence::Bound{.limit = 1,
-                      .reason = "the uncertainty is the 95 % half-width of the finest mesh, of which no more than " +
-                                counted_text});
+      Bound{.limit = 1,
+            .reason =
+                "the uncertainty is the 95 % half-width of the finest mesh, of which no more than " + counted_text});
 }
 
 void claim_loads(const Claims<std::vector<Curve>>& claims, const io::Table& table) {
   for (const Load& load : compared_loads) {
     claims.check(
-        {.id = "exact-" + load.id,
-         .text = fmt::format(
-             "Up to A = 0.5 the largest {} is that of the Euler equations within the finest mesh's uncertainty.",
-             load.name),
-         .quantity = "largest difference over the uncertainty, A = 0.1 to 0.5",
-         .source = source},
+        "exact-" + load.id,
+        fmt::format("Up to A = 0.5 the largest {} is that of the Euler equations within the finest mesh's uncertainty.",
+                    load.name),
+        "largest difference over the uncertainty, A = 0.1 to 0.5",
         [table, load](const std::vector<Curve>& curves) -> Measurement {
           Worst off;
           for (std::size_t k = 0; k < table.rows(); ++k) {
@@ -186,10 +179,9 @@ void claim_loads(const Claims<std::vector<Curve>>& claims, const io::Table& tabl
           }
           return {.value = off.value(), .where = at_amplitude(off.where())};
         },
-        evidence::Bound{.limit = 1,
-                        .reason = "the 95 % half-width from the change from mesh to mesh, of which no more "
-                                  "than " +
-                                  counted_text + ", and column u of the exact values, at most 1e-10"});
+        Bound{.limit = 1,
+              .reason = "the 95 % half-width from the change from mesh to mesh, of which no more than " + counted_text +
+                        ", and column u of the exact values, at most 1e-10"});
   }
 }
 
@@ -198,12 +190,11 @@ void claim_rezoned(const Claims<std::vector<Curve>>& claims, const io::Table& ru
   const auto claim = [&](const std::string& id, const std::string& name, const io::Table& table,
                          const std::string& of_amplitude, const std::string& column, double Climbed::*member) {
     claims.check(
-        {.id = "rezoned-" + id,
-         .text = fmt::format("From A = {:g} to 0.6 the {} on meshes that are rezoned is that of the Euler equations "
-                             "within the finest mesh's uncertainty.",
-                             lowest_rezoned, name),
-         .quantity = "largest difference over the uncertainty that the change from mesh to mesh gives",
-         .source = source},
+        "rezoned-" + id,
+        fmt::format("From A = {:g} to 0.6 the {} on meshes that are rezoned is that of the Euler equations within the "
+                    "finest mesh's uncertainty.",
+                    lowest_rezoned, name),
+        "largest difference over the uncertainty that the change from mesh to mesh gives",
         [=](const std::vector<Curve>& curves) -> Measurement {
           Worst off;
           for (std::size_t k = 0; k < table.rows(); ++k) {
@@ -213,9 +204,9 @@ void claim_rezoned(const Claims<std::vector<Curve>>& claims, const io::Table& ru
           }
           return {.value = off.value(), .where = at_amplitude(off.where())};
         },
-        evidence::Bound{.limit = 1,
-                        .reason = "the uncertainty is the 95 % half-width of the finest mesh, of which no more than " +
-                                  counted_text});
+        Bound{.limit = 1,
+              .reason =
+                  "the uncertainty is the 95 % half-width of the finest mesh, of which no more than " + counted_text});
   };
   claim("exact", "run-up", runup, "a", "R", &Climbed::runup);
   for (const Load& one : compared_loads) claim(one.id, "largest " + one.name, load, "A", one.column, one.member);
@@ -264,9 +255,7 @@ void tabulate(const std::vector<Curve>& curves, const io::Table& exact, evidence
                         .caption =
                             "Nothing where the mesh folds before; high waves also on a mesh that is rezoned. Series: "
                             "2A + A^2/2 + 3A^3/4.",
-                        .columns = {{"A", "depth"}},
-                        .rows = {},
-                        .atlas = {}};
+                        .columns = table_columns({"A [depth]"})};
   for (const Curve& curve : curves) table.columns.emplace_back(curve.name(), "depth");
   table.columns.emplace_back("exact", "depth");
   table.columns.emplace_back("series", "depth");
@@ -292,19 +281,18 @@ void tabulate(const std::vector<Curve>& curves, const io::Table& exact, evidence
 void draw(const std::vector<Curve>& curves, const io::Table& exact, const io::Table& exact_loads,
           evidence::Exhibit& exhibit) {
   const std::vector<double> fine = evenly(0.05, 0.6, 56);
-  std::vector<double> series;
-  for (const double a : fine) series.push_back(exact::WallRunup::su_mirie(a));
+  std::vector<double> series = each(fine, [&](const double a) { return exact::WallRunup::su_mirie(a); });
   const auto curves_on = [&](evidence::Panel& panel, double Climbed::*member) {
     for (std::size_t k = 0; k < curves.size(); ++k) {
       const Role role = k + 1 == curves.size() ? Role::computed : Role::peer;
       panel.points(curves[k].name(), curves[k].column(&Climbed::amplitude), curves[k].column(member), role);
     }
   };
-  auto& runup = exhibit.figure("runup", "Largest run-up on a vertical wall",
-                               "Solitary waves on meshes of Frank's model, high ones on a mesh that is rezoned, exact "
-                               "values of the Euler equations, and the "
-                               "series of Su and Mirie; beside it relative to the height of the wave.",
-                               {"frank-fig-2"});
+  auto& runup = exhibit.figure(
+      "runup", "Largest run-up on a vertical wall",
+      "Solitary waves on meshes of Frank's model, high ones on a mesh that is rezoned, exact values of the Euler "
+      "equations, and the series of Su and Mirie; beside it relative to the height of the wave.",
+      {"frank-fig-2"});
   auto& heights = runup.panel({.x = "A [depth]", .y = "R [depth]"});
   heights.points("Euler equations", exact.column("a"), exact.column("R"), Role::exact);
   curves_on(heights, &Climbed::runup);
@@ -356,8 +344,8 @@ Case wall_run_up_mesh_figures() {
   c.former_names = {"wall_run_up_2d_figures"};
   c.title = "Run-up and pressure on a vertical wall against the height of the wave";
   c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.2, figures 2 and 3; "
-      "C. H. Su, R. M. Mirie, J. Fluid Mech. 98 (1980) 509";
+      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), section 2.2, figures 2 and 3; C. "
+      "H. Su, R. M. Mirie, J. Fluid Mech. 98 (1980) 509";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       integer("rows", {8, 16, 16}, {8, 64}, "of the finest mesh; coarser ones have 2, 4, 8, ..."),
@@ -368,7 +356,7 @@ Case wall_run_up_mesh_figures() {
   c.published = {
       {.tiles = {"frank-fig-2", "frank-fig-3"},
        .differs = "the thesis does not state the meshes of the figures, nor its level y = 0: the still water"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

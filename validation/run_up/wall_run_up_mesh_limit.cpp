@@ -37,8 +37,6 @@ meshes. Rezoning carries every wave through, and its run-up is no worse than tha
 namespace seiche::validation::cases::wall_run_up_mesh_limit {
 namespace {
 
-using evidence::Role;
-
 const std::string source = "Frank (1994), chapter 2";
 
 struct Variant {
@@ -183,22 +181,14 @@ double exact_runup(const io::Table& exact, double amplitude) {
 }
 
 void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Exhibit& exhibit) {
-  evidence::Table table{
-      .id = "fates",
-      .title = "How far variants of the method go",
-      .caption =
-          "Run-up less the exact one, in per cent of it, and whether the reflection runs through or when and "
-          "where the mesh folds; then the largest height tried up to which the run-up is reached, and up to "
-          "which the reflection runs through.",
-      .columns = {{"variant", ""},
-                  {"A = 0.5", "%"},
-                  {"its end", ""},
-                  {"A = 0.6", "%"},
-                  {"its end ", ""},
-                  {"run-up", "depth"},
-                  {"reflection", "depth"}},
-      .rows = {},
-      .atlas = {}};
+  evidence::Table table{.id = "fates",
+                        .title = "How far variants of the method go",
+                        .caption =
+                            "Run-up less the exact one, in per cent of it, and whether the reflection runs through or "
+                            "when and where the mesh folds; then the largest height tried up to which the run-up is "
+                            "reached, and up to which the reflection runs through.",
+                        .columns = table_columns({"variant", "A = 0.5 [%]", "its end", "A = 0.6 [%]", "its end ",
+                                                  "run-up [depth]", "reflection [depth]"})};
   const auto rounded = [](double value, double scale) { return std::round(value * scale) / scale; };
   for (const Told& told : all) {
     std::vector<std::variant<double, std::string>> row{told.variant.title};
@@ -283,18 +273,18 @@ void claims(const Values& values, const Claims<Results>& all) {
   const long rows = values.integer("rows");
   // The mesh does not depend on the wave.
   const Claims<Results> claims = all.at(MeshWallClimb::with_rows(exact::SolitaryWave(0.1), rows).resolution());
-  const evidence::Qualitative reaches{
+  const Qualitative reaches{
       .detector =
           "the contact point falls again before any corner folds and before 1 % of the energy is lost or gained",
       .reason = "the Euler equations have a solution that does"};
-  const evidence::Qualitative goes{.detector = "no corner folds until the crest is half way back",
-                                   .reason = "the Euler equations have a solution that does"};
+  const Qualitative goes{.detector = "no corner folds until the crest is half way back",
+                         .reason = "the Euler equations have a solution that does"};
   const auto does = [&](const std::string& id, const std::string& text, const std::string& from) {
     return evidence::Claim{.id = id, .text = text, .quantity = "it does", .source = from};
   };
   // On coarser meshes nothing is known beforehand.
-  const auto not_expected = [&](const evidence::Claim& claim, const auto& measured,
-                                const evidence::Qualitative& criterion, const std::string& reason) {
+  const auto not_expected = [&](const evidence::Claim& claim, const auto& measured, const Qualitative& criterion,
+                                const std::string& reason) {
     constexpr long coarsest_known = 8;
     if (rows < coarsest_known) {
       claims.check(claim, measured, criterion);
@@ -323,21 +313,15 @@ void claims(const Values& values, const Claims<Results>& all) {
                fate_of("rezoned", 0.6, &Fate::through), goes);
   claims.check(does("rezoned-run-up", "It reaches its largest run-up.", own), fate_of("rezoned", 0.6, &Fate::reached),
                reaches);
-  claims.check(
-      {.id = "barrier-neutral",
-       .text = "The barrier does not change the run-up of A = 0.5.",
-       .quantity = "difference of run-ups",
-       .unit = "depth",
-       .source = own},
+  claims.from(own).check(
+      "barrier-neutral", "The barrier does not change the run-up of A = 0.5.", "difference of run-ups [depth]",
       [](const Results& r) {
         return std::abs(find(r.all, "barrier").at(0.5)->runup - find(r.all, "frank").at(0.5)->runup);
       },
-      evidence::Bound{.limit = 0, .reason = "no corner is below the shape at which it acts until the water falls"});
+      Bound{.limit = 0, .reason = "no corner is below the shape at which it acts until the water falls"});
   claims.check(
-      {.id = "stated",
-       .text = "A run without the barrier that stops says when and where, before its mesh is out of the tank.",
-       .quantity = "share that do",
-       .source = source},
+      "stated", "A run without the barrier that stops says when and where, before its mesh is out of the tank.",
+      "share that do",
       [](const Results& r) {
         Count inside;
         for (const Told& one : r.all) {
@@ -348,8 +332,7 @@ void claims(const Values& values, const Claims<Results>& all) {
         }
         return inside.value() / static_cast<double>(inside.samples());
       },
-      evidence::Qualitative{.detector = "the failure's place is in the tank",
-                            .reason = "a failure must not pass as a result"});
+      Qualitative{.detector = "the failure's place is in the tank", .reason = "a failure must not pass as a result"});
 }
 
 Results compute(const Run& run) {
@@ -385,7 +368,7 @@ Case wall_run_up_mesh_limit() {
       integer("heights", {2, 5, 5}, {1, 10}, "of waves tried in each tenth of a depth from 0.5 on"),
       real("highest", 0.7, "depth", {0.6, 0.8}, "of the heights tried"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

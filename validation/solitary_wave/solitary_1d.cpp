@@ -40,10 +40,6 @@ using dispersive_shallow_water_1d::Flow;
 using dispersive_shallow_water_1d::Scheme;
 using dispersive_shallow_water_1d::Stepping;
 using dispersive_shallow_water_1d::TimeComposition;
-using evidence::Bound;
-using evidence::Order;
-using evidence::Role;
-using evidence::Roundoff;
 
 const std::string source = "Serre (1953); Frank (1994), chapter 3";
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -81,7 +77,7 @@ std::vector<double> fractions(double first, long count) {
 void claim_second_order(const Claims<Refinement>& claims, const std::string& id, const std::string& what,
                         std::vector<double> Refinement::*errors) {
   claims.check(
-      {.id = "order-" + id, .text = what + ": second order.", .quantity = "observed order", .source = source},
+      "order-" + id, what + ": second order.", "observed order",
       [errors](const Refinement& r) { return evidence::observed_order(r.size, r.*errors); },
       Order{2, 0.1, "smooth wave; the coarsest cells still deviate by a few per cent of the order"});
 }
@@ -132,14 +128,13 @@ void claim_kept(const Claims<OwnRun>& claims, const Values& values) {
   const auto claim = [&](const Claims<OwnRun>& applies, const std::string& id, const std::string& text,
                          std::vector<double> SerreHistory::*defect, double scale, const std::string& reason) {
     applies.check(
-        {.id = id, .text = text, .quantity = "largest relative defect", .source = source},
+        id, text, "largest relative defect",
         [defect](const OwnRun& own) -> Measurement {
           return {.value = (own.history.*defect).back(),
                   .told = {.operations = static_cast<double>(own.flow.solves())}};
         },
         // Steps are no shorter than a quarter of a cell takes, and take less than a hundred solves.
-        Roundoff{.operations =
-                     evidence::Amount::told_by_run(100 * values.real("time") / std::min(values.real("tau"), 0.25 * h)),
+        Roundoff{.operations = Amount::told_by_run(100 * values.real("time") / std::min(values.real("tau"), 0.25 * h)),
                  .scale = scale,
                  .reason = reason + ", once per solve"});
   };
@@ -168,14 +163,13 @@ void claim_orders(const Claims<Results>& claims) {
     std::string id = name;
     std::erase(id, ',');
     std::replace(id.begin(), id.end(), ' ', '-');
-    claims.check(
-        {.id = "time-" + id,
-         .text = fmt::format("In time: {} is of order {}.", name, fourth ? 4 : 2),
-         .quantity = "observed order of the largest error of a marker",
-         .source = fourth ? "Yoshida (1990), Suzuki (1990)" : source},
-        [k](const Results& r) { return evidence::observed_order(r.tau, r.in_time.at(k), 1e-12); },
-        Order{fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
-              "smooth motion; below 1e-12 the rounding of coordinates up to 60 counts"});
+    claims.from(fourth ? "Yoshida (1990), Suzuki (1990)" : source)
+        .check(
+            "time-" + id, fmt::format("In time: {} is of order {}.", name, fourth ? 4 : 2),
+            "observed order of the largest error of a marker",
+            [k](const Results& r) { return evidence::observed_order(r.tau, r.in_time.at(k), 1e-12); },
+            Order{fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
+                  "smooth motion; below 1e-12 the rounding of coordinates up to 60 counts"});
   }
 }
 
@@ -184,28 +178,25 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_orders(claims);
   for (std::size_t k = 0; k < plain.size(); ++k) {
     claims.at(fmt::format("tau = {:g}", 4 * values.real("tau")))
+        .from("discrete dispersion: sin and tan of half the phase advanced per step, Frank (1994), formula 13")
         .check(
-            {.id = fmt::format("phase-{}", plain_ids.at(k)),
-             .text = k == 0 ? "Long steps make the one-step wave lead." : "They make the conservative wave lag.",
-             .quantity = "crest ahead of the exact one",
-             .source =
-                 "discrete dispersion: sin and tan of half the phase advanced per step, Frank (1994), formula 13"},
+            fmt::format("phase-{}", plain_ids.at(k)),
+            k == 0 ? "Long steps make the one-step wave lead." : "They make the conservative wave lag.",
+            "crest ahead of the exact one",
             [k](const Results& r) {
               const double phase = r.steps.at(k).phase.front();
               return std::isnan(phase) ? nan : phase > 0 ? 1.0 : 0.0;
             },
-            evidence::Qualitative{.detector = "sign of the crest's phase error, cells eight times finer",
-                                  .reason = "the one-step scheme raises frequencies, the conservative one lowers "
-                                            "them",
-                                  .expected = k == 0});
+            Qualitative{.detector = "sign of the crest's phase error, cells eight times finer",
+                        .reason = "the one-step scheme raises frequencies, the conservative one lowers them",
+                        .expected = k == 0});
   }
   const std::vector<double> halved = fractions(values.real("tau") / 2, 4);
   claims.at(fmt::format("tau = {:g} .. {:g}", halved.front(), halved.back()))
+      .from("Frank (1994), chapter 1: second order")
       .check(
-          {.id = "energy-ratio",
-           .text = "One-step: each halving of the step divides the energy defect by four.",
-           .quantity = "ratio farthest from four",
-           .source = "Frank (1994), chapter 1: second order"},
+          "energy-ratio", "One-step: each halving of the step divides the energy defect by four.",
+          "ratio farthest from four",
           [](const Results& r) {
             Worst off;
             for (std::size_t k = 0; k + 1 < r.energy.size(); ++k) {
@@ -272,13 +263,8 @@ void draw_together(evidence::Exhibit& exhibit, const Results& r, const Values& v
   evidence::Table table{.id = "refinement",
                         .title = "Cells and steps refined together",
                         .caption = "Errors at the end of the run.",
-                        .columns = {{"scheme", ""},
-                                    {"h", "1"},
-                                    {"tau", "1"},
-                                    {"L2, elevation", "1"},
-                                    {"max, elevation", "1"},
-                                    {"L2, velocity", "1"},
-                                    {"phase", "1"}}};
+                        .columns = table_columns({"scheme", "h [1]", "tau [1]", "L2, elevation [1]",
+                                                  "max, elevation [1]", "L2, velocity [1]", "phase [1]"})};
   for (std::size_t k = 0; k < plain.size(); ++k) {
     const Refinement& e = r.together.at(k);
     for (std::size_t i = 0; i < e.size.size(); ++i) {
@@ -400,7 +386,7 @@ Case solitary_1d() {
       real("alpha", 1.0 / 3, "1", {0.1, 1}, "factor of the vertical kinetic energy"),
       integer("levels", {5, 6, 7}, {4, 9}, "refinements of cells and steps together"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

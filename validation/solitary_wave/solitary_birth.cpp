@@ -39,14 +39,13 @@ The highest wave leaves the first column of the coarsest mesh sheared, which fol
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_source.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/solitary_wave/born_waves.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::solitary_birth {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 using exact::LaitoneSolitary;
 using exact::SolitaryWave;
 using lagrangian_mesh_2d::Flow;
@@ -73,9 +72,7 @@ class EulerSpeed {
  private:
   static std::vector<double> heights() { return evenly(0.1, 0.65, 8); }
   static std::vector<double> speeds() {
-    std::vector<double> values;
-    for (const double a : heights()) values.push_back(SolitaryWave(a).speed());
-    return values;
+    return each(heights(), [&](const double a) { return SolitaryWave(a).speed(); });
   }
 
   boost::math::barycentric_rational<double> between_;
@@ -141,11 +138,8 @@ Results compute(const Run& run) {
 
 void claim_source_table(const Claims<Family>& claims, const io::Table& published) {
   claims.check(
-      {.id = "source-table",
-       .text = "Speeds are those of the source's table at the same height.",
-       .quantity = "largest difference",
-       .unit = "sqrt(g depth)",
-       .source = source},
+      "source-table", "Speeds are those of the source's table at the same height.",
+      "largest difference [sqrt(g depth)]",
       [published](const Family& coarse) {
         Worst difference;
         for (std::size_t k = 0; k < published.rows(); ++k) {
@@ -154,9 +148,8 @@ void claim_source_table(const Claims<Family>& claims, const io::Table& published
         return difference.value();
       },
       Bound{.limit = 0.005,
-            .reason = "half a unit of the last digit of A moves C by 0.002, that of C is 0.0005; the source "
-                      "does not say on which mesh: one twice as fine changes C by up to 0.003 at the same "
-                      "height"});
+            .reason = "half a unit of the last digit of A moves C by 0.002, that of C is 0.0005; the source does not "
+                      "say on which mesh: one twice as fine changes C by up to 0.003 at the same height"});
 }
 
 /// Of the distances of speeds from the Euler equations' on a mesh and on the one before, the largest ratio.
@@ -186,12 +179,10 @@ void claim_approach(const Claims<Results>& claims, const std::vector<Family>& al
     const auto claim = [&](const char* id, const char* what, double (*approach)(const Results&, std::size_t)) {
       claims.at(all[m].label)
           .check(
-              {.id = fmt::format("euler-{}-{}", id, all[m].mesh.rows),
-               .text = fmt::format("With {} rows, {} nearer to the Euler equations than with half as many.",
-                                   all[m].mesh.rows, what),
-               .quantity = "largest ratio of the distances",
-               .source = source},
-              [approach, m](const Results& r) { return approach(r, m); },
+              fmt::format("euler-{}-{}", id, all[m].mesh.rows),
+              fmt::format("With {} rows, {} nearer to the Euler equations than with half as many.", all[m].mesh.rows,
+                          what),
+              "largest ratio of the distances", [approach, m](const Results& r) { return approach(r, m); },
               Bound{.limit = 1, .reason = "nearer means less than 1"});
     };
     claim("speed", "speeds at the same height are", speeds_approach);
@@ -201,11 +192,10 @@ void claim_approach(const Claims<Results>& claims, const std::vector<Family>& al
 
 void claim_second_approximation(const Claims<Family>& claims) {
   claims.check(
-      {.id = "second-approximation",
-       .text = "On cells one depth wide profiles are nearer to the second approximation than to the exact "
-               "wave, as the source shows them.",
-       .quantity = "largest ratio of the distances",
-       .source = source},
+      "second-approximation",
+      "On cells one depth wide profiles are nearer to the second approximation than to the exact wave, as the source "
+      "shows them.",
+      "largest ratio of the distances",
       [](const Family& coarse) {
         Largest ratio;
         for (const Born& wave : coarse.waves) ratio.add(wave.from_laitone / wave.from_exact);
@@ -217,38 +207,32 @@ void claim_second_approximation(const Claims<Family>& claims) {
 /// The same wave however it was made: the exact Euler wave, let run on the coarsest mesh, ends on the curve of waves
 /// born from humps.
 void claim_one_curve(const Claims<Results>& claims) {
-  claims.check(
-      {.id = "one-curve",
-       .text = "The exact wave of the Euler equations, started with A = 0.3, ends on the same curve of height "
-               "and speed.",
-       .quantity = "difference of C",
-       .unit = "sqrt(g depth)",
-       .source = "a mesh has one solitary wave of each height"},
-      [](const Results& r) -> Measurement {
-        const Born& late = r.from_exact;
-        return {.value = std::abs(late.speed - r.coarsest().speed_at(late.amplitude)),
-                .resolution = r.coarsest().label + fmt::format(", A = {:.4f} at last", late.amplitude)};
-      },
-      Bound{.limit = 7e-4,
-            .reason = "the curve is linear between heights 0.1 apart: 3e-4 at most; heights still change by "
-                      "1e-3 while they are averaged: 4e-4"});
+  claims.from("a mesh has one solitary wave of each height")
+      .check(
+          "one-curve",
+          "The exact wave of the Euler equations, started with A = 0.3, ends on the same curve of height and speed.",
+          "difference of C [sqrt(g depth)]",
+          [](const Results& r) -> Measurement {
+            const Born& late = r.from_exact;
+            return {.value = std::abs(late.speed - r.coarsest().speed_at(late.amplitude)),
+                    .resolution = r.coarsest().label + fmt::format(", A = {:.4f} at last", late.amplitude)};
+          },
+          Bound{.limit = 7e-4,
+                .reason = "the curve is linear between heights 0.1 apart: 3e-4 at most; heights still change by 1e-3 "
+                          "while they are averaged: 4e-4"});
 }
 
 void claim_fold(const Claims<Family>& claims) {
-  claims.known_failure(
-      {.id = "fold",
-       .text = "The highest hump leaves no corner folded on cells one depth wide.",
-       .quantity = "end of the run",
-       .unit = "sqrt(depth/g)",
-       .source = source},
-      [](const Family& coarse) { return coarse.waves.back().track.time.back(); },
-      Bound{.limit = 1e-9,
-            .reason = "the time that was asked for, to the rounding of its steps",
-            .expected = birth_duration},
-      {.value = 117.1,
-       .width = 0.5,
-       .reason = "the first column, which the wave has left, is sheared on and on: no force stops it; the shear grows "
-                 "slowly, so that a few steps more or less are the same fold"});
+  claims.known_failure("fold", "The highest hump leaves no corner folded on cells one depth wide.",
+                       "end of the run [sqrt(depth/g)]",
+                       [](const Family& coarse) { return coarse.waves.back().track.time.back(); },
+                       Bound{.limit = 1e-9,
+                             .reason = "the time that was asked for, to the rounding of its steps",
+                             .expected = birth_duration},
+                       {.value = 117.1,
+                        .width = 0.5,
+                        .reason = "the first column, which the wave has left, is sheared on and on: no force stops it; "
+                                  "the shear grows slowly, so that a few steps more or less are the same fold"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -262,20 +246,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 evidence::Table table_of_waves(const std::vector<Family>& all, const EulerSpeed& euler) {
-  evidence::Table table{.id = "waves",
-                        .title = "The waves that were born",
-                        .caption = "Profiles: largest distance within six depths of the crest.",
-                        .columns = {{"h1", "depth"},
-                                    {"rows", "1"},
-                                    {"a0", "depth"},
-                                    {"w", "depth"},
-                                    {"A", "depth"},
-                                    {"C", "sqrt(g depth)"},
-                                    {"sqrt(1 + A)", "sqrt(g depth)"},
-                                    {"C, Euler", "sqrt(g depth)"},
-                                    {"profile from Euler", "depth"},
-                                    {"profile from Laitone", "depth"},
-                                    {"followed until", "sqrt(depth/g)"}}};
+  evidence::Table table{
+      .id = "waves",
+      .title = "The waves that were born",
+      .caption = "Profiles: largest distance within six depths of the crest.",
+      .columns = table_columns({"h1 [depth]", "rows [1]", "a0 [depth]", "w [depth]", "A [depth]", "C [sqrt(g depth)]",
+                                "sqrt(1 + A) [sqrt(g depth)]", "C, Euler [sqrt(g depth)]", "profile from Euler [depth]",
+                                "profile from Laitone [depth]", "followed until [sqrt(depth/g)]"})};
   for (const Family& family : all) {
     for (std::size_t k = 0; k < starts.size(); ++k) {
       const Born& wave = family.waves[k];
@@ -289,17 +266,15 @@ evidence::Table table_of_waves(const std::vector<Family>& all, const EulerSpeed&
 
 evidence::Table table_of_celerity(const Family& coarse, const io::Table& published, const EulerSpeed& euler) {
   const std::vector<double>& amplitude = published.column("A");
-  evidence::Table table{.id = "celerity",
-                        .title = "Height and speed of solitary waves",
-                        .caption =
-                            "The source's table beside this program's waves on cells one depth wide and half a "
-                            "depth high, linear between their heights.",
-                        .columns = {{"A", "depth"},
-                                    {"C, Frank (1994)", "sqrt(g depth)"},
-                                    {"C, this program", "sqrt(g depth)"},
-                                    {"sqrt(1 + A)", "sqrt(g depth)"},
-                                    {"C, Euler", "sqrt(g depth)"}},
-                        .atlas = {"frank-table-celerity"}};
+  evidence::Table table{
+      .id = "celerity",
+      .title = "Height and speed of solitary waves",
+      .caption =
+          "The source's table beside this program's waves on cells one depth wide and half a depth high, linear "
+          "between their heights.",
+      .columns = table_columns({"A [depth]", "C, Frank (1994) [sqrt(g depth)]", "C, this program [sqrt(g depth)]",
+                                "sqrt(1 + A) [sqrt(g depth)]", "C, Euler [sqrt(g depth)]"}),
+      .atlas = {"frank-table-celerity"}};
   for (std::size_t k = 0; k < amplitude.size(); ++k) {
     table.rows.push_back({amplitude[k], published.column("C")[k], coarse.speed_at(amplitude[k]),
                           std::sqrt(1 + amplitude[k]), euler(amplitude[k])});
@@ -309,10 +284,10 @@ evidence::Table table_of_celerity(const Family& coarse, const io::Table& publish
 
 void draw_celerity(evidence::Exhibit& exhibit, const std::vector<Family>& all, const io::Table& published,
                    const EulerSpeed& euler) {
-  auto& figure = exhibit.figure("celerity", "Speed against height of solitary waves",
-                                "Frank's table, this program's waves, the Euler equations; then the excess over the "
-                                "latter.",
-                                {"frank-table-celerity"});
+  auto& figure =
+      exhibit.figure("celerity", "Speed against height of solitary waves",
+                     "Frank's table, this program's waves, the Euler equations; then the excess over the latter.",
+                     {"frank-table-celerity"});
   auto& speeds = figure.panel({.x = "A [depth]", .y = "C [sqrt(g depth)]"});
   auto& excess = figure.panel({.x = "A [depth]", .y = "C - C_Euler [sqrt(g depth)]"});
   const std::vector<double> fine = evenly(0.1, 0.6, 51);
@@ -334,11 +309,8 @@ void draw_celerity(evidence::Exhibit& exhibit, const std::vector<Family>& all, c
   speeds.points("Frank (1994)", published.column("A"), published.column("C"), Role::data, error);
   excess.points("Frank (1994)", published.column("A"), data_excess, Role::data, error);
   for (const Family& family : all) {
-    std::vector<double> c, over;
-    for (const Born& wave : family.waves) {
-      c.push_back(wave.speed);
-      over.push_back(wave.speed - euler(wave.amplitude));
-    }
+    std::vector<double> c = each(family.waves, [](const Born& wave) { return wave.speed; });
+    std::vector<double> over = each(family.waves, [&](const Born& wave) { return wave.speed - euler(wave.amplitude); });
     speeds.points(family.label, family.amplitudes(), c, Role::computed);
     excess.points(family.label, family.amplitudes(), over, Role::computed);
   }
@@ -355,11 +327,8 @@ void draw_own(evidence::Exhibit& exhibit, const Results& r, const std::string& r
   const LaitoneSolitary laitone(r.own.end_amplitude());
   const MeshWindow window{crest - birth_reach - 2, crest + birth_reach + 2};
   const std::vector<double> x = evenly(window.begin, window.end, 241);
-  std::vector<double> euler, second;
-  for (const double at : x) {
-    euler.push_back(exact.elevation(at - crest));
-    second.push_back(laitone.elevation(at - crest));
-  }
+  std::vector<double> euler = each(x, [&](const double at) { return exact.elevation(at - crest); });
+  std::vector<double> second = each(x, [&](const double at) { return laitone.elevation(at - crest); });
   auto& figure = exhibit.figure(
       "profile", "The wave that was born",
       fmt::format("Mesh and surface at t = {:g}, {}; exact wave and second approximation of the same height.",
@@ -408,8 +377,8 @@ Case solitary_birth() {
   Case c;
   c.title = "A local elevation gives birth to a solitary wave";
   c.source =
-      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2, figure 1 and table; "
-      "E. V. Laitone, J. Fluid Mech. 9 (1960) 430";
+      "A. M. Frank, Discrete models of incompressible fluid, doctoral thesis (1994), chapter 2, figure 1 and table; E. "
+      "V. Laitone, J. Fluid Mech. 9 (1960) 430";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("elevation", 0.56, "depth", {0.05, 1.2}, "of the water at the wall"),
@@ -422,7 +391,7 @@ Case solitary_birth() {
   c.published = {
       {.tiles = {"frank-table-celerity", "frank-fig-1"},
        .differs = "the thesis states neither the elevations nor the mesh: the one that it recommends for long waves"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

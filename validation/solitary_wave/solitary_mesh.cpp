@@ -37,16 +37,13 @@ A small restoring force (`hourglass`) prevents it too.
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/crest_track.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/mesh_solitary_wave.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::solitary_mesh {
 namespace {
 
-using evidence::Bound;
-using evidence::Order;
-using evidence::Role;
-using evidence::Roundoff;
 using exact::SolitaryWave;
 using lagrangian_mesh_2d::Flow;
 using lagrangian_mesh_2d::Scheme;
@@ -127,19 +124,13 @@ using Travels = std::vector<Travel>;
 
 evidence::Table table_of(const Travels& travels, const std::string& id, const std::string& title,
                          const std::string& caption) {
-  evidence::Table table{.id = id,
-                        .title = title,
-                        .caption = caption,
-                        .columns = {{"amplitude", "depth"},
-                                    {"h1", "depth"},
-                                    {"rows", "1"},
-                                    {"tau", "sqrt(depth/g)"},
-                                    {"speed error", "1"},
-                                    {"crest at the end", "depth"},
-                                    {"profile error", "depth"},
-                                    {"phase error", "depth"},
-                                    {"worst corner", "1"},
-                                    {"until", "sqrt(depth/g)"}}};
+  evidence::Table table{
+      .id = id,
+      .title = title,
+      .caption = caption,
+      .columns = table_columns({"amplitude [depth]", "h1 [depth]", "rows [1]", "tau [sqrt(depth/g)]", "speed error [1]",
+                                "crest at the end [depth]", "profile error [depth]", "phase error [depth]",
+                                "worst corner [1]", "until [sqrt(depth/g)]"})};
   for (const auto& [amplitude, mesh, run] : travels) {
     table.rows.push_back({amplitude, mesh.column_width, static_cast<double>(mesh.rows), mesh.tau, run.speed_error,
                           run.crest, run.profile, run.phase, run.track.worst_corner, run.track.time.back()});
@@ -179,9 +170,8 @@ void claim_fold(const Claims<Results>& all) {
       end(&Results::sampled), to_the_end,
       {.value = 19.2,
        .width = 0.2,
-       .reason =
-           "surface nodes with the exact velocity slide over the row beneath: no force stops them; the time of the "
-           "fold is that of a step, to two steps"});
+       .reason = "surface nodes with the exact velocity slide over the row beneath: no force stops them; the time of "
+                 "the fold is that of a step, to two steps"});
   claims.check(claim("fold-impulse", "Nor behind one that an impulse on the surface starts."), end(&Results::impulse),
                to_the_end);
   claims.check(claim("fold-hourglass", "Nor where the hourglass force, kappa_0 = 0.02, holds the mesh."),
@@ -201,13 +191,6 @@ constexpr std::array<Refined, 4> refined{
      {"profile", "profile over A", [](const Travel& t) { return t.outcome.whole(&Outcome::profile) / t.amplitude; }},
      {"phase", "phase [depth]", [](const Travel& t) { return std::abs(t.outcome.whole(&Outcome::phase)); }}}};
 
-template <class Quantity>
-std::vector<double> each(const Travels& travels, Quantity quantity) {
-  std::vector<double> values;
-  for (const Travel& travel : travels) values.push_back(std::invoke(quantity, travel));
-  return values;
-}
-
 std::vector<double> heights_of_cells(const Travels& travels) {
   return each(travels, [](const Travel& t) { return 1 / static_cast<double>(t.mesh.rows); });
 }
@@ -215,16 +198,16 @@ std::vector<double> heights_of_cells(const Travels& travels) {
 /// What the steps keep: the one-step scheme to second order in them, the conservative one to round-off.
 void claim_conservation(const Claims<Results>& claims) {
   const auto claim_order = [&](const std::string& id, const std::string& what, double Outcome::*defect) {
-    claims.check(
-        {.id = "one-step-" + id,
-         .text = "One-step: " + what + " are kept to second order in the step.",
-         .quantity = "observed order of the largest relative defect",
-         .source = "Frank (1994), chapter 1"},
-        [defect](const Results& r) {
-          return evidence::observed_order(each(r.steps, [](const Travel& t) { return t.mesh.tau; }),
-                                          each(r.steps, [defect](const Travel& t) { return t.outcome.whole(defect); }));
-        },
-        Order{2, 0.1, "even powers of the step only: the scheme is time-reversible"});
+    claims.from("Frank (1994), chapter 1")
+        .check(
+            "one-step-" + id, "One-step: " + what + " are kept to second order in the step.",
+            "observed order of the largest relative defect",
+            [defect](const Results& r) {
+              return evidence::observed_order(
+                  each(r.steps, [](const Travel& t) { return t.mesh.tau; }),
+                  each(r.steps, [defect](const Travel& t) { return t.outcome.whole(defect); }));
+            },
+            Order{2, 0.1, "even powers of the step only: the scheme is time-reversible"});
   };
   claim_order("energy", "energy", &Outcome::energy);
   claim_order("area", "areas", &Outcome::area);
@@ -232,13 +215,13 @@ void claim_conservation(const Claims<Results>& claims) {
                               const std::string& reason) {
     claims.at(coarse.text())
         .check(
-            {.id = "conservative-" + id, .text = text, .quantity = "largest relative defect", .source = source},
+            "conservative-" + id, text, "largest relative defect",
             [defect](const Results& r) -> Measurement {
               return {.value = r.conservative.whole(defect),
                       .told = {.operations = static_cast<double>(r.conservative.solves)}};
             },
             // A step takes less than a hundred solves.
-            Roundoff{.operations = evidence::Amount::told_by_run(100 * duration / coarse.tau),
+            Roundoff{.operations = Amount::told_by_run(100 * duration / coarse.tau),
                      .scale = scale,
                      .reason = reason + ", once per solve"});
   };
@@ -255,24 +238,19 @@ void claims(const Values& /*values*/, const Claims<Results>& claims) {
   claim_conservation(claims);
   claims.at("from h1 = 0.5, 4 rows")
       .check(
-          {.id = "rows-govern",
-           .text = "The height of the cells governs the error: halving it takes off more than halving the width.",
-           .quantity = "profile error with half the height over that with half the width",
-           .source = source},
+          "rows-govern", "The height of the cells governs the error: halving it takes off more than halving the width.",
+          "profile error with half the height over that with half the width",
           [](const Results& r) { return profile_of_side(r, 2) / profile_of_side(r, 1); },
           Bound{.limit = 1, .reason = "more than means a ratio below 1"});
   for (const Refined& error : refined) {
     claims.check(
-        {.id = fmt::format("order-{}", error.id),
-         .text = fmt::format("Error of the {}: second order.", error.what),
-         .quantity = "observed order",
-         .source = source},
+        fmt::format("order-{}", error.id), fmt::format("Error of the {}: second order.", error.what), "observed order",
         [of = error.of](const Results& r) {
           return evidence::observed_order(heights_of_cells(r.refinement), each(r.refinement, of));
         },
         Order{2, 0.3,
-              "the next term is of third order, not fourth: surface nodes feel the pressure half a cell "
-              "below; with four rows it takes a fifth off the error, so 0.2 off the order"});
+              "the next term is of third order, not fourth: surface nodes feel the pressure half a cell below; with "
+              "four rows it takes a fifth off the error, so 0.2 off the order"});
   }
   claim_fold(claims);
 }
@@ -314,9 +292,9 @@ void draw_refinement(evidence::Exhibit& exhibit, const Results& r) {
                      .figure("errors", "Errors against the height of the cells",
                              "At the end of the run; cells twice as wide as high, five steps to a column.")
                      .panel({.x = "h2 [depth]", .y = "error", .log_x = true, .log_y = true});
-  auto& history = exhibit.figure("history", "The crest on its way",
-                                 "The wave of the mesh is not quite the exact one: the crest falls back while the "
-                                 "difference is left behind.");
+  auto& history = exhibit.figure(
+      "history", "The crest on its way",
+      "The wave of the mesh is not quite the exact one: the crest falls back while the difference is left behind.");
   auto& lag = history.panel({.x = "t [sqrt(depth/g)]", .y = "crest less exact crest [depth]"});
   auto& height = history.panel({.x = "t [sqrt(depth/g)]", .y = "crest/A"});
   Travels unfolded;
@@ -344,8 +322,7 @@ void draw_wave(evidence::Exhibit& exhibit, const Results& r, const MeshResolutio
   auto& figure =
       exhibit.figure("wave", "The wave at the end", "Mesh; surface nodes and exact surface: " + mesh.text() + ".");
   std::vector<double> x = evenly(window.begin, window.end, 241);
-  std::vector<double> surface;
-  for (const double at : x) surface.push_back(r.wave.elevation(at - place));
+  std::vector<double> surface = each(x, [&](const double at) { return r.wave.elevation(at - place); });
   auto& picture = figure.panel(mesh_axes("Mesh", window));
   draw_mesh(picture, "", r.flow, window);
   auto& profile =
@@ -424,7 +401,7 @@ Case solitary_mesh() {
       real("hourglass", 0.0, "1", {0, 10},
            "kappa_0 of the force against node motions (-1)^(i+j), with the same exception"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

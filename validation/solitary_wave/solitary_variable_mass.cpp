@@ -23,16 +23,13 @@ and from twelve rows on hardly any more.
 #include "seiche/free_lagrangian/mesh.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/straight_line.hpp"
 #include "validation/studies/variable_mass/solitary_run.hpp"
 
 namespace seiche::validation::cases::solitary_variable_mass {
 namespace {
 
-using evidence::Bound;
-using evidence::Order;
-using evidence::Role;
-using evidence::Roundoff;
 using exact::SolitaryWave;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.3; exact wave";
@@ -115,48 +112,30 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const bool controlled = values.text("control") == "mapped" || values.text("control") == "fixed_x";
   const auto own = claims.of(&Results::own).at(fmt::format("{} rows, tau = {:.3g}", rows, tau));
   own.check(
-      {.id = "speed",
-       .text = "The crest travels with the speed of the exact wave of its height.",
-       .quantity = "speed over that of the exact wave, less 1",
-       .source = source},
-      &Travel::speed_error,
+      "speed", "The crest travels with the speed of the exact wave of its height.",
+      "speed over that of the exact wave, less 1", &Travel::speed_error,
       Bound{.limit = kh * kh / 6,
             .reason = "(k h)^2/6, k the rate of decay of the wave's tails: the error of differences of second order"});
   own.check(
-      {.id = "height",
-       .text = "The crest keeps its height.",
-       .quantity = "mean height over that of the beginning, less 1",
-       .source = source},
+      "height", "The crest keeps its height.", "mean height over that of the beginning, less 1",
       [a = values.real("amplitude")](const Travel& t) { return t.crest / a - 1; },
       Bound{.limit = kh * kh, .reason = "(k h)^2: the exact wave is the mesh's wave but for terms of second order"});
   own.only_if(controlled, "nodes that drift apart leave cells that are larger")
-      .check({.id = "profile",
-              .text = "The wave keeps its shape.",
-              .quantity = "largest error of the surface about the crest, over the amplitude",
-              .source = source},
+      .check("profile", "The wave keeps its shape.", "largest error of the surface about the crest, over the amplitude",
              &Travel::profile, Bound{.limit = 2 * kh * kh, .reason = "twice (k h)^2: of the height and of the width"});
   own.check(
-      {.id = "energy",
-       .text = "Energy with what was booked is kept.",
-       .quantity = "largest change, over the kinetic energy",
-       .source = source},
+      "energy", "Energy with what was booked is kept.", "largest change, over the kinetic energy",
       [](const Travel& t) { return t.run.energy_defect; },
       Bound{.limit = std::pow(k * speed * tau, 2) / 8,
             .reason = "(omega tau)^2/8, omega = k c: by that the energy of the one-step scheme oscillates"});
   own.check(
-      {.id = "dissipation",
-       .text = "The stabilisation hardly touches the wave.",
-       .quantity = "what it takes, over the kinetic energy",
-       .source = source},
+      "dissipation", "The stabilisation hardly touches the wave.", "what it takes, over the kinetic energy",
       [](const Travel& t) { return t.run.dissipated.back(); },
       Bound{.limit = std::max(values.real("stabilisation"), 1e-12) * kh * kh,
             .reason = "smooth pressures are touched to epsilon (k h)^2"});
   const double steps = values.real("time") / tau;
   own.check(
-      {.id = "mass",
-       .text = "Mass is handed on, never lost.",
-       .quantity = "largest change of the whole",
-       .source = source},
+      "mass", "Mass is handed on, never lost.", "largest change of the whole",
       [](const Travel& t) { return t.run.mass_defect; },
       Roundoff{.operations = 8 * steps * values.real("length") * std::pow(rows, 2),
                .scale = std::pow(rows, -2),
@@ -164,17 +143,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.only_if(meshes(values).size() >= 4, "an order needs four meshes: ny of 12 or more")
       .at(fmt::format("{} to {} rows", ladder.front(), rows))
       .check(
-          {.id = "order",
-           .text = "The height of the crest is of second order.",
-           .quantity = "order of the crest's error",
-           .source = source},
+          "order", "The height of the crest is of second order.", "order of the crest's error",
           [a = values.real("amplitude")](const Results& r) {
-            std::vector<double> sizes;
-            std::vector<double> errors;
-            for (const Travel& t : r.travels) {
-              sizes.push_back(1 / static_cast<double>(t.run.rows));
-              errors.push_back(t.crest / a - 1);
-            }
+            std::vector<double> sizes =
+                each(r.travels, [](const Travel& t) { return 1 / static_cast<double>(t.run.rows); });
+            std::vector<double> errors = each(r.travels, [&](const Travel& t) { return t.crest / a - 1; });
             return evidence::observed_order(sizes, errors);
           },
           Order{2, 0.5, "cells of regular rows: second order; the coarsest mesh has four rows"});
@@ -212,8 +185,7 @@ void draw_profile(const Results& r, evidence::Exhibit& exhibit) {
   auto& figure = exhibit.figure("profile", "The wave at the end of its way", "About the computed crest.");
   auto& panel = figure.panel({.x = "x - crest [depth]", .y = "elevation [depth]", .x_min = -10, .x_max = 10});
   const std::vector<double> x = evenly(-10, 10, 201);
-  std::vector<double> exact;
-  for (const double at : x) exact.push_back(r.wave.elevation(at));
+  std::vector<double> exact = each(x, [&](const double at) { return r.wave.elevation(at); });
   panel.line("exact", x, exact, Role::exact);
   const SurfaceLine& last = r.own().run.last();
   std::vector<double> from;
@@ -229,17 +201,12 @@ void draw_profile(const Results& r, evidence::Exhibit& exhibit) {
 void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
   draw_crest(r, exhibit);
   draw_profile(r, exhibit);
-  evidence::Table table{.id = "meshes",
-                        .title = "The wave on finer meshes",
-                        .caption = "Speed from t = 2 on; energies over the kinetic energy of the beginning.",
-                        .columns = {{"rows", "1"},
-                                    {"speed", "sqrt(g depth)"},
-                                    {"speed error", "1"},
-                                    {"crest", "depth"},
-                                    {"profile error", "1"},
-                                    {"energy with booked", "1"},
-                                    {"dissipated", "1"},
-                                    {"mass", "1"}}};
+  evidence::Table table{
+      .id = "meshes",
+      .title = "The wave on finer meshes",
+      .caption = "Speed from t = 2 on; energies over the kinetic energy of the beginning.",
+      .columns = table_columns({"rows [1]", "speed [sqrt(g depth)]", "speed error [1]", "crest [depth]",
+                                "profile error [1]", "energy with booked [1]", "dissipated [1]", "mass [1]"})};
   for (const Travel& t : r.travels) {
     table.rows.push_back({static_cast<double>(t.run.rows), t.speed, t.speed_error, t.crest, t.profile,
                           t.run.energy_defect, t.run.dissipated.back(), t.run.mass_defect});
@@ -275,7 +242,7 @@ Case solitary_variable_mass() {
       real("surface_rate", 0.5, "sqrt(g/depth)", {0, 10}, "at which nodes of the surface slide back"),
       real("stabilisation", 0.1, "1", {0, 10}, "epsilon"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

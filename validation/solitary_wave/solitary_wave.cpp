@@ -22,8 +22,6 @@ Boussinesq-type equations, has the wrong speed: the shift at the last time tells
 namespace seiche::validation::cases::solitary_wave {
 namespace {
 
-using evidence::Role;
-
 const std::string source = "Longuet-Higgins and Fenton (1974); Dutykh and Clamond (2014)";
 
 exact::SolitaryWave wave_of(const Values& values) {
@@ -62,8 +60,8 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     serre.push_back(model.elevation(at));
   }
   auto& figure = exhibit.figure("wave", "The solitary wave",
-                                "Surface beside Rayleigh's (exact for Serre's equations), and horizontal velocity "
-                                "over the depth at three sections.");
+                                "Surface beside Rayleigh's (exact for Serre's equations), and horizontal velocity over "
+                                "the depth at three sections.");
   auto& profile = figure.panel({.x = "x [m]", .y = "elevation [m]"});
   profile.line("Euler", x, surface, Role::exact);
   profile.line("Rayleigh, Serre", x, serre, Role::guide);

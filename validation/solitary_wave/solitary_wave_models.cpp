@@ -123,51 +123,37 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   const double k = wave.decay_rate();
   const double turn = k * 0.15 / static_cast<double>(values.integer("particles"));
   claims_of(all, "particles")
-      .check({.id = "particles-surface",
-              .text = "Free particles are off by less than what their steps make them lag.",
-              .quantity = "rms error of the surface over the height",
-              .source = source},
-             error_of_finest,
-             evidence::Bound{
-                 .limit = turn * turn / 12 * values.real("way") * std::tan(wave.maximum_slope()) / wave.amplitude(),
-                 .reason = "the discrete gradient lags by (k c tau)^2/12 of its way, k the rate of decay of "
-                           "the wave's tails: that, times the steepest slope of the surface; cells are to "
-                           "add less"});
+      .check("particles-surface", "Free particles are off by less than what their steps make them lag.",
+             "rms error of the surface over the height", error_of_finest,
+             Bound{.limit = turn * turn / 12 * values.real("way") * std::tan(wave.maximum_slope()) / wave.amplitude(),
+                   .reason = "the discrete gradient lags by (k c tau)^2/12 of its way, k the rate of decay of the "
+                             "wave's tails: that, times the steepest slope of the surface; cells are to add less"});
   claims_of(all, "mesh")
       .check(
-          {.id = "mesh-order",
-           .text = "The mesh is of second order.",
-           .quantity = "order of the rms error of the surface",
-           .source = source},
+          "mesh-order", "The mesh is of second order.", "order of the rms error of the surface",
           [](const Entry& entry) { return entry.order(); },
-          evidence::Order{.theory = 2,
-                          .tolerance = 0.3,
-                          .reason =
-                              "second order in space and time; at a crest half as high as the depth cells of a ninth "
-                              "of it are not small, and the next terms are seen"});
+          Order{.theory = 2,
+                .tolerance = 0.3,
+                .reason = "second order in space and time; at a crest half as high as the depth cells of a ninth of it "
+                          "are not small, and the next terms are seen"});
   for (const Named& model : {Named{"dirichlet", "Dirichlet cells"}, variable_mass}) {
     const double kh = k / static_cast<double>(values.integer("cells"));
     claims_of(all, model.id)
-        .check({.id = model.id + "-surface",
-                .text = fmt::format("The wave keeps shape and place: {}.", model.name),
-                .quantity = "rms error of the surface over the height",
-                .source = source},
-               error_of_finest,
-               evidence::Bound{.limit = kh * kh,
-                               .reason = "(k h)^2, k the rate of decay of the wave's tails: the exact wave is that of "
-                                         "the cells but for terms of second order"});
+        .check(model.id + "-surface", fmt::format("The wave keeps shape and place: {}.", model.name),
+               "rms error of the surface over the height", error_of_finest,
+               Bound{.limit = kh * kh,
+                     .reason = "(k h)^2, k the rate of decay of the wave's tails: the exact wave is that of the cells "
+                               "but for terms of second order"});
   }
   const double apart = equations_apart(values);
   claims_of(all, "dispersive")
-      .check({.id = "dispersive-surface",
-              .text = "The dispersive model ends where its equations do.",
-              .quantity = "rms error of the surface over the height",
-              .source = "Serre (1953); exact wave"},
-             error_of_finest,
-             evidence::Bound{.limit = 0.1 * apart,
-                             .reason = "both exact waves are known to round-off; of use where the spacing matters a "
-                                       "tenth of what the equations do",
-                             .expected = apart});
+      .from("Serre (1953); exact wave")
+      .check("dispersive-surface", "The dispersive model ends where its equations do.",
+             "rms error of the surface over the height", error_of_finest,
+             Bound{.limit = 0.1 * apart,
+                   .reason = "both exact waves are known to round-off; of use where the spacing matters a tenth of "
+                             "what the equations do",
+                   .expected = apart});
   claim_dissipates(claims_of(all, "sph"), {"sph", "SPH"},
                    "the viscosity acts on approaching pairs against their approach", source);
 }
@@ -222,7 +208,7 @@ Case solitary_wave_models() {
       integer("markers", {32, 64, 64}, {8, 512}, "of the dispersive model to the depth, finest of four"),
       integer("sph", {7, 16, 16}, {6, 96}, "rows of SPH particles, finest of three"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -31,6 +31,7 @@ the machine, nothing is claimed of them: the point of Basilisk is from another o
 #include "seiche/mechanics/scheme.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/processor_time.hpp"
 #include "validation/solitary_wave/serre_wave.hpp"
 
@@ -41,8 +42,6 @@ using dispersive_shallow_water_1d::Flow;
 using dispersive_shallow_water_1d::Scheme;
 using dispersive_shallow_water_1d::Stepping;
 using dispersive_shallow_water_1d::TimeComposition;
-using evidence::Bound;
-using evidence::Role;
 
 const std::string peer_source = "S. Popinet, Basilisk, test of the Green-Naghdi solver, src/test/soliton.ref";
 struct PeerPoint {
@@ -235,19 +234,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
     // A composition's best steps shrink like the root of the cells' width, the longest stable ones like the width.
     curve.only_if(order_in_time(contender.scheme) == 2, "its best steps are longer than half the longest stable one")
         .check(
-            {.id = "order-" + id,
-             .text = name + ": second order along its best steps.",
-             .quantity = "observed order of the largest error",
-             .source = "Frank (1994), chapter 3"},
+            "order-" + id, name + ": second order along its best steps.", "observed order of the largest error",
             [floor = 3 * tail_at_walls(wave)](const Curve& c) { return order_of(c, floor); },
-            evidence::Order{2, 0.15, "cells from half a depth, where the next order still takes 0.13 off the order"});
+            Order{2, 0.15, "cells from half a depth, where the next order still takes 0.13 off the order"});
     curve.at("128 .. 1024 cells")
         .only_if(peers_wave, "the peer's errors are those of its own wave on 128 .. 1024 cells")
-        .check({.id = "against-peer-" + id,
-                .text = fmt::format("{}: with as many cells the error is smaller than Basilisk's.", name),
-                .quantity = "largest error ratio",
-                .source = peer_source},
-               against_peer, Bound{.limit = 1, .reason = "a method that is worse than current practice has to say so"});
+        .from(peer_source)
+        .check("against-peer-" + id, fmt::format("{}: with as many cells the error is smaller than Basilisk's.", name),
+               "largest error ratio", against_peer,
+               Bound{.limit = 1, .reason = "a method that is worse than current practice has to say so"});
   }
 }
 
@@ -270,12 +265,8 @@ void show_costs(evidence::Exhibit& exhibit, const std::string& id, const Curve& 
 void draw_wave(evidence::Exhibit& exhibit, const SerreWave& wave, const Picture& picture) {
   const exact::SerreSolitary exact = wave.exact();
   const std::vector<double> x = evenly(wave.begin, wave.end, 701);
-  std::vector<double> before;
-  std::vector<double> after;
-  for (const double at : x) {
-    before.push_back(exact.elevation(at - wave.crest));
-    after.push_back(exact.elevation(at - wave.crest, wave.time));
-  }
+  std::vector<double> before = each(x, [&](const double at) { return exact.elevation(at - wave.crest); });
+  std::vector<double> after = each(x, [&](const double at) { return exact.elevation(at - wave.crest, wave.time); });
   auto& panel =
       exhibit
           .figure("wave", "The wave at the beginning and at the end",
@@ -300,13 +291,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   evidence::Table table{.id = "runs",
                         .title = "Runs",
                         .caption = "Steps of least work for each scheme; processor time of this machine.",
-                        .columns = {{"scheme", ""},
-                                    {"cells", ""},
-                                    {"tau", "s"},
-                                    {"error/a", "1"},
-                                    {"between markers", "1"},
-                                    {"markers x solves", ""},
-                                    {"processor time", "s"}}};
+                        .columns = table_columns({"scheme", "cells", "tau [s]", "error/a [1]", "between markers [1]",
+                                                  "markers x solves", "processor time [s]"})};
   const auto draw = [&](const std::string& label, const Curve& curve, const std::vector<double>& error) {
     by_cells.line(label, curve.cells, error, Role::computed);
     by_work.line(label, curve.work, error, Role::computed);
@@ -354,7 +340,7 @@ Case soliton_le_metayer() {
       integer("coarsest", 64L, {32, 512}, "smallest number of cells"),
       integer("levels", {5, 6, 7}, {5, 8}, "how often it is doubled, plus one"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "Frank (1994), chapter 3");
   return c;
 }
 

@@ -27,9 +27,6 @@ shortest. Across, where the bottom is level, they agree to half a per cent.
 namespace seiche::validation::cases::soliton_over_shoal {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
-
 const std::string source = "Frank (1994), chapter 4: both models of waves in three dimensions";
 
 /// Both models on cells of one size.
@@ -71,17 +68,14 @@ double highest(const Results& all, ShoalRun Pair::*model, std::size_t gauge) {
 void claim_energy(const Claims<Results>& claims, const ShoalWave& finest, const std::string& id,
                   const std::string& name, ShoalRun Pair::*model) {
   claims.check(
-      {.id = "energy-" + id,
-       .text = name + ": the energy stays, over the shoal too.",
-       .quantity = "largest relative change of the energy",
-       .source = source},
+      "energy-" + id, name + ": the energy stays, over the shoal too.", "largest relative change of the energy",
       [model](const Results& all) -> Measurement {
         const Worst& defect = (all.back().*model).energy_defect;
         return {.value = defect.value(), .where = fmt::format("t = {:.1f}", defect.where())};
       },
       Bound{.limit = 3 * finest.amplitude * std::pow(finest.tau(), 2) / 8 * finest.height,
-            .reason = "(omega tau)^2/8, omega^2 = 3a, by which the energy differs from what the scheme keeps, "
-                      "times the part by which the shoal can change the wave, that of the depth it takes"});
+            .reason = "(omega tau)^2/8, omega^2 = 3a, by which the energy differs from what the scheme keeps, times "
+                      "the part by which the shoal can change the wave, that of the depth it takes"});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
@@ -92,10 +86,8 @@ void claims(const Values& values, const Claims<Results>& all) {
   for (std::size_t g = 0; g < shoal_gauges.size(); ++g) {
     const ShoalGauge& gauge = shoal_gauges[g];
     claims.check(
-        {.id = fmt::format("models-{}", gauge.id),
-         .text = fmt::format("Both models raise the water as high {}.", gauge.name),
-         .quantity = "difference of the largest elevations over its uncertainty",
-         .source = source},
+        fmt::format("models-{}", gauge.id), fmt::format("Both models raise the water as high {}.", gauge.name),
+        "difference of the largest elevations over its uncertainty",
         [g, finest](const Results& r) -> Measurement {
           const double hexahedra = highest(r, &Pair::hexahedra, g);
           const double plan = highest(r, &Pair::plan, g);
@@ -104,13 +96,11 @@ void claims(const Values& values, const Claims<Results>& all) {
           return {.value = (hexahedra - plan) / std::hypot(grids, 2 * left_out(finest) * plan)};
         },
         Bound{.limit = 1,
-              .reason = "the 95 % half-widths of both from three meshes, and what the plan model leaves out, "
-                        "(kappa h)^4 with a coefficient of up to 2"});
+              .reason = "the 95 % half-widths of both from three meshes, and what the plan model leaves out, (kappa "
+                        "h)^4 with a coefficient of up to 2"});
     claims.check(
-        {.id = fmt::format("resolved-{}", gauge.id),
-         .text = fmt::format("The hexahedra resolve the wave {}.", gauge.name),
-         .quantity = "uncertainty of the largest elevation, from three meshes, over the elevation",
-         .source = source},
+        fmt::format("resolved-{}", gauge.id), fmt::format("The hexahedra resolve the wave {}.", gauge.name),
+        "uncertainty of the largest elevation, from three meshes, over the elevation",
         [g](const Results& r) {
           return converged(r, &Pair::hexahedra, g).uncertainty / highest(r, &Pair::hexahedra, g);
         },
@@ -118,12 +108,10 @@ void claims(const Values& values, const Claims<Results>& all) {
               .reason = "what is not known better says nothing about what the plan model leaves out"});
   }
   claims.check(
-      {.id = "gathered",
-       .text = "The shoal gathers the wave: it is higher in the lee than across.",
-       .quantity = "largest elevation behind the top over that across, hexahedra",
-       .source = source},
+      "gathered", "The shoal gathers the wave: it is higher in the lee than across.",
+      "largest elevation behind the top over that across, hexahedra",
       [](const Results& r) { return highest(r, &Pair::hexahedra, 1) / highest(r, &Pair::hexahedra, 2) > 1; },
-      evidence::Qualitative{.detector = "it is larger", .reason = "the wave is slower over the shoal and turns"});
+      Qualitative{.detector = "it is larger", .reason = "the wave is slower over the shoal and turns"});
 }
 
 Results compute(const Run& run) {
@@ -163,7 +151,7 @@ Case soliton_over_shoal() {
       real("shoal", 0.4, "depth", {0.05, 0.6}, "height of the shoal"),
       integer("layers", {4, 8, 8}, {4, 16}, "of the finest mesh; coarser ones have a half and three quarters of them"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -32,9 +32,6 @@ fold there in the end, long after the wave has gone, and the runs of two and thr
 namespace seiche::validation::cases::soliton_plan {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
-
 const std::string frank = "Frank (1994), section 4.3";
 
 constexpr double unfolded = 100;  // sqrt(H/g), as long as meshes of all layers run without a fold
@@ -113,18 +110,17 @@ void claim_travel(const Claims<Travel>& claims, const Travel& travel) {
         .id = travel.id + "-" + what, .text = travel.name + ": " + text, .quantity = quantity, .source = frank};
   };
   const PlanSolitonRun& run = travel.run;
-  const Bound unseen =
-      travel.layers == 0
-          ? Bound{0.01 * run.spacing * run.spacing,
-                  "one per cent, which is not seen in a plot of the wave, on cells as long as the water is deep; "
-                  "second order in h"}
-          : Bound{0.01, "one per cent is not seen in a plot of the wave"};
+  const Bound unseen = travel.layers == 0 ? Bound{0.01 * run.spacing * run.spacing,
+                                                  "one per cent, which is not seen in a plot of the wave, on cells as "
+                                                  "long as the water is deep; second order in h"}
+                                          : Bound{0.01, "one per cent is not seen in a plot of the wave"};
   const evidence::Claim height = claim("height", "the height stays.", "band of the height over its mean");
   claims
-      .only_if(travel.layers != 1 || run.settled >= shedding,
-               fmt::format("the wave of one layer, a tenth lower than the one it starts from, sheds the rest for {:g} "
-                           "sqrt(H/g)",
-                           shedding))
+      .only_if(
+          travel.layers != 1 || run.settled >= shedding,
+          fmt::format(
+              "the wave of one layer, a tenth lower than the one it starts from, sheds the rest for {:g} sqrt(H/g)",
+              shedding))
       .check(height, &Travel::band, unseen);
   claims.check(
       claim("energy", "the energy stays.", "largest relative defect of the energy"),
@@ -200,19 +196,14 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
                                 {"frank-soliton-plan"});
   auto& plan = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "Plan model"});
   auto& mesh = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "Hexahedral mesh"});
-  evidence::Table table{.id = "travels",
-                        .title = "Solitary waves on coarse grids",
-                        .caption =
-                            "Mean height, its band and speed once the wave has settled; speed against that of the "
-                            "equations for this height; largest relative defect of the energy.",
-                        .columns = {{"model", ""},
-                                    {"h", "depth"},
-                                    {"height", "depth"},
-                                    {"lowest", "depth"},
-                                    {"highest", "depth"},
-                                    {"speed", "sqrt(gH)"},
-                                    {"speed error", ""},
-                                    {"energy defect", ""}}};
+  evidence::Table table{
+      .id = "travels",
+      .title = "Solitary waves on coarse grids",
+      .caption =
+          "Mean height, its band and speed once the wave has settled; speed against that of the equations for this "
+          "height; largest relative defect of the energy.",
+      .columns = table_columns({"model", "h [depth]", "height [depth]", "lowest [depth]", "highest [depth]",
+                                "speed [sqrt(gH)]", "speed error", "energy defect"})};
   for (const Travel& travel : r.travels) {
     const SolitonTravel& found = travel.found;
     (travel.layers == 0 ? plan : mesh).line(travel.name, found.time, found.height);

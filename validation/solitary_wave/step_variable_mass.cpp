@@ -29,15 +29,12 @@ short. The reflected wave comes back from the left wall and follows over the ste
 #include "seiche/exact/soliton_fission.hpp"
 #include "seiche/free_lagrangian/mesh.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/studies/variable_mass/solitary_run.hpp"
 
 namespace seiche::validation::cases::step_variable_mass {
 namespace {
 
-using evidence::Bound;
-using evidence::Qualitative;
-using evidence::Role;
-using evidence::Roundoff;
 using exact::SolitaryWave;
 using exact::SolitonFission;
 
@@ -117,21 +114,15 @@ void claim_theory(const Values& values, const Claims<Passage>& own) {
         std::tuple{2, 1.0, "the whole of it for the second, which climbs out of the third"}}) {
     const auto number = static_cast<std::size_t>(n);
     parted.check(
-        {.id = fmt::format("peak-{}", n),
-         .text = fmt::format("Wave {} on the shelf has the height of inverse scattering.", n),
-         .quantity = "height over the depth before the step",
-         .source = source},
-        [number](const Passage& p) { return peak(p, number); },
+        fmt::format("peak-{}", n), fmt::format("Wave {} on the shelf has the height of inverse scattering.", n),
+        "height over the depth before the step", [number](const Passage& p) { return peak(p, number); },
         Bound{.limit = share * small,
               .reason = fmt::format("corrections of the theory are of relative order a_1/h = {:.2f}: {}", small, why),
               .expected = amplitude * theory.amplitude(n),
               .relative = true});
   }
   parted.check(
-      {.id = "order-of-waves",
-       .text = "Waves follow one another by height.",
-       .quantity = "waves in front, each higher than the next",
-       .source = source},
+      "order-of-waves", "Waves follow one another by height.", "waves in front, each higher than the next",
       [](const Passage& p) {
         bool descending = p.peaks.size() >= 2;
         for (std::size_t n = 1; n < std::min(p.peaks.size(), shown); ++n) {
@@ -141,16 +132,14 @@ void claim_theory(const Values& values, const Claims<Passage>& own) {
       },
       Qualitative{"two crests or more in the front half of the way on the shelf, the first three descending",
                   "higher waves are faster"});
-  own.check({.id = "reflected",
-             .text = "The reflected crest is that of long waves.",
-             .quantity = "height over the depth before the step",
-             .source = "Lamb, Hydrodynamics (1932), 176"},
-            &Passage::reflected,
-            Bound{.limit = k * k,
-                  .reason = "Lamb's step is one of long waves: corrections of relative order (k H)^2, k the rate of "
-                            "decay of the wave's tails",
-                  .expected = amplitude * theory.reflection(),
-                  .relative = true});
+  own.from("Lamb, Hydrodynamics (1932), 176")
+      .check("reflected", "The reflected crest is that of long waves.", "height over the depth before the step",
+             &Passage::reflected,
+             Bound{.limit = k * k,
+                   .reason = "Lamb's step is one of long waves: corrections of relative order (k H)^2, k the rate of "
+                             "decay of the wave's tails",
+                   .expected = amplitude * theory.reflection(),
+                   .relative = true});
 }
 
 /// Throws std::invalid_argument where the first wave reaches the right wall.
@@ -162,10 +151,9 @@ void require_long_shelf(const Values& values) {
   constexpr double before_the_wall = 4;
   const double least = std::sqrt(depth + first) * (values.real("time") - arrival) + before_the_wall;
   if (!(values.real("shelf_length") >= least)) {
-    throw std::invalid_argument(
-        fmt::format("shelf_length = {:g}; allowed: at least {:.1f} for a run of {:g}: the first "
-                    "wave must not reach the wall",
-                    values.real("shelf_length"), least, values.real("time")));
+    throw std::invalid_argument(fmt::format(
+        "shelf_length = {:g}; allowed: at least {:.1f} for a run of {:g}: the first wave must not reach the wall",
+        values.real("shelf_length"), least, values.real("time")));
   }
 }
 
@@ -182,29 +170,21 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double k = std::sqrt(3 * amplitude * theory.amplitude(1) / std::pow(depth, 3));
   const double omega = k * std::sqrt(depth + amplitude * theory.amplitude(1));
   own.check(
-      {.id = "energy",
-       .text = "Energy with what was booked is kept.",
-       .quantity = "largest change, over the kinetic energy of the beginning",
-       .source = source},
+      "energy", "Energy with what was booked is kept.", "largest change, over the kinetic energy of the beginning",
       [](const Passage& p) { return p.run.energy_defect; },
       Bound{.limit = std::pow(omega * tau, 2) / 8,
             .reason = "(omega tau)^2/8, by which the energy of the one-step scheme oscillates; omega = k c of the "
                       "first wave on the shelf"});
   own.check(
-      {.id = "dissipation",
-       .text = "The stabilisation takes less than a tenth.",
-       .quantity = "what it takes, over the kinetic energy of the beginning",
-       .source = source},
+      "dissipation", "The stabilisation takes less than a tenth.",
+      "what it takes, over the kinetic energy of the beginning",
       [](const Passage& p) { return p.run.dissipated.back(); },
       Bound{.limit = 0.1,
             .reason = "the energy of a solitary wave is as a^(3/2): a tenth would cost the first wave 7 per cent of "
                       "its height, and the crests would tell of the stabilisation"});
   const double area = values.real("step") + depth * values.real("shelf_length");
   own.check(
-      {.id = "mass",
-       .text = "Mass is handed on, never lost.",
-       .quantity = "largest change of the whole",
-       .source = source},
+      "mass", "Mass is handed on, never lost.", "largest change of the whole",
       [](const Passage& p) { return p.run.mass_defect; },
       Roundoff{.operations = 8 * values.real("time") / tau * area * std::pow(rows, 2),
                .scale = std::pow(rows, -2),
@@ -237,8 +217,7 @@ void draw_way(const Results& r, evidence::Exhibit& exhibit) {
   constexpr std::size_t every = 4;
   for (std::size_t k = 0; k < r.own().run.surfaces.size(); k += every) {
     const SurfaceLine& line = r.own().run.surfaces[k];
-    std::vector<double> lifted;
-    for (const double y : line.y) lifted.push_back(line.time + 40 * y);
+    std::vector<double> lifted = each(line.y, [&](const double y) { return line.time + 40 * y; });
     way.line("", line.x, lifted);
   }
   way.vertical("", std::vector{r.step}, Role::guide);
@@ -275,17 +254,12 @@ void draw_budget(const Results& r, evidence::Exhibit& exhibit) {
 void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
   draw_way(r, exhibit);
   draw_budget(r, exhibit);
-  evidence::Table meshes{.id = "meshes",
-                         .title = "Crests on finer meshes",
-                         .caption = "At the end.",
-                         .columns = {{"rows", ""},
-                                     {"a_1", "depth"},
-                                     {"a_2", "depth"},
-                                     {"a_3", "depth"},
-                                     {"reflected", "depth"},
-                                     {"dissipated", "1"},
-                                     {"energy with booked", "1"},
-                                     {"largest drift of a cell", "cell"}}};
+  evidence::Table meshes{
+      .id = "meshes",
+      .title = "Crests on finer meshes",
+      .caption = "At the end.",
+      .columns = table_columns({"rows", "a_1 [depth]", "a_2 [depth]", "a_3 [depth]", "reflected [depth]",
+                                "dissipated [1]", "energy with booked [1]", "largest drift of a cell [cell]"})};
   const double a = r.wave.amplitude();
   for (const Passage& p : r.passages) {
     auto& row = meshes.rows.emplace_back();
@@ -343,7 +317,7 @@ Case step_variable_mass() {
                   .tier = Tier::full,
                   .differs = "the source tells of the run in words and prints neither numbers nor its parameters; the "
                              "step onto half the depth is taken for it"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -43,9 +43,6 @@ namespace seiche::validation::cases::standing_1d {
 namespace {
 
 using dispersive_shallow_water_1d::stepping_named;
-using evidence::Amount;
-using evidence::Bound;
-using evidence::Role;
 using exact::DispersiveStandingWave;
 using Parameters = DispersiveStandingWave::Parameters;
 
@@ -191,11 +188,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const StandingBox box = own_box(values);
   const double own_theory = DispersiveStandingWave::frequency_correction(box.wavenumber, box.wave_parameters());
   claims.at(fmt::format("{} cells, tau = {:g}, a/H = {:g}", box.cells, box.tau, values.real("amplitude")))
-      .check({.id = "coefficient",
-              .text = "The frequency of the wave of the parameters changes with its amplitude as in theory.",
-              .quantity = "C = (Omega/omega - 1)/(a/H)^2",
-              .source = frank},
-             &Results::own_coefficient,
+      .check("coefficient", "The frequency of the wave of the parameters changes with its amplitude as in theory.",
+             "C = (Omega/omega - 1)/(a/H)^2", &Results::own_coefficient,
              Bound{.limit = std::max(0.01 * std::abs(own_theory), 1e-3),
                    .reason = "1 %, and 0.001 where C nearly vanishes: the square of k s is 0.001 at k = 0.6, s = 0.05, "
                              "that of the amplitude 0.0004, their coefficients are of order one",
@@ -207,15 +201,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
   for (std::size_t k = 0; k < judged_depths.size(); ++k) {
     const double kh = judged_depths[k];
     limit.check(
-        {.id = fmt::format("limit-{:.0f}", 1e4 * kh),
-         .text = fmt::format("At k H = {:g} the model's coefficient is that of its theory.", kh),
-         .quantity = "C = (Omega/omega - 1)/(a/H)^2",
-         .source = frank},
-        [k](const Results& r) { return r.coefficients[k]; },
+        fmt::format("limit-{:.0f}", 1e4 * kh),
+        fmt::format("At k H = {:g} the model's coefficient is that of its theory.", kh),
+        "C = (Omega/omega - 1)/(a/H)^2", [k](const Results& r) { return r.coefficients[k]; },
         Bound{.limit = uncertainty,
-              .reason =
-                  "a quarter of (k s)^4 of the coarser box: what extrapolation in s^2 leaves of the next power, whose "
-                  "coefficient is at most of order one",
+              .reason = "a quarter of (k s)^4 of the coarser box: what extrapolation in s^2 leaves of the next power, "
+                        "whose coefficient is at most of order one",
               .expected = DispersiveStandingWave::frequency_correction(kh, frank_model)});
   }
 
@@ -227,47 +218,36 @@ void claims(const Values& values, const Claims<Results>& claims) {
                  .reason = "a quarter of (k s)^4 of the coarser box over the slope of C, 1/2 per unit of kH",
                  .expected = wavelength};
   };
-  limit.check({.id = "critical-wavelength",
-               .text = "At one wavelength the frequency does not depend on amplitude, as in theory.",
-               .quantity = "critical wavelength/H",
-               .source = frank},
-              &Results::critical, root_within(theory));
-  limit.known_failure(
-      {.id = "critical-wavelength-of-water",
-       .text = "It is the critical wavelength of water.",
-       .quantity = "critical wavelength/H",
-       .source = water},
-      &Results::critical,
-      Bound{.limit = 0.01,
-            .reason = "the digits of 5.94, as the source gives it",
-            .expected = of_water,
-            .relative = true},
-      {.value = theory,
-       .width = in_wavelengths(useful_uncertainty, theory),
-       .reason = "a property of the equations, not of the cells: the model's coefficient vanishes at alpha (kH)^2 = "
-                 "0.2957, a wave 12 % longer than in water"});
-  limit.check({.id = "critical-wavelength-with-weight",
-               .text = fmt::format("With gamma = 1/15 and the weight s = {:.3f} it is.", like_water().weight_exponent),
-               .quantity = "critical wavelength/H",
-               .source = water},
-              &Results::critical_with_weight, root_within(of_water));
+  limit.check("critical-wavelength", "At one wavelength the frequency does not depend on amplitude, as in theory.",
+              "critical wavelength/H", &Results::critical, root_within(theory));
+  limit.from(water).known_failure("critical-wavelength-of-water", "It is the critical wavelength of water.",
+                                  "critical wavelength/H", &Results::critical,
+                                  Bound{.limit = 0.01,
+                                        .reason = "the digits of 5.94, as the source gives it",
+                                        .expected = of_water,
+                                        .relative = true},
+                                  {.value = theory,
+                                   .width = in_wavelengths(useful_uncertainty, theory),
+                                   .reason = "a property of the equations, not of the cells: the model's coefficient "
+                                             "vanishes at alpha (kH)^2 = 0.2957, a wave 12 % longer than in water"});
+  limit.from(water).check(
+      "critical-wavelength-with-weight",
+      fmt::format("With gamma = 1/15 and the weight s = {:.3f} it is.", like_water().weight_exponent),
+      "critical wavelength/H", &Results::critical_with_weight, root_within(of_water));
   limit.check(
-      {.id = "no-critical-wavelength",
-       .text = "The added energy with the weight s = 2 leaves no critical wavelength: the frequency rises "
-               "with amplitude at all of them.",
-       .quantity = "smallest C is above its uncertainty",
-       .source = frank},
+      "no-critical-wavelength",
+      "The added energy with the weight s = 2 leaves no critical wavelength: the frequency rises with amplitude at all "
+      "of them.",
+      "smallest C is above its uncertainty",
       [least = fine.uncertainty()](const Results& r) {
         const double smallest = r.smallest();
         return std::isnan(smallest) ? smallest : smallest > least ? 1.0 : 0.0;
       },
-      evidence::Qualitative{.detector = "sign of the measured coefficient at wavelengths of 4 to 12 depths",
-                            .reason = "the energy of slopes stiffens crests more than it softens troughs"});
-  limit.check({.id = "with-gamma",
-               .text = "With the added energy too, the coefficient is that of theory.",
-               .quantity = "largest deviation of C, wavelengths of 4 to 12 depths",
-               .source = frank},
-              &Results::deviation, Bound{uncertainty, "a quarter of (k s)^4 of the coarser box"});
+      Qualitative{.detector = "sign of the measured coefficient at wavelengths of 4 to 12 depths",
+                  .reason = "the energy of slopes stiffens crests more than it softens troughs"});
+  limit.check("with-gamma", "With the added energy too, the coefficient is that of theory.",
+              "largest deviation of C, wavelengths of 4 to 12 depths", &Results::deviation,
+              Bound{uncertainty, "a quarter of (k s)^4 of the coarser box"});
 }
 
 Results compute(const Run& run) {
@@ -300,7 +280,7 @@ void tabulate(const Results& r, evidence::Exhibit& exhibit) {
       .id = "coefficients",
       .title = "Change of frequency with amplitude",
       .caption = "C of Frank's model, measured and in theory, and of water.",
-      .columns = {{"k H", ""}, {"wavelength/H", ""}, {"measured", ""}, {"theory", ""}, {"Tadjbakhsh and Keller", ""}}};
+      .columns = table_columns({"k H", "wavelength/H", "measured", "theory", "Tadjbakhsh and Keller"})};
   for (std::size_t k = 0; k < judged_depths.size(); ++k) {
     const double kh = judged_depths[k];
     table.rows.push_back({kh, 2 * pi / kh, r.coefficients[k],
@@ -311,15 +291,13 @@ void tabulate(const Results& r, evidence::Exhibit& exhibit) {
 
 /// Coefficients over wavelengths: lines, what was measured, and the critical wavelengths.
 void draw_coefficients(const Results& r, evidence::Exhibit& exhibit) {
-  auto& panel =
-      exhibit
-          .figure(
-              "coefficient", "How the frequency of standing waves depends on amplitude",
-              "Coefficient of $(a/H)^2$ in the relative change of frequency, over the wavelength. Lines are theory, "
-              "circles are measured, vertical lines the critical wavelengths, 5.938 depths in water and 6.671 in "
-              "the model.",
-              {"frank-standing"})
-          .panel({.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.4, .y_max = 0.6});
+  auto& panel = exhibit
+                    .figure("coefficient", "How the frequency of standing waves depends on amplitude",
+                            "Coefficient of $(a/H)^2$ in the relative change of frequency, over the wavelength. Lines "
+                            "are theory, circles are measured, vertical lines the critical wavelengths, 5.938 depths "
+                            "in water and 6.671 in the model.",
+                            {"frank-standing"})
+                    .panel({.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.4, .y_max = 0.6});
   const std::vector<double> lengths = evenly(3.4, 13, 193);
   const auto line = [&](const std::string& label, Role role, const auto& correction) {
     panel.line(label, lengths, values_at(lengths, [&](double length) { return correction(2 * pi / length); }), role);
@@ -391,7 +369,7 @@ Case standing_1d() {
       real("periods", {10.0, 20.0, 20.0}, "1", {2, 1000}, "length of the series"),
   };
   c.published = {{.tiles = {"frank-standing"}, .differs = "the thesis states neither the amplitude nor the spacing"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, frank);
   return c;
 }
 

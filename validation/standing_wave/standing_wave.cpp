@@ -25,11 +25,10 @@ score two amplitudes and compare the difference of frequencies with that of the 
 #include "seiche/exact/standing_wave.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::standing_wave {
 namespace {
-
-using evidence::Role;
 
 const std::string source = "Tadjbakhsh and Keller (1960)";
 
@@ -61,8 +60,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
                                 "From the highest surface at the left wall to the lowest.");
   auto& panel = figure.panel({.x = "x [m]", .y = "elevation [m]"});
   for (const double phase : {0.0, 0.125, 0.25, 0.375, 0.5}) {
-    std::vector<double> eta;
-    for (const double at : x) eta.push_back(wave.elevation(at, phase * wave.period()));
+    std::vector<double> eta = each(x, [&](const double at) { return wave.elevation(at, phase * wave.period()); });
     panel.line(phase == 0 ? "t = 0" : phase == 0.5 ? "half a period" : "", x, eta, Role::exact);
   }
 }
@@ -101,8 +99,7 @@ std::vector<WantedTable> wanted(const Values& values) {
   const std::string reason = fmt::format(
       "half of what separates the theory from the linear wave, {:.2g}, but not less than a hundredth, three times what "
       "straight lines between forty points a period lose; and what the expansion neglects, the pressure at its "
-      "surface, "
-      "{:.2g}. Beyond {:.2g} it says nothing",
+      "surface, {:.2g}. Beyond {:.2g} it says nothing",
       sharpness.linear, sharpness.neglected, useful);
   // Of a phase that drifts evenly the mean square is a third of the last.
   const double drift = std::numbers::sqrt3 / (2 * std::numbers::pi * periods);
@@ -116,8 +113,7 @@ std::vector<WantedTable> wanted(const Values& values) {
        .quantities = {{.column = {"eta", "m", "surface elevation at the wall x = 0"},
                        .reference = [wave](Place p) { return wave->elevation(0, p.abscissa); },
                        .requirements = {{.measure = Measure::relative_l2,
-                                         .criterion = evidence::Bound{.limit = evidence::Amount::at_most(limit, useful),
-                                                                      .reason = reason},
+                                         .criterion = Bound{.limit = Amount::at_most(limit, useful), .reason = reason},
                                          .text = "The elevation at the wall is that of the wave of finite amplitude.",
                                          .source = source}}}},
        .points = [times](double) { return times; },
@@ -125,19 +121,18 @@ std::vector<WantedTable> wanted(const Values& values) {
       {.name = "numbers",
        .quantities = {{.column = {"omega", "1/s", "angular frequency"},
                        .reference = [wave](Place) { return wave->frequency(); },
-                       .requirements = {{.measure = Measure::value,
-                                         .criterion =
-                                             evidence::Bound{
-                                                 .limit = evidence::Amount::at_most(drift * limit, drift * useful),
-                                                 .reason = "a frequency that drifts by as much as the elevation at the "
-                                                           "wall may be "
-                                                           "wrong: the root mean square of 2 pi (periods) d/sqrt(3) "
-                                                           "over the series; " +
-                                                           reason,
-                                                 .expected = wave->frequency(),
-                                                 .relative = true},
-                                         .text = "The frequency is that of the wave of finite amplitude.",
-                                         .source = source}}}},
+                       .requirements =
+                           {{.measure = Measure::value,
+                             .criterion =
+                                 Bound{.limit = Amount::at_most(drift * limit, drift * useful),
+                                       .reason =
+                                           "a frequency that drifts by as much as the elevation at the wall may be "
+                                           "wrong: the root mean square of 2 pi (periods) d/sqrt(3) over the series; " +
+                                           reason,
+                                       .expected = wave->frequency(),
+                                       .relative = true},
+                             .text = "The frequency is that of the wave of finite amplitude.",
+                             .source = source}}}},
        .exact = {command + " --integrals"}}};
 }
 

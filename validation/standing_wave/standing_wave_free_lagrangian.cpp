@@ -39,10 +39,6 @@ ten periods.
 namespace seiche::validation::cases::standing_wave_free_lagrangian {
 namespace {
 
-using evidence::Bound;
-using evidence::Order;
-using evidence::Qualitative;
-
 const std::string source =
     "Frank, Discrete models of incompressible fluid (1994), chapters 2 and 5.2, 5.3; linear wave";
 constexpr double length = 3;
@@ -247,20 +243,20 @@ void claims(const Values& values, const Claims<Results>& claims) {
       claims.of(&Results::period)
           .only_if(rows.size() >= 6, "on fewer meshes the scatter of their errors leaves the order open: ny = 24"));
   const std::string finest = fmt::format("{} rows, a = {:g}", rows.back(), small_amplitude);
-  claims.at(finest).check(
-      {.id = "noise",
-       .text = "Dirichlet cells without stabilisation are noisier than quadrilaterals.",
-       .quantity = "noise over that of the quadrilaterals",
-       .source = "Frank (1994), 5.2, in words"},
-      [](const Results& r) { return r.noise.finest(of_dirichlet) > 3 * r.noise.finest(of_quadrilaterals) ? 1.0 : 0.0; },
-      Qualitative{"more than three times", "the motion of the cells, which is not that of the water, costs quality"});
+  claims.at(finest)
+      .from("Frank (1994), 5.2, in words")
+      .check(
+          "noise", "Dirichlet cells without stabilisation are noisier than quadrilaterals.",
+          "noise over that of the quadrilaterals",
+          [](const Results& r) {
+            return r.noise.finest(of_dirichlet) > 3 * r.noise.finest(of_quadrilaterals) ? 1.0 : 0.0;
+          },
+          Qualitative{"more than three times",
+                      "the motion of the cells, which is not that of the water, costs quality"});
   const auto falls = [&](const std::string& id, const std::string& text, std::size_t kind, bool expected) {
     claims.at(fmt::format("{} and {} rows", rows.back() / 2, rows.back()))
         .check(
-            {.id = "noise-falls-" + id,
-             .text = text,
-             .quantity = "noise over that of half as many rows",
-             .source = source},
+            "noise-falls-" + id, text, "noise over that of half as many rows",
             [kind](const Results& r) { return r.noise_ratio(kind) <= 0.5 ? 1.0 : 0.0; },
             Qualitative{"at most a half: of first order or more", "what is left of a discretisation vanishes with it",
                         expected});
@@ -290,30 +286,23 @@ void claims(const Values& values, const Claims<Results>& claims) {
   at_fixed_x.check(claim("variable-mass-fixed", "So do those whose nodes keep their x."), lasts(of_fixed), whole);
   at_fixed_x.only_if(periods <= 10, "what is lost grows with time")
       .check(
-          {.id = "loss-of-life",
-           .text = "They lose less than a tenth of the energy of the motion.",
-           .quantity = "energy lost over kinetic energy at the start",
-           .source = source},
-          [](const Results& r) { return r.life.at(of_fixed).lost; },
+          "loss-of-life", "They lose less than a tenth of the energy of the motion.",
+          "energy lost over kinetic energy at the start", [](const Results& r) { return r.life.at(of_fixed).lost; },
           Bound{.limit = 0.1,
-                .reason = "the amplitude, to be told from the exact wave's by no more than its second order, a/2H = "
-                          "5 %, after ten periods"});
+                .reason = "the amplitude, to be told from the exact wave's by no more than its second order, a/2H = 5 "
+                          "%, after ten periods"});
   const Bound one_wave{.limit = 0.05,
                        .reason =
                            "harmonics of a wave of a = 0.1 have velocities of order a/H over those of the wave: a "
                            "hundredth of its energy, and of meshes of eight rows a few more"};
   at_fixed_x.only_if(periods <= 10, "the noise grows with time")
       .check(
-          {.id = "noise-of-life-fixed",
-           .text = "The motion at fixed x stays that of one wave.",
-           .quantity = "largest noise of particles of variable mass at fixed x",
-           .source = source},
+          "noise-of-life-fixed", "The motion at fixed x stays that of one wave.",
+          "largest noise of particles of variable mass at fixed x",
           [](const Results& r) { return largest(r.life.at(of_fixed).noise); }, one_wave);
   life.only_if(amplitude == 0.1 && periods == 10, "the noise grows with height and time")
-      .known_failure({.id = "noise-of-life",
-                      .text = "The motion of the high wave stays that of one wave.",
-                      .quantity = "largest noise of particles of variable mass",
-                      .source = source},
+      .known_failure("noise-of-life", "The motion of the high wave stays that of one wave.",
+                     "largest noise of particles of variable mass",
                      [](const Results& r) { return largest(r.life.at(of_variable).noise); }, one_wave,
                      {.value = 0.2,
                       .width = 0.1,
@@ -323,8 +312,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
           claim("dirichlet", "So do Dirichlet cells."), lasts(of_dirichlet), whole,
           {.value = 1.12,
            .width = 0.2,
-           .reason = "nothing restores the place of a node in its cell: the instability is that of the model, "
-                     "not of the time step, and a triangle of the outline turns over within a quarter period"});
+           .reason = "nothing restores the place of a node in its cell: the instability is that of the model, not of "
+                     "the time step, and a triangle of the outline turns over within a quarter period"});
 }
 
 Results compute(const Run& run) {
@@ -411,7 +400,7 @@ Case standing_wave_free_lagrangian() {
   c.published = {
       {.tiles = {"frank-dirichlet"},
        .differs = "the source tells of the loss of quality in words and prints neither a run nor its parameters"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -31,13 +31,12 @@ Tadjbakhsh and Keller's line, where the one-dimensional dispersive model has its
 #include "seiche/exact/standing_wave.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 
 namespace seiche::validation::cases::standing_wave_mesh {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 using mechanics::stepping_named;
 
 constexpr double pi = std::numbers::pi;
@@ -70,8 +69,8 @@ Bound coarse_bound(double wavelength) {
   const double theory = in_water(wavelength);
   return {.limit = std::abs(theory) > 0.1 ? 0.3 * std::abs(theory) : 0.1,
           .reason =
-              "30 per cent, 0.1 where C nearly vanishes: C is a difference of larger terms of second order, and "
-              "eight rows change each by some ten per cent: (2kh)^2 of the second harmonic is 0.15 at four depths",
+              "30 per cent, 0.1 where C nearly vanishes: C is a difference of larger terms of second order, and eight "
+              "rows change each by some ten per cent: (2kh)^2 of the second harmonic is 0.15 at four depths",
           .expected = theory};
 }
 
@@ -216,52 +215,44 @@ void claim_coefficients(const Claims<Coefficients>& claims, std::size_t finest) 
     claims.at(fmt::format("{} rows, a -> 0", finest / 2))
         .only_if(finest >= 16, "the bound is that of eight rows or more")
         .check(
-            {.id = "mesh-" + id,
-             .text =
-                 fmt::format("At {:g} depths the coefficient of the coarser mesh is near that of water.", wavelength),
-             .quantity = "C = (Omega/omega - 1)/(a/H)^2",
-             .source = water},
-            [i](const Coefficients& c) { return c.coarse.at(i); }, coarse_bound(wavelength));
+            "mesh-" + id,
+            fmt::format("At {:g} depths the coefficient of the coarser mesh is near that of water.", wavelength),
+            "C = (Omega/omega - 1)/(a/H)^2", [i](const Coefficients& c) { return c.coarse.at(i); },
+            coarse_bound(wavelength));
     claims.at(fmt::format("{} and {} rows", finest / 2, finest))
         .check(
-            {.id = "limit-" + id,
-             .text = fmt::format("At {:g} depths the coefficient tends to that of water.", wavelength),
-             .quantity = "C, extrapolated to small amplitude and fine meshes",
-             .source = water},
+            "limit-" + id, fmt::format("At {:g} depths the coefficient tends to that of water.", wavelength),
+            "C, extrapolated to small amplitude and fine meshes",
             [i](const Coefficients& c) -> Measurement {
               return {.value = c.limit.at(i), .uncertainty = c.uncertainty.at(i)};
             },
-            evidence::Uncertainty{
+            Uncertainty{
                 .expected = in_water(wavelength),
                 .useful = 0.5 * coarse_bound(wavelength).limit.value(),
                 .reason = "the uncertainty is what the extrapolation in the square of the cells' size adds to the "
-                          "finer mesh's value, since the terms it leaves are smaller; and what the second half of "
-                          "the series changes. Beyond half of what eight rows may be off it tells nothing"});
+                          "finer mesh's value, since the terms it leaves are smaller; and what the second half of the "
+                          "series changes. Beyond half of what eight rows may be off it tells nothing"});
   }
 }
 
 void claim_root(const Claims<Coefficients>& claims, std::size_t finest) {
-  std::vector<double> theory;
-  for (const double wavelength : wavelengths) theory.push_back(in_water(wavelength));
+  std::vector<double> theory = each(wavelengths, [&](const double wavelength) { return in_water(wavelength); });
   const double exact = exact::StandingWave::critical_wavelength();
   const double interpolation = std::abs(root_of(theory) - exact);
   const double slope = (in_water(exact + 0.1) - in_water(exact - 0.1)) / 0.2;
   claims.at(fmt::format("{} and {} rows, extrapolated", finest / 2, finest))
       .check(
-          {.id = "critical-wavelength",
-           .text = "The coefficient changes sign at the critical wavelength of water.",
-           .quantity = "critical wavelength/H",
-           .source = water},
+          "critical-wavelength", "The coefficient changes sign at the critical wavelength of water.",
+          "critical wavelength/H",
           [slope, interpolation](const Coefficients& c) -> Measurement {
             return {.value = root_of(c.limit),
                     .uncertainty = c.uncertainty.at(nearly_critical) / slope + interpolation};
           },
-          evidence::Uncertainty{
-              .expected = exact,
-              .useful = 0.3,
-              .reason = "uncertainty of C at 5.94 depths over the slope of C there, and the error that the "
-                        "interpolation makes with the theory's own values. Useful while it tells water from the "
-                        "one-dimensional dispersive model, whose root is 0.7 further on"});
+          Uncertainty{.expected = exact,
+                      .useful = 0.3,
+                      .reason = "uncertainty of C at 5.94 depths over the slope of C there, and the error that the "
+                                "interpolation makes with the theory's own values. Useful while it tells water from "
+                                "the one-dimensional dispersive model, whose root is 0.7 further on"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -270,11 +261,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .at(fmt::format("{} x {} cells, tau = {:g}, a/H = {:g}", tank.columns, tank.rows, tank.tau,
                       values.real("amplitude")))
       .check(
-          {.id = "frequency-shift",
-           .text = "The frequency of the wave of the parameters changes with its amplitude as in theory.",
-           .quantity = "C = (Omega/omega - 1)/(a/H)^2",
-           .source = water},
-          [](const Results& r) { return r.own.shift; }, coarse_bound(values.real("wavelength")));
+          "frequency-shift", "The frequency of the wave of the parameters changes with its amplitude as in theory.",
+          "C = (Omega/omega - 1)/(a/H)^2", [](const Results& r) { return r.own.shift; },
+          coarse_bound(values.real("wavelength")));
   claim_coefficients(claims.of(&Results::coefficients), finest_rows(values));
   claim_root(claims.of(&Results::coefficients), finest_rows(values));
 }
@@ -296,18 +285,15 @@ evidence::Table table_of(const Coefficients& c, std::size_t finest) {
 
 void draw_coefficients(evidence::Exhibit& exhibit, const Coefficients& c, std::size_t finest) {
   auto& figure = exhibit.figure("coefficient", "How the frequency of standing waves depends on amplitude",
-                                "Coefficient of $(a/H)^2$ in the relative change of frequency, in the limit of "
-                                "small amplitude. The vertical line "
-                                "is the measured critical wavelength.");
+                                "Coefficient of $(a/H)^2$ in the relative change of frequency, in the limit of small "
+                                "amplitude. The vertical line is the measured critical wavelength.");
   auto& coefficient =
       figure.panel({.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.45, .y_max = 0.5});
   const std::vector<double> lengths = evenly(3.4, 13, 193);
-  std::vector<double> theory;
-  std::vector<double> markers;
-  for (const double length : lengths) {
-    theory.push_back(in_water(length));
-    markers.push_back(exact::DispersiveStandingWave::frequency_correction(2 * pi / length, {.weight_exponent = 2}));
-  }
+  std::vector<double> theory = each(lengths, [&](const double length) { return in_water(length); });
+  std::vector<double> markers = each(lengths, [&](const double length) {
+    return exact::DispersiveStandingWave::frequency_correction(2 * pi / length, {.weight_exponent = 2});
+  });
   coefficient.line("Tadjbakhsh and Keller", lengths, theory, Role::exact);
   coefficient.line("one-dimensional dispersive model", lengths, markers, Role::guide);
   coefficient.points(fmt::format("{} rows", finest / 2), wavelengths, c.coarse);
@@ -323,8 +309,7 @@ void draw_frequencies(evidence::Exhibit& exhibit, const std::vector<Frequencies>
   auto& frequency = figure.panel({.x = "a/H", .y = "Omega/omega - 1"});
   const std::vector<double> fine = evenly(0, 0.1, 41);
   for (const Frequencies& one : all) {
-    std::vector<double> parabola;
-    for (const double a : fine) parabola.push_back(in_water(one.wavelength) * a * a);
+    std::vector<double> parabola = each(fine, [&](const double a) { return in_water(one.wavelength) * a * a; });
     frequency.line(fmt::format("{:g} depths", one.wavelength), fine, parabola, Role::exact);
     frequency.points("measured", amplitudes, one.changes, Role::data);
   }
@@ -369,7 +354,7 @@ Case standing_wave_mesh() {
       integer("finest_rows", {16, 32, 32}, {4, 200}, "of the finer of the two meshes of the extrapolation; even"),
       real("periods", 6.0, "1", {2, 100}, "length of the series of the extrapolation"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, water);
   return c;
 }
 

@@ -39,8 +39,6 @@ at the beginning. Watch the corners.
 namespace seiche::validation::cases::standing_wave_mesh_life {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 using lagrangian_mesh_2d::Flow;
 using lagrangian_mesh_2d::Stepping;
 
@@ -214,14 +212,11 @@ void claim_fold(const Claims<Wave>& claims, const Values& values, double amplitu
   }
   claims
       .only_if(fold.has_value(),
-               "only of the waves of amplitude 0.15 and 0.05 on 16 x 4 cells, tau = 0.05, it is known "
-               "when they fold the mesh")
-      .check({.id = "not-the-step" + suffix,
-              .text = "With half the time step, and with the conservative scheme, it folds at the same time.",
-              .quantity = "largest difference of the times of the fold",
-              .unit = "sqrt(H/g)",
-              .source = frank},
-             &Wave::spread,
+               "only of the waves of amplitude 0.15 and 0.05 on 16 x 4 cells, tau = 0.05, it is known when they fold "
+               "the mesh")
+      .check("not-the-step" + suffix,
+             "With half the time step, and with the conservative scheme, it folds at the same time.",
+             "largest difference of the times of the fold [sqrt(H/g)]", &Wave::spread,
              Bound{.limit = 0.1 * 2 * std::numbers::pi / tank_of(values).law().frequency(wavenumber),
                    .reason = "a tenth of the wave's period. Were it the error of the time step, of order tau^2, half "
                              "the step would multiply the life by four"});
@@ -230,62 +225,53 @@ void claim_fold(const Claims<Wave>& claims, const Values& values, double amplitu
 /// With the potential: energy of the one-step scheme, and the effect on the frequency.
 void claim_longer_life(const Claims<Wave>& claims, const Values& values, const std::string& suffix) {
   const double tau = values.real("tau");
-  claims.check(
-      {.id = "carries-with-hourglass" + suffix,
-       .text = fmt::format("With the hourglass potential it carries it, to t = {:g}.", values.real("time")),
-       .quantity = "the mesh does not fold",
-       .source = "Flanagan and Belytschko, Int. J. Numer. Methods Eng. 17 (1981) 679 (hourglass control)"},
-      [](const Wave& wave) { return wave.with.fold ? 0.0 : 1.0; },
-      evidence::Qualitative{.detector = "a corner's triangle with negative area",
-                            .reason = "the potential gives those motions a frequency, so that they are no "
-                                      "longer driven at zero frequency"});
+  claims.from("Flanagan and Belytschko, Int. J. Numer. Methods Eng. 17 (1981) 679 (hourglass control)")
+      .check(
+          "carries-with-hourglass" + suffix,
+          fmt::format("With the hourglass potential it carries it, to t = {:g}.", values.real("time")),
+          "the mesh does not fold", [](const Wave& wave) { return wave.with.fold ? 0.0 : 1.0; },
+          Qualitative{.detector = "a corner's triangle with negative area",
+                      .reason = "the potential gives those motions a frequency, so that they are no longer driven at "
+                                "zero frequency"});
   const double omega = tank_of(values).law().frequency(wavenumber);
   claims.check(
-      {.id = "energy-one-step" + suffix,
-       .text = "The energy of the one-step scheme stays in its band.",
-       .quantity = "largest error of the energy, relative",
-       .source = frank},
-      [](const Wave& wave) { return wave.with.largest_energy_error(); },
+      "energy-one-step" + suffix, "The energy of the one-step scheme stays in its band.",
+      "largest error of the energy, relative", [](const Wave& wave) { return wave.with.largest_energy_error(); },
       Bound{.limit = 2 * omega * omega * tau * tau / 4,
-            .reason = "twice (omega tau)^2/4: the band of small waves, whose T + Pi - (tau^2/8) u.Ku is "
-                      "constant, and as much again for the harmonics of a high wave, which are faster"});
+            .reason = "twice (omega tau)^2/4: the band of small waves, whose T + Pi - (tau^2/8) u.Ku is constant, and "
+                      "as much again for the harmonics of a high wave, which are faster"});
   const double mesh_error = omega / exact::AiryDispersion(1, 1).frequency(wavenumber) - 1;
-  claims.check(
-      {.id = "frequency-with-hourglass" + suffix,
-       .text = "The potential changes the wave's frequency by less than the mesh's own error.",
-       .quantity = "relative change of the frequency, first forty time units",
-       .source = "Flanagan and Belytschko (1981); the mesh's dispersion law"},
-      &Wave::change,
-      Bound{.limit = std::abs(mesh_error), .reason = "relative error of small waves on this mesh against Airy's law"});
+  claims.from("Flanagan and Belytschko (1981); the mesh's dispersion law")
+      .check("frequency-with-hourglass" + suffix,
+             "The potential changes the wave's frequency by less than the mesh's own error.",
+             "relative change of the frequency, first forty time units", &Wave::change,
+             Bound{.limit = std::abs(mesh_error),
+                   .reason = "relative error of small waves on this mesh against Airy's law"});
 }
 
 /// On a mesh that is rezoned.
 void claim_rezoned(const Claims<Wave>& all, const Values& values, const std::string& suffix) {
   const auto claims = all.only_if(can_be_rezoned(values), "a mesh that is rezoned has three columns and rows or more");
   const std::string hirt = "C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227";
-  claims.check(
-      {.id = "carries-rezoned" + suffix,
-       .text = fmt::format("Where columns that lean are put upright again the mesh carries it, to t = {:g}.",
-                           values.real("time")),
-       .quantity = "the mesh does not fold",
-       .source = hirt},
-      [](const Wave& wave) { return wave.rezoned.fold ? 0.0 : 1.0; },
-      evidence::Qualitative{.detector = "a corner's triangle with negative area",
-                            .reason = "water under a wave of this height has a surface of one elevation at "
-                                      "every place: upright columns cannot fold"});
+  claims.from(hirt).check(
+      "carries-rezoned" + suffix,
+      fmt::format("Where columns that lean are put upright again the mesh carries it, to t = {:g}.",
+                  values.real("time")),
+      "the mesh does not fold", [](const Wave& wave) { return wave.rezoned.fold ? 0.0 : 1.0; },
+      Qualitative{.detector = "a corner's triangle with negative area",
+                  .reason = "water under a wave of this height has a surface of one elevation at every place: upright "
+                            "columns cannot fold"});
   const double periods = values.real("time") * tank_of(values).law().frequency(wavenumber) / (2 * std::numbers::pi);
-  claims.check(
-      {.id = "taken-by-rezoning" + suffix,
-       .text = "Rezoning takes little of its energy.",
-       .quantity = "energy taken over the first one, in a period",
-       .source = hirt},
+  claims.from(hirt).check(
+      "taken-by-rezoning" + suffix, "Rezoning takes little of its energy.",
+      "energy taken over the first one, in a period",
       [periods](const Wave& wave) {
         const Flow& flow = *wave.rezoned.flow;
         return wave.rezoned.fold ? nan : flow.rezoning().lost / (flow.energy() + flow.rezoning().lost) / periods;
       },
-      Bound{.limit = 0.001,
-            .reason = "a choice: at a thousandth in a period a wave has half of its energy after seven "
-                      "hundred periods"});
+      Bound{
+          .limit = 0.001,
+          .reason = "a choice: at a thousandth in a period a wave has half of its energy after seven hundred periods"});
 }
 
 /// The conservative scheme, through the whole run.
@@ -296,30 +282,27 @@ void claim_conservation(const Claims<Wave>& claims, const Values& values, double
   const double nodes = (columns + 1) * (rows + 1);
   const auto whole = [](const Life& life, double value) { return life.fold ? nan : value; };
   claims.check(
-      {.id = "energy-conservative" + suffix,
-       .text = "The conservative scheme keeps the energy, that of the potential included, to round-off.",
-       .quantity = "largest error of the energy, relative",
-       .source = frank},
+      "energy-conservative" + suffix,
+      "The conservative scheme keeps the energy, that of the potential included, to round-off.",
+      "largest error of the energy, relative",
       [whole](const Wave& wave) { return whole(wave.conservative, wave.conservative.largest_energy_error()); },
       // The energy is length a^2/4, a node's weight length/nodes.
-      evidence::Roundoff{.operations = 2 * nodes * steps,
-                         .scale = 4 * wavenumber / (nodes * amplitude),
-                         .reason = "two coordinates of each node, of the size of the depth, are rounded in each step: "
-                                   "work of its weight along the wave's slope k a, over the energy; across, "
-                                   "where areas change, the scheme takes it back"});
+      Roundoff{
+          .operations = 2 * nodes * steps,
+          .scale = 4 * wavenumber / (nodes * amplitude),
+          .reason =
+              "two coordinates of each node, of the size of the depth, are rounded in each step: work of its weight "
+              "along the wave's slope k a, over the energy; across, where areas change, the scheme takes it back"});
   claims.check(
-      {.id = "areas-conservative" + suffix,
-       .text = "It keeps the area of every cell to round-off.",
-       .quantity = "largest change of a cell's area",
-       .unit = "H^2",
-       .source = frank},
+      "areas-conservative" + suffix, "It keeps the area of every cell to round-off.",
+      "largest change of a cell's area [H^2]",
       [whole](const Wave& wave) {
         return whole(wave.conservative, wave.conservative.flow->ledger().entry("volume_worst").largest_defect);
       },
-      evidence::Roundoff{.operations = 8 * steps,
-                         .scale = length / rows,
-                         .reason = "eight coordinates of a cell are rounded in each step, those along the "
-                                   "tank to its length, and multiply heights of rows"});
+      Roundoff{.operations = 8 * steps,
+               .scale = length / rows,
+               .reason = "eight coordinates of a cell are rounded in each step, those along the tank to its length, "
+                         "and multiply heights of rows"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -349,8 +332,8 @@ void draw(evidence::Exhibit& exhibit, const Wave& wave, double amplitude, double
   const Life& with = wave.with;
   auto& histories =
       exhibit.figure("life" + suffix, fmt::format("Life of a mesh under a standing wave, a = {:g}", amplitude),
-                     "Left: shape of the worst corner, 1 when square, 0 when it folds. Right: error of "
-                     "the energy of the one-step scheme, which shows nothing of the fold.");
+                     "Left: shape of the worst corner, 1 when square, 0 when it folds. Right: error of the energy of "
+                     "the one-step scheme, which shows nothing of the fold.");
   auto& corner = histories.panel({.x = "t", .y = "worst corner", .y_min = 0, .y_max = 1.02});
   auto& energy = histories.panel({.x = "t", .y = "energy error, relative"});
   const std::string label = fmt::format("hourglass potential {:g}", hourglass);
@@ -369,11 +352,11 @@ void draw(evidence::Exhibit& exhibit, const Wave& wave, double amplitude, double
   if (!without.fold) return;
   exhibit.measure("fold_time" + suffix, without.fold->time());
   exhibit.measure("fold_place" + suffix, without.fold->place());
-  auto& meshes = exhibit.figure(
-      "mesh" + suffix, fmt::format("The mesh, a = {:g}", amplitude),
-      fmt::format("Left: without the potential, one step before a corner folds at t = {:.2f}, x = {:.2f}; the surface "
-                  "has drifted along the row below it. Right: with it, at t = {:g}.",
-                  without.fold->time(), without.fold->place(), with.flow->time()));
+  auto& meshes =
+      exhibit.figure("mesh" + suffix, fmt::format("The mesh, a = {:g}", amplitude),
+                     fmt::format("Left: without the potential, one step before a corner folds at t = {:.2f}, x = "
+                                 "{:.2f}; the surface has drifted along the row below it. Right: with it, at t = {:g}.",
+                                 without.fold->time(), without.fold->place(), with.flow->time()));
   draw_mesh(meshes.panel(mesh_axes("before the fold")), "mesh", *without.flow);
   draw_mesh(meshes.panel(mesh_axes("with the hourglass potential")), "mesh", *with.flow);
 }
@@ -401,7 +384,7 @@ Case standing_wave_mesh_life() {
       real("hourglass", 0.1, "1", {1e-4, 10}, "factor of the hourglass potential"),
       real("time", {150.0, 400.0, 1000.0}, "sqrt(H/g)", {50, 1e5}, "length of the run"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, frank);
   return c;
 }
 

@@ -115,53 +115,40 @@ double equations_apart(const Values& values) {
 /// What steps of such a length make the energy swing by.
 void claim_swing(const Claims<Contest>& all, const Named& model, double turn) {
   claims_of(all, model.id)
-      .check(
-          {.id = model.id + "-swing",
-           .text = fmt::format("The energy changes by what the steps make it swing: {}.", model.name),
-           .quantity = "change over the energy",
-           .source = "Frank (1994), chapter 1; potential turned into kinetic energy"},
-          energy_of_finest,
-          evidence::Bound{.limit = 0.1 * turn * turn / 4,
-                          .reason = "the scheme keeps K (1 - (omega tau)^2/4) + P of a linear wave, hence that swing "
-                                    "from rest to a level surface; a tenth for what is not linear and not level",
-                          .expected = turn * turn / 4});
+      .from("Frank (1994), chapter 1; potential turned into kinetic energy")
+      .check(model.id + "-swing", fmt::format("The energy changes by what the steps make it swing: {}.", model.name),
+             "change over the energy", energy_of_finest,
+             Bound{.limit = 0.1 * turn * turn / 4,
+                   .reason = "the scheme keeps K (1 - (omega tau)^2/4) + P of a linear wave, hence that swing from "
+                             "rest to a level surface; a tenth for what is not linear and not level",
+                   .expected = turn * turn / 4});
 }
 
 void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   const Trial trial = trial_of(values);
   claims_of(all, "particles")
-      .check({.id = "particles-surface",
-              .text = "Free particles are as near as the exact wave is known.",
-              .quantity = "rms error of the surface over the amplitude",
-              .source = source},
-             error_of_finest,
-             evidence::Bound{.limit = trial.reference_uncertainty,
-                             .reason = "(ka)^2: the exact wave is of second order; steps and cells add less"});
+      .check("particles-surface", "Free particles are as near as the exact wave is known.",
+             "rms error of the surface over the amplitude", error_of_finest,
+             Bound{.limit = trial.reference_uncertainty,
+                   .reason = "(ka)^2: the exact wave is of second order; steps and cells add less"});
   claims_of(all, "mesh")
       .only_if(values.integer("mesh") <= 16, "finer meshes are nearer to the water than the exact wave of second order")
       .check(
-          {.id = "mesh-order",
-           .text = "The mesh is of second order.",
-           .quantity = "order of the rms error of the surface",
-           .source = source},
+          "mesh-order", "The mesh is of second order.", "order of the rms error of the surface",
           [](const Entry& entry) { return entry.order(); },
-          evidence::Order{.theory = 2,
-                          .tolerance = 0.4,
-                          .reason =
-                              "second order in space and time; the exact wave is known to half of the error of the "
-                              "finest mesh, which takes or adds a quarter of an order between the last two"});
+          Order{.theory = 2,
+                .tolerance = 0.4,
+                .reason = "second order in space and time; the exact wave is known to half of the error of the finest "
+                          "mesh, which takes or adds a quarter of an order between the last two"});
   const double apart = equations_apart(values);
   claims_of(all, "dispersive")
-      .check(
-          {.id = "dispersive-surface",
-           .text = "The dispersive model is off by what its equations' wave is late or early.",
-           .quantity = "rms error of the surface over the amplitude",
-           .source = "Tadjbakhsh and Keller (1960); averaged Lagrangian of the model's equations"},
-          error_of_finest,
-          evidence::Bound{.limit = 0.1 * apart,
-                          .reason = "expected: from the two frequencies alone; a tenth for what harmonics, of second "
-                                    "order in ka, and the spacing of the markers add",
-                          .expected = apart});
+      .from("Tadjbakhsh and Keller (1960); averaged Lagrangian of the model's equations")
+      .check("dispersive-surface", "The dispersive model is off by what its equations' wave is late or early.",
+             "rms error of the surface over the amplitude", error_of_finest,
+             Bound{.limit = 0.1 * apart,
+                   .reason = "expected: from the two frequencies alone; a tenth for what harmonics, of second order in "
+                             "ka, and the spacing of the markers add",
+                   .expected = apart});
   const evidence::Claim falls{.id = "sph-falls",
                               .text = "The finest lattice of SPH is nearer than one of half as many rows.",
                               .quantity = "it is",
@@ -169,10 +156,10 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   const auto nearer = [](const Entry& entry) {
     return entry.finest().error < entry.attempts.front().error ? 1.0 : 0.0;
   };
-  const evidence::Qualitative seen{.detector = "rms error of the surface",
-                                   .reason =
-                                       "its sums over neighbours converge, and its viscosity is in proportion to "
-                                       "the spacing: with a quarter of the water in a particle it must show"};
+  const Qualitative seen{.detector = "rms error of the surface",
+                         .reason =
+                             "its sums over neighbours converge, and its viscosity is in proportion to the spacing: "
+                             "with a quarter of the water in a particle it must show"};
   const auto sph = claims_of(all, "sph");
   if (values.integer("sph") <= 12) {
     sph.check(falls, nearer, seen);
@@ -246,7 +233,7 @@ Case standing_wave_models() {
       integer("markers", {32, 64, 64}, {8, 512}, "of the dispersive model to the depth, finest of four"),
       integer("sph", {8, 32, 32}, {8, 96}, "rows of SPH particles, finest of three"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

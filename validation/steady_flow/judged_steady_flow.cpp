@@ -7,8 +7,6 @@
 namespace seiche::validation {
 namespace {
 
-using evidence::Bound;
-
 constexpr long cells = 200;  ///< over the channel, of a solver that does not say how many it has
 
 /// Mean distance of the level water's depth from the exact one.
@@ -37,8 +35,8 @@ std::vector<Required> requirements(const JudgedSteadyFlow& flow, double cell) {
         .source = flow.source},
        [flow](const ProfilePoints& points) { return mean_errors(points, flow.exact).depth / untouched(flow, points); },
        {.limit = flow.tolerance,
-        .reason = "the case's parameter `tolerance`, of what bed and friction do to level water; by default a "
-                  "twentieth"}},
+        .reason =
+            "the case's parameter `tolerance`, of what bed and friction do to level water; by default a twentieth"}},
       {{.id = "discharge",
         .text = "The discharge is everywhere what comes in.",
         .quantity = "mean |h u - q| over q",
@@ -54,7 +52,7 @@ std::vector<Required> requirements(const JudgedSteadyFlow& flow, double cell) {
                    [front = flow.jump->front](const ProfilePoints& points) {
                      return front_position(points.cells(), front) - front.position;
                    },
-                   {.limit = evidence::Amount::at_most(cell + flow.jump->sway, flow.jump->front.reach),
+                   {.limit = Amount::at_most(cell + flow.jump->sway, flow.jump->front.reach),
                     .reason = "the middle of a jump that is smeared over eight cells is known to one of them; and a "
                               "discharge one per cent off, which passes, displaces it"}});
   }

@@ -25,6 +25,7 @@ instant the errors scatter so much that the order cannot be told.
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/steady_flow/judged_steady_flow.hpp"
 #include "validation/steady_flow/open_ends.hpp"
 #include "validation/steady_flow/settled_flow.hpp"
@@ -33,7 +34,6 @@ instant the errors scatter so much that the order cannot be told.
 namespace seiche::validation::cases::macdonald_channel {
 namespace {
 
-using evidence::Role;
 namespace particles = shallow_water_particles;
 
 constexpr double discharge = 2;
@@ -55,8 +55,7 @@ struct Results {
 
   [[nodiscard]] const Settled& finest() const { return settled.back(); }
   [[nodiscard]] evidence::ObservedOrder order(Mean Settled::*error) const {
-    std::vector<double> errors;
-    for (const Settled& s : settled) errors.push_back((s.*error).value());
+    std::vector<double> errors = each(settled, [&](const Settled& s) { return (s.*error).value(); });
     return evidence::observed_order(widths, errors);
   }
 };
@@ -112,36 +111,27 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const exact::MacDonald channel = channel_of(values);
   const long finest = numbers_of_particles(values.integer("particles")).back();
   claims.check(
-      {.id = "order",
-       .text = "Away from the ends the depth converges at second order with bed and friction.",
-       .quantity = "observed order of cell L1(h), 100 m off the ends",
-       .source = "MacDonald et al. (1997)"},
+      "order", "Away from the ends the depth converges at second order with bed and friction.",
+      "observed order of cell L1(h), 100 m off the ends",
       [](const Results& r) { return r.order(&Settled::inner_error); },
-      evidence::Order{
-          2, 0.5, "second order; particles enter at their own rhythm, which scatters single errors by a few tenths"});
+      Order{2, 0.5, "second order; particles enter at their own rhythm, which scatters single errors by a few tenths"});
   claims
       .only_if(values.integer("particles") >= 70,
                "from fewer than 70 particles on the rise of the depth, not the inlet, decides the error")
       .check(
-          {.id = "discharge",
-           .text =
-               "The discharge converges to the same everywhere, the faster the farther the inlet's error is behind.",
-           .quantity = "observed order of L1(q)",
-           .source = "MacDonald et al. (1997)"},
-          [](const Results& r) { return r.order(&Settled::discharge_error); },
-          evidence::Order{1.5, 0.5, "between the first order of the section at the inlet and the second of the rest"});
+          "discharge",
+          "The discharge converges to the same everywhere, the faster the farther the inlet's error is behind.",
+          "observed order of L1(q)", [](const Results& r) { return r.order(&Settled::discharge_error); },
+          Order{1.5, 0.5, "between the first order of the section at the inlet and the second of the rest"});
   claim_steady_flow(claims.at(fmt::format("N = {}", finest)).of([](const Results& r) -> const Profile& {
     return r.finest().profile;
   }),
                     judged_flow(values), channel.length() / static_cast<double>(finest));
   const State inflow = channel.at(0);
   claims.at(fmt::format("N = {}", finest))
+      .from("conservation law of mass")
       .check(
-          {.id = "mass",
-           .text = "Mass is what it was, plus inflow, less outflow.",
-           .quantity = "mass less the booked mass",
-           .unit = "m^2",
-           .source = "conservation law of mass"},
+          "mass", "Mass is what it was, plus inflow, less outflow.", "mass less the booked mass [m^2]",
           [](const Results& r) { return r.finest().mass_defect; },
           open_ends_roundoff({.length = channel.length(),
                               .depth = channel.at(channel.length()).depth,
@@ -192,7 +182,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   evidence::Table table{.id = "resolutions",
                         .title = "Refinement",
                         .caption = "Mean errors after the flow has settled.",
-                        .columns = {{"N", ""}, {"L1(h)", "m"}, {"L1(h) 100 m off the ends", "m"}, {"L1(q)/q", ""}}};
+                        .columns = table_columns({"N", "L1(h) [m]", "L1(h) 100 m off the ends [m]", "L1(q)/q"})};
   const std::vector<long> numbers = numbers_of_particles(values.integer("particles"));
   for (std::size_t k = 0; k < r.settled.size(); ++k) {
     const Settled& s = r.settled[k];
@@ -222,7 +212,7 @@ Case macdonald_channel() {
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
       level_tolerance_parameter(),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "MacDonald et al. (1997)");
   c.submission = submission_of(judged_flow);
   return c;
 }

@@ -34,6 +34,7 @@ disturbance of its own.
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/steady_flow/judged_steady_flow.hpp"
 #include "validation/steady_flow/open_ends.hpp"
 #include "validation/steady_flow/settled_flow.hpp"
@@ -42,7 +43,6 @@ disturbance of its own.
 namespace seiche::validation::cases::steady_bump {
 namespace {
 
-using evidence::Role;
 namespace particles = shallow_water_particles;
 
 /// A regime: its exact solution, discharge, and the depth given at the outflow (none where it is supercritical).
@@ -196,12 +196,8 @@ struct Settling {
   Settled peer;
 
   [[nodiscard]] evidence::ObservedOrder order(Mean Errors::*error) const {
-    std::vector<double> widths;
-    std::vector<double> means;
-    for (const Errors& e : errors) {
-      widths.push_back(25.0 / static_cast<double>(e.particles));
-      means.push_back((e.*error).value());
-    }
+    std::vector<double> widths = each(errors, [](const Errors& e) { return 25.0 / static_cast<double>(e.particles); });
+    std::vector<double> means = each(errors, [&](const Errors& e) { return (e.*error).value(); });
     return evidence::observed_order(widths, means);
   }
 };
@@ -217,9 +213,9 @@ void claim_orders(const Claims<Settling>& claims, const Regime& regime) {
             .source = "Delestre et al. (2013), section 3.1"};
   };
   if (regime.name != "jump") {
-    const evidence::Order second{2, 0.5,
-                                 "second order; the bump's corners, and particles that enter at their own rhythm, "
-                                 "change it by a few tenths"};
+    const Order second{
+        2, 0.5,
+        "second order; the bump's corners, and particles that enter at their own rhythm, change it by a few tenths"};
     claims.check(
         claim("order", "the depth converges to the steady state at the order of the method.",
               "observed order of cell L1(h)"),
@@ -229,9 +225,9 @@ void claim_orders(const Claims<Settling>& claims, const Regime& regime) {
         [](const Settling& r) { return r.order(&Errors::discharge); }, second);
     return;
   }
-  const evidence::Order first{1, 0.5,
-                              "first order at a jump: errors as large as the jump on as many particles as it is wide, "
-                              "whatever their number; its place between particles changes it by a few tenths"};
+  const Order first{1, 0.5,
+                    "first order at a jump: errors as large as the jump on as many particles as it is wide, whatever "
+                    "their number; its place between particles changes it by a few tenths"};
   claims.check(
       claim("order", "within a metre of the jump the depth converges as it can there.", "observed order of cell L1(h)"),
       [](const Settling& r) { return r.order(&Errors::jump_depth); }, first);
@@ -241,9 +237,8 @@ void claim_orders(const Claims<Settling>& claims, const Regime& regime) {
   claims.check(
       claim("discharge-below", "below it the discharge is what comes in.", "mean |q/q_in - 1|"),
       [](const Settling& r) { return r.errors.back().below_jump_discharge.value(); },
-      evidence::Bound{.limit = 0.01,
-                      .reason = "what passes the jump makes waves; one per cent is what a measuring weir "
-                                "knows of a discharge"});
+      Bound{.limit = 0.01,
+            .reason = "what passes the jump makes waves; one per cent is what a measuring weir knows of a discharge"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -259,12 +254,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                       judged_flow(regime, values), regime.flow.bump().length / static_cast<double>(finest),
                       regime.name + "-judged-");
     here.check(
-        {.id = regime.name + "-mass",
-         .text = fmt::format("{}: mass is what it was, plus inflow, less outflow.", regime.name),
-         .quantity = "mass less the booked mass",
-         .unit = "m^2",
-         .source = "conservation law of mass"},
-        [](const Settling& r) { return r.finest.mass_defect; },
+        regime.name + "-mass", fmt::format("{}: mass is what it was, plus inflow, less outflow.", regime.name),
+        "mass less the booked mass [m^2]", [](const Settling& r) { return r.finest.mass_defect; },
         open_ends_roundoff({.length = regime.flow.bump().length,
                             .depth = depth,
                             .discharge = regime.flow.discharge(),
@@ -345,11 +336,8 @@ void show_regime(const Settling& r, const Regime& regime, evidence::Exhibit& exh
   evidence::Table table{.id = "resolutions-" + regime.name,
                         .title = "Refinement, " + regime.name,
                         .caption = "Mean errors after the flow has settled.",
-                        .columns = {{"N", ""},
-                                    {"particles: L1(h)", "m"},
-                                    {"particles: L1(q)/q", ""},
-                                    {"cells: L1(h)", "m"},
-                                    {"cells: L1(q)/q", ""}}};
+                        .columns = table_columns(
+                            {"N", "particles: L1(h) [m]", "particles: L1(q)/q", "cells: L1(h) [m]", "cells: L1(q)/q"})};
   const bool jumps = regime.name == "jump";
   if (jumps) {
     for (const char* name : {"particles, at the jump: L1(h)", "L1(q)/q", "below it: L1(q)/q"}) {
@@ -400,7 +388,7 @@ Case steady_bump() {
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
       level_tolerance_parameter(),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, "conservation law of mass");
   c.submission = submission_of([](const Values& values) { return judged_flow(regimes_of(values).front(), values); });
   return c;
 }

@@ -35,15 +35,13 @@ for this stroke, 1.08 m high.
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/agreement.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 #include "validation/studies/wcsph/sph_settings.hpp"
 #include "validation/wavemaker/sph_flap_waves.hpp"
 
 namespace seiche::validation::cases::flap_wave_sph {
 namespace {
-
-using evidence::Bound;
-using evidence::Role;
 
 const std::string publication = "Plunging breaking waves by weakly compressible smoothed particles, figure 5";
 const std::string theory = "Kennard (1949); Dean and Dalrymple (1991), chapter 6";
@@ -167,11 +165,9 @@ Results compute(const Run& run) {
 void claim_scheme(const Claims<Results>& claims, const std::string& id, const FlapScheme& scheme,
                   std::vector<FlapWaves> Results::*runs, const Theory& linear) {
   claims.check(
-      {.id = "beside-flap" + id,
-       .text = fmt::format("Beside the flap the second wave is that of the exact transient ({}).", scheme.name),
-       .quantity = "height from crest to trough during the second period",
-       .unit = "m",
-       .source = theory},
+      "beside-flap" + id,
+      fmt::format("Beside the flap the second wave is that of the exact transient ({}).", scheme.name),
+      "height from crest to trough during the second period [m]",
       [runs](const Results& r) -> Measurement {
         const FlapWaves& finest = (r.*runs).back();
         return {.value = r.heights(finest, beside_flap)[1], .resolution = finest.resolution()};
@@ -180,26 +176,23 @@ void claim_scheme(const Claims<Results>& claims, const std::string& id, const Fl
             .reason = "nonlinearity: k H/2 of this wave",
             .expected = linear.heights[beside_flap][1],
             .relative = true});
-  claims.check(
-      {.id = "contained" + id,
-       .text = fmt::format("No particle gets behind the flap or through a wall ({}).", scheme.name),
-       .quantity = "particles outside at the end",
-       .source = publication},
-      [runs](const Results& r) -> Measurement {
-        const FlapWaves& finest = (r.*runs).back();
-        return {.value = static_cast<double>(finest.behind), .resolution = finest.resolution()};
-      },
-      Bound{.limit = 0, .reason = "walls are tight"});
+  claims.from(publication)
+      .check(
+          "contained" + id, fmt::format("No particle gets behind the flap or through a wall ({}).", scheme.name),
+          "particles outside at the end",
+          [runs](const Results& r) -> Measurement {
+            const FlapWaves& finest = (r.*runs).back();
+            return {.value = static_cast<double>(finest.behind), .resolution = finest.resolution()};
+          },
+          Bound{.limit = 0, .reason = "walls are tight"});
 }
 
 void claim_loss(const Claims<Results>& claims, const Theory& linear, const Values& values) {
   // FlapWaves are highest, and linear theory errs most, beside the flap.
   const double nonlinear = linear.steepness(beside_flap);
   claims.check(
-      {.id = "loss-more",
-       .text = fmt::format("FlapWaves keep their height on their way ({}).", more_neighbours.name),
-       .quantity = "part lost between the flap and the gauge, against the exact transient",
-       .source = theory},
+      "loss-more", fmt::format("FlapWaves keep their height on their way ({}).", more_neighbours.name),
+      "part lost between the flap and the gauge, against the exact transient",
       [](const Results& r) -> Measurement {
         return {.value = r.loss(r.wide.back()), .resolution = r.wide.back().resolution()};
       },
@@ -207,23 +200,18 @@ void claim_loss(const Claims<Results>& claims, const Theory& linear, const Value
   const auto few = claims.only_if(values.text("kernel") == "cubic_spline" && values.real("smoothing") <= 1.3,
                                   "it is said of the publication's kernel and of its number of neighbours");
   few.check(
-      {.id = "loss",
-       .text = "With the publication's 21 neighbours they lose height.",
-       .quantity = "more than nonlinearity explains",
-       .source = theory},
+      "loss", "With the publication's 21 neighbours they lose height.", "more than nonlinearity explains",
       [nonlinear](const Results& r) -> Measurement {
         return {.value = r.loss(r.runs.back()) > nonlinear ? 1.0 : 0.0, .resolution = r.runs.back().resolution()};
       },
-      evidence::Qualitative{
+      Qualitative{
           .detector = "part lost between the flap and the gauge above k H/2",
           .reason = "the viscosity of the settings, 0.08 alpha c h, takes a hundredth of the height over this way"});
   const double wider = 1.7 / values.real("smoothing");
   few.only_if(values.real("smoothing") >= 1.25, "shells of fewer neighbours do not go with the area of the support")
       .check(
-          {.id = "cheap",
-           .text = fmt::format("What gives it back stays cheap ({}).", more_neighbours.name),
-           .quantity = "pairs of neighbours evaluated in the run, over those as set",
-           .source = theory},
+          "cheap", fmt::format("What gives it back stays cheap ({}).", more_neighbours.name),
+          "pairs of neighbours evaluated in the run, over those as set",
           [](const Results& r) -> Measurement {
             return {.value = static_cast<double>(r.wide.back().extremes.interactions) /
                              static_cast<double>(r.runs.back().extremes.interactions),
@@ -236,17 +224,16 @@ void claim_loss(const Claims<Results>& claims, const Theory& linear, const Value
                 .relative = true});
   few.only_if(sph_ladder(values.tier(), values.integer("layers")).size() >= 3, "it takes the lattices of the full tier")
       .check(
-          {.id = "not-spacing",
-           .text = "It is not a matter of the spacing (as set).",
-           .quantity = "half of the spacing leaves more than half of the loss",
-           .source = theory},
+          "not-spacing", "It is not a matter of the spacing (as set).",
+          "half of the spacing leaves more than half of the loss",
           [](const Results& r) -> Measurement {
             return {.value = r.loss(r.runs.back()) > 0.5 * r.loss(r.runs.front()) ? 1.0 : 0.0,
                     .resolution = r.runs.back().resolution()};
           },
-          evidence::Qualitative{.detector = "part lost on the finest lattice above half of that on the coarsest, whose "
-                                            "spacing is twice as wide",
-                                .reason = "an error of first order is halved"});
+          Qualitative{
+              .detector =
+                  "part lost on the finest lattice above half of that on the coarsest, whose spacing is twice as wide",
+              .reason = "an error of first order is halved"});
 }
 
 void claim_variants(const Claims<Results>& claims, const Values& values) {
@@ -274,11 +261,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_variants(claims, values);
   const Theory linear = theory_of(flap_design(values));
   claims.check(
-      {.id = "second-transient",
-       .text = fmt::format("The second wave is that of the exact transient ({}).", more_neighbours.name),
-       .quantity = "height from crest to trough during the second period",
-       .unit = "m",
-       .source = theory},
+      "second-transient", fmt::format("The second wave is that of the exact transient ({}).", more_neighbours.name),
+      "height from crest to trough during the second period [m]",
       [](const Results& r) -> Measurement {
         return {.value = r.heights(r.wide.back())[1], .resolution = r.wide.back().resolution()};
       },
@@ -290,14 +274,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_scheme(claims, "", as_set, &Results::runs, linear);
   claim_scheme(claims, "-more", more_neighbours, &Results::wide, linear);
   claims.check(
-      {.id = "transient-below",
-       .text = "In exact linear theory too the second wave at this place is lower than the settled one by "
-               "more than 8 per cent.",
-       .quantity = "it is lower",
-       .source = theory},
+      "transient-below",
+      "In exact linear theory too the second wave at this place is lower than the settled one by more than 8 per cent.",
+      "it is lower",
       [](const Results& r) { return r.linear.heights[at_gauge][1] < 0.92 * r.linear.settled_height ? 1.0 : 0.0; },
-      evidence::Qualitative{.detector = "height of the second wave below 0.92 of the settled one",
-                            .reason = "the front of the wave train disperses"});
+      Qualitative{.detector = "height of the second wave below 0.92 of the settled one",
+                  .reason = "the front of the wave train disperses"});
 }
 
 void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
@@ -312,11 +294,8 @@ void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
     exhibit.measure("lost_on_the_way" + id, r.loss(finest));
     exhibit.measure("largest_mach_number" + id, finest.extremes.mach);
     exhibit.measure("steps" + id, static_cast<double>(finest.steps));
-    std::vector<double> sizes, second;
-    for (const FlapWaves& one : runs) {
-      sizes.push_back(one.spacing);
-      second.push_back(r.heights(one)[1]);
-    }
+    std::vector<double> sizes = each(runs, [](const FlapWaves& one) { return one.spacing; });
+    std::vector<double> second = each(runs, [&](const FlapWaves& one) { return r.heights(one)[1]; });
     measure_convergence(exhibit, "second_wave" + id, sizes, second);
   };
   measure("", r.runs);
@@ -328,10 +307,9 @@ void tabulate_heights(const Results& r, evidence::Exhibit& exhibit) {
       .id = "heights",
       .title = "Heights from crest to trough at the gauge",
       .caption =
-          "In the first and second period, and in the part of the third that was run [m]; the "
-          "second one over that of the settled wave, of which the publication says 8 per cent "
-          "of difference.",
-      .columns = {{"", ""}, {"period 1", "m"}, {"period 2", "m"}, {"2 to 2.75", "m"}, {"period 2, over settled", ""}}};
+          "In the first and second period, and in the part of the third that was run [m]; the second one over that of "
+          "the settled wave, of which the publication says 8 per cent of difference.",
+      .columns = table_columns({"", "period 1 [m]", "period 2 [m]", "2 to 2.75 [m]", "period 2, over settled"})};
   const double settled = r.linear.settled_height;
   const auto row = [&](const std::string& label, const std::array<double, 3>& heights) {
     table.rows.push_back({label, heights[0], heights[1], heights[2], heights[1] / settled});
@@ -345,13 +323,13 @@ void tabulate_heights(const Results& r, evidence::Exhibit& exhibit) {
 }
 
 void tabulate_loss(const Results& r, evidence::Exhibit& exhibit) {
-  evidence::Table table{.id = "loss",
-                        .title = "Where the waves lose height, and what gives it back",
-                        .caption =
-                            "Root of the mean square of the elevation after one period, over that of the exact "
-                            "transient, at distances from the flap in those of the gauge; the part that is lost "
-                            "on the way; particles that got out.",
-                        .columns = {{"", ""}, {"layers", ""}, {"neighbours", ""}}};
+  evidence::Table table{
+      .id = "loss",
+      .title = "Where the waves lose height, and what gives it back",
+      .caption =
+          "Root of the mean square of the elevation after one period, over that of the exact transient, at distances "
+          "from the flap in those of the gauge; the part that is lost on the way; particles that got out.",
+      .columns = table_columns({"", "layers", "neighbours"})};
   for (const double place : places) table.columns.emplace_back(fmt::format("{:g}", place), "");
   table.columns.emplace_back("lost", "");
   table.columns.emplace_back("out", "");
@@ -378,8 +356,7 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
           .figure("gauge", "Elevation at x = L from the flap wavemaker",
                   "SPH, the exact transient from rest, and the settled wave, which is not there yet.", {"sph-fig-5"})
           .panel({.x = "t/T", .y = "elevation [m]"});
-  std::vector<double> phase;
-  for (const double t : r.linear.time) phase.push_back(t / r.design.period);
+  std::vector<double> phase = each(r.linear.time, [&](const double t) { return t / r.design.period; });
   panel.line("transient, linear theory", phase, r.linear.transient[at_gauge], Role::exact);
   panel.line("settled, linear theory", phase, r.linear.settled, Role::guide);
   for (const FlapWaves& one : r.runs) {
@@ -389,11 +366,11 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
   panel.line(fmt::format("SPH, {}, {} layers", more_neighbours.name, r.wide.back().layers), phase,
              r.wide.back().elevation[at_gauge], Role::peer);
 
-  auto& along = exhibit
-                    .figure("loss", "Height of the waves along the flume",
-                            "Root of the mean square of the elevation after one period, over that of the exact "
-                            "transient.")
-                    .panel({.x = "x/L", .y = "share of the height", .y_min = 0});
+  auto& along =
+      exhibit
+          .figure("loss", "Height of the waves along the flume",
+                  "Root of the mean square of the elevation after one period, over that of the exact transient.")
+          .panel({.x = "x/L", .y = "share of the height", .y_min = 0});
   const auto line = [&](const std::string& label, const FlapWaves& one, Role role) {
     std::vector<double> share;
     for (std::size_t k = 0; k < places.size(); ++k) share.push_back(r.share(one, k));
@@ -419,8 +396,8 @@ Case flap_wave_sph() {
   Case c;
   c.title = "A flap makes a regular wave: weakly compressible SPH";
   c.source =
-      "Plunging breaking waves by weakly compressible smoothed particles, figure 5; E. H. Kennard, Quart. Appl. "
-      "Math. 7 (1949) 303; R. G. Dean, R. A. Dalrymple, Water wave mechanics (1991), chapter 6";
+      "Plunging breaking waves by weakly compressible smoothed particles, figure 5; E. H. Kennard, Quart. Appl. Math. "
+      "7 (1949) 303; R. G. Dean, R. A. Dalrymple, Water wave mechanics (1991), chapter 6";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = with({real("depth", 4.0, "m", {1e-3, 1e3}, "still-water depth"),
                        real("period", 4.7, "s", {1e-3, 1e3}, "period of the flap"),
@@ -432,7 +409,7 @@ Case flap_wave_sph() {
   c.published = {{.tiles = {"sph-fig-5"},
                   .tier = Tier::full,
                   .differs = "the publication states neither the spacing nor the length of the flume"}};
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, theory);
   return c;
 }
 

@@ -34,8 +34,6 @@ and the difference falls as slowly. The second order has twice the frequency: cr
 namespace seiche::validation::cases::wavemaker_mesh {
 namespace {
 
-using evidence::Bound;
-using evidence::Role;
 using lagrangian_mesh_2d::Flow;
 
 const std::string source = "Kennard (1949); Frank (1994), chapter 2";
@@ -192,25 +190,20 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
   claims.only_if(!s.paddle.sudden, "no mesh resolves all waves of a piston that jumps")
       .check(
-          {.id = "order",
-           .text = "The linear wave converges to linear theory with the second order.",
-           .quantity = "order of the largest relative L2 error of the gauges",
-           .source = source},
+          "order", "The linear wave converges to linear theory with the second order.",
+          "order of the largest relative L2 error of the gauges",
           [](const Results& r) { return r.convergence.order(); },
-          evidence::Order{.theory = 2,
-                          .tolerance = 0.5,
-                          .reason = "second order in cells and steps; half an order for coarse meshes and "
-                                    "for where piston and surface meet"});
+          Order{.theory = 2,
+                .tolerance = 0.5,
+                .reason = "second order in cells and steps; half an order for coarse meshes and for where piston and "
+                          "surface meet"});
   const double steepness = s.settled.wavenumber() * s.paddle.stroke;
   claims.at(s.mesh.name())
-      .check({.id = "second-order",
-              .text = "What linear theory leaves out is four times as high for twice the stroke.",
-              .quantity = "largest relative L2 distance of the even parts over the stroke's square",
-              .source = source},
-             second_order_changes,
+      .check("second-order", "What linear theory leaves out is four times as high for twice the stroke.",
+             "largest relative L2 distance of the even parts over the stroke's square", second_order_changes,
              Bound{.limit = 10 * steepness * steepness,
-                   .reason = "the next even order is the fourth, the square of k S relative to the second, times "
-                             "a coefficient of order one, which grows with the ten depths that the wave has run"});
+                   .reason = "the next even order is the fourth, the square of k S relative to the second, times a "
+                             "coefficient of order one, which grows with the ten depths that the wave has run"});
 }
 
 Results compute(const Run& run) {
@@ -249,9 +242,9 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   auto& waves = exhibit.figure(
       "gauges", "Elevation at the gauges",
       fmt::format("Over the stroke {:g}, with the exact transient of linear theory; {}.", stroke, s.mesh.name()));
-  auto& second = exhibit.figure("second-order", "The second order",
-                                "What does not change sign with the stroke, over its square: for the stroke and for "
-                                "half of it.");
+  auto& second =
+      exhibit.figure("second-order", "The second order",
+                     "What does not change sign with the stroke, over its square: for the stroke and for half of it.");
   for (std::size_t g = 0; g < gauges.size(); ++g) {
     const std::string title = fmt::format("{:g} depths from the piston", gauges[g]);
     auto& panel = waves.panel({.x = "t [sqrt(depth/g)]", .y = "elevation/stroke", .title = title});
@@ -285,7 +278,7 @@ Case wavemaker_mesh() {
       choice("scheme", std::string("one_step"), {"one_step", "one_step_feedback", "conservative"},
              "stepping; Frank's is the first"),
   };
-  c.study = Study(claims, compute, show);
+  c.study = Study(claims, compute, show, source);
   return c;
 }
 

@@ -24,8 +24,6 @@ transient.
 namespace seiche::validation::cases::wavemaker_start {
 namespace {
 
-using evidence::Role;
-
 const std::string source = "Havelock (1929); Dean and Dalrymple (1991), ch. 6";
 
 exact::WavemakerTransient start_of(const Values& values) {
@@ -86,20 +84,20 @@ std::vector<WantedTable> wanted(const Values& values) {
   const auto start = std::make_shared<const exact::WavemakerTransient>(start_of(values));
   const double gauge = gauge_of(values);
   const std::vector<double> times = times_of(values);
-  return {
-      {.name = "gauge",
-       .kind = WantedTable::Kind::series,
-       .abscissa = Column{"t", "s", "time since the start from rest"},
-       .quantities = {{.column = {"eta", "m", fmt::format("surface elevation at x = {:.6g} m", gauge)},
-                       .reference = [start, gauge](Place p) { return start->elevation(gauge, p.abscissa); },
-                       .requirements = {within_tolerance(Measure::relative_l2, values,
-                                                         "The elevation at the gauge is that of linear theory.",
-                                                         source)}}},
-       .points = [times](double) { return times; },
-       .exact = {fmt::format("seiche exact wavemaker_start --set kind={},depth={:.17g},gravity={:.17g},period={:.17g},"
-                             "stroke={:.17g} --grid x={:.17g},t=0:{:.17g}:{}",
-                             values.text("paddle"), values.real("depth"), values.real("gravity"), values.real("period"),
-                             values.real("stroke"), gauge, times.back(), times.size())}}};
+  return {{.name = "gauge",
+           .kind = WantedTable::Kind::series,
+           .abscissa = Column{"t", "s", "time since the start from rest"},
+           .quantities = {{.column = {"eta", "m", fmt::format("surface elevation at x = {:.6g} m", gauge)},
+                           .reference = [start, gauge](Place p) { return start->elevation(gauge, p.abscissa); },
+                           .requirements = {within_tolerance(Measure::relative_l2, values,
+                                                             "The elevation at the gauge is that of linear theory.",
+                                                             source)}}},
+           .points = [times](double) { return times; },
+           .exact = {fmt::format(
+               "seiche exact wavemaker_start --set kind={},depth={:.17g},gravity={:.17g},period={:.17g},stroke={:.17g} "
+               "--grid x={:.17g},t=0:{:.17g}:{}",
+               values.text("paddle"), values.real("depth"), values.real("gravity"), values.real("period"),
+               values.real("stroke"), gauge, times.back(), times.size())}}};
 }
 
 }  // namespace

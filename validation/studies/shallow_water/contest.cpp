@@ -50,21 +50,13 @@ void report_contest(evidence::Exhibit& exhibit, const FlowProblem& problem, doub
   evidence::Table table{
       .id = "schemes",
       .title = "The schemes side by side",
-      .caption = fmt::format("Errors at t = {:g} s, means over the water: of cell means, of the method's own "
-                             "reconstruction, of the piecewise constant picture. The width of the jump "
-                             "counts cells between 5 % and 95 % of it.",
-                             time),
-      .columns = {{"scheme", ""},
-                  {"cell L1(h)", "m"},
-                  {"reconstructed L1(h)", "m"},
-                  {"constant L1(h)", "m"},
-                  {"constant L2(h)", "m"},
-                  {"constant max(h)", "m"},
-                  {"cell L1(u)", "m/s"},
-                  {"width", "cells"},
-                  {"front error", "m"}},
-      .rows = {},
-      .atlas = {}};
+      .caption = fmt::format(
+          "Errors at t = {:g} s, means over the water: of cell means, of the method's own reconstruction, of the "
+          "piecewise constant picture. The width of the jump counts cells between 5 % and 95 % of it.",
+          time),
+      .columns = table_columns({"scheme", "cell L1(h) [m]", "reconstructed L1(h) [m]", "constant L1(h) [m]",
+                                "constant L2(h) [m]", "constant max(h) [m]", "cell L1(u) [m/s]", "width [cells]",
+                                "front error [m]"})};
   auto& figure = exhibit.figure("schemes", "The schemes side by side",
                                 fmt::format("Depth at t = {:g} s by each scheme at the same resolution.", time), atlas);
   for (const Contestant& c : contestants) {

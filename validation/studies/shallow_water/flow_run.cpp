@@ -8,10 +8,6 @@
 namespace seiche::validation {
 namespace {
 
-using evidence::Amount;
-using evidence::Role;
-using evidence::Roundoff;
-
 /// What an exact solution reaches from its start to `time`.
 struct Extent {
   Largest depth;
@@ -83,67 +79,53 @@ void claim_conservation(const Claims<FlowRun>& claims, const FlowProblem& proble
         .told = {.operations = operations(particles, static_cast<double>(flow.steps())), .scale = total / particles}};
   };
   const Amount most_operations = Amount::told_by_run(operations(count, most_steps(problem, discretisation, time)));
-  claims.check(
-      {.id = "mass" + suffix,
-       .text = "Mass changes only by what passes the ends.",
-       .quantity = "mass less the mass booked at the ends",
-       .unit = "m^2",
-       .source = "conservation law of mass"},
-      [told](const FlowRun& flow) { return told(flow, flow.mass_defect, flow.mass); },
-      Roundoff{.operations = most_operations,
-               .scale = Amount::told_by_run(mass),
-               .reason = "one rounded update per particle and step, of the size of one particle's mass m; two sums "
-                         "over N particles, of the size N m, count as N^2 such operations each"});
-  claims.check(
-      {.id = "momentum" + suffix,
-       .text = "Momentum changes only by the impulses at the ends.",
-       .quantity = "momentum less the impulses booked at the ends",
-       .unit = "m^3/s",
-       .source = "conservation law of momentum"},
-      [told](const FlowRun& flow) { return told(flow, flow.momentum_defect, flow.momentum_scale); },
-      Roundoff{.operations = most_operations,
-               .scale = Amount::told_by_run(momentum),
-               .reason = "one rounded update per particle and step, of the size of m (|u| + c) of one particle; two "
-                         "sums over N particles, N times that size, count as N^2 such operations each"});
+  claims.from("conservation law of mass")
+      .check(
+          "mass" + suffix, "Mass changes only by what passes the ends.", "mass less the mass booked at the ends [m^2]",
+          [told](const FlowRun& flow) { return told(flow, flow.mass_defect, flow.mass); },
+          Roundoff{.operations = most_operations,
+                   .scale = Amount::told_by_run(mass),
+                   .reason = "one rounded update per particle and step, of the size of one particle's mass m; two sums "
+                             "over N particles, of the size N m, count as N^2 such operations each"});
+  claims.from("conservation law of momentum")
+      .check(
+          "momentum" + suffix, "Momentum changes only by the impulses at the ends.",
+          "momentum less the impulses booked at the ends [m^3/s]",
+          [told](const FlowRun& flow) { return told(flow, flow.momentum_defect, flow.momentum_scale); },
+          Roundoff{.operations = most_operations,
+                   .scale = Amount::told_by_run(momentum),
+                   .reason = "one rounded update per particle and step, of the size of m (|u| + c) of one particle; "
+                             "two sums over N particles, N times that size, count as N^2 such operations each"});
 }
 
 void claim_single_particle(const Claims<FlowRun>& claims, const Front& front) {
-  claims.check(
-      {.id = "width",
-       .text = "The jump lies inside a single particle.",
-       .quantity = "particles between 5 % and 95 % of the jump",
-       .source = "the hand-over of section 3 of the paper"},
-      [front](const FlowRun& flow) -> Measurement {
-        return {.value = front_width(flow.profile(), front), .resolution = flow.discretisation.text()};
-      },
-      evidence::Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
+  claims.from("the hand-over of section 3 of the paper")
+      .check(
+          "width", "The jump lies inside a single particle.", "particles between 5 % and 95 % of the jump",
+          [front](const FlowRun& flow) -> Measurement {
+            return {.value = front_width(flow.profile(), front), .resolution = flow.discretisation.text()};
+          },
+          Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
 }
 
 void claim_exact_profile(const Claims<FlowRun>& claims, double deepest, const Discretisation& discretisation,
                          double time) {
-  claims.check(
-      {.id = "reconstructed_l1_h",
-       .text = "The method's profile is the exact one.",
-       .quantity = "reconstructed L1(h)",
-       .unit = "m",
-       .source = "jump conditions (11) of the paper"},
-      [](const FlowRun& flow) -> Measurement {
-        return {.value = flow.errors.reconstructed.depth.l1, .resolution = flow.discretisation.text()};
-      },
-      Roundoff{
-          .operations = 8 * std::round(time / discretisation.time_step) * static_cast<double>(discretisation.particles),
-          .scale = deepest,
-          .reason = "eight rounded operations per step, and per particle the jump has passed"});
+  claims.from("jump conditions (11) of the paper")
+      .check(
+          "reconstructed_l1_h", "The method's profile is the exact one.", "reconstructed L1(h) [m]",
+          [](const FlowRun& flow) -> Measurement {
+            return {.value = flow.errors.reconstructed.depth.l1, .resolution = flow.discretisation.text()};
+          },
+          Roundoff{.operations =
+                       8 * std::round(time / discretisation.time_step) * static_cast<double>(discretisation.particles),
+                   .scale = deepest,
+                   .reason = "eight rounded operations per step, and per particle the jump has passed"});
 }
 
 void claim_range(const Claims<FlowRun>& claims, double lowest, double highest, const Discretisation& discretisation,
                  double time, const std::string& source) {
-  claims.check(
-      {.id = "range",
-       .text = "No depth leaves the range of the exact solution.",
-       .quantity = "largest depth outside the range",
-       .unit = "m",
-       .source = source},
+  claims.from(source).check(
+      "range", "No depth leaves the range of the exact solution.", "largest depth outside the range [m]",
       [lowest, highest](const FlowRun& flow) -> Measurement {
         const Worst outside = excursion(flow.profile(), lowest, highest);
         return {.value = outside.value(), .resolution = flow.discretisation.text()};

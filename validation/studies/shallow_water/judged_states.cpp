@@ -17,8 +17,9 @@ std::string command_of(const JudgedStates& states) {
   const exact::Riemann& solution = states.solution;
   const double half = states.length() / (2 * static_cast<double>(states.cells));
   return fmt::format(
-      "seiche exact riemann --set left_depth={:.17g},left_velocity={:.17g},right_depth={:.17g},"
-      "right_velocity={:.17g},gravity={:.17g},jump={:.17g} --grid x={:.17g}:{:.17g}:{},t={:.17g}",
+      "seiche exact riemann --set "
+      "left_depth={:.17g},left_velocity={:.17g},right_depth={:.17g},right_velocity={:.17g},gravity={:.17g},jump={:.17g}"
+      " --grid x={:.17g}:{:.17g}:{},t={:.17g}",
       solution.left().depth, solution.left().velocity, solution.right().depth, solution.right().velocity,
       solution.gravity(), solution.jump(), states.start + half, states.end - half, states.cells, states.since);
 }
@@ -58,7 +59,7 @@ Submission submission_of(const std::function<JudgedStates(const Values&)>& state
 void claim_states(const Claims<FlowRun>& claims, const JudgedStates& states, double cell, const Smearing& smearing) {
   for (const RiemannRequirement& one :
        riemann_requirements(states.solution, states.since, states.length(), cell, smearing)) {
-    const evidence::Amount& limit = one.bound.limit;
+    const Amount& limit = one.bound.limit;
     claims
         .only_if(!(limit.value() > limit.cap()),
                  fmt::format("on cells of {:.3g} m a scheme of first order loses more than half of what water that "

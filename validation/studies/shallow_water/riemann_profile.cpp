@@ -210,9 +210,8 @@ std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solut
   const std::string smeared = fmt::format(
       "a jump D smeared evenly over w = {:.3g} cells of {:.3g} m leaves D w dx/4; a fan rounded since its birth by "
       "{:.3g} times the viscosity of Rusanov's flux, s dx/2 with s = |u| + c, leaves ln(n) s dx/2 times the variation "
-      "of "
-      "its slope 2 c/(3 g), in discharge the characteristic speed times that, n cells within the fan. It decides while "
-      "that is less than half of what water that never moved would leave",
+      "of its slope 2 c/(3 g), in discharge the characteristic speed times that, n cells within the fan. It decides "
+      "while that is less than half of what water that never moved would leave",
       smearing.cells_wide, cell, smearing.viscosity);
   const auto mean = [&](double lost_there, double at_rest) {
     const double limit = std::max(lost_there / length, rounding);
@@ -220,8 +219,7 @@ std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solut
   };
   const std::string printed =
       "conserved: what is left is how the points meet the jumps, half the range of the exact values over a cell at "
-      "each "
-      "of two waves";
+      "each of two waves";
   const double ends =
       std::max(fastest(solution.left(), solution.gravity()), fastest(solution.right(), solution.gravity()));
   std::vector<RiemannRequirement> all = {
@@ -258,10 +256,10 @@ std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solut
          "m",
          &RiemannErrors::front,
          {.limit = (smearing.cells_wide / 20 + 0.5) * cell + lost.sent / lost.bore,
-          .reason = "half way up a jump that is smeared over w cells along a power of x is within w/20 of its "
-                    "centre, where conservation puts it, and is read to half a cell; what a fan's rounding "
-                    "displaces between its corners follows the bore and moves it by that volume over its "
-                    "height, as far as it has arrived"}});
+          .reason =
+              "half way up a jump that is smeared over w cells along a power of x is within w/20 of its centre, where "
+              "conservation puts it, and is read to half a cell; what a fan's rounding displaces between its corners "
+              "follows the bore and moves it by that volume over its height, as far as it has arrived"}});
   }
   return all;
 }

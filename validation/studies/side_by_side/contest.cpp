@@ -1,4 +1,5 @@
 #include "validation/studies/side_by_side/contest.hpp"
+#include "validation/instruments/each.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,12 +42,8 @@ std::string cause_of(const Divergence& divergence) {
 }  // namespace
 
 evidence::ObservedOrder Entry::order() const {
-  std::vector<double> sizes;
-  std::vector<double> errors;
-  for (const Attempt& one : attempts) {
-    sizes.push_back(one.size);
-    errors.push_back(one.error);
-  }
+  std::vector<double> sizes = each(attempts, [](const Attempt& one) { return one.size; });
+  std::vector<double> errors = each(attempts, [](const Attempt& one) { return one.error; });
   return evidence::observed_order(sizes, errors);
 }
 
@@ -135,10 +132,9 @@ void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
               {.x = "processor time [s]", .y = fmt::format("error [{}]", units.error), .log_x = true, .log_y = true});
   evidence::Table table{.id = "side_by_side",
                         .title = "The models side by side",
-                        .caption = fmt::format(
-                            "Error, processor time and what energy and momentum change by until t = {:.4g}; then on to "
-                            "t = {:.4g}, or until {}.",
-                            trial_.end, trial_.last, trial_.useless_in_words),
+                        .caption = fmt::format("Error, processor time and what energy and momentum change by until t = "
+                                               "{:.4g}; then on to t = {:.4g}, or until {}.",
+                                               trial_.end, trial_.last, trial_.useless_in_words),
                         .columns = {{"model", ""},
                                     {"size of", ""},
                                     {"size", units.size},
@@ -149,9 +145,7 @@ void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
                                     {"momentum", "1"},
                                     {"lasted", units.time},
                                     {"asked", units.time},
-                                    {"broke by", ""}},
-                        .rows = {},
-                        .atlas = {}};
+                                    {"broke by", ""}}};
   for (const Entry& entry : entries_) {
     std::vector<double> seconds;
     std::vector<double> errors;
@@ -190,47 +184,38 @@ double energy_of_finest(const Entry& entry) {
 }
 
 void claim_lasts(const Claims<Entry>& claims, const Named& model, double last, const std::string& source) {
-  claims.check(
-      {.id = model.id + "-lasts",
-       .text = fmt::format("Followed to the end: {}.", model.name),
-       .quantity = "time until it breaks down",
-       .source = source},
+  claims.from(source).check(
+      model.id + "-lasts", fmt::format("Followed to the end: {}.", model.name), "time until it breaks down",
       [](const Entry& entry) { return entry.finest().lasted; },
-      evidence::Bound{.limit = 1e-9, .reason = "the time that was asked for", .expected = last});
+      Bound{.limit = 1e-9, .reason = "the time that was asked for", .expected = last});
 }
 
 void claim_breaks(const Claims<Entry>& claims, const Named& model, const std::string& reason,
                   const std::string& source) {
-  claims.check(
-      {.id = model.id + "-breaks",
-       .text = fmt::format("Breaks down before the end: {}.", model.name),
-       .quantity = "on one of its resolutions it breaks down before",
-       .source = source},
+  claims.from(source).check(
+      model.id + "-breaks", fmt::format("Breaks down before the end: {}.", model.name),
+      "on one of its resolutions it breaks down before",
       [](const Entry& entry) { return std::ranges::any_of(entry.attempts, &Attempt::broke) ? 1.0 : 0.0; },
-      evidence::Qualitative{.detector = "it stops, or its error says that it has lost the flow", .reason = reason});
+      Qualitative{.detector = "it stops, or its error says that it has lost the flow", .reason = reason});
 }
 
 void claim_dissipates(const Claims<Entry>& claims, const Named& model, const std::string& reason,
                       const std::string& source) {
-  claims.check(
-      {.id = model.id + "-dissipates",
-       .text = fmt::format("It loses energy and gains none: {}.", model.name),
-       .quantity = "the energy falls, on every resolution",
-       .source = source},
+  claims.from(source).check(
+      model.id + "-dissipates", fmt::format("It loses energy and gains none: {}.", model.name),
+      "the energy falls, on every resolution",
       [](const Entry& entry) {
         const auto falls = [](const Attempt& one) { return one.energy < 0; };
         return std::ranges::all_of(entry.attempts, falls) ? 1.0 : 0.0;
       },
-      evidence::Qualitative{.detector = "energy at the end less that of the beginning is negative", .reason = reason});
+      Qualitative{.detector = "energy at the end less that of the beginning is negative", .reason = reason});
 }
 
 void claim_energy(const Claims<Entry>& claims, const Named& model, double operations, double scale,
                   const std::string& reason, const std::string& source) {
-  claims.check({.id = model.id + "-energy",
-                .text = fmt::format("The energy is kept to round-off: {}.", model.name),
-                .quantity = "relative change",
-                .source = source},
-               energy_of_finest, evidence::Roundoff{.operations = operations, .scale = scale, .reason = reason});
+  claims.from(source).check(model.id + "-energy", fmt::format("The energy is kept to round-off: {}.", model.name),
+                            "relative change", energy_of_finest,
+                            Roundoff{.operations = operations, .scale = scale, .reason = reason});
 }
 
 }  // namespace seiche::validation

@@ -32,7 +32,7 @@ struct Racer {
 struct Contender {
   std::string id, name;
   std::string size_of;  ///< "row", "particle spacing"
-  evidence::Role role = evidence::Role::computed;
+  Role role = Role::computed;
   std::vector<long> resolutions;  ///< coarse to fine
   std::function<double(long)> size;
   std::function<Racer(long)> start;
@@ -67,7 +67,7 @@ struct Attempt {
 
 struct Entry {
   std::string id, name, size_of;
-  evidence::Role role = evidence::Role::computed;
+  Role role = Role::computed;
   std::vector<Attempt> attempts;
 
   [[nodiscard]] const Attempt& finest() const { return attempts.back(); }

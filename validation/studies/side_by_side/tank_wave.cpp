@@ -14,8 +14,6 @@
 namespace seiche::validation {
 namespace {
 
-using evidence::Role;
-
 /// A flow in equal steps; `surface` reads its surface.
 template <class Flow, class Surface>
 Racer racer_of(const std::shared_ptr<Flow>& flow, const TankWave& wave, double tau, Surface surface) {
