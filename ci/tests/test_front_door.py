@@ -286,6 +286,10 @@ class Readme(unittest.TestCase):
                 self.succeed(text, self.place.run("bash", "-c", program))
             elif kind == "c++":
                 self.succeed(text, self.compile(text))
+            elif kind == "cpp":
+                self.succeed(text, self.place.run("g++", "-std=c++20", "-fsyntax-only", f"-I{SOURCE}/solver",
+                                                  f"-I{SOURCE}", "-isystem/usr/include/eigen3", "-xc++", "-",
+                                                  input=text))
             elif kind == "layout":
                 for entry in re.findall(r"^([a-z_/]+/) ", text, re.M):
                     self.assertTrue((SOURCE / entry).is_dir(), entry)

@@ -46,6 +46,15 @@ void claim_wet_dam_break(const WetDamBreak& setup, const Values& values, const C
   claim_conservation(flow, s.problem, s.discretisation, s.time);
   claim_single_particle(flow, s.front);
   claim_range(flow, setup.ratio, 1, s.discretisation, s.time, "maximum principle of the two fields");
+  flow.only_if(values.as_published(setup.atlas.front()), "of the particles and steps of the figure")
+      .from("Stoker, Water Waves (1957), 10.8")
+      .check(
+          "cell_l1_h", "Mean depths are within a particle's width of the exact profile.", "cell L1(h) [m]",
+          [](const FlowRun& run) { return run.errors.cell.depth.l1; },
+          Bound{.limit = (1 - setup.ratio) / static_cast<double>(s.discretisation.particles),
+                .reason =
+                    "the exact depth falls from 1 m to h0: moved by the width of one of N particles it differs by "
+                    "(1 m - h0)/N in the mean"});
 }
 
 WetDamBreakResults compute_wet_dam_break(const WetDamBreak& setup, const Run& run) {
