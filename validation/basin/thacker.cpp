@@ -23,13 +23,13 @@ with hydrostatic reconstruction beside it, whose shoreline is the last cell that
 
 #include <fmt/format.h>
 
-#include "seiche/exact/cell_average.hpp"
-#include "seiche/exact/thacker.hpp"
+#include "seiche/exact/shallow_water/thacker.hpp"
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/manufactured/cell_average.hpp"
 
 namespace seiche::validation::cases::thacker {
 namespace {
@@ -101,7 +101,7 @@ Motion by_cells(const exact::Thacker& bowl, double gravity, double length, doubl
   std::vector<double> edges;
   for (long k = 0; k <= n; ++k) edges.push_back(length * static_cast<double>(k) / static_cast<double>(n));
   std::vector<double> depth;
-  for (const exact::CellMean& mean : exact::cell_averages(bowl, edges, 0)) depth.push_back(mean.depth);
+  for (const validation::CellMean& mean : validation::cell_averages(bowl, edges, 0)) depth.push_back(mean.depth);
   shallow_water_finite_volume::FiniteVolumeFlow::Settings settings;
   settings.gravity = gravity;
   shallow_water_finite_volume::FiniteVolumeFlow flow(settings, 0, length, depth, std::vector<double>(depth.size()),

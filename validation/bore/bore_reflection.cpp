@@ -24,7 +24,7 @@ digit. The rearrangement as the paper writes it gives a depth at the wall that w
 
 #include <fmt/format.h>
 
-#include "seiche/exact/bore_reflection.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
 #include "validation/scoring/score.hpp"
 #include "validation/studies/shallow_water/bore_depths.hpp"

@@ -13,7 +13,7 @@ method. Profiles of others are judged as in `riemann`.
 smeared jumps there leaves a scar at the place of the meeting that decays only as $1/N$; here the particle keeps both
 jumps, and then both that leave it.
 */
-#include "seiche/exact/colliding_bores.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
 #include "validation/scoring/score.hpp"
 #include "validation/studies/shallow_water/bore_depths.hpp"

@@ -24,7 +24,7 @@ digit. Every peer smears it over several cells.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/bore.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"

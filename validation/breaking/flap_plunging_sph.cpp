@@ -258,7 +258,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const std::vector<Model> models = models_of(values);
   const double period = values.real("period");
   const SphPlunged& standard = r.runs.front().back();
-  const auto linear = exact::Wavemaker::with_wavelength(exact::Paddle::flap, gravity, depth, wavelength);
+  const auto linear = exact::Wavemaker(exact::Paddle::flap, {gravity, depth}, exact::Wavelength{wavelength});
   exhibit.measure("stroke_of_linear_theory", linear.stroke_for(height));
   exhibit.measure("period_of_linear_theory", linear.period());
   exhibit.measure("particles", static_cast<double>(standard.particles));

@@ -205,7 +205,7 @@ IncidentWaves incident(const SetUp& s, const BasinWave& small) {
   waves.tau = 2 / small.mode.frequency * std::sin(std::numbers::pi / steps);
   const double period = steps * waves.tau;
   waves.omega = 2 * std::numbers::pi / period;
-  const exact::Wavemaker paddle(exact::Paddle::piston, 1, 1, waves.omega);
+  const exact::Wavemaker paddle(exact::Paddle::piston, {1, 1}, exact::AngularFrequency{waves.omega});
   waves.half_stroke = 0.5 * s.height / paddle.height_per_stroke();
   const exact::AiryDispersion airy(1, 1);
   const double group = airy.group_speed(airy.wavenumber(waves.omega));

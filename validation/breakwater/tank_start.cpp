@@ -14,7 +14,7 @@ using Complex = std::complex<double>;
 TankStart::TankStart(const IncidentWaves& waves) {
   const exact::AiryDispersion airy(1, 1);
   const auto height = [](double omega) {
-    return exact::Wavemaker(exact::Paddle::piston, 1, 1, omega).height_per_stroke();
+    return exact::Wavemaker(exact::Paddle::piston, {1, 1}, exact::AngularFrequency{omega}).height_per_stroke();
   };
   wavenumber_ = airy.wavenumber(waves.omega);
   // A sum over frequencies repeats itself after 2 pi/spacing: four runs, in which shorter waves do not come so far.

@@ -13,7 +13,7 @@ for all; over a dry bed the particles cover only the water.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/dam_break.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/studies/shallow_water/contest.hpp"

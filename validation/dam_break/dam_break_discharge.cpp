@@ -19,7 +19,7 @@ With $h_0/h_1 = \tfrac49 s$ the condition $u_* = c_*$ at the dam gives $s^3 - s^
 
 #include <fmt/format.h>
 
-#include "seiche/exact/dam_break.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"

@@ -22,7 +22,7 @@ has no answer over a dry bed.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/dam_break.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 

@@ -11,7 +11,7 @@ rounds the corners of the fan. Compare with 200 and 22 particles in the next two
 */
 #include <algorithm>
 
-#include "seiche/exact/dam_break.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"
 

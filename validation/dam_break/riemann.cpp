@@ -21,7 +21,7 @@ scheme loses its order.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/riemann.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
 #include "validation/dam_break/riemann_problem.hpp"
 #include "validation/scoring/score.hpp"

@@ -1,7 +1,7 @@
 /// The Riemann problem that the parameters of the case `riemann` set.
 #pragma once
 
-#include "seiche/exact/riemann.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/parameter.hpp"
 #include "validation/studies/shallow_water/flow.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/dam_break.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 
 namespace seiche::validation {
 

@@ -8,7 +8,7 @@
 #include <boost/math/tools/minima.hpp>
 
 #include "seiche/exact/dispersion.hpp"
-#include "seiche/exact/lagrangian_mesh_dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/reference_case.hpp"
 

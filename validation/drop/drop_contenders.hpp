@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "seiche/exact/stretching_drop.hpp"
+#include "seiche/exact/affine_drop.hpp"
 #include "seiche/geometry/curve.hpp"
 #include "validation/studies/side_by_side/contest.hpp"
 

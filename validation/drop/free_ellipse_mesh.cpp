@@ -25,7 +25,7 @@ It is an exact solution too, but its surface is unstable, and any method loses i
 
 #include <fmt/format.h>
 
-#include "seiche/exact/stretching_drop.hpp"
+#include "seiche/exact/affine_drop.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "validation/case/case.hpp"

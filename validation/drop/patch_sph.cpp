@@ -24,7 +24,7 @@ several times better than the cubic spline with $h = 1.3\,dx$. Momenta are kept 
 #include <fmt/format.h>
 
 #include "reports/evidence/slope_guide.hpp"
-#include "seiche/exact/stretching_drop.hpp"
+#include "seiche/exact/affine_drop.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"

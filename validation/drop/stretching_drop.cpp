@@ -13,7 +13,7 @@ semi-axes and the pressure in time.
 */
 #include <memory>
 
-#include "seiche/exact/stretching_drop.hpp"
+#include "seiche/exact/affine_drop.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"

@@ -16,7 +16,7 @@ for them. For the particles the water moves 43 m and the jump stays: to the last
 
 #include <fmt/format.h>
 
-#include "seiche/exact/bore.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
 #include "validation/studies/shallow_water/bore_depths.hpp"
 #include "validation/studies/shallow_water/flow_run.hpp"

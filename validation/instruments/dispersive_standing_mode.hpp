@@ -2,7 +2,7 @@
 #pragma once
 
 #include "seiche/exact/dispersive_standing_wave.hpp"
-#include "seiche/exact/frank_dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "validation/instruments/harmonic_fit.hpp"
 

@@ -8,8 +8,6 @@
 
 namespace seiche::validation {
 
-using exact::DoubleShear;
-
 namespace {
 
 lagrangian_mesh_2d::Mesh label_mesh(std::size_t n, double distortion) {

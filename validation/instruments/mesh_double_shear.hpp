@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "seiche/exact/double_shear.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
+#include "validation/instruments/manufactured/double_shear.hpp"
 
 namespace seiche::validation {
 
@@ -16,7 +16,7 @@ struct DoubleShearRun {
   /// Amplitude of a smooth displacement of the initial nodes within the square and along its sides.
   double distortion = 0;
   double time = 1;
-  exact::DoubleShear motion = exact::DoubleShear();
+  validation::DoubleShear motion = validation::DoubleShear();
 
   [[nodiscard]] double spacing() const { return 2 / static_cast<double>(n); }
 };

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/plan_symbol.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/samples.hpp"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "seiche/exact/plan_dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 
 namespace seiche::validation {

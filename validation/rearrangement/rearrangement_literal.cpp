@@ -25,7 +25,7 @@ equations; at the wall it wanders, and 1.36 m is one of its values. The hand-ove
 #include <string>
 #include <vector>
 
-#include "seiche/exact/bore.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/models/shallow_water_particles/as_written.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"

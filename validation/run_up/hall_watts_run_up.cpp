@@ -14,7 +14,7 @@ more closely.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/hall_watts.hpp"
+#include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 

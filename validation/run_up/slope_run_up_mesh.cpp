@@ -29,7 +29,7 @@ eighth wide, a few tenths of a per cent of most.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/hall_watts.hpp"
+#include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/run_up/mesh_slope_climb.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "reports/evidence/grid_convergence.hpp"
-#include "seiche/exact/hall_watts.hpp"
+#include "seiche/exact/solitary_runup.hpp"
 #include "validation/run_up/mesh_slope_climb.hpp"
 
 namespace seiche::validation::slope_run_ups {

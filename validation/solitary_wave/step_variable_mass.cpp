@@ -26,7 +26,7 @@ short. The reflected wave comes back from the left wall and follows over the ste
 
 #include <fmt/format.h>
 
-#include "seiche/exact/soliton_fission.hpp"
+#include "seiche/exact/mach_reflection.hpp"
 #include "seiche/free_lagrangian/mesh.hpp"
 #include "validation/case/case.hpp"
 #include "validation/instruments/each.hpp"

@@ -21,7 +21,7 @@ instant the errors scatter so much that the order cannot be told.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/macdonald.hpp"
+#include "seiche/exact/shallow_water/steady_flow.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "validation/case/case.hpp"

@@ -29,7 +29,7 @@ disturbance of its own.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/steady_bump.hpp"
+#include "seiche/exact/shallow_water/steady_flow.hpp"
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"

@@ -31,7 +31,7 @@ for this stroke, 1.08 m high.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/wavemaker_transient.hpp"
+#include "seiche/exact/wavemaker.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/agreement.hpp"
@@ -83,8 +83,8 @@ struct Theory {
 };
 
 Theory theory_of(const FlapDesign& design) {
-  const exact::WavemakerTransient start = exact::WavemakerTransient::with_period(
-      exact::Paddle::flap, flap_gravity, design.depth, design.period, design.stroke);
+  const exact::WavemakerTransient start = exact::WavemakerTransient(exact::Paddle::flap, {flap_gravity, design.depth},
+                                                                    exact::Period{design.period}, design.stroke);
   Theory linear;
   for (long n = 0; n <= std::lround(flap_periods * samples_per_period); ++n) {
     const double t = design.period * static_cast<double>(n) / samples_per_period;

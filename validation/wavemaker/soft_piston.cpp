@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "seiche/exact/wavemaker_transient.hpp"
+#include "seiche/exact/wavemaker.hpp"
 
 namespace seiche::validation {
 
@@ -40,13 +40,14 @@ double SoftPiston::acceleration(double t) const {
 std::vector<double> SoftPiston::elevation(double x, double interval, long samples, long parts) const {
   std::vector<double> all;
   if (sudden_) {
-    const WavemakerTransient start(exact::Paddle::piston, 1, 1, frequency_, 2 * half_stroke_);
+    const WavemakerTransient start(exact::Paddle::piston, {1, 1}, exact::AngularFrequency{frequency_},
+                                   2 * half_stroke_);
     for (long n = 1; n <= samples; ++n) all.push_back(start.elevation(x, static_cast<double>(n) * interval));
     return all;
   }
   // A frequency of zero: cos(slow t) is 1 to 1e-5 as long as the run lasts.
   constexpr double slow = 1e-4;
-  const WavemakerTransient step(exact::Paddle::piston, 1, 1, slow, 2 / slow);
+  const WavemakerTransient step(exact::Paddle::piston, {1, 1}, exact::AngularFrequency{slow}, 2 / slow);
   const double dt = interval / static_cast<double>(parts);
   const auto count = static_cast<std::size_t>(samples * parts);
   std::vector<double> response{0};

@@ -16,7 +16,7 @@ transient.
 
 #include <fmt/format.h>
 
-#include "seiche/exact/wavemaker_transient.hpp"
+#include "seiche/exact/wavemaker.hpp"
 #include "seiche/require.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
@@ -31,9 +31,9 @@ exact::WavemakerTransient start_of(const Values& values) {
   constexpr double longest = 600;
   require_within("period sqrt(gravity/depth)",
                  values.real("period") * std::sqrt(values.real("gravity") / values.real("depth")), 0, longest);
-  return exact::WavemakerTransient::with_period(
-      values.text("paddle") == "piston" ? exact::Paddle::piston : exact::Paddle::flap, values.real("gravity"),
-      values.real("depth"), values.real("period"), values.real("stroke"));
+  return exact::WavemakerTransient(values.text("paddle") == "piston" ? exact::Paddle::piston : exact::Paddle::flap,
+                                   {values.real("gravity"), values.real("depth")}, exact::Period{values.real("period")},
+                                   values.real("stroke"));
 }
 
 double gauge_of(const Values& values) {

@@ -6,8 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "seiche/exact/bore.hpp"
-#include "seiche/exact/dam_break.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/samples.hpp"

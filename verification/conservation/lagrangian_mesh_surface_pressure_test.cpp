@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "seiche/exact/lagrangian_mesh_dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "seiche/models/lagrangian_mesh_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"

@@ -5,10 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/bore.hpp"
-#include "seiche/exact/bore_reflection.hpp"
-#include "seiche/exact/colliding_bores.hpp"
-#include "seiche/exact/dam_break.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/samples.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/steady_bump.hpp"
+#include "seiche/exact/shallow_water/steady_flow.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "verification/check.hpp"

@@ -6,8 +6,7 @@
 #include <fmt/format.h>
 
 #include "seiche/exact/dispersion.hpp"
-#include "seiche/exact/hexahedral_dispersion.hpp"
-#include "seiche/exact/plan_dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/digits_table.hpp"

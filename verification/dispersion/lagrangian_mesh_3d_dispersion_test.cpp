@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "seiche/exact/dispersion.hpp"
-#include "seiche/exact/hexahedral_dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"

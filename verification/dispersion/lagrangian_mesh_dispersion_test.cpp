@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/lagrangian_mesh_dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/mesh_linear_modes.hpp"

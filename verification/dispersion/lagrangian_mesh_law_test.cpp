@@ -5,8 +5,7 @@
 #include <fmt/format.h>
 
 #include "seiche/exact/dispersion.hpp"
-#include "seiche/exact/frank_dispersion.hpp"
-#include "seiche/exact/lagrangian_mesh_dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "verification/check.hpp"
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"

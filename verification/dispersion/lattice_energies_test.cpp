@@ -7,8 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/hexahedral_dispersion.hpp"
-#include "seiche/exact/plan_dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/dispersion/bloch_wave.hpp"

@@ -10,11 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/bore_reflection.hpp"
-#include "seiche/exact/colliding_bores.hpp"
-#include "seiche/exact/macdonald.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
+#include "seiche/exact/shallow_water/steady_flow.hpp"
 #include "seiche/exact/solitary_wave.hpp"
-#include "seiche/exact/steady_bump.hpp"
 #include "seiche/exact/stokes_wave.hpp"
 #include "validation/case/job.hpp"
 #include "validation/case/registry.hpp"

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "seiche/exact/stretching_drop.hpp"
+#include "seiche/exact/affine_drop.hpp"
 #include "seiche/samples.hpp"
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"

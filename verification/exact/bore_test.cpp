@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "seiche/exact/bore_reflection.hpp"
-#include "seiche/exact/cell_average.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/manufactured/cell_average.hpp"
 #include "verification/reference_digits.hpp"
 
 namespace bore_test {
@@ -95,7 +95,7 @@ TEST_CASE("a bore reflected from a wall leaves water at rest", "[exact]") {
   CHECK(std::abs(reflection.incident().behind_velocity() - 1.3) < 1e-15 * 4);
   Worst defect;
   for (const double t : {0.0, 1.0, 1.5, 2.6}) {
-    const auto mean = exact::cell_average(reflection, 0, 10, t);
+    const auto mean = validation::cell_average(reflection, 0, 10, t);
     defect.add(10 * mean.depth - 5 - 5 * reflection.incident().ahead().depth - 1.3 * t);
   }
   check.that({.id = "mass",

@@ -32,7 +32,7 @@ long members_of(const ExactSolution& solution) {
                                                   {"solitary_runup", 2},     {"slope_runup", 1},
                                                   {"wall_runup", 1},         {"wall_load", 1},
                                                   {"standing", 10},          {"stokes", 20},
-                                                  {"solitary", 20},          {"affine_ellipsoid", 40}};
+                                                  {"solitary", 20}};
   const auto found = slow.find(solution.name);
   return std::lround(
       std::floor((found == slow.end() ? 100 : found->second) * static_cast<double>(verification::fuzz_factor())));

@@ -2,8 +2,10 @@
 #include <limits>
 #include <numbers>
 
-#include "seiche/exact/frank_dispersion.hpp"
-#include "seiche/exact/linear_wave.hpp"
+#include "seiche/exact/dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
+#include "seiche/exact/wavemaker.hpp"
+#include "seiche/samples.hpp"
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
 
@@ -135,8 +137,8 @@ TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[
   claim_self_test(check, "airy", AiryDispersion(9.81, 3), laws_source);
   claim_self_test(check, "airy-deep", AiryDispersion(9.81, infinite), laws_source);
   claim_self_test(check, "rational", RationalDispersion::nwogu(9.81, 3), laws_source);
-  claim_self_test(check, "wave", exact::AiryWave(0.1, 12, 3, 9.81), laws_source);
-  claim_self_test(check, "wave-deep", exact::AiryWave(0.1, 12, infinite, 9.81), laws_source);
+  claim_self_test(check, "wave", exact::AiryWave(0.1, exact::Wavelength{12}, {9.81, 3}), laws_source);
+  claim_self_test(check, "wave-deep", exact::AiryWave(0.1, exact::Wavelength{12}, {9.81, infinite}), laws_source);
   draw_laws(check);
   CHECK(std::abs(AiryDispersion(9.81, 1e3).wavenumber(2) - 4 / 9.81) < 1e-15);
   CHECK_THROWS_AS(airy.frequency(0), std::invalid_argument);
@@ -145,9 +147,9 @@ TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[
   CHECK_THROWS_AS(AiryDispersion(1, 0), std::invalid_argument);
   CHECK_THROWS_AS(gn.wavenumber(gn.highest_frequency()), std::invalid_argument);
   CHECK_THROWS_AS(RationalDispersion::nwogu(1, 1, -0.2), std::invalid_argument);
-  CHECK_THROWS_AS(exact::AiryWave(1, 10, 1, 9.81), std::invalid_argument);
-  CHECK_THROWS_AS(exact::AiryWave(0.1, 10, 1, 9.81).velocity(0, -1.01, 0), exact::OutsideFluid);
-  CHECK_THROWS_AS(exact::AiryWave(0.1, 10, 1, 9.81).pressure(0, 0.11, 0), exact::OutsideFluid);
+  CHECK_THROWS_AS(exact::AiryWave(1, exact::Wavelength{10}, {9.81, 1}), std::invalid_argument);
+  CHECK_THROWS_AS(exact::AiryWave(0.1, exact::Wavelength{10}, {9.81, 1}).velocity(0, -1.01, 0), exact::OutsideFluid);
+  CHECK_THROWS_AS(exact::AiryWave(0.1, exact::Wavelength{10}, {9.81, 1}).pressure(0, 0.11, 0), exact::OutsideFluid);
 }
 
 TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tuned to Airy", "[exact]") {
@@ -271,6 +273,31 @@ TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tune
   CHECK_THROWS_AS(exact::discrete_frequency(0, 1, TimeScheme::conservative), std::invalid_argument);
   CHECK_NOTHROW(exact::discrete_frequency(5, 1, TimeScheme::conservative));
   CHECK(std::abs(FrankDispersion(9.81, 2, 0.2).frequency(0.5) / (std::sqrt(9.81 / 2) * fine.frequency(1)) - 1) < 2e-15);
+}
+
+TEST_CASE("a wave is the same by wavelength, period, wavenumber and frequency", "[exact]") {
+  verification::Check check("exact_wave_scale", "One wave, known by four numbers",
+                            "A wave of 12 m in water 3 m deep is given by its wavelength, period, wavenumber and "
+                            "angular frequency, as a progressive wave and to a piston and a flap.");
+  const exact::Water water{.gravity = 9.81, .depth = 3};
+  const exact::AiryWave wave(0.1, exact::Wavelength{12}, water);
+  Worst apart;
+  for (const exact::WaveScale& given :
+       {exact::WaveScale(exact::Period{wave.period()}), exact::WaveScale(exact::Wavenumber{wave.wavenumber()}),
+        exact::WaveScale(exact::AngularFrequency{wave.frequency()})}) {
+    apart.add(exact::AiryWave(0.1, given, water).wavenumber() / wave.wavenumber() - 1);
+    for (const auto paddle : {exact::Paddle::piston, exact::Paddle::flap}) {
+      apart.add(exact::Wavemaker(paddle, water, given).height_per_stroke() /
+                    exact::Wavemaker(paddle, water, exact::Wavelength{12}).height_per_stroke() -
+                1);
+    }
+  }
+  check.that({.id = "same",
+              .text = "The wavenumber and the height per stroke are the same, whatever the wave is known by.",
+              .quantity = "largest relative difference",
+              .source = laws_source},
+             {.value = apart.value()},
+             evidence::Roundoff{.operations = 60, .reason = "30 roundings there and back, twice in a quotient"});
 }
 
 }  // namespace dispersion_test

@@ -5,14 +5,14 @@
 
 #include <Eigen/Dense>
 
-#include "seiche/exact/dispersive_manufactured.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/manufactured/dispersive_manufactured.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace dispersive_manufactured_test {
 
 using namespace seiche;
-using exact::DispersiveManufactured;
+using validation::DispersiveManufactured;
 using verification::Role;
 using Parameters = DispersiveManufactured::Parameters;
 

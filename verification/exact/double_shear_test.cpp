@@ -2,13 +2,13 @@
 #include <stdexcept>
 #include <vector>
 
-#include "seiche/exact/double_shear.hpp"
+#include "validation/instruments/manufactured/double_shear.hpp"
 #include "verification/self_test_claims.hpp"
 
 namespace double_shear_test {
 
 using namespace seiche;
-using exact::DoubleShear;
+using validation::DoubleShear;
 using verification::Role;
 
 const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
-#include "seiche/exact/overturning/curve_distance.hpp"
+#include "seiche/exact/overturning/surface_curve.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/reference_table.hpp"
 #include "verification/self_test_claims.hpp"

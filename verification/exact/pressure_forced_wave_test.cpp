@@ -1,4 +1,4 @@
-#include "seiche/exact/pressure_forced_wave.hpp"
+#include "seiche/exact/overturning_wave.hpp"
 
 #include <array>
 #include <cmath>
@@ -9,9 +9,8 @@
 #include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "seiche/exact/overturning/initial.hpp"
-#include "seiche/exact/overturning/interpolant.hpp"
-#include "seiche/exact/overturning/stepper.hpp"
+#include "seiche/exact/overturning/evolution.hpp"
+#include "seiche/exact/overturning/surface_curve.hpp"
 #include "seiche/exact/stokes_wave.hpp"
 #include "seiche/samples.hpp"
 #include "verification/self_test_claims.hpp"

@@ -1,10 +1,9 @@
 #include <cmath>
 #include <random>
 
-#include "seiche/exact/cell_average.hpp"
-#include "seiche/exact/colliding_bores.hpp"
-#include "seiche/exact/riemann.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/manufactured/cell_average.hpp"
 #include "verification/reference_digits.hpp"
 
 namespace riemann_test {
@@ -45,7 +44,7 @@ TEST_CASE("Riemann solutions obey the integral laws for random states, dry beds 
     const double t = 0.7;
     const double a = 3 + t * problem.left_wave().slowest - 1;
     const double b = 3 + t * problem.right_wave().fastest + 1;
-    const auto mean = exact::cell_average(problem, a, b, t);
+    const auto mean = validation::cell_average(problem, a, b, t);
     const double expected_mass =
         left.depth * (3 - a) + right.depth * (b - 3) + t * (left.depth * left.velocity - right.depth * right.velocity);
     const double expected_momentum =
@@ -121,7 +120,7 @@ TEST_CASE("colliding bores meet and pass", "[exact]") {
                              1.2713216058, 10, source);
   Worst defect;
   for (const double t : {0.0, 2.0, 4.1, 4.2, 6.1}) {
-    const auto mean = exact::cell_average(bores, 0, 100, t);
+    const auto mean = validation::cell_average(bores, 0, 100, t);
     const double inflow = bores.left().depth * bores.left().velocity - bores.right().depth * bores.right().velocity;
     defect.add(100 * mean.depth - (60 + 40 + 45) - t * inflow);
   }

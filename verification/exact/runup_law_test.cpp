@@ -4,7 +4,6 @@
 
 #include <boost/math/tools/minima.hpp>
 
-#include "seiche/exact/hall_watts.hpp"
 #include "seiche/exact/solitary_runup.hpp"
 #include "verification/digits_table.hpp"
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "seiche/exact/cell_average.hpp"
-#include "seiche/exact/simple_wave.hpp"
+#include "seiche/exact/shallow_water/simple_wave.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/manufactured/cell_average.hpp"
 #include "verification/check.hpp"
 #include "verification/exact/shallow_water_residual.hpp"
 
@@ -42,7 +42,7 @@ TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") 
     double m = 0;
     double q = 0;
     for (int k = 0; k < 200; ++k) {
-      const auto mean = exact::cell_average(wave, 0.1 * k, 0.1 * (k + 1), t);
+      const auto mean = validation::cell_average(wave, 0.1 * k, 0.1 * (k + 1), t);
       m += 0.1 * mean.depth;
       q += 0.1 * mean.discharge;
     }

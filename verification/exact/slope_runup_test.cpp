@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/slope_climb/wedge_flow.hpp"
+#include "seiche/exact/overturning/slope_climb.hpp"
 #include "seiche/exact/wall_runup.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/reference_table.hpp"

@@ -6,7 +6,6 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/special_functions/bessel.hpp>
 
-#include "seiche/exact/hall_watts.hpp"
 #include "seiche/exact/solitary_runup.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/reference_table.hpp"

@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-#include "seiche/exact/soliton_fission.hpp"
+#include "seiche/exact/mach_reflection.hpp"
 #include "verification/check.hpp"
 
 namespace soliton_fission_test {

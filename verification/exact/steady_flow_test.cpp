@@ -1,7 +1,6 @@
 #include <cmath>
 
-#include "seiche/exact/macdonald.hpp"
-#include "seiche/exact/steady_bump.hpp"
+#include "seiche/exact/shallow_water/steady_flow.hpp"
 #include "seiche/samples.hpp"
 #include "verification/exact/bed_primitive.hpp"
 #include "verification/reference_digits.hpp"

@@ -1,7 +1,7 @@
 #include <array>
 #include <cmath>
 
-#include "seiche/exact/thacker_bowl.hpp"
+#include "seiche/exact/shallow_water/thacker.hpp"
 #include "seiche/samples.hpp"
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"

@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "seiche/exact/cell_average.hpp"
-#include "seiche/exact/lagrangian_manufactured.hpp"
-#include "seiche/exact/thacker.hpp"
+#include "seiche/exact/shallow_water/thacker.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/manufactured/cell_average.hpp"
+#include "validation/instruments/manufactured/lagrangian_manufactured.hpp"
 #include "verification/exact/bed_primitive.hpp"
 #include "verification/exact/shallow_water_residual.hpp"
 #include "verification/reference_digits.hpp"
@@ -11,8 +11,8 @@
 namespace thacker_test {
 
 using namespace seiche;
-using exact::LagrangianManufactured;
 using exact::Thacker;
+using validation::LagrangianManufactured;
 using verification::check_digits;
 
 constexpr double g = 9.81;
@@ -44,7 +44,7 @@ TEST_CASE("water oscillates in a parabolic bowl at any amplitude", "[exact]") {
           residual.add(verification::shallow_water_residual([&](double p, double s) { return bowl.at(p, s); }, g, x, t,
                                                             0.05, span, slope));
         }
-        area.add(4 * exact::cell_average(bowl, 0, 4, t).depth - bowl.area());
+        area.add(4 * validation::cell_average(bowl, 0, 4, t).depth - bowl.area());
       }
     }
     spans.push_back(span);

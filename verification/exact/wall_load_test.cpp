@@ -1,4 +1,4 @@
-#include "seiche/exact/wall_load.hpp"
+#include "seiche/exact/wall_runup.hpp"
 
 #include <cmath>
 #include <stdexcept>

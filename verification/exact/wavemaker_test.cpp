@@ -51,8 +51,9 @@ void draw_ratios(verification::Check& check) {
   std::vector<double> flap;
   for (double kd = 0.02; kd < 7; kd += 0.05) {
     k.push_back(kd);
-    piston.push_back(Wavemaker::with_wavelength(Paddle::piston, 1, 1, 2 * std::numbers::pi / kd).height_per_stroke());
-    flap.push_back(Wavemaker::with_wavelength(Paddle::flap, 1, 1, 2 * std::numbers::pi / kd).height_per_stroke());
+    piston.push_back(
+        Wavemaker(Paddle::piston, {1, 1}, exact::Wavelength{2 * std::numbers::pi / kd}).height_per_stroke());
+    flap.push_back(Wavemaker(Paddle::flap, {1, 1}, exact::Wavelength{2 * std::numbers::pi / kd}).height_per_stroke());
   }
   panel.line("piston", k, piston, Role::exact);
   panel.line("flap", k, flap, Role::peer);
@@ -66,7 +67,7 @@ void draw_near_field(verification::Check& check) {
                             "Surface at four phases with $\\omega^2 d/g = 4$: within two depths of the paddle the "
                             "evanescent modes show.")
                     .panel({.x = "x/d", .y = "elevation/stroke", .title = "with near field, and the progressive wave"});
-  const Wavemaker maker(Paddle::flap, 1, 1, 2);
+  const Wavemaker maker(Paddle::flap, {1, 1}, exact::AngularFrequency{2});
   for (const double phase : {0.125, 0.25, 0.375, 0.5}) {
     std::vector<double> x;
     std::vector<double> whole;
@@ -101,7 +102,7 @@ TEST_CASE("piston and flap make the waves of linear theory", "[exact]") {
   std::vector<verification::Printed> ratios;
   std::vector<verification::Printed> modes;
   for (const Row& row : table) {
-    const Wavemaker maker(row.paddle, 1, 1, row.omega);
+    const Wavemaker maker(row.paddle, {1, 1}, exact::AngularFrequency{row.omega});
     wavenumbers.push_back({maker.wavenumber(), row.wavenumber});
     ratios.push_back({maker.height_per_stroke(), row.ratio});
     modes.push_back({maker.evanescent_wavenumber(1), row.k1});
@@ -110,7 +111,8 @@ TEST_CASE("piston and flap make the waves of linear theory", "[exact]") {
     modes.push_back({maker.coefficient(2), row.c2});
     // The same from the period, and in other units: everything scales with depth and gravity.
     const double unit = std::sqrt(4 / 9.81);
-    const Wavemaker scaled = Wavemaker::with_period(row.paddle, 9.81, 4, 2 * std::numbers::pi / row.omega * unit, 3);
+    const Wavemaker scaled =
+        Wavemaker(row.paddle, {9.81, 4}, exact::Period{2 * std::numbers::pi / row.omega * unit}, 3);
     ratios.push_back({scaled.height_per_stroke(), row.ratio});
     wavenumbers.push_back({4 * scaled.wavenumber(), row.wavenumber});
   }
@@ -122,7 +124,7 @@ TEST_CASE("piston and flap make the waves of linear theory", "[exact]") {
   constexpr double far = 10;
   Worst displaced;
   for (const auto& [paddle, mean] : {std::pair{Paddle::piston, 1.0}, std::pair{Paddle::flap, 0.5}}) {
-    const Wavemaker maker(paddle, 1, 1, 1.3);
+    const Wavemaker maker(paddle, {1, 1}, exact::AngularFrequency{1.3});
     const double k = maker.wavenumber();
     for (const double part : {0.15, 0.25, 0.6}) {
       const double t = part * maker.period();
@@ -140,10 +142,10 @@ TEST_CASE("piston and flap make the waves of linear theory", "[exact]") {
                              .reason = "within 1e-9 d of the paddle the surface is left out; ten depths away the near "
                                        "field has fallen to exp(-25)"});
 
-  const auto regular = Wavemaker::with_wavelength(Paddle::flap, 9.81, 4, 27.3);
-  const auto plunging = Wavemaker::with_wavelength(Paddle::flap, 9.81, 0.013, 0.1);
-  const auto regular_piston = Wavemaker::with_wavelength(Paddle::piston, 9.81, 4, 27.3);
-  const auto plunging_piston = Wavemaker::with_wavelength(Paddle::piston, 9.81, 0.013, 0.1);
+  const auto regular = Wavemaker(Paddle::flap, {9.81, 4}, exact::Wavelength{27.3});
+  const auto plunging = Wavemaker(Paddle::flap, {9.81, 0.013}, exact::Wavelength{0.1});
+  const auto regular_piston = Wavemaker(Paddle::piston, {9.81, 4}, exact::Wavelength{27.3});
+  const auto plunging_piston = Wavemaker(Paddle::piston, {9.81, 0.013}, exact::Wavelength{0.1});
   check_table(check, "flumes", "kd, H/S of flap and piston, stroke, period of the two flumes",
               {{4 * regular.wavenumber(), "0.920613"},
                {regular.height_per_stroke(), "0.483663"},
@@ -198,7 +200,7 @@ TEST_CASE("piston and flap make the waves of linear theory", "[exact]") {
     std::vector<double> k;
     std::vector<double> deviation;
     for (double kd = 0.2; kd > 0.01; kd /= 2) {
-      const auto maker = Wavemaker::with_wavelength(paddle, 1, 1, 2 * std::numbers::pi / kd);
+      const auto maker = Wavemaker(paddle, {1, 1}, exact::Wavelength{2 * std::numbers::pi / kd});
       k.push_back(kd);
       deviation.push_back(std::abs(maker.height_per_stroke() / (paddle == Paddle::piston ? kd : 0.5 * kd) - 1));
     }
@@ -208,8 +210,8 @@ TEST_CASE("piston and flap make the waves of linear theory", "[exact]") {
                 .source = source},
                evidence::observed_order(k, deviation, 1e-13), evidence::Order{order, 0.1, reason});
     for (const double omega : {0.05, 0.5, 1.0, 2.0, 6.0, 30.0}) {
-      claim_self_test(check, id + "-" + std::to_string(std::lround(100 * omega)), Wavemaker(paddle, 1, 1, omega),
-                      source);
+      claim_self_test(check, id + "-" + std::to_string(std::lround(100 * omega)),
+                      Wavemaker(paddle, {1, 1}, exact::AngularFrequency{omega}), source);
     }
   }
   draw_ratios(check);
@@ -219,14 +221,14 @@ TEST_CASE("piston and flap make the waves of linear theory", "[exact]") {
 TEST_CASE("wavemakers that cannot be are refused", "[exact]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   using Bad = std::invalid_argument;
-  CHECK_THROWS_AS(Wavemaker(Paddle::flap, 0, 1, 1), Bad);
-  CHECK_THROWS_AS(Wavemaker(Paddle::flap, 1, -1, 1), Bad);
-  CHECK_THROWS_AS(Wavemaker(Paddle::flap, 1, 1, 0), Bad);
-  CHECK_THROWS_AS(Wavemaker(Paddle::flap, 1, 1, nan), Bad);
-  CHECK_THROWS_AS(Wavemaker(Paddle::flap, 1, 1, 1, nan), Bad);
-  CHECK_THROWS_AS(Wavemaker::with_period(Paddle::piston, 1, 1, 0), Bad);
-  CHECK_THROWS_AS(Wavemaker(Paddle::flap, 1, 1, 1).coefficient(0), Bad);
-  CHECK_THROWS_AS(Wavemaker(Paddle::flap, 1, 1, 1).elevation(-0.1, 0), exact::OutsideFluid);
+  CHECK_THROWS_AS(Wavemaker(Paddle::flap, {0, 1}, exact::AngularFrequency{1}), Bad);
+  CHECK_THROWS_AS(Wavemaker(Paddle::flap, {1, -1}, exact::AngularFrequency{1}), Bad);
+  CHECK_THROWS_AS(Wavemaker(Paddle::flap, {1, 1}, exact::AngularFrequency{0}), Bad);
+  CHECK_THROWS_AS(Wavemaker(Paddle::flap, {1, 1}, exact::AngularFrequency{nan}), Bad);
+  CHECK_THROWS_AS(Wavemaker(Paddle::flap, {1, 1}, exact::AngularFrequency{1}, nan), Bad);
+  CHECK_THROWS_AS(Wavemaker(Paddle::piston, {1, 1}, exact::Period{0}), Bad);
+  CHECK_THROWS_AS(Wavemaker(Paddle::flap, {1, 1}, exact::AngularFrequency{1}).coefficient(0), Bad);
+  CHECK_THROWS_AS(Wavemaker(Paddle::flap, {1, 1}, exact::AngularFrequency{1}).elevation(-0.1, 0), exact::OutsideFluid);
 }
 
 }  // namespace wavemaker_test

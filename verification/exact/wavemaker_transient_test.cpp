@@ -4,7 +4,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "seiche/exact/wavemaker_transient.hpp"
+#include "seiche/exact/wavemaker.hpp"
 #include "seiche/samples.hpp"
 #include "verification/digits_table.hpp"
 #include "verification/self_test_claims.hpp"
@@ -26,7 +26,7 @@ constexpr double gauge = 27.3;
 constexpr double omega = 2 * std::numbers::pi / period;
 
 WavemakerTransient flume() {
-  return WavemakerTransient::with_period(Paddle::flap, g, depth, period, stroke);
+  return WavemakerTransient(Paddle::flap, {g, depth}, exact::Period{period}, stroke);
 }
 
 /// The same integral by the trapezoidal rule up to `largest`, as it is written: no path, no divided difference.
@@ -97,9 +97,11 @@ TEST_CASE("a wavemaker starts from rest as linear theory says", "[exact]") {
       "wave.");
   const WavemakerTransient wave = flume();
   claim_self_test(check, "flap", wave, source);
-  claim_self_test(check, "piston", WavemakerTransient::with_period(Paddle::piston, g, depth, period, stroke), source);
-  claim_self_test(check, "piston-short", WavemakerTransient(Paddle::piston, 1, 1, 4), source);
-  claim_self_test(check, "flap-long", WavemakerTransient(Paddle::flap, 1, 1, 0.2), source);
+  claim_self_test(check, "piston", WavemakerTransient(Paddle::piston, {g, depth}, exact::Period{period}, stroke),
+                  source);
+  claim_self_test(check, "piston-short", WavemakerTransient(Paddle::piston, {1, 1}, exact::AngularFrequency{4}),
+                  source);
+  claim_self_test(check, "flap-long", WavemakerTransient(Paddle::flap, {1, 1}, exact::AngularFrequency{0.2}), source);
 
   const std::vector<double> times = {1, 1.5, 2, 2.1, 2.5, 3};
   const std::vector<std::string> printed = {"0.0926", "-0.2470", "0.4556", "0.6179", "-0.6382", "0.4067"};
@@ -181,7 +183,7 @@ TEST_CASE("a wavemaker starts from rest as linear theory says", "[exact]") {
              evidence::Qualitative{.detector = "each of the four numbers is below the one before",
                                    .reason = "the transient disperses; its size after given periods is not published"});
   claim_volume(check, wave, 0.5);
-  claim_volume(check, WavemakerTransient::with_period(Paddle::piston, g, depth, period, stroke), 1);
+  claim_volume(check, WavemakerTransient(Paddle::piston, {g, depth}, exact::Period{period}, stroke), 1);
 
   auto& panel = check
                     .figure("start", "The first three periods one wavelength from the flap",
@@ -205,7 +207,7 @@ TEST_CASE("times and places without a wave are refused", "[exact]") {
   CHECK_THROWS_AS(wave.elevation(-1, 1), exact::OutsideFluid);
   CHECK_THROWS_AS(wave.elevation(1, -1), std::invalid_argument);
   CHECK_THROWS_AS(wave.initial_rate_of_piston(1), std::invalid_argument);
-  CHECK_THROWS_AS(WavemakerTransient(Paddle::piston, 1, 1, 100), std::invalid_argument);
+  CHECK_THROWS_AS(WavemakerTransient(Paddle::piston, {1, 1}, exact::AngularFrequency{100}), std::invalid_argument);
 }
 
 }  // namespace wavemaker_transient_test

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "seiche/exact/dispersive_manufactured.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/manufactured/dispersive_manufactured.hpp"
 #include "verification/check.hpp"
 
 namespace dispersive_friction_test {
@@ -20,7 +20,7 @@ using seiche::Mean;
 using seiche::evidence::observed_order;
 using seiche::evidence::Order;
 using seiche::evidence::Roundoff;
-using seiche::exact::DispersiveManufactured;
+using seiche::validation::DispersiveManufactured;
 
 constexpr double gravity = 9.81;
 constexpr double depth = 0.8;

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/dispersive_manufactured.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/manufactured/dispersive_manufactured.hpp"
 #include "verification/check.hpp"
 
 namespace dispersive_improved_test {
@@ -21,7 +21,7 @@ using namespace seiche::verification;
 using seiche::Mean;
 using seiche::evidence::observed_order;
 using seiche::evidence::Order;
-using seiche::exact::DispersiveManufactured;
+using seiche::validation::DispersiveManufactured;
 
 constexpr double gamma_factor = 1.0 / 15;
 constexpr double end = 5;

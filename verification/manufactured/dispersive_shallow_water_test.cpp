@@ -11,10 +11,10 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/dispersive_manufactured.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/reference_table.hpp"
+#include "validation/instruments/manufactured/dispersive_manufactured.hpp"
 #include "verification/check.hpp"
 
 namespace dispersive_shallow_water_test {
@@ -25,7 +25,7 @@ using seiche::Largest;
 using seiche::evidence::Bound;
 using seiche::evidence::observed_order;
 using seiche::evidence::Order;
-using seiche::exact::DispersiveManufactured;
+using seiche::validation::DispersiveManufactured;
 
 const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";
 const std::string digits = "regression: computed once by an earlier program for the same equations";

@@ -1,10 +1,10 @@
 #include <array>
 #include <cmath>
 
-#include "seiche/exact/cell_average.hpp"
-#include "seiche/exact/simple_wave.hpp"
+#include "seiche/exact/shallow_water/simple_wave.hpp"
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "validation/case/reference_table.hpp"
+#include "validation/instruments/manufactured/cell_average.hpp"
 #include "verification/check.hpp"
 
 namespace finite_volume_smooth_wave_test {
@@ -20,7 +20,7 @@ double mean_depth_error(const exact::SimpleWave& wave, Scheme scheme, std::size_
   for (std::size_t k = 0; k <= cells; ++k) edges[k] = length * static_cast<double>(k) / static_cast<double>(cells);
   std::vector<double> depth;
   std::vector<double> discharge;
-  for (const auto& mean : exact::cell_averages(wave, edges, 0)) {
+  for (const auto& mean : validation::cell_averages(wave, edges, 0)) {
     depth.push_back(mean.depth);
     discharge.push_back(mean.discharge);
   }
@@ -29,7 +29,7 @@ double mean_depth_error(const exact::SimpleWave& wave, Scheme scheme, std::size_
   settings.theta = 2;
   FiniteVolumeFlow flow(settings, 0, length, depth, discharge);
   flow.advance_to(0.9, 0.4);
-  const auto reference = exact::cell_averages(wave, edges, 0.9);
+  const auto reference = validation::cell_averages(wave, edges, 0.9);
   double total = 0;
   for (std::size_t i = 0; i < cells; ++i) total += std::abs(flow.depth()[i] - reference[i].depth);
   return total / static_cast<double>(cells);

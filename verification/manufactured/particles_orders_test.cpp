@@ -5,12 +5,12 @@
 #include <numbers>
 #include <vector>
 
-#include "seiche/exact/lagrangian_manufactured.hpp"
-#include "seiche/exact/simple_wave.hpp"
-#include "seiche/exact/thacker.hpp"
+#include "seiche/exact/shallow_water/simple_wave.hpp"
+#include "seiche/exact/shallow_water/thacker.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/manufactured/lagrangian_manufactured.hpp"
 #include "verification/check.hpp"
 
 namespace particles_orders_test {
@@ -94,7 +94,7 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
   Check check("particles_manufactured", "Manufactured motion with a momentum source",
               "$x(\\xi,t) = \\xi + A \\sin k\\xi \\sin\\omega t$ between walls, driven by a momentum source only, so "
               "that masses stay exact. Edges and mass-mean velocities have exact references.");
-  const seiche::exact::LagrangianManufactured exact(gravity);
+  const seiche::validation::LagrangianManufactured exact(gravity);
   std::vector<double> sizes;
   std::vector<double> edge_errors;
   std::vector<double> velocity_errors;

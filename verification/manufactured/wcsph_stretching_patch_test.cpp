@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/stretching_drop.hpp"
+#include "seiche/exact/affine_drop.hpp"
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "verification/check.hpp"

@@ -1,7 +1,7 @@
 // The overturning wave over a bottom: one integral equation, and the whole motion up to touch-down.
 #include <benchmark/benchmark.h>
 
-#include "seiche/exact/overturning/initial.hpp"
+#include "seiche/exact/overturning/evolution.hpp"
 #include "seiche/exact/overturning/surface_velocity.hpp"
 #include "seiche/exact/overturning_wave.hpp"
 #include "verification/performance/work.hpp"

@@ -1,19 +1,17 @@
 #include <cmath>
 #include <limits>
 
-#include "seiche/exact/bore_reflection.hpp"
-#include "seiche/exact/colliding_bores.hpp"
-#include "seiche/exact/dam_break.hpp"
-#include "seiche/exact/lagrangian_manufactured.hpp"
-#include "seiche/exact/macdonald.hpp"
-#include "seiche/exact/simple_wave.hpp"
-#include "seiche/exact/steady_bump.hpp"
-#include "seiche/exact/thacker.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
+#include "seiche/exact/shallow_water/simple_wave.hpp"
+#include "seiche/exact/shallow_water/steady_flow.hpp"
+#include "seiche/exact/shallow_water/thacker.hpp"
+#include "validation/instruments/manufactured/lagrangian_manufactured.hpp"
 #include "verification/check.hpp"
 
 namespace exact_solutions_test {
 
 using namespace seiche::exact;
+using seiche::validation::LagrangianManufactured;
 
 TEST_CASE("exact solutions refuse parameters that have no solution", "[robustness]") {
   constexpr double g = 9.81;

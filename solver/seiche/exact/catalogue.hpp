@@ -3,8 +3,8 @@
 ///
 /// For listings, the command line and Python. C++ code that uses one solution includes that solution's own header.
 ///
-/// To add one: a file `entries/<name>.cpp` that defines `ExactSolution <name>_entry()`, its declaration in
-/// entries/entries.hpp and its line in catalogue.cpp.
+/// To add one: `ExactSolution <name>_entry()` at the end of the solution's file (entry.hpp), and its name in
+/// catalogue.cpp, twice.
 #pragma once
 
 #include <functional>

@@ -1,3 +1,6 @@
+/// How a wave of wavenumber k fades with depth, for any depth h, infinity included: no hyperbolic function of k h
+/// itself, which overflows.
+///
 /// Dispersion of small waves over a flat bottom: the exact law and those of the Boussinesq-type models.
 ///
 /// With nu = omega^2 H/g and kappa = k H (H still depth):
@@ -15,11 +18,60 @@
 /// References: Airy, Tides and waves (1845); Peregrine, Long waves on a beach, J. Fluid Mech. 27 (1967) 815; Green and
 /// Naghdi, J. Fluid Mech. 78 (1976) 237; Madsen and Sorensen, Coastal Eng. 18 (1992) 183; Nwogu, Alternative form of
 /// Boussinesq equations, J. Waterway Port Coastal Ocean Eng. 119 (1993) 618.
+///
+/// Airy's progressive wave of small amplitude over a flat bottom or over infinite depth.
+///
+///     eta = a cos(k x - omega t),   omega^2 = g k tanh(k h),   y = 0 still level, y = -h bottom
+///     u = a omega cosh(k (y + h))/sinh(k h) cos(k x - omega t),  v = a omega sinh(k (y + h))/sinh(k h) sin(k x - omega
+///     t) p = -g y + g a cosh(k (y + h))/cosh(k h) cos(k x - omega t)       (density 1)
+///
+/// The free-surface conditions hold at y = 0 to first order in the steepness k a; above a trough the formulas are
+/// evaluated up to y = 0, where the linear problem is posed.
+///
+/// When not to use it: steepness beyond a few per cent (StandingWave, Stokes waves), or depth below 1/20 wavelength
+/// with amplitude comparable to it (solitary and cnoidal waves).
+///
+/// References: Airy, Tides and waves (1845); Lamb, Hydrodynamics (1932), sections 228-230; Miche, Mouvements
+/// ondulatoires de la mer, Ann. Ponts et Chaussees (1944) (the highest wave).
 #pragma once
+
+#include <cmath>
+#include <numbers>
+#include <variant>
 
 #include "seiche/exact/reference_solution.hpp"
 
 namespace seiche::exact {
+
+/// cosh(k (y + h))/cosh(k h): 1 at y = 0; exp(k y) over infinite depth.
+inline double cosh_profile(double k, double y, double depth) {
+  return std::exp(k * y) * (1 + std::exp(-2 * k * (y + depth))) / (1 + std::exp(-2 * k * depth));
+}
+
+/// sinh(k (y + h))/cosh(k h): tanh(k h) at y = 0, 0 on the bottom.
+inline double sinh_profile(double k, double y, double depth) {
+  return -std::exp(k * y) * std::expm1(-2 * k * (y + depth)) / (1 + std::exp(-2 * k * depth));
+}
+
+/// Water at rest: gravity [m/s^2] and depth [m].
+struct Water {
+  double gravity, depth;
+};
+
+/// What a wave is known by.
+struct Wavelength {
+  double value;  ///< [m]
+};
+struct Period {
+  double value;  ///< [s]
+};
+struct Wavenumber {
+  double value;  ///< [1/m]
+};
+struct AngularFrequency {
+  double value;  ///< [1/s]
+};
+using WaveScale = std::variant<Wavelength, Period, Wavenumber, AngularFrequency>;
 
 /// Wave of potential theory, depth up to infinity.
 class AiryDispersion {
@@ -33,17 +85,18 @@ class AiryDispersion {
   [[nodiscard]] double group_speed(double k) const;
   /// Wavenumber [1/m] of the angular frequency omega > 0, by Newton's method to round-off.
   [[nodiscard]] double wavenumber(double omega) const;
+  /// Wavenumber [1/m] and angular frequency [1/s] of a wave, whatever it is known by.
+  [[nodiscard]] double wavenumber_of(const WaveScale& wave) const;
+  [[nodiscard]] double frequency_of(const WaveScale& wave) const;
 
   [[nodiscard]] double gravity() const { return gravity_; }
   [[nodiscard]] double depth() const { return depth_; }
 
-  static Provenance provenance();
-  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] double uncertainty() const { return 10 * epsilon; }
   [[nodiscard]] SelfTest self_test() const;
 
  private:
-  double gravity_;
-  double depth_;
+  double gravity_, depth_;
 };
 
 /// Law of a Boussinesq-type model, nu = kappa^2 (1 + numerator kappa^2)/(1 + denominator kappa^2).
@@ -60,7 +113,7 @@ class RationalDispersion {
   static RationalDispersion madsen_sorensen(double gravity, double depth, double b = 1.0 / 15);
 
   /// Angular frequency [1/s], phase and group speed [m/s] of wavenumber k > 0 [1/m].
-  [[nodiscard]] double frequency(double k) const;
+  [[nodiscard]] double frequency(double k) const { return k * phase_speed(k); }
   [[nodiscard]] double phase_speed(double k) const;
   [[nodiscard]] double group_speed(double k) const;
   /// Wavenumber [1/m] of the angular frequency omega > 0; with numerator 0 there is none at or above
@@ -69,15 +122,39 @@ class RationalDispersion {
   /// Limit of the frequency of short waves [1/s], sqrt(g/(denominator H)) with numerator 0, else infinite.
   [[nodiscard]] double highest_frequency() const;
 
-  static Provenance provenance();
-  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] double uncertainty() const { return 10 * epsilon; }
   [[nodiscard]] SelfTest self_test() const;
 
  private:
-  double gravity_;
-  double depth_;
-  double numerator_;
-  double denominator_;
+  double gravity_, depth_, numerator_, denominator_;
+};
+
+class AiryWave {
+ public:
+  /// @param amplitude   half the height [m], at most that of Miche's highest wave, 0.071 wavelength tanh(k depth)
+  /// @param wave        what it is known by;  @param water  its depth may be infinite
+  /// Throws std::invalid_argument.
+  AiryWave(double amplitude, const WaveScale& wave, const Water& water);
+
+  [[nodiscard]] double elevation(double x, double t) const;
+  /// Velocity [m/s] and pressure over density [m^2/s^2] at -depth <= y <= max(0, elevation). Throw OutsideFluid.
+  [[nodiscard]] Velocity velocity(double x, double y, double t) const;
+  [[nodiscard]] double pressure(double x, double y, double t) const;
+
+  [[nodiscard]] double wavenumber() const { return wavenumber_; }
+  [[nodiscard]] double frequency() const { return frequency_; }
+  [[nodiscard]] double period() const { return 2 * std::numbers::pi / frequency_; }
+  [[nodiscard]] double phase_speed() const { return frequency_ / wavenumber_; }
+  [[nodiscard]] double group_speed() const { return law_.group_speed(wavenumber_); }
+
+  [[nodiscard]] double uncertainty() const { return 20 * epsilon; }
+  [[nodiscard]] SelfTest self_test() const;
+
+ private:
+  void require_inside(double x, double y, double t) const;
+
+  AiryDispersion law_;
+  double amplitude_, wavenumber_, frequency_;
 };
 
 }  // namespace seiche::exact

@@ -8,11 +8,10 @@
 #include <boost/math/tools/roots.hpp>
 
 #include "seiche/exact/dispersion.hpp"
+#include "seiche/exact/entry.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
-
-static_assert(ReferenceSolution<DispersiveStandingWave>);
 
 namespace {
 
@@ -110,12 +109,7 @@ DispersiveStandingWave::DispersiveStandingWave(double amplitude, double waveleng
 
 double DispersiveStandingWave::frequency() const {
   const RationalDispersion linear(gravity_, depth_, parameters_.gamma, parameters_.alpha);
-  return linear.frequency(wavenumber_) *
-         (1 + relative_amplitude_ * relative_amplitude_ * frequency_correction(wavenumber_ * depth_, parameters_));
-}
-
-double DispersiveStandingWave::period() const {
-  return 2 * std::numbers::pi / frequency();
+  return linear.frequency(wavenumber_) * (1 + relative_amplitude_ * relative_amplitude_ * correction());
 }
 
 double DispersiveStandingWave::position(double label, double t) const {
@@ -127,19 +121,6 @@ double DispersiveStandingWave::position(double label, double t) const {
   const double second = averaged.steady_harmonic() + averaged.double_frequency_harmonic() * std::cos(2 * theta);
   const double e = relative_amplitude_;
   return label + e / wavenumber_ * (-std::sin(ka) * std::cos(theta) + 0.5 * e * second * std::sin(2 * ka));
-}
-
-Provenance DispersiveStandingWave::provenance() {
-  return {
-      "derived: averaged Lagrangian (Whitham, Linear and nonlinear waves (1974), ch. 14) of the model of Frank, "
-      "Discrete models of incompressible fluids (1994), ch. 3",
-      "Omega = omega (1 + C (a/H)^2), C = -8 N/(1 + gamma kappa^2), N = c0^2/(4 (1 + 4 gamma kappa^2)) "
-      "- c2^2 (1 + alpha kappa^2)/(6 (alpha - gamma) kappa^2) + (15/64) alpha nu - 9/128 "
-      "- (3/256) gamma n (n + 1) kappa^2"};
-}
-
-double DispersiveStandingWave::uncertainty() const {
-  return 40 * std::numeric_limits<double>::epsilon();
 }
 
 SelfTest DispersiveStandingWave::self_test() const {
@@ -154,8 +135,7 @@ SelfTest DispersiveStandingWave::self_test() const {
   constexpr double long_kh = 1e-4;
   const double limit = 3 / (64 * (alpha - gamma) * long_kh * long_kh);
   // To the next order C is the limit times 1 + (-alpha + (2 s + 3) gamma) kappa^2; twice that also holds the rest.
-  const double next_order =
-      2 * (alpha + std::abs(2 * weight + 3) * gamma) * long_kh * long_kh + 40 * std::numeric_limits<double>::epsilon();
+  const double next_order = 2 * (alpha + std::abs(2 * weight + 3) * gamma) * long_kh * long_kh + 40 * epsilon;
   const double volume = position(2 * std::numbers::pi / wavenumber_, 0.3 * period()) - position(0, 0.3 * period());
   SelfTest identities{
       {"C at gamma = 0 in closed form", std::abs(without - closed) / closed_scale, 4e-14,
@@ -163,8 +143,7 @@ SelfTest DispersiveStandingWave::self_test() const {
       {"C -> 3/(64 (alpha - gamma) kappa^2) in long waves",
        std::abs(frequency_correction(long_kh, parameters_) / limit - 1), next_order,
        "relative rest (-alpha + (2 s + 3) gamma) kappa^2, at most the sum of the two, doubled for the orders beyond; "
-       "40 "
-       "roundings"},
+       "40 roundings"},
       {"a wavelength of labels spans a wavelength", std::abs(volume * wavenumber_ / (2 * std::numbers::pi) - 1), 1e-15,
        "sines of 2 pi and 4 pi: their roundings"}};
   if (const auto critical = critical_depth(parameters_)) {
@@ -172,6 +151,43 @@ SelfTest DispersiveStandingWave::self_test() const {
                           "terms up to 1 rounded 40 times"});
   }
   return identities;
+}
+
+ExactSolution dispersive_standing_entry() {
+  return Entry<DispersiveStandingWave>{
+      .name = "dispersive_standing",
+      .title = "Standing wave of the dispersive shallow-water model, its frequency to third order",
+      .citation =
+          "derived: averaged Lagrangian (Whitham, Linear and nonlinear waves (1974), ch. 14) of the model of Frank, "
+          "Discrete models of incompressible fluids (1994), ch. 3",
+      .formula =
+          "Omega = omega (1 + C (a/H)^2), C = -8 N/(1 + gamma kappa^2), N = c0^2/(4 (1 + 4 gamma kappa^2)) - c2^2 (1 + "
+          "alpha kappa^2)/(6 (alpha - gamma) kappa^2) + (15/64) alpha nu - 9/128 - (3/256) gamma n (n + 1) kappa^2",
+      .parameters = {{"amplitude", "m", 0.05, 1e-12, 1e6, "first harmonic of the elevation"},
+                     wavelength_parameter(),
+                     depth_parameter(1, 1e6),
+                     gravity_parameter(1),
+                     {"alpha", "1", 1.0 / 3, 1e-6, 10, "factor of the vertical kinetic energy"},
+                     {"gamma", "1", 0, 0, 10, "added potential energy of slopes, below alpha"},
+                     {"weight_exponent", "1", 2, -10, 10, "that energy is weighted with this power of the depth"}},
+      .inputs = {{"label", "m", 0, "place of the particle at rest"}, time_t},
+      .outputs = {{"x", "m", "place of the particle, to second order"}},
+      .scalars = {{"omega", "1/s", "angular frequency, to third order", &DispersiveStandingWave::frequency},
+                  {"period", "s", "period", &DispersiveStandingWave::period},
+                  {"correction", "1", "C: omega = omega_0 (1 + C (amplitude/depth)^2)",
+                   [](const DispersiveStandingWave& wave) { return wave.correction(); }},
+                  {"critical_wavelength", "m", "wavelength for this depth at which C = 0; NaN if there is none",
+                   [](const DispersiveStandingWave& wave) {
+                     return DispersiveStandingWave::critical_wavelength(wave.parameters()).value_or(none_given) *
+                            wave.depth();
+                   }}},
+      .make =
+          [](const Values& p) {
+            return DispersiveStandingWave(p.at("amplitude"), p.at("wavelength"), p.at("depth"), p.at("gravity"),
+                                          {p.at("alpha"), p.at("gamma"), p.at("weight_exponent")});
+          },
+      .row = [](const DispersiveStandingWave& wave, At at) { return Row{wave.position(at[0], at[1])}; },
+  };
 }
 
 }  // namespace seiche::exact

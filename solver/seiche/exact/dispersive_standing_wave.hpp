@@ -29,6 +29,8 @@
 /// equations with improved dispersion characteristics, Commun. Nonlinear Sci. Numer. Simul. 45 (2017) 245 (gamma).
 #pragma once
 
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "seiche/exact/reference_solution.hpp"
@@ -53,7 +55,11 @@ class DispersiveStandingWave {
 
   /// Omega [1/s] and the period [s].
   [[nodiscard]] double frequency() const;
-  [[nodiscard]] double period() const;
+  [[nodiscard]] double period() const { return 2 * std::numbers::pi / frequency(); }
+  /// C of this wave.
+  [[nodiscard]] double correction() const { return frequency_correction(wavenumber_ * depth_, parameters_); }
+  [[nodiscard]] double depth() const { return depth_; }
+  [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   /// Place [m] of a label, to second order; at rest at t = 0, crest at a = 0.
   [[nodiscard]] double position(double label, double t) const;
 
@@ -65,16 +71,12 @@ class DispersiveStandingWave {
   /// Exponent s with which C = 0 at kH = kh: the root of smaller magnitude; empty if there is none or gamma = 0.
   static std::optional<double> exponent_for_critical_depth(double kh, double alpha, double gamma);
 
-  static Provenance provenance();
-  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] double uncertainty() const { return 40 * epsilon; }
   [[nodiscard]] SelfTest self_test() const;
 
  private:
   Parameters parameters_;
-  double wavenumber_;
-  double gravity_;
-  double depth_;
-  double relative_amplitude_;
+  double wavenumber_, gravity_, depth_, relative_amplitude_;
 };
 
 }  // namespace seiche::exact

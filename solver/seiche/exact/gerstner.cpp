@@ -1,6 +1,7 @@
 #include "seiche/exact/gerstner.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,17 +9,16 @@
 #include <fmt/format.h>
 #include <boost/math/tools/roots.hpp>
 
+#include "seiche/exact/entry.hpp"
+#include "seiche/exact/identities.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact {
 
-static_assert(ReferenceSolution<GerstnerWave>);
-
 namespace {
 
 using std::numbers::pi;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr int newton_digits = 53;
 
 }  // namespace
@@ -128,41 +128,29 @@ GerstnerWave::Label GerstnerWave::label(double x, double y, double t) const {
   return {x + radius(b) * std::sin(phase_at(x, b, t)), b};
 }
 
-double GerstnerWave::height() const {
-  return 2 * radius(top_);
-}
-
-Provenance GerstnerWave::provenance() {
-  return {"Gerstner, Theorie der Wellen (1804); Lamb, Hydrodynamics (1932), section 251",
-          "x = a - e^{kb} sin(ka - omega t)/k, y = b + e^{kb} cos(ka - omega t)/k, omega^2 = g k, "
-          "p = g (b0 - b) + g (e^{2kb} - e^{2k b0})/(2k)"};
-}
-
-double GerstnerWave::uncertainty() const {
-  return 10 * epsilon;
-}
-
 SelfTest GerstnerWave::self_test() const {
   const double wavelength = 2 * pi / wavenumber_;
   const double t = 0.3 / frequency_;
-  Largest bernoulli;
-  Worst inverse;
-  for (int i = 0; i < 24; ++i) {
-    for (const double below : {0.0, 0.03, 0.1, 0.4}) {
-      const Label particle{wavelength * i / 24, top_ - below * wavelength};
-      const Vector place = position(particle, t);
-      const Velocity flow = velocity(particle, t);
-      // Steady in the frame of the wave: q^2/2 + g y + p is constant along b, and known.
-      const double relative = flow.u - phase_speed();
-      const double head = 0.5 * (relative * relative + flow.v * flow.v) + gravity_ * place.y;
-      const double expected =
-          gravity_ * particle.b + 0.5 * gravity_ / wavenumber_ * (1 + std::exp(2 * wavenumber_ * particle.b));
-      bernoulli.add(std::abs(head - expected) / (gravity_ * wavelength));
-      const Label found = label(place.x, place.y, t);
-      const Vector back = position(found, t);
-      inverse.add(std::hypot(back.x - place.x, back.y - place.y) / wavelength);
-    }
-  }
+  constexpr std::array below{0.0, 0.03, 0.1, 0.4};
+  const auto over_particles = [&](auto defect) {
+    return worst(0, 95, [&](int i) {
+      const Label particle{wavelength * (i / 4) / 24, top_ - below[static_cast<std::size_t>(i % 4)] * wavelength};
+      return defect(particle, position(particle, t));
+    });
+  };
+  const double bernoulli = over_particles([&](Label particle, Vector place) {
+    const Velocity flow = velocity(particle, t);
+    // Steady in the frame of the wave: q^2/2 + g y + p is constant along b, and known.
+    const double relative = flow.u - phase_speed();
+    const double head = 0.5 * (relative * relative + flow.v * flow.v) + gravity_ * place.y;
+    const double expected =
+        gravity_ * particle.b + 0.5 * gravity_ / wavenumber_ * (1 + std::exp(2 * wavenumber_ * particle.b));
+    return (head - expected) / (gravity_ * wavelength);
+  });
+  const double inverse = over_particles([&](Label, Vector place) {
+    const Vector back = position(label(place.x, place.y, t), t);
+    return std::hypot(back.x - place.x, back.y - place.y) / wavelength;
+  });
   // Area between two lines of particles: shoelace over equally spaced labels, exact for trigonometric polynomials.
   const double lower = top_ - 0.25 * wavelength;
   const auto area_above_axis = [&](double b) {
@@ -182,13 +170,45 @@ SelfTest GerstnerWave::self_test() const {
   const double reach = 1 + std::abs(top_) / wavelength;
   // The line below lies at top - L/4, the mean of y x_a up to L/(4 pi) under the labels of either.
   const double area_limit = 4 * epsilon * std::sqrt(32.0 / 3 + 10) * (1.0 / 3 + std::abs(top_) / wavelength);
-  return {{"Bernoulli's head along a line of particles", bernoulli.value(), 4e-15 * reach, "18 ulp for 15 roundings"},
-          {"position(label(x, y)) = (x, y)", inverse.value(), 4e-15 * reach,
-           "Newton's method ends within a few ulp of x and y"},
-          {"area between two lines of particles = integral of J", std::abs(area - labels) / (wavelength * wavelength),
-           area_limit,
-           "two sums of 16 terms that grow to L (L/3 + |top|), the mean square of their sizes a third of that; 10 "
-           "roundings of the difference and the closed form"}};
+  return {
+      {"Bernoulli's head along a line of particles", bernoulli, 4e-15 * reach, "18 ulp for 15 roundings"},
+      {"position(label(x, y)) = (x, y)", inverse, 4e-15 * reach, "Newton's method ends within a few ulp of x and y"},
+      {"area between two lines of particles = integral of J", std::abs(area - labels) / (wavelength * wavelength),
+       area_limit,
+       "two sums of 16 terms that grow to L (L/3 + |top|), the mean square of their sizes a third of that; 10 "
+       "roundings of the difference and the closed form"}};
+}
+
+ExactSolution gerstner_entry() {
+  return Entry<GerstnerWave>{
+      .name = "gerstner",
+      .title = "Gerstner's rotational wave in deep water: every particle moves on a circle",
+      .citation = "Gerstner, Theorie der Wellen (1804); Lamb, Hydrodynamics (1932), section 251",
+      .formula =
+          "x = a - e^{kb} sin(ka - omega t)/k, y = b + e^{kb} cos(ka - omega t)/k, omega^2 = g k, p = g (b0 - b) + g "
+          "(e^{2kb} - e^{2k b0})/(2k)",
+      .parameters = {wavelength_parameter(),
+                     gravity_parameter(1),
+                     {"top", "m", -0.5, -1e6, 0, "label b of the surface; 0 is the cusped wave"}},
+      .inputs = {position_x, height_y, time_t},
+      .outputs = {{"eta", "m", "surface elevation"},
+                  {"u", "m/s", "horizontal velocity"},
+                  {"v", "m/s", "vertical velocity"},
+                  {"p", "m^2/s^2", "pressure over density"},
+                  {"a", "m", "label: centre of the particle's circle, along x"},
+                  {"b", "m", "label: centre of the particle's circle, along y"}},
+      .scalars = {{"c", "m/s", "phase speed", &GerstnerWave::phase_speed},
+                  {"omega", "1/s", "angular frequency", &GerstnerWave::frequency},
+                  {"height", "m", "crest above trough", &GerstnerWave::height}},
+      .make = from<GerstnerWave>("wavelength", "gravity", "top"),
+      .row =
+          [](const GerstnerWave& wave, At at) {
+            const double eta = wave.elevation(at[0], at[2]);
+            const auto label = wave.label(at[0], std::isnan(at[1]) ? eta : at[1], at[2]);
+            const auto velocity = wave.velocity(label, at[2]);
+            return Row{eta, velocity.u, velocity.v, wave.pressure(label), label.a, label.b};
+          },
+  };
 }
 
 }  // namespace seiche::exact

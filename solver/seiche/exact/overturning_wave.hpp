@@ -15,8 +15,30 @@
 /// References: Longuet-Higgins & Cokelet, The deformation of steep surface waves on water I, Proc. R. Soc. Lond. A 350
 /// (1976) 1; Baker, Meiron & Orszag, Generalized vortex methods for free-surface flow problems, J. Fluid Mech. 123
 /// (1982) 477.
+///
+/// A Stokes wave that a travelling pressure on its surface pushes until it overturns: fully nonlinear potential flow.
+///
+/// At t = 0 a Stokes wave of half height `amplitude` has its crest at x = 0 and travels to +x over a flat bottom at
+/// y = -depth; without amplitude the water is at rest. Then, in units of 1/k (k = 2 pi/wavelength), g and the density,
+///
+///     p_s(x, t) = -p0 sin t sin(x - t)   for 0 <= t <= pi,   0 afterwards,
+///
+/// acts on the surface: high pressure behind the crest of a wave that travels with the linear speed of deep water. It
+/// enters dphi/dt = |grad phi|^2/2 - y - p_s of the markers (overturning/evolution.hpp); the velocity comes from
+/// Cauchy's integral (overturning/surface_velocity.hpp). Volume is conserved; energy and horizontal impulse change by
+/// the pressure's work and thrust, which are integrated with the motion, and measured.
+///
+/// From rest, linear theory gives the surface in closed form: see linear_response.
+///
+/// When not to use it: after touch-down; near touch-down for more digits than uncertainty(t) says; up to a jet with
+/// fewer than 192 markers, whose balances then err by more than the steps explain.
+///
+/// Reference: Longuet-Higgins & Cokelet, The deformation of steep surface waves on water I, Proc. R. Soc. Lond. A 350
+/// (1976) 1. The amplitude of the pressure is the user's: 0.1 is fitted to the times of the frames of Frank (1994),
+/// figure 10, which does not print one.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -42,16 +64,66 @@ class OverturningWave : public overturning::MovingSurface {
   /// Throws std::invalid_argument.
   explicit OverturningWave(const Parameters& parameters);
 
-  static Provenance provenance();
   /// Distance of the surface from a second computation with three quarters of the markers and ten times the tolerance,
   /// relative to the amplitude; at the time well_resolved_until(), a quarter of the time to the first vertical tangent
   /// after it, if none is given. Takes as long as that computation.
-  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] double uncertainty() const { return uncertainty(well_resolved_until()); }
   [[nodiscard]] double uncertainty(double t) const;
   [[nodiscard]] SelfTest self_test() const;
 
  private:
   Parameters parameters_;
+};
+
+class PressureForcedWave : public overturning::MovingSurface {
+ public:
+  struct Parameters {
+    double amplitude = 0.3;                    ///< half the height of the Stokes wave [m]; 0: water at rest
+    double wavelength = 2 * std::numbers::pi;  ///< [m]
+    double depth = std::numbers::pi;           ///< mean [m]; infinite for deep water
+    double gravity = 1;                        ///< [m/s^2]
+    double pressure = 0.1;                     ///< p0 over the density [m^2/s^2]; k p0/g in [-1, 1]
+    std::size_t markers = 256;                 ///< even, at least 64
+    double tolerance = 2e-11;                  ///< of a time step, in units of 1/k
+    std::optional<double> last_time{};         ///< [s]; 7.4/sqrt(g k), Frank's last frame, if not given
+  };
+
+  /// Computes the motion until last_time or until it ends by itself. Throws std::invalid_argument.
+  explicit PressureForcedWave(const Parameters& parameters);
+
+  /// p_s over the density [m^2/s^2].
+  [[nodiscard]] double pressure(double x, double t) const;
+
+  /// Per wavelength, for density 1: work [m^4/s^2] and horizontal thrust [m^3/s] of the pressure from 0 to t.
+  struct Action {
+    double work, thrust;
+  };
+  [[nodiscard]] Action action(double t) const;
+
+  /// Elevation that the pressure raises on water at rest, by linear theory [m].
+  ///
+  /// p_s is the real part of P e^{ix}, P = p0 (1 - e^{-2it})/2, and eta that of N e^{ix} with N'' + T N = -T P, T =
+  /// tanh kh, N = N' = 0 at t = 0:
+  ///
+  ///     N = -p0/2 + A e^{-2it} + (p0/2 - A) cos wt + (2iA/w) sin wt,   A = T p0/(2 (T - 4)),   w = sqrt(T),
+  ///
+  /// free oscillation of the frequency w after t = pi.
+  [[nodiscard]] double linear_response(double x, double t) const;
+
+  /// Distance of the surface from a second computation with three quarters of the markers and ten times the tolerance,
+  /// relative to the amplitude and the head of the pressure; at the time well_resolved_until(), 0.4/sqrt(g k) after the
+  /// first vertical tangent, if none is given. Takes as long as that computation.
+  [[nodiscard]] double uncertainty() const { return uncertainty(well_resolved_until()); }
+  [[nodiscard]] double uncertainty(double t) const;
+  [[nodiscard]] SelfTest self_test() const;
+
+ private:
+  [[nodiscard]] double scale() const {
+    return parameters_.amplitude + std::abs(parameters_.pressure) / parameters_.gravity;
+  }
+
+  Parameters parameters_;
+  std::optional<double> kinetic_energy_;  ///< of the Stokes wave, per wavelength [m^4/s^2]
 };
 
 }  // namespace seiche::exact

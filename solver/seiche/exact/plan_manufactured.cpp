@@ -9,12 +9,11 @@
 
 #include <boost/math/differentiation/finite_difference.hpp>
 
+#include "seiche/exact/entry.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact {
-
-static_assert(ReferenceSolution<PlanManufactured>);
 
 namespace {
 
@@ -163,18 +162,6 @@ PlanManufactured::Label PlanManufactured::label(double x, double y, double t) co
   return at;
 }
 
-Provenance PlanManufactured::provenance() {
-  return {
-      "manufactured: Roache, Code verification by the method of manufactured solutions, J. Fluids Eng. 124 (2002) "
-      "4; model: Green and Naghdi, J. Fluid Mech. 78 (1976) 237; Miles and Salmon, J. Fluid Mech. 157 (1985) 519",
-      "x = X + A sin kX cos kY cos(w t + 1/2), y = Y + A (0.7 cos kX sin kY cos(w t + 1) + 0.3 cos 2kX sin 2kY "
-      "sin w t), H = d/J, b = x_tt + g grad H + (alpha/H) grad(H^2 D^2 H)"};
-}
-
-double PlanManufactured::uncertainty() const {
-  return 100 * std::numeric_limits<double>::epsilon();
-}
-
 /// The derivatives are those of the returned values alone, in variables in which they vary over unit distance.
 SelfTest PlanManufactured::self_test() const {
   const Parameters& p = parameters_;
@@ -185,9 +172,7 @@ SelfTest PlanManufactured::self_test() const {
   const double speed = p.frequency * p.length;
   const double acceleration = p.gravity + p.frequency * speed;
   Worst mass;
-  Largest velocities;
-  Largest continuity;
-  Largest vertical;
+  Largest velocities, continuity, vertical;
   Worst momentum;
   Largest walls;
   const auto check_walls = [&](double a, double t) {
@@ -261,28 +246,73 @@ SelfTest PlanManufactured::self_test() const {
       10 * std::abs(std::sin(k * p.length) * p.amplitude * k) * (1 / std::numbers::pi + wall_force);
   // Eighth-order differences over h = (551 eps)^(1/9) = 0.037 scales: weights of 2.1/h in sum, 1.17/h in the root of
   // the sum of their squares.
-  const double limit = 8 * std::numeric_limits<double>::epsilon() * p.length / label_scale * 2.1 / 0.037;
-  const double noise = 4 * std::numeric_limits<double>::epsilon() * std::sqrt(4) * 1.17 / 0.037;
+  const double limit = 8 * epsilon * p.length / label_scale * 2.1 / 0.037;
+  const double noise = 4 * epsilon * std::sqrt(4) * 1.17 / 0.037;
   const double tilt = noise * p.length / label_scale * strain / closest;
-  const double lift = noise * 4 * p.alpha * strain / (closest * closest) + 8 * std::numeric_limits<double>::epsilon() *
-                                                                               2 * p.gravity /
-                                                                               (p.frequency * p.frequency * p.depth);
+  const double lift = noise * 4 * p.alpha * strain / (closest * closest) +
+                      8 * epsilon * 2 * p.gravity / (p.frequency * p.frequency * p.depth);
   const std::string reason =
       "values up to L rounded eight times, over the scale of the finest harmonic, divided by the spacing of "
       "eighth-order differences";
-  return {
-      {"walls: x = 0, L and y = 0, L stay, without velocity or force across", walls.value(), wall_limit,
-       "sine of the rounded pi in up to ten terms of each: displacement, gravity's force and inertia's with their "
-       "factors J^-3 and J^-5"},
-      {"H (x_X y_Y - x_Y y_X) = d", mass.value(), limit, reason},
-      {"u, v, DH are the rates of x, y, H", velocities.value(), limit, "the same"},
-      {"DH + H div(u, v) = 0", continuity.value(), tilt,
-       "four roundings of values up to L in the differences of x and y, over the scale of the finest harmonic, as a "
-       "random walk through the weights; times the gradient of the velocity"},
-      {"alpha D^2 H = (lambda - g H)/H", vertical.value(), lift,
-       "the same of DH, as large as the strain allows, over the time scale; eight roundings of g H in lambda"},
-      {"D(u, v) + grad(lambda H - g H^2/2)/H = b", momentum.value(), noise / closest + tilt,
-       "the same of lambda H - g H^2/2 over its scale, and of x and y times its gradient"}};
+  return {{"walls: x = 0, L and y = 0, L stay, without velocity or force across", walls.value(), wall_limit,
+           "sine of the rounded pi in up to ten terms of each: displacement, gravity's force and inertia's with their "
+           "factors J^-3 and J^-5"},
+          {"H (x_X y_Y - x_Y y_X) = d", mass.value(), limit, reason},
+          {"u, v, DH are the rates of x, y, H", velocities.value(), limit, "the same"},
+          {"DH + H div(u, v) = 0", continuity.value(), tilt,
+           "four roundings of values up to L in the differences of x and y, over the scale of the finest harmonic, as "
+           "a random walk through the weights; times the gradient of the velocity"},
+          {"alpha D^2 H = (lambda - g H)/H", vertical.value(), lift,
+           "the same of DH, as large as the strain allows, over the time scale; eight roundings of g H in lambda"},
+          {"D(u, v) + grad(lambda H - g H^2/2)/H = b", momentum.value(), noise / closest + tilt,
+           "the same of lambda H - g H^2/2 over its scale, and of x and y times its gradient"}};
+}
+
+ExactSolution plan_manufactured_entry() {
+  return Entry<PlanManufactured>{
+      .name = "plan_manufactured",
+      .title = "Manufactured motion for the Green-Naghdi equations in a square basin, with its body force",
+      .citation =
+          "manufactured: Roache, Code verification by the method of manufactured solutions, J. Fluids Eng. 124 (2002) "
+          "4; model: Green and Naghdi, J. Fluid Mech. 78 (1976) 237; Miles and Salmon, J. Fluid Mech. 157 (1985) 519",
+      .formula =
+          "x = X + A sin kX cos kY cos(w t + 1/2), y = Y + A (0.7 cos kX sin kY cos(w t + 1) + 0.3 cos 2kX sin 2kY sin "
+          "w t), H = d/J, b = x_tt + g grad H + (alpha/H) grad(H^2 D^2 H)",
+      .parameters = {{"amplitude", "m", 0.15, -1e6, 1e6, "of the motion, at most 0.3 length/pi"},
+                     depth_parameter(1, 1e6),
+                     gravity_parameter(1),
+                     {"length", "m", std::numbers::pi, 1e-9, 1e6, "side of the basin"},
+                     {"frequency", "1/s", 1.3, 1e-9, 1e6, "angular frequency of the motion"},
+                     {"alpha", "1", 1.0 / 3, 1e-6, 10, "factor of the vertical kinetic energy, 1/3 for Green-Naghdi"}},
+      .inputs = {{"label_x", "m", 0.5, "label X of the column of water"},
+                 {"label_y", "m", 0.5, "label Y of the column of water"},
+                 time_t},
+      .outputs = {{"x", "m", "place"},
+                  {"y", "m", "place"},
+                  {"u", "m/s", "horizontal velocity along x"},
+                  {"v", "m/s", "horizontal velocity along y"},
+                  {"h", "m", "depth"},
+                  {"h_rate", "m/s", "rate of the depth at the label"},
+                  {"lambda", "m^2/s^2", "multiplier of the volume, g h at rest"},
+                  {"bx", "m/s^2", "body force per unit mass along x"},
+                  {"by", "m/s^2", "body force per unit mass along y"}},
+      .scalars = {{"period", "s", "period of the motion",
+                   [](const PlanManufactured& flow) { return 2 * std::numbers::pi / flow.parameters().frequency; }}},
+      .make =
+          [](const Values& p) {
+            return PlanManufactured({.gravity = p.at("gravity"),
+                                     .depth = p.at("depth"),
+                                     .length = p.at("length"),
+                                     .amplitude = p.at("amplitude"),
+                                     .frequency = p.at("frequency"),
+                                     .alpha = p.at("alpha")});
+          },
+      .row =
+          [](const PlanManufactured& flow, At at) {
+            const PlanManufactured::Sample s = flow.at(at[0], at[1], at[2]);
+            return Row{s.x, s.y, s.u, s.v, s.depth, s.depth_rate, s.lambda, s.bx, s.by};
+          },
+  };
 }
 
 }  // namespace seiche::exact

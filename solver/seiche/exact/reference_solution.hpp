@@ -2,13 +2,15 @@
 #pragma once
 
 #include <concepts>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "seiche/exact/provenance.hpp"
-
 namespace seiche::exact {
+
+/// Relative rounding of numbers near 1, one unit in the last place.
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Something that holds exactly for the solution, evaluated with the numbers that the solution returns: no outside
 /// data. A measurement, not a verdict: whoever claims that it holds does so within its accuracy.
@@ -24,11 +26,16 @@ using SelfTest = std::vector<Identity>;
 /// One solution with validated parameters.
 template <class S>
 concept ReferenceSolution = requires(const S& solution) {
-  { S::provenance() } -> std::same_as<Provenance>;
   /// Bound of the numerical error of the values returned, relative to the solution's own scale (largest elevation,
   /// largest velocity, speed); for an asymptotic formula, of its evaluation, not of its derivation.
   { solution.uncertainty() } -> std::convertible_to<double>;
   { solution.self_test() } -> std::same_as<SelfTest>;
+};
+
+/// Fluid velocity at a point [m/s]: u along +x, v upwards.
+struct Velocity {
+  double u = 0;
+  double v = 0;
 };
 
 /// A point above the surface or below the bottom was asked for.

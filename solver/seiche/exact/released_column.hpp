@@ -16,6 +16,8 @@
 /// 12.1.
 #pragma once
 
+#include <cmath>
+
 #include "seiche/exact/reference_solution.hpp"
 
 namespace seiche::exact {
@@ -30,7 +32,6 @@ class ReleasedColumn {
   /// p + rho g y [Pa], with the floor for the level.
   [[nodiscard]] double dynamic_pressure(double x, double y) const { return pressure(x, y) + weight_ * y; }
 
-  static Provenance provenance();
   /// Of the pressure, relative to rho g H.
   [[nodiscard]] double uncertainty() const;
   [[nodiscard]] SelfTest self_test() const;
@@ -39,9 +40,7 @@ class ReleasedColumn {
   [[nodiscard]] double across(double x, double y) const;  ///< p/(rho g) by the first series
   [[nodiscard]] double along(double x, double y) const;   ///< and by the second
 
-  double length_;
-  double height_;
-  double weight_;
+  double length_, height_, weight_;
 };
 
 }  // namespace seiche::exact

@@ -11,12 +11,11 @@
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include "seiche/exact/entry.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact {
-
-static_assert(ReferenceSolution<SerreCnoidal>);
 
 namespace {
 
@@ -82,10 +81,10 @@ EllipticParameter parameter_of(double height, double wavelength, double depth) {
   };
   const double longest = longer(EllipticParameter::without(least_complement));
   if (!(longest > 0)) {
-    throw std::invalid_argument(fmt::format(
-        "wavelength = {:g} is out of range: must be below {:g}, where the crests of waves of this height and "
-        "depth are solitary",
-        wavelength, longest + wavelength));
+    throw std::invalid_argument(
+        fmt::format("wavelength = {:g} is out of range: must be below {:g}, where the crests of waves of this height "
+                    "and depth are solitary",
+                    wavelength, longest + wavelength));
   }
   std::uintmax_t evaluations = 200;
   const auto close = [](double a, double b) { return std::abs(a - b) <= 4e-16 * a; };
@@ -114,8 +113,8 @@ SerreCnoidal::SerreCnoidal(double height, double wavelength, double depth, doubl
   require_within("height", height, least_height * depth, depth);
   if (wavelength < least_wavelength * depth) {
     throw std::invalid_argument(
-        fmt::format("wavelength = {:g} is out of range: must be at least a hundredth of the "
-                    "depth, {:g}; these equations are of long waves",
+        fmt::format("wavelength = {:g} is out of range: must be at least a hundredth of the depth, {:g}; these "
+                    "equations are of long waves",
                     wavelength, least_wavelength * depth));
   }
   const EllipticParameter parameter = parameter_of(height, wavelength, depth);
@@ -159,28 +158,9 @@ double SerreCnoidal::excess_up_to(double x) const {
          (depth_ - lowest_) * std::remainder(x, wavelength_);
 }
 
-double SerreCnoidal::depth_averaged_velocity(double x) const {
-  return speed_ - discharge_ / (depth_ + elevation(x));
-}
-
-double SerreCnoidal::slope_squared(double h) const {
-  return 3 * (crest_ - h) * (h - trough_) * (h - lowest_) / (lowest_ * trough_ * crest_);
-}
-
 double SerreCnoidal::curvature(double h) const {
   return 1.5 * ((crest_ - h) * (h - trough_) + (crest_ - h) * (h - lowest_) - (h - trough_) * (h - lowest_)) /
          (lowest_ * trough_ * crest_);
-}
-
-Provenance SerreCnoidal::provenance() {
-  return {"Serre, La Houille Blanche 8 (1953) 374; El, Grimshaw & Smyth, Phys. Fluids 18 (2006) 027104",
-          "h = h_t + (h_c - h_t) cn^2(kappa (x - c t) | m), m = (h_c - h_t)/(h_c - h_0), "
-          "kappa^2 = 3 (h_c - h_0)/(4 h_0 h_t h_c), c - u = Q/h, Q^2 = g h_0 h_t h_c"};
-}
-
-double SerreCnoidal::uncertainty() const {
-  // Differences of depths, over the height; the third root is such a difference, and decides the length.
-  return 10 * std::numeric_limits<double>::epsilon() * (depth_ / height() + depth_ / lowest_);
 }
 
 SelfTest SerreCnoidal::self_test() const {
@@ -200,10 +180,36 @@ SelfTest SerreCnoidal::self_test() const {
   }
   return {{"mean elevation = 0, over the height", std::abs(mean.value()) / height(), uncertainty(),
            "differences of depths, ten roundings"},
-          {"the flux of momentum, seen from the wave, is the same everywhere", momentum.value(),
-           10 * std::numeric_limits<double>::epsilon(), "ten roundings of its terms"},
+          {"the flux of momentum, seen from the wave, is the same everywhere", momentum.value(), 10 * epsilon,
+           "ten roundings of its terms"},
           {"the slope squared is that of the first integral, over the largest", slope.value() / steepest.value(),
            uncertainty(), "differences of depths, ten roundings"}};
+}
+
+ExactSolution serre_cnoidal_entry() {
+  return Entry<SerreCnoidal>{
+      .name = "serre_cnoidal",
+      .title = "Periodic travelling wave of the equations of Serre (Green-Naghdi)",
+      .citation = "Serre, La Houille Blanche 8 (1953) 374; El, Grimshaw & Smyth, Phys. Fluids 18 (2006) 027104",
+      .formula =
+          "h = h_t + (h_c - h_t) cn^2(kappa (x - c t) | m), m = (h_c - h_t)/(h_c - h_0), kappa^2 = 3 (h_c - h_0)/(4 "
+          "h_0 h_t h_c), c - u = Q/h, Q^2 = g h_0 h_t h_c",
+      .parameters = {{"height", "m", 0.2, 1e-9, 1e6, "from trough to crest"},
+                     wavelength_parameter(),
+                     depth_parameter(1, 1e6),
+                     gravity_parameter(1)},
+      .inputs = {position_x, time_t},
+      .outputs = {{"eta", "m", "surface elevation above the mean level"},
+                  {"u", "m/s", "horizontal velocity, mean over the depth"}},
+      .scalars = {{"c", "m/s", "phase speed", &SerreCnoidal::phase_speed},
+                  {"Q", "m^2/s", "discharge per unit of width, seen from the wave", &SerreCnoidal::discharge}},
+      .make = from<SerreCnoidal>("height", "wavelength", "depth", "gravity"),
+      .row =
+          [](const SerreCnoidal& wave, At at) {
+            const double x = at[0] - wave.phase_speed() * at[1];
+            return Row{wave.elevation(x), wave.depth_averaged_velocity(x)};
+          },
+  };
 }
 
 }  // namespace seiche::exact

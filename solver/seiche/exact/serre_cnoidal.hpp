@@ -19,6 +19,8 @@
 /// and cnoidal wave solutions of the Serre equations, Eur. J. Mech. B 30 (2011) 259.
 #pragma once
 
+#include <cmath>
+
 #include "seiche/exact/reference_solution.hpp"
 
 namespace seiche::exact {
@@ -36,7 +38,7 @@ class SerreCnoidal {
   /// Integral of the elevation from the crest to x [m^2], periodic in x.
   [[nodiscard]] double excess_up_to(double x) const;
   /// [m/s], mean over the depth.
-  [[nodiscard]] double depth_averaged_velocity(double x) const;
+  [[nodiscard]] double depth_averaged_velocity(double x) const { return speed_ - discharge_ / (depth_ + elevation(x)); }
   [[nodiscard]] double phase_speed() const { return speed_; }       ///< c [m/s]
   [[nodiscard]] double discharge() const { return discharge_; }     ///< Q [m^2/s], positive
   [[nodiscard]] double height() const { return crest_ - trough_; }  ///< [m]
@@ -44,8 +46,8 @@ class SerreCnoidal {
   [[nodiscard]] double depth() const { return depth_; }             ///< on average [m]
   [[nodiscard]] double gravity() const { return gravity_; }         ///< [m/s^2]
 
-  static Provenance provenance();
-  [[nodiscard]] double uncertainty() const;
+  // Differences of depths, over the height; the third root is such a difference, and decides the length.
+  [[nodiscard]] double uncertainty() const { return 10 * epsilon * (depth_ / height() + depth_ / lowest_); }
   [[nodiscard]] SelfTest self_test() const;
 
  private:
@@ -54,15 +56,15 @@ class SerreCnoidal {
   };
   [[nodiscard]] Elliptic at(double x) const;
   /// h'^2 and h'' where the depth is h.
-  [[nodiscard]] double slope_squared(double h) const;
+  [[nodiscard]] double slope_squared(double h) const {
+    return 3 * (crest_ - h) * (h - trough_) * (h - lowest_) / (lowest_ * trough_ * crest_);
+  }
   [[nodiscard]] double curvature(double h) const;
 
   double wavelength_, depth_, gravity_;
   double modulus_;                  ///< k, m = k^2
   double crest_, trough_, lowest_;  ///< h_c, h_t, h_0
-  double kappa_;
-  double discharge_;
-  double speed_;
+  double kappa_, discharge_, speed_;
 };
 
 }  // namespace seiche::exact

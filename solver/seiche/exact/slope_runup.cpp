@@ -9,17 +9,17 @@
 #include <boost/math/tools/roots.hpp>
 
 #include "seiche/divergence.hpp"
-#include "seiche/exact/slope_climb/climb.hpp"
+#include "seiche/exact/entry.hpp"
+#include "seiche/exact/overturning/slope_climb.hpp"
 #include "seiche/exact/solitary_wave.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
+
 namespace {
 
 using slope_climb::ChebyshevLine;
 using slope_climb::Climb;
-
-static_assert(ReferenceSolution<SlopeRunup>);
 
 constexpr double tail = 1e-8;       // of the wave over the toe at the start, and at the far end
 constexpr double held = 5;          // depths of water at rest beyond it
@@ -95,9 +95,9 @@ SlopeRunup::SlopeRunup(double amplitude, double cotangent, double depth, std::si
   volume_change_ = std::abs(climb.volume() / volume - 1);
   if (!(energy_change_ < settled)) {
     throw Divergence(
-        fmt::format("{:g} of the energy is lost: the surface overturns at this amplitude and cotangent, or "
-                    "has too few markers",
-                    energy_change_),
+        fmt::format(
+            "{:g} of the energy is lost: the surface overturns at this amplitude and cotangent, or has too few markers",
+            energy_change_),
         climb.time(), climb.steps(), runup_);
   }
 }
@@ -130,8 +130,7 @@ SelfTest SlopeRunup::identities(double ratio, double tolerance) {
   const double accuracy = steps * tolerance / ratio;
   const std::string reason =
       "the errors of about 300 steps, each within the tolerance, over the amplitude; along the surface they are "
-      "smaller "
-      "from 160 markers on";
+      "smaller from 160 markers on";
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   return {{"volume is conserved", unknown, accuracy, reason},
           {"energy is conserved", unknown, 2 * accuracy, "twice as much of a square: " + reason}};
@@ -144,14 +143,30 @@ SelfTest SlopeRunup::self_test() const {
   return test;
 }
 
-Provenance SlopeRunup::provenance() {
-  return {
-      "Grilli, Svendsen & Subramanya, Breaking criterion and characteristics for solitary waves on slopes, J. "
-      "Waterway, "
-      "Port, Coastal, Ocean Eng. 123 (1997) 102; Longuet-Higgins & Cokelet, Proc. R. Soc. Lond. A 350 (1976) 1",
-      "a solitary wave of the Euler equations moved by Cauchy's integral in a plane where bottom and slope are one "
-      "line; "
-      "R = max y of the shore"};
+ExactSolution slope_runup_entry() {
+  return Entry<SlopeRunup>{
+      .name = "slope_runup",
+      .title = "Run-up of an exact solitary wave on a plane slope",
+      .citation =
+          "Grilli, Svendsen & Subramanya, Breaking criterion and characteristics for solitary waves on slopes, J. "
+          "Waterway, Port, Coastal, Ocean Eng. 123 (1997) 102; Longuet-Higgins & Cokelet, Proc. R. Soc. Lond. A 350 "
+          "(1976) 1",
+      .formula =
+          "a solitary wave of the Euler equations moved by Cauchy's integral in a plane where bottom and slope are one "
+          "line; R = max y of the shore",
+      .parameters = {{"amplitude", "m", 0.3, 1e-9, 1e6, "of the incident wave, 0.02 to 0.5 depth"},
+                     {"cotangent", "1", 1, 0, 3, "of the slope; 0: a vertical wall"},
+                     depth_parameter(1, 1e6),
+                     {"markers", "1", 200, 160, 2048, "markers of the computation, even"}},
+      .inputs = {{"t", "1", 0,
+                  "time from when the crest would pass the toe if there were no slope, times sqrt(g/depth); known "
+                  "until the largest run-up"}},
+      .outputs = {{"level", "m", "elevation of the shore above still water"}},
+      .scalars = {{"runup", "m", "highest elevation of the shore", &SlopeRunup::runup},
+                  {"time_of_runup", "1", "when it is reached, times sqrt(g/depth)", &SlopeRunup::runup_time}},
+      .make = from<SlopeRunup>("amplitude", "cotangent", "depth", "markers"),
+      .row = [](const SlopeRunup& slope, At at) { return Row{slope.level(at[0])}; },
+  };
 }
 
 }  // namespace seiche::exact

@@ -15,6 +15,7 @@
 /// Erosion Board Tech. Memo. 33 (1953).
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "seiche/exact/reference_solution.hpp"
@@ -47,7 +48,6 @@ class SlopeRunup {
   /// Level [m] at a time, by a cubic between the steps; throws std::out_of_range outside the motion.
   [[nodiscard]] double level(double time) const;
 
-  static Provenance provenance();
   /// Difference of R from a second computation with a fifth less of the markers, or a quarter more where those would be
   /// too few, and ten times the tolerance, relative to R. Takes about as long as this one.
   [[nodiscard]] double uncertainty() const;
@@ -56,9 +56,7 @@ class SlopeRunup {
   static SelfTest identities(double ratio, double tolerance = 1e-8);
 
  private:
-  double amplitude_;
-  double cotangent_;
-  double depth_;
+  double amplitude_, cotangent_, depth_;
   std::size_t markers_;
   double tolerance_;
   double runup_ = 0;

@@ -7,9 +7,11 @@
 ///     Rayleigh, Serre    eta = a sech^2(sqrt(a/(4 alpha (1 + a))) X),   c^2 = 1 + a,   alpha = 1/3
 ///     Laitone            eta = a S - (3/4) a^2 S (1 - S),  S = sech^2(sqrt(3a/4) (1 - 5a/8) X),
 ///                        c = 1 + a/2 - 3a^2/20
-///     Grimshaw           eta = a s^2 - (3/4) a^2 s^2 q^2 + a^3 ((5/8) s^2 q^2 - (101/80) s^4 q^2), s = sech, q = tanh
-///     of
-///                        sqrt(3a/4) (1 - 5a/8 + 71 a^2/128) X,  c^2 = 1 + a - a^2/20 - 3a^3/70
+///     Grimshaw           eta = a s^2 - (3/4) a^2 s^2 q^2 + a^3 ((5/8) s^2 q^2 - (101/80) s^4 q^2),
+///                        s = sech, q = tanh of sqrt(3a/4) (1 - 5a/8 + 71 a^2/128) X,
+///                        c^2 = 1 + a - a^2/20 - 3a^3/70
+///
+/// all of the form eta = a S (1 - a (1 - S) (b - a (c - d S))), S = sech^2(K X).
 ///
 /// Depth-averaged velocity of any steady wave: u = c eta/(1 + eta). Crest at x = 0; the wave travels to +x.
 /// Profile errors against the exact wave of the Euler equations, in depths at a = 0.1 and 0.2 (order in a): Boussinesq
@@ -22,6 +24,8 @@
 /// Houille Blanche 8, 374; Laitone (1960), J. Fluid Mech. 9, 430; Grimshaw (1971), J. Fluid Mech. 46, 611.
 #pragma once
 
+#include <cmath>
+
 #include "seiche/exact/reference_solution.hpp"
 
 namespace seiche::exact {
@@ -29,23 +33,21 @@ namespace seiche::exact {
 /// A steady wave of elevation on still water; see the formulas above.
 class AsymptoticSolitary {
  public:
-  virtual ~AsymptoticSolitary() = default;
-
   /// Elevation [m] at distance x [m] from the crest, or at x at time t of the wave with its crest at x = 0 at t = 0.
   [[nodiscard]] double elevation(double x) const;
   [[nodiscard]] double elevation(double x, double t) const { return elevation(x - speed() * t); }
   /// Speed of the crest [m/s].
-  [[nodiscard]] double speed() const;
+  [[nodiscard]] double speed() const { return series_.froude * std::sqrt(gravity_ * depth_); }
   /// Mean over the depth of the horizontal velocity [m/s], exact for the mass of a steady wave.
   [[nodiscard]] double depth_averaged_velocity(double x) const;
   /// Area above the still level [m^2].
-  [[nodiscard]] double area() const;
+  [[nodiscard]] double area() const { return profile_area() * depth_ * depth_; }
 
   [[nodiscard]] double amplitude() const { return ratio_ * depth_; }
   [[nodiscard]] double depth() const { return depth_; }
   [[nodiscard]] double gravity() const { return gravity_; }
 
-  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] double uncertainty() const { return 30 * epsilon; }
   /// Crest height and area of the profile; what a model's conservation laws say beyond them.
   [[nodiscard]] SelfTest self_test() const;
 
@@ -53,95 +55,60 @@ class AsymptoticSolitary {
   static constexpr double highest = 0.8332;
 
  protected:
-  /// @param amplitude [m], at most `limit` depths;  @param depth [m];  @param gravity [m/s^2]
-  AsymptoticSolitary(double amplitude, double depth, double gravity, double limit);
-  AsymptoticSolitary(const AsymptoticSolitary&) = default;
-  AsymptoticSolitary& operator=(const AsymptoticSolitary&) = default;
-  AsymptoticSolitary(AsymptoticSolitary&&) = default;
-  AsymptoticSolitary& operator=(AsymptoticSolitary&&) = default;
+  /// K, F = c/sqrt(g depth), the coefficients of the profile, and whether 3 V = (F^2 - 1) M (V potential energy, M
+  /// excess mass) holds exactly and not only to the wave's order.
+  struct Series {
+    double decay, froude;
+    double b = 0, c = 0, d = 0;
+    bool conserves_momentum = false;
+  };
 
-  /// Amplitude over depth.
+  /// @param amplitude [m], at most `limit` depths;  @param depth [m];  @param gravity [m/s^2]
+  AsymptoticSolitary(double amplitude, double depth, double gravity, const Series& series, double limit = highest);
+
+  /// Amplitude over depth, and the decay rate K of the profile.
   [[nodiscard]] double ratio() const { return ratio_; }
+  [[nodiscard]] double decay() const { return series_.decay; }
+  /// eta/depth at x in depths.
+  [[nodiscard]] double profile(double x) const;
 
  private:
-  /// eta(X)/depth, the decay rate K of its argument, c/sqrt(g depth), area/depth^2.
-  [[nodiscard]] virtual double profile(double x) const = 0;
-  [[nodiscard]] virtual double decay() const = 0;
-  [[nodiscard]] virtual double froude() const = 0;
-  [[nodiscard]] virtual double profile_area() const = 0;
-  /// Whether 3 V = (F^2 - 1) M (V potential energy, M excess mass) holds exactly and not only to the wave's order.
-  [[nodiscard]] virtual bool conserves_momentum() const { return false; }
+  /// Area over depth^2, from the integrals of S, S (1 - S), S^2 (1 - S): 2, 2/3, 4/15.
+  [[nodiscard]] double profile_area() const;
 
-  double ratio_;
-  double depth_;
-  double gravity_;
+  double ratio_, depth_, gravity_;
+  Series series_;
 };
 
+/// These throw std::invalid_argument for amplitudes above 0.8332 depth, but SerreSolitary's may be any.
 class BoussinesqSolitary final : public AsymptoticSolitary {
  public:
-  /// @param amplitude  [m], at most 0.8332 depth. Throws std::invalid_argument.
   explicit BoussinesqSolitary(double amplitude, double depth = 1, double gravity = 1);
-  static Provenance provenance();
-
- private:
-  [[nodiscard]] double profile(double x) const override;
-  [[nodiscard]] double decay() const override;
-  [[nodiscard]] double froude() const override;
-  [[nodiscard]] double profile_area() const override;
-  [[nodiscard]] bool conserves_momentum() const override { return true; }
 };
 
 /// Rayleigh's wave; exact for the equations of Serre, and for those of Frank's discrete model as spacing -> 0.
 class SerreSolitary final : public AsymptoticSolitary {
  public:
-  /// @param amplitude  [m], any positive. @param alpha  factor of the vertical kinetic energy, 1/3 for Serre.
-  /// Throws std::invalid_argument.
+  /// @param alpha  factor of the vertical kinetic energy, 1/3 for Serre.
   explicit SerreSolitary(double amplitude, double depth = 1, double gravity = 1, double alpha = 1.0 / 3);
 
   /// Area of the water between the crest and x, depth x + integral of the elevation [m^2], and its inverse: equal steps
   /// of it are particles of equal mass.
-  [[nodiscard]] double water_up_to(double x) const;
+  [[nodiscard]] double water_up_to(double x) const { return depth() * x + excess_up_to(x); }
   [[nodiscard]] double place_of(double water) const;
   /// Integral of the elevation from the crest to x [m^2], and the elevation's derivative, crest at x = 0.
   [[nodiscard]] double excess_up_to(double x) const;
   [[nodiscard]] double elevation_slope(double x) const;
-
-  static Provenance provenance();
-
- private:
-  [[nodiscard]] double profile(double x) const override;
-  [[nodiscard]] double decay() const override;
-  [[nodiscard]] double froude() const override;
-  [[nodiscard]] double profile_area() const override;
-  [[nodiscard]] bool conserves_momentum() const override { return true; }
-
-  double alpha_;
 };
 
 class LaitoneSolitary final : public AsymptoticSolitary {
  public:
-  /// @param amplitude  [m], at most 0.8332 depth. Throws std::invalid_argument.
   explicit LaitoneSolitary(double amplitude, double depth = 1, double gravity = 1);
-  static Provenance provenance();
-
- private:
-  [[nodiscard]] double profile(double x) const override;
-  [[nodiscard]] double decay() const override;
-  [[nodiscard]] double froude() const override;
-  [[nodiscard]] double profile_area() const override;
 };
 
 class GrimshawSolitary final : public AsymptoticSolitary {
  public:
-  /// @param amplitude  [m], at most 0.8332 depth. Throws std::invalid_argument.
   explicit GrimshawSolitary(double amplitude, double depth = 1, double gravity = 1);
-  static Provenance provenance();
-
- private:
-  [[nodiscard]] double profile(double x) const override;
-  [[nodiscard]] double decay() const override;
-  [[nodiscard]] double froude() const override;
-  [[nodiscard]] double profile_area() const override;
 };
 
 }  // namespace seiche::exact

@@ -6,18 +6,20 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gsl/gsl_sf_bessel.h>
 #include <boost/math/tools/roots.hpp>
 
+#include "seiche/exact/entry.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact {
+
 namespace {
 
-constexpr double ulp = std::numeric_limits<double>::epsilon();
 /// e^{-40} = 4e-18: what lies below it does not show.
 constexpr double invisible = 40;
 /// The zeros of J0 - i J1 nearest the real axis are +-2.98 - 1.28 i: a beach rings down as e^{-0.64 t/X0}.
@@ -86,8 +88,7 @@ void SolitaryRunup::find_steepness() {
   const double crest = highest_.time / time_unit_;
   const double quiet = crest + 10 * (1 / gamma_ + toe_);
   const double span = std::min(1 / gamma_, toe_) / 50;
-  Largest run_up;
-  Largest overall;
+  Largest run_up, overall;
   Worst excursion;
   for (double tau = arrival_; tau < quiet; tau += span) {
     const Jet here = jet(tau);
@@ -158,32 +159,10 @@ SolitaryRunup::Shoreline SolitaryRunup::shoreline(double t) const {
   return {depth_ * (at.value - 0.5 * speed * speed), depth_ / time_unit_ * speed};
 }
 
-double SolitaryRunup::law() const {
-  return 2.831 * std::sqrt(toe_) * std::pow(amplitude_, 1.25) * depth_;
-}
-double SolitaryRunup::breaking_amplitude() const {
-  return 0.8183 * std::pow(toe_, -10.0 / 9) * depth_;
-}
-double SolitaryRunup::short_beach_amplitude() const {
-  return std::pow(0.288 / toe_, 2) * depth_;
-}
-
-Provenance SolitaryRunup::provenance() {
-  return {
-      "Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523; Carrier and Greenspan, J. Fluid Mech. 4 "
-      "(1958) 97",
-      "R = int (4/3) k csch(pi k/(2 gamma)) e^{-ikt}/(J0(2 k X0) - i J1(2 k X0)) dk; law 2.831 sqrt(cot b) a^{5/4}"};
-}
-
-double SolitaryRunup::uncertainty() const {
-  return 1e-13;
-}
-
 SelfTest SolitaryRunup::self_test() const {
   const double gravity = depth_ / (time_unit_ * time_unit_);
   const SolitaryRunup finer(gravity, depth_, amplitude_ * depth_, toe_, 1.5);
-  Worst change;
-  Worst before;
+  Worst change, before;
   for (int i = 0; i <= 40; ++i) {
     const double t = time_unit_ * (arrival_ + (end_ - arrival_) * i / 40);
     change.add(finer.linear_elevation(t) - linear_elevation(t));
@@ -200,19 +179,107 @@ SelfTest SolitaryRunup::self_test() const {
       const double turns = static_cast<double>(j) * wavenumber_step_ * tau * depth_ / crest;
       square += (real_[j] * real_[j] + imaginary_[j] * imaginary_[j]) * turns * turns;
     }
-    return 4 * ulp * std::sqrt(2 * square);
+    return 4 * epsilon * std::sqrt(2 * square);
   };
-  return {
-      {"a finer and longer rule gives the same elevation", change.value() / crest, rounding(end_),
-       fmt::format("the rule converges exponentially; {} additions to sums up to R, and the rounded phases of their "
-                   "terms at the last time",
-                   real_.size())},
-      {"a finer and longer rule gives the same maximum", std::abs(finer.highest_.elevation / crest - 1),
-       rounding(highest_.time / time_unit_), "the same, with the phases at the time of the maximum"},
-      {"the shoreline rests before the wave arrives", before.value() / crest, uncertainty(),
-       "causality, by cancellation of terms up to a fifth of R"}};
+  return {{"a finer and longer rule gives the same elevation", change.value() / crest, rounding(end_),
+           fmt::format("the rule converges exponentially; {} additions to sums up to R, and the rounded phases of "
+                       "their terms at the last time",
+                       real_.size())},
+          {"a finer and longer rule gives the same maximum", std::abs(finer.highest_.elevation / crest - 1),
+           rounding(highest_.time / time_unit_), "the same, with the phases at the time of the maximum"},
+          {"the shoreline rests before the wave arrives", before.value() / crest, uncertainty(),
+           "causality, by cancellation of terms up to a fifth of R"}};
 }
 
-static_assert(ReferenceSolution<SolitaryRunup>);
+namespace {
+
+double tangent(double degrees) {
+  return std::tan(degrees * std::numbers::pi / 180);
+}
+
+}  // namespace
+
+HallWatts::HallWatts(double depth, double slope) : depth_(depth) {
+  require_positive("depth", depth);
+  require_within("slope", slope, tangent(5) * (1 - 1e-12), 1 + 1e-12);
+  const bool steep = slope >= tangent(12);
+  coefficient_ = steep ? 3.05 * std::pow(slope, -0.13) : 11 * std::pow(slope, 0.67);
+  exponent_ = steep ? 1.15 * std::pow(slope, 0.02) : 1.9 * std::pow(slope, 0.35);
+}
+
+double HallWatts::runup(double amplitude) const {
+  require_positive("amplitude", amplitude);
+  return depth_ * coefficient_ * std::pow(amplitude / depth_, exponent_);
+}
+
+SelfTest HallWatts::self_test() const {
+  const double low = runup(0.1 * depth_);
+  const double high = runup(0.4 * depth_);
+  return {{"R is a power of a: R(a) R(4 a) = R(2 a)^2", std::abs(low * high / std::pow(runup(0.2 * depth_), 2) - 1),
+           4e-15, "five powers of one rounding each and four products"}};
+}
+
+static_assert(ReferenceSolution<HallWatts>);
+
+ExactSolution solitary_runup_entry() {
+  return Entry<SolitaryRunup>{
+      .name = "solitary_runup",
+      .title = "Run-up of a solitary wave on a plane beach: the integral of Carrier, Greenspan and Synolakis",
+      .citation =
+          "Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523; Carrier and Greenspan, J. Fluid "
+          "Mech. 4 (1958) 97",
+      .formula =
+          "R = int (4/3) k csch(pi k/(2 gamma)) e^{-ikt}/(J0(2 k X0) - i J1(2 k X0)) dk; law 2.831 sqrt(cot b) a^{5/4}",
+      .parameters = {{"amplitude", "m", 0.019, 1e-9, 1e6, "crest height of the incident wave"},
+                     depth_parameter(1, 1e6),
+                     {"cot_slope", "1", 19.85, 0.1, 1e3, "cotangent of the beach's angle"},
+                     gravity_parameter(1)},
+      .inputs = {{"t", "s", 0, "time, 0 when the crest is at the toe of the beach"}},
+      .outputs = {{"eta", "m", "elevation at the initial shoreline, linear theory"}},
+      .scalars = {{"runup", "m", "highest shoreline, of linear and nonlinear theory alike",
+                   [](const SolitaryRunup& wave) { return wave.highest().elevation; }},
+                  {"runup_time", "s", "when", [](const SolitaryRunup& wave) { return wave.highest().time; }},
+                  {"rundown", "m", "lowest shoreline, negative; NaN on a beach too short for one",
+                   [](const SolitaryRunup& wave) { return wave.lowest() ? wave.lowest()->elevation : none_given; }},
+                  {"rundown_time", "s", "when",
+                   [](const SolitaryRunup& wave) { return wave.lowest() ? wave.lowest()->time : none_given; }},
+                  {"law", "m", "run-up law 2.831 sqrt(cot) a^(5/4), the leading term of runup", &SolitaryRunup::law},
+                  {"breaking_amplitude", "m", "amplitude from which the wave breaks during run-up",
+                   &SolitaryRunup::breaking_amplitude}},
+      .make =
+          [](const Values& p) {
+            // Beaches so gentle that waves of this height break far out, and that the quadrature takes minutes.
+            require_within("cot_slope sqrt(amplitude/depth)",
+                           p.at("cot_slope") * std::sqrt(p.at("amplitude") / p.at("depth")), 0, 30);
+            return SolitaryRunup(p.at("gravity"), p.at("depth"), p.at("amplitude"), p.at("cot_slope"));
+          },
+      .row = [](const SolitaryRunup& wave, At at) { return Row{wave.linear_elevation(at[0])}; },
+  };
+}
+
+ExactSolution hall_watts_entry() {
+  struct Beach : HallWatts {
+    double amplitude;
+  };
+  return Entry<Beach>{
+      .name = "hall_watts",
+      .title = "Correlation of measured solitary-wave run-up on plane beaches",
+      .citation =
+          "Hall and Watts, Laboratory investigation of the vertical rise of solitary waves on impermeable slopes, "
+          "Beach Erosion Board Tech. Memo. 33 (1953), as quoted by Synolakis, J. Fluid Mech. 185 (1987) 523",
+      .formula = "R = 3.05 S^-0.13 a^(1.15 S^0.02), 12 to 45 deg; R = 11 S^0.67 a^(1.9 S^0.35), 5 to 12 deg",
+      .parameters = {{"amplitude", "m", 0.1, 1e-9, 1e6, "crest height of the incident wave"},
+                     depth_parameter(1, 1e6),
+                     {"cot_slope", "1", 1, 1, 11.430052302761343, "cotangent of the beach's angle, 5 to 45 degrees"}},
+      .inputs = {},
+      .outputs = {{"runup", "m", "run-up; standard uncertainty of the correlation 5 per cent"}},
+      .scalars = {},
+      .make =
+          [](const Values& p) {
+            return Beach{{p.at("depth"), 1 / p.at("cot_slope")}, p.at("amplitude")};
+          },
+      .row = [](const Beach& beach, At) { return Row{beach.runup(beach.amplitude)}; },
+  };
+}
 
 }  // namespace seiche::exact

@@ -26,13 +26,45 @@
 
 #include <memory>
 
-#include "seiche/exact/reference_solution.hpp"
-#include "seiche/exact/resolution.hpp"
-#include "seiche/exact/velocity.hpp"
+#include "seiche/exact/conformal_wave.hpp"
 
 namespace seiche::exact {
 
-class SolitarySurface;
+/// The solved wave in units of the depth and of sqrt(gravity depth); elevations on the nodes s_j.
+class SolitarySurface : public ConformalSurface {
+ public:
+  using Solution = ConformalSolution<LineNodes>;
+
+  /// Throws std::invalid_argument above the limiting wave.
+  SolitarySurface(WaveCrest crest, Resolution resolution);
+
+  [[nodiscard]] double crest_speed() const { return crest_speed_; }
+  [[nodiscard]] double decay_rate() const { return decay_rate_; }
+  [[nodiscard]] double potential(double x) const;
+  [[nodiscard]] double half_width() const;
+  [[nodiscard]] double maximum_slope() const;
+
+  struct Integrals {
+    double mass = 0;
+    double kinetic_energy = 0;
+    double potential_energy = 0;
+    double circulation = 0;
+  };
+  [[nodiscard]] const Integrals& integrals() const { return integrals_; }
+
+ private:
+  explicit SolitarySurface(Solution solution);
+  [[nodiscard]] Point point(double label) const override;
+  [[nodiscard]] std::complex<double> pole(std::complex<double> z) const override;
+  [[nodiscard]] std::complex<double> pole_slope(std::complex<double> z) const override;
+
+  Solution solution_;
+  double crest_speed_, decay_rate_;
+  double kernel_period_ = 0;         ///< p of the kernel 1/sinh(pi z/p)
+  double end_displacement_ = 0;      ///< X(infinity) = C/(2 F)
+  SincInterpolation interpolation_;  ///< of y, X - X(infinity) tanh(s/2), dX/ds
+  Integrals integrals_;
+};
 
 class SolitaryWave {
  public:
@@ -44,13 +76,13 @@ class SolitaryWave {
   static SolitaryWave from_crest_speed(double crest_speed, double depth = 1, double gravity = 1,
                                        Resolution resolution = {});
 
-  [[nodiscard]] double amplitude() const;                    ///< [m]
-  [[nodiscard]] double depth() const { return depth_; }      ///< undisturbed [m]
-  [[nodiscard]] double gravity() const { return gravity_; }  ///< [m/s^2]
-  [[nodiscard]] double speed() const;                        ///< phase speed c [m/s]
-  [[nodiscard]] double froude() const;                       ///< F = c/sqrt(gravity depth)
+  [[nodiscard]] double amplitude() const { return depth_ * surface_->crest(); }  ///< [m]
+  [[nodiscard]] double depth() const { return depth_; }                          ///< undisturbed [m]
+  [[nodiscard]] double gravity() const { return gravity_; }                      ///< [m/s^2]
+  [[nodiscard]] double speed() const { return celerity_ * froude(); }            ///< phase speed c [m/s]
+  [[nodiscard]] double froude() const { return surface_->speed(); }              ///< F = c/sqrt(gravity depth)
   /// Speed of the water at the crest in the frame of the wave, relative to c.
-  [[nodiscard]] double crest_speed() const;
+  [[nodiscard]] double crest_speed() const { return surface_->crest_speed(); }
 
   /// Surface [m] at the distance x from the crest, or at x at time t of the wave with its crest at x = 0 at t = 0.
   [[nodiscard]] double elevation(double x) const;
@@ -61,27 +93,32 @@ class SolitaryWave {
   [[nodiscard]] Velocity velocity(double x, double y) const;
   [[nodiscard]] Velocity velocity(double x, double y, double t) const { return velocity(x - speed() * t, y); }
 
-  [[nodiscard]] double mass() const;              ///< M = int eta dx [m^2]
-  [[nodiscard]] double kinetic_energy() const;    ///< T = 1/2 int int u^2 + v^2 dy dx [m^4/s^2]
-  [[nodiscard]] double potential_energy() const;  ///< V = g/2 int eta^2 dx [m^4/s^2]
-  [[nodiscard]] double circulation() const;       ///< C = int u dx along any line below the troughs [m^2/s]
-  [[nodiscard]] double impulse() const;           ///< I = c M [m^3/s]
-  [[nodiscard]] double crest_velocity() const;    ///< u at the crest [m/s]
-  [[nodiscard]] double half_width() const;        ///< distance at which the elevation is amplitude/2 [m]
-  [[nodiscard]] double maximum_slope() const;     ///< largest inclination of the surface [rad]
+  /// M = int eta dx [m^2].
+  [[nodiscard]] double mass() const { return depth_ * depth_ * surface_->integrals().mass; }
+  /// T = 1/2 int int u^2 + v^2 dy dx, V = g/2 int eta^2 dx [m^4/s^2].
+  [[nodiscard]] double kinetic_energy() const {
+    return gravity_ * std::pow(depth_, 3) * surface_->integrals().kinetic_energy;
+  }
+  [[nodiscard]] double potential_energy() const {
+    return gravity_ * std::pow(depth_, 3) * surface_->integrals().potential_energy;
+  }
+  /// C = int u dx along any line below the troughs [m^2/s].
+  [[nodiscard]] double circulation() const { return celerity_ * depth_ * surface_->integrals().circulation; }
+  [[nodiscard]] double impulse() const { return speed() * mass(); }                      ///< I = c M [m^3/s]
+  [[nodiscard]] double crest_velocity() const { return speed() * (1 - crest_speed()); }  ///< u at the crest [m/s]
+  [[nodiscard]] double half_width() const { return depth_ * surface_->half_width(); }    ///< where eta = a/2 [m]
+  [[nodiscard]] double maximum_slope() const { return surface_->maximum_slope(); }       ///< of the surface [rad]
   /// Rate of decay of the tail, eta ~ exp(-decay_rate |x|) [1/m].
-  [[nodiscard]] double decay_rate() const;
+  [[nodiscard]] double decay_rate() const { return surface_->decay_rate() / depth_; }
 
-  static Provenance provenance();
   [[nodiscard]] double uncertainty() const;
   [[nodiscard]] SelfTest self_test() const;
 
  private:
-  SolitaryWave(std::shared_ptr<const SolitarySurface> surface, double depth, double gravity);
+  SolitaryWave(WaveCrest crest, double depth, double gravity, Resolution resolution);
 
-  std::shared_ptr<const SolitarySurface> surface_;  ///< in units of the depth and of sqrt(gravity depth)
-  double depth_;
-  double gravity_;
+  std::shared_ptr<const SolitarySurface> surface_;
+  double depth_, gravity_;
   double celerity_;  ///< sqrt(gravity depth)
 };
 

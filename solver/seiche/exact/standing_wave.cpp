@@ -9,12 +9,11 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/roots.hpp>
 
-#include "seiche/exact/depth_profile.hpp"
+#include "seiche/exact/entry.hpp"
+#include "seiche/exact/identities.hpp"
 #include "seiche/require.hpp"
 
 namespace seiche::exact {
-
-static_assert(ReferenceSolution<StandingWave>);
 
 namespace {
 
@@ -61,10 +60,6 @@ double StandingWave::critical_depth() {
   return std::atanh(std::sqrt(0.5 * (low + high)));
 }
 
-double StandingWave::critical_wavelength() {
-  return 2 * std::numbers::pi / critical_depth();
-}
-
 StandingWave::StandingWave(double amplitude, double wavelength, double depth, double gravity) : gravity_(gravity) {
   require_positive("amplitude", amplitude);
   require_positive("wavelength", wavelength);
@@ -75,14 +70,6 @@ StandingWave::StandingWave(double amplitude, double wavelength, double depth, do
   steepness_ = wavenumber_ * amplitude;
   w_ = linear_frequency(kh_);
   require_within("amplitude", amplitude, 0, 0.25 / (wavenumber_ * second_harmonic(kh_)));
-}
-
-double StandingWave::frequency() const {
-  return std::sqrt(gravity_ * wavenumber_) * (w_ + 0.5 * steepness_ * steepness_ * frequency_correction(kh_));
-}
-
-double StandingWave::period() const {
-  return 2 * std::numbers::pi / frequency();
 }
 
 double StandingWave::elevation(double x, double t) const {
@@ -136,33 +123,14 @@ double StandingWave::pressure(double x, double y, double t) const {
   return -potential_rate - 0.5 * (u * u + v * v) - gravity_ * y;
 }
 
-Provenance StandingWave::provenance() {
-  return {"Tadjbakhsh and Keller, Standing surface waves of finite amplitude, J. Fluid Mech. 8 (1960) 442",
-          "eta = e cos x cos(omega t) + (e^2/8)(w^2 + w^-2 + (3 w^-6 - w^-2) cos(2 omega t)) cos 2x; "
-          "omega = w + (e^2/64)(9 w^-7 - 12 w^-3 - 3 w - 2 w^5), w^2 = tanh k h"};
-}
-
-double StandingWave::uncertainty() const {
-  return 40 * std::numeric_limits<double>::epsilon();
-}
-
 SelfTest StandingWave::self_test() const {
   const double quarter = 0.5 * std::numbers::pi / wavenumber_;
   const double t = 0.15 * period();
   // Water that passes the section x = L/4 below y = 0 rises through y = 0 between x = 0 (a plane of symmetry) and it.
   const double depth = std::min(kh_, 40.0) / wavenumber_;  // below, exp(-40) of the velocity
-  const auto integral = [](const auto& f, double from, double to) {
-    constexpr int parts = 16;
-    double sum = 0;
-    for (int i = 0; i < parts; ++i) {
-      sum += boost::math::quadrature::gauss<double, 20>::integrate(f, from + (to - from) * i / parts,
-                                                                   from + (to - from) * (i + 1) / parts);
-    }
-    return sum;
-  };
-  const double passed = integral([&](double y) { return velocity(quarter, y, t).u; }, -depth, 0);
-  const double risen = integral([&](double x) { return velocity(x, 0, t).v; }, 0, quarter);
-  const double level = integral([&](double x) { return elevation(x, t); }, 0, 2 * quarter) / (2 * quarter);
+  const double passed = integral<20>([&](double y) { return velocity(quarter, y, t).u; }, -depth, 0, 16);
+  const double risen = integral<20>([&](double x) { return velocity(x, 0, t).v; }, 0, quarter, 16);
+  const double level = integral<20>([&](double x) { return elevation(x, t); }, 0, 2 * quarter, 16) / (2 * quarter);
   const double crest = steepness_ / wavenumber_;
   return {
       {"flux through x = L/4 and through y = 0", std::abs(passed + risen) / std::abs(risen), 1e-14,
@@ -171,6 +139,42 @@ SelfTest StandingWave::self_test() const {
       {"omega_2 = 0 at the critical depth", std::abs(frequency_correction(critical_depth())), 4e-15,
        "terms up to 1.3 rounded five times; slope 1 of omega_2 in k h"},
       {"omega_2 = -1/4 over unbounded depth", std::abs(frequency_correction(unbounded) + 0.25), 1e-16, "exact sums"}};
+}
+
+ExactSolution standing_entry() {
+  return Entry<StandingWave>{
+      .name = "standing",
+      .title = "Standing wave between walls, to second order, its frequency to third",
+      .citation = "Tadjbakhsh and Keller, Standing surface waves of finite amplitude, J. Fluid Mech. 8 (1960) 442",
+      .formula =
+          "eta = e cos x cos(omega t) + (e^2/8)(w^2 + w^-2 + (3 w^-6 - w^-2) cos(2 omega t)) cos 2x; omega = w + "
+          "(e^2/64)(9 w^-7 - 12 w^-3 - 3 w - 2 w^5), w^2 = tanh k h",
+      .parameters = {{"amplitude", "m", 0.05, 1e-12, 1e6, "coefficient of cos(k x) at first order"},
+                     wavelength_parameter(),
+                     depth_parameter(1, infinite),
+                     gravity_parameter(9.81)},
+      .inputs = {position_x, height_y, time_t},
+      .outputs = {{"eta", "m", "surface elevation"},
+                  {"phi", "m^2/s", "velocity potential"},
+                  {"u", "m/s", "horizontal velocity"},
+                  {"v", "m/s", "vertical velocity"}},
+      .scalars = {{"omega", "1/s", "angular frequency, to third order", &StandingWave::frequency},
+                  {"omega2", "1", "its correction: omega/sqrt(g k) = w + (k amplitude)^2 omega2/2",
+                   [](const StandingWave& wave) { return StandingWave::frequency_correction(wave.relative_depth()); }},
+                  {"second_harmonic", "1", "B: eta holds k amplitude^2 B cos(2 k x) at its highest",
+                   [](const StandingWave& wave) { return StandingWave::second_harmonic(wave.relative_depth()); }},
+                  {"period", "s", "period", &StandingWave::period},
+                  {"critical_depth", "m", "depth for this wavelength at which omega2 is zero",
+                   [](const StandingWave& wave) { return StandingWave::critical_depth() / wave.wavenumber(); }}},
+      .make = from<StandingWave>("amplitude", "wavelength", "depth", "gravity"),
+      .row =
+          [](const StandingWave& wave, At at) {
+            const double eta = wave.elevation(at[0], at[2]);
+            const double y = std::isnan(at[1]) ? eta : at[1];
+            const auto [u, v] = wave.velocity(at[0], y, at[2]);
+            return Row{eta, wave.potential(at[0], y, at[2]), u, v};
+          },
+  };
 }
 
 }  // namespace seiche::exact

@@ -17,8 +17,10 @@
 /// An experimental note on finite-amplitude standing gravity waves, J. Fluid Mech. 13 (1962) 193 (the critical depth).
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 #include "seiche/exact/reference_solution.hpp"
-#include "seiche/exact/velocity.hpp"
 
 namespace seiche::exact {
 
@@ -39,8 +41,11 @@ class StandingWave {
   [[nodiscard]] double pressure(double x, double y, double t) const;
 
   [[nodiscard]] double wavenumber() const { return wavenumber_; }
-  [[nodiscard]] double frequency() const;
-  [[nodiscard]] double period() const;
+  [[nodiscard]] double relative_depth() const { return kh_; }  ///< k h
+  [[nodiscard]] double frequency() const {
+    return std::sqrt(gravity_ * wavenumber_) * (w_ + 0.5 * steepness_ * steepness_ * frequency_correction(kh_));
+  }
+  [[nodiscard]] double period() const { return 2 * std::numbers::pi / frequency(); }
 
   /// sqrt(tanh k h), omega_2 and B for a depth of k h = kh > 0, infinity included.
   static double linear_frequency(double kh);
@@ -48,10 +53,9 @@ class StandingWave {
   static double second_harmonic(double kh);
   /// k h at which omega_2 = 0, and the wavelength in depths there.
   static double critical_depth();
-  static double critical_wavelength();
+  static double critical_wavelength() { return 2 * std::numbers::pi / critical_depth(); }
 
-  static Provenance provenance();
-  [[nodiscard]] double uncertainty() const;
+  [[nodiscard]] double uncertainty() const { return 40 * epsilon; }
   [[nodiscard]] SelfTest self_test() const;
 
  private:
@@ -61,11 +65,7 @@ class StandingWave {
   };
   [[nodiscard]] Place inside(double x, double y, double t) const;
 
-  double wavenumber_;
-  double gravity_;
-  double kh_;
-  double steepness_;
-  double w_;
+  double wavenumber_, gravity_, kh_, steepness_, w_;
 };
 
 }  // namespace seiche::exact

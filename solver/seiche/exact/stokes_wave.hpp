@@ -23,13 +23,44 @@
 #include <limits>
 #include <memory>
 
-#include "seiche/exact/reference_solution.hpp"
-#include "seiche/exact/resolution.hpp"
-#include "seiche/exact/velocity.hpp"
+#include "seiche/exact/conformal_wave.hpp"
 
 namespace seiche::exact {
 
-class StokesSurface;
+/// The solved wave in units of 1/k and sqrt(gravity/k); tau = log q on the nodes s_j = pi j/m.
+class StokesSurface : public ConformalSurface {
+ public:
+  using Solution = ConformalSolution<PeriodicNodes>;
+
+  explicit StokesSurface(Solution solution);
+  /// With the mean depth in place of the conformal depth: secant iteration.
+  static StokesSurface with_mean_depth(WaveCrest crest, double mean_depth, Resolution resolution);
+
+  [[nodiscard]] const Solution& solution() const { return solution_; }
+  [[nodiscard]] double bernoulli() const { return bernoulli_; }
+  [[nodiscard]] double trough() const { return elevation_[elevation_.size() - 1]; }
+  [[nodiscard]] double potential(double x) const;
+  [[nodiscard]] double maximum_slope() const;
+
+  struct Integrals {
+    double impulse = 0;
+    double kinetic_energy = 0;
+    double potential_energy = 0;
+  };
+  [[nodiscard]] const Integrals& integrals() const { return integrals_; }
+
+ private:
+  [[nodiscard]] Point point(double label) const override;
+  [[nodiscard]] std::complex<double> pole(std::complex<double> z) const override;
+  [[nodiscard]] std::complex<double> pole_slope(std::complex<double> z) const override;
+  [[nodiscard]] double reduced(double x) const override { return std::remainder(x, 2 * std::numbers::pi); }
+  [[nodiscard]] bool bottom_matters() const { return depth_ < 19; }  // exp(-2 k h) is below round-off
+
+  Solution solution_;
+  double bernoulli_ = 0;
+  TrigonometricInterpolation interpolation_;  ///< of y, x - s, dx/ds
+  Integrals integrals_;
+};
 
 class StokesWave {
  public:
@@ -47,16 +78,20 @@ class StokesWave {
   static StokesWave from_crest_speed(double crest_speed, double wavelength, double conformal_depth, double gravity,
                                      Resolution resolution = {});
 
-  [[nodiscard]] double amplitude() const;                          ///< half height [m]
-  [[nodiscard]] double wavelength() const;                         ///< [m]
-  [[nodiscard]] double wavenumber() const { return wavenumber_; }  ///< [1/m]
-  [[nodiscard]] double gravity() const { return gravity_; }        ///< [m/s^2]
-  [[nodiscard]] double mean_depth() const;                         ///< [m], infinite in deep water
-  [[nodiscard]] double conformal_depth() const;                    ///< [m], infinite in deep water
-  [[nodiscard]] double phase_speed() const;                        ///< c [m/s]
-  [[nodiscard]] double crest_speed() const;  ///< of the water at the crest, seen from the wave, relative to c
+  [[nodiscard]] double amplitude() const {
+    return 0.5 * (crest_elevation() - trough_elevation());
+  }                                                                                       ///< half height [m]
+  [[nodiscard]] double wavelength() const { return 2 * std::numbers::pi / wavenumber_; }  ///< [m]
+  [[nodiscard]] double wavenumber() const { return wavenumber_; }                         ///< [1/m]
+  [[nodiscard]] double gravity() const { return gravity_; }                               ///< [m/s^2]
+  /// Mean and conformal depth [m], infinite in deep water.
+  [[nodiscard]] double mean_depth() const { return surface_->depth() / wavenumber_; }
+  [[nodiscard]] double conformal_depth() const { return surface_->solution().depth / wavenumber_; }
+  [[nodiscard]] double phase_speed() const { return celerity_ * surface_->speed(); }  ///< c [m/s]
+  /// Of the water at the crest, seen from the wave, relative to c.
+  [[nodiscard]] double crest_speed() const { return std::exp(surface_->solution().values[0]); }
   /// B = q^2/2 + g y on the surface, q in the frame of the wave, y from the mean level [m^2/s^2].
-  [[nodiscard]] double bernoulli_constant() const;
+  [[nodiscard]] double bernoulli_constant() const { return celerity_ * celerity_ * surface_->bernoulli(); }
 
   [[nodiscard]] double elevation(double x) const;
   [[nodiscard]] double elevation(double x, double t) const { return elevation(x - phase_speed() * t); }
@@ -66,24 +101,29 @@ class StokesWave {
   [[nodiscard]] Velocity velocity(double x, double y) const;
   [[nodiscard]] Velocity velocity(double x, double y, double t) const { return velocity(x - phase_speed() * t, y); }
 
-  [[nodiscard]] double crest_elevation() const;   ///< [m]
-  [[nodiscard]] double trough_elevation() const;  ///< [m], negative
-  [[nodiscard]] double crest_velocity() const;    ///< [m/s]
-  [[nodiscard]] double impulse() const;           ///< I, mean of the depth-integrated u [m^2/s]
-  [[nodiscard]] double kinetic_energy() const;    ///< T, mean of the depth-integrated (u^2 + v^2)/2 [m^3/s^2]
-  [[nodiscard]] double potential_energy() const;  ///< V, mean of g eta^2/2 [m^3/s^2]
-  [[nodiscard]] double maximum_slope() const;     ///< largest inclination of the surface [rad]
+  [[nodiscard]] double crest_elevation() const { return surface_->crest() / wavenumber_; }    ///< [m]
+  [[nodiscard]] double trough_elevation() const { return surface_->trough() / wavenumber_; }  ///< [m], negative
+  /// u at the crest [m/s].
+  [[nodiscard]] double crest_velocity() const { return -phase_speed() * std::expm1(surface_->solution().values[0]); }
+  /// I, mean of the depth-integrated u [m^2/s].
+  [[nodiscard]] double impulse() const { return celerity_ / wavenumber_ * surface_->integrals().impulse; }
+  /// T, mean of the depth-integrated (u^2 + v^2)/2, and V, mean of g eta^2/2 [m^3/s^2].
+  [[nodiscard]] double kinetic_energy() const {
+    return gravity_ / (wavenumber_ * wavenumber_) * surface_->integrals().kinetic_energy;
+  }
+  [[nodiscard]] double potential_energy() const {
+    return gravity_ / (wavenumber_ * wavenumber_) * surface_->integrals().potential_energy;
+  }
+  [[nodiscard]] double maximum_slope() const { return surface_->maximum_slope(); }  ///< of the surface [rad]
 
-  static Provenance provenance();
   [[nodiscard]] double uncertainty() const;
   [[nodiscard]] SelfTest self_test() const;
 
  private:
-  StokesWave(std::shared_ptr<const StokesSurface> surface, double wavenumber, double gravity);
+  StokesWave(StokesSurface surface, double wavenumber, double gravity);
 
-  std::shared_ptr<const StokesSurface> surface_;  ///< in units of 1/k and sqrt(gravity/k)
-  double wavenumber_;
-  double gravity_;
+  std::shared_ptr<const StokesSurface> surface_;
+  double wavenumber_, gravity_;
   double celerity_;  ///< sqrt(gravity/k)
 };
 

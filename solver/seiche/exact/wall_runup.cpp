@@ -3,8 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
-#include "seiche/exact/wall_collision.hpp"
+#include <fmt/format.h>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/tools/minima.hpp>
+
+#include "seiche/divergence.hpp"
+#include "seiche/exact/entry.hpp"
+#include "seiche/exact/overturning/evolution.hpp"
+#include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact {
@@ -13,9 +21,76 @@ namespace ow = overturning;
 
 namespace {
 
-static_assert(ReferenceSolution<WallRunup>);
+/// Of one wave under the crest of the other at the start, relative to its amplitude. Superposition errs by products of
+/// the two elevations, which are nowhere larger.
+constexpr double negligible = 1e-13;
+
+std::size_t checked(std::size_t markers, double tolerance) {
+  require_at_least("markers", static_cast<long>(markers), 128);
+  require_positive("tolerance", tolerance);
+  require_within("markers modulo 2", static_cast<double>(markers % 2), 0, 0);
+  return markers;
+}
+
+/// The waves a quarter of the channel from the wall. Units of depth and sqrt(depth/g) for the wave, of period/2 pi for
+/// the motion: lengths times k, potentials times k^(3/2), times times sqrt(k).
+ow::State start(std::size_t markers, const SolitaryWave& wave, double distance, double k) {
+  const auto sum_of_waves = [&](const auto& of_right_going) {
+    return [&, of_right_going](double x) {
+      const double from_wall = (x - std::numbers::pi) / k;
+      return of_right_going(from_wall + distance) + of_right_going(-from_wall + distance);
+    };
+  };
+  return ow::from_functions(markers, sum_of_waves([&](double x) { return k * wave.elevation(x); }),
+                            sum_of_waves([&](double x) { return std::pow(k, 1.5) * wave.surface_potential(x); }));
+}
 
 }  // namespace
+
+double WallCollision::checked_ratio(double amplitude, double depth) {
+  require_positive("depth", depth);
+  require_positive("amplitude", amplitude);
+  require_within("amplitude/depth", amplitude / depth, 0.05, 0.6 * (1 + 1e-12));
+  return amplitude / depth;
+}
+
+WallCollision::WallCollision(double amplitude, double depth, std::size_t markers, double tolerance)
+    : WallCollision(SolitaryWave(checked_ratio(amplitude, depth)), depth, checked(markers, tolerance), tolerance) {}
+
+WallCollision::WallCollision(const SolitaryWave& wave, double depth, std::size_t markers, double tolerance)
+    : depth_(depth),
+      separation_(-0.5 * std::log(negligible) / wave.decay_rate()),
+      k_(2 * std::numbers::pi / (4 * separation_)),
+      crossing_(std::sqrt(k_) * separation_ / wave.speed()),
+      wall_(markers / 2),
+      motion_(start(markers, wave, separation_, k_), k_, k_ * tolerance) {
+  separation_ *= depth;
+  motion_.advance_to(0.9 * crossing_);
+  while (motion_.ending() == ow::Ending::none && rise(motion_.now()) > 0 && motion_.now().time < 2 * crossing_) {
+    motion_.advance_to(motion_.now().time + 0.1 * crossing_);
+  }
+  require_resolved();
+  highest_ = motion_.at(motion_.first_zero([&](const ow::Moment& moment) { return rise(moment); }, 1e-10).value());
+}
+
+double WallCollision::rise(const ow::Moment& moment) const {
+  return moment.time < 0.5 * crossing_ ? 1.0 : ow::view(moment.rate).y[wall_];
+}
+
+void WallCollision::require_resolved() const {
+  if (motion_.ending() == ow::Ending::none) return;
+  throw Divergence(fmt::format("{} (markers = {} are too few, or the wave breaks)", motion_.ending_reason(), 2 * wall_),
+                   motion_.now().time / std::sqrt(k_), static_cast<long>(motion_.moments().size() - 1),
+                   motion_.ending_place() / k_ * depth_);
+}
+
+void WallCollision::advance_until_below(double level) {
+  const double low = level / length();
+  while (motion_.ending() == ow::Ending::none && ow::view(motion_.now().state).y[wall_] > low) {
+    motion_.advance_to(motion_.now().time + 0.02 * crossing_);
+  }
+  require_resolved();
+}
 
 WallRunup::WallRunup(double amplitude, double depth, std::size_t markers, double tolerance)
     : amplitude_(amplitude), depth_(depth), markers_(markers), tolerance_(tolerance) {
@@ -57,8 +132,7 @@ SelfTest WallRunup::self_test() const {
   constexpr double stages = 6;
   // Of the elevation, relative to the amplitude.
   const double integration = steps * std::pow(tolerance_ * depth_ / amplitude_, 1.2);
-  const double rounding =
-      4 * std::numeric_limits<double>::epsilon() * std::sqrt(steps * stages * static_cast<double>(markers_));
+  const double rounding = 4 * epsilon * std::sqrt(steps * stages * static_cast<double>(markers_));
   return {{"volume is conserved", volume_change_, integration,
            "about 300 steps whose errors of fourth order are kept at the tolerance and add up, over the amplitude; the "
            "solution of fifth order that is carried on errs less by a step, the fifth root of the tolerance"},
@@ -68,12 +142,196 @@ SelfTest WallRunup::self_test() const {
            "markers"}};
 }
 
-Provenance WallRunup::provenance() {
-  return {
-      "Su & Mirie, On head-on collisions between two solitary waves, J. Fluid Mech. 98 (1980) 509; Cooker, Weidman & "
-      "Bale, "
-      "Reflection of a high-amplitude solitary wave at a vertical wall, J. Fluid Mech. 342 (1997) 141",
-      "two mirrored solitary waves of the Euler equations moved by Cauchy's integral; R = max y at the wall"};
+namespace {
+
+std::shared_ptr<const WallCollision> fallen(double amplitude, double depth, std::size_t markers, double tolerance) {
+  auto collision = std::make_shared<WallCollision>(amplitude, depth, markers, tolerance);
+  const double runup = ow::view(collision->highest().state).y[collision->wall()] * collision->length();
+  collision->advance_until_below(0.5 * runup);
+  return collision;
+}
+
+/// Over a time: of the force on the wall less that on the opposite one, and of the pressure at the foot without its
+/// value at rest.
+struct TimeIntegrals {
+  double thrust = 0;
+  double foot = 0;
+};
+
+TimeIntegrals integrate_loads(const ow::Evolution& motion, double begin, double end, double depth,
+                              ow::SurfaceVelocity& equation) {
+  using Rule = boost::math::quadrature::gauss<double, 10>;
+  constexpr int parts = 10;
+  const double half = 0.5 * (end - begin) / parts;
+  TimeIntegrals sums;
+  for (int part = 0; part < parts; ++part) {
+    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
+      for (const double side : {-1.0, 1.0}) {
+        const double time = begin + half * (2 * part + 1 + side * Rule::abscissa()[i]);
+        const ow::WallColumn water(motion.at(time), depth, equation);
+        sums.thrust += half * Rule::weights()[i] * (water.force() - water.opposite_force());
+        sums.foot += half * Rule::weights()[i] * (water.pressure(-depth) - depth);
+      }
+    }
+  }
+  return sums;
+}
+
+}  // namespace
+
+WallLoad::WallLoad(double amplitude, double depth, std::size_t markers, double tolerance)
+    : amplitude_(amplitude),
+      depth_(depth),
+      markers_(markers),
+      tolerance_(tolerance),
+      collision_(fallen(amplitude, depth, markers, tolerance)) {
+  ow::SurfaceVelocity equation(markers_, collision_->wavenumber());
+  for (const ow::Moment& moment : collision_->motion().moments()) {
+    if (moment.time > 0.5 * collision_->crossing()) history_.push_back(load(moment, equation));
+  }
+  still_ = largest(&Load::still);
+  bottom_ = largest(&Load::bottom);
+  force_ = largest(&Load::force);
+}
+
+WallLoad::Load WallLoad::load(const ow::Moment& moment, ow::SurfaceVelocity& equation) const {
+  const double length = collision_->length();
+  const ow::WallColumn water(moment, collision_->wavenumber(), equation);
+  return {.time = moment.time / std::sqrt(collision_->wavenumber()),
+          .level = water.level() * length,
+          .still = water.level() > 0 ? water.pressure(0) * length : 0,
+          .bottom = water.pressure(-collision_->wavenumber()) * length,
+          .force = water.force() * length * length};
+}
+
+WallLoad::Load WallLoad::at(double time) const {
+  ow::SurfaceVelocity equation(markers_, collision_->wavenumber());
+  return load(collision_->motion().at(time * std::sqrt(collision_->wavenumber())), equation);
+}
+
+WallLoad::Peak WallLoad::largest(double Load::*member) const {
+  const auto top = std::ranges::max_element(history_, {}, member);
+  const auto before = top == history_.begin() ? top : top - 1;
+  const auto after = top + 1 == history_.end() ? top : top + 1;
+  constexpr int bits = 26;  // of the time: the value at a maximum is known to twice as many
+  const auto [time, value] = boost::math::tools::brent_find_minima([&](double t) { return -(at(t).*member); },
+                                                                   before->time, after->time, bits);
+  return {-value, time};
+}
+
+double WallLoad::still_series(double amplitude, double depth) {
+  const double a = amplitude / depth;
+  return WallRunup::su_mirie(amplitude, depth) - depth * 6 * a * a * a;
+}
+
+double WallLoad::bottom_series(double amplitude, double depth) {
+  const double a = WallCollision::checked_ratio(amplitude, depth);
+  return depth * (1 + 2 * a - a * a);
+}
+
+double WallLoad::force_series(double amplitude, double depth) {
+  const double a = WallCollision::checked_ratio(amplitude, depth);
+  return depth * depth * (0.5 + 2 * a + 1.5 * a * a);
+}
+
+double WallLoad::uncertainty() const {
+  const std::size_t fewer = std::max<std::size_t>(128, markers_ / 3 * 2);
+  const WallLoad coarser(amplitude_, depth_, fewer, 10 * tolerance_);
+  Worst change;
+  change.add(coarser.still_.value / still_.value - 1);
+  change.add(coarser.bottom_.value / bottom_.value - 1);
+  change.add(coarser.force_.value / force_.value - 1);
+  return change.value();
+}
+
+SelfTest WallLoad::self_test() const {
+  const ow::Evolution& motion = collision_->motion();
+  const double k = collision_->wavenumber();
+  ow::SurfaceVelocity equation(markers_, k);
+  const double begin = 0.5 * collision_->crossing();
+  const ow::Moment& highest = collision_->highest();
+  const ow::WallColumn before(motion.at(begin), k, equation);
+  const ow::WallColumn after(highest, k, equation);
+  const TimeIntegrals sums = integrate_loads(motion, begin, highest.time, k, equation);
+  const double energy = highest.invariants.energy() / motion.moments().front().invariants.energy() - 1;
+  constexpr double steps = 300;
+  // Of the elevation, relative to the amplitude.
+  const double integration = steps * std::pow(tolerance_ * depth_ / amplitude_, 1.2);
+  const std::string reason =
+      "about 300 steps whose errors of fourth order are kept at the tolerance and add up, over the amplitude; the "
+      "solution of fifth order that is carried on errs less by a step, the fifth root of the tolerance";
+  return {{"the force on the wall less that on the opposite one adds up to the change of the momentum",
+           std::abs(sums.thrust - before.impulse() + after.impulse()) / before.impulse(), 2 * integration,
+           reason + "; twice, once in the force and once in the momentum"},
+          {"the pressure at the foot of the wall adds up to the change of the potential there",
+           std::abs(sums.foot + after.foot_potential() - before.foot_potential()) / std::abs(sums.foot),
+           2 * integration, reason + "; twice, once in the pressure and once in the potential"},
+          {"energy is conserved until the water at the wall is highest", std::abs(energy), 2 * integration,
+           reason + "; twice as much of a square"}};
+}
+
+ExactSolution wall_load_entry() {
+  return Entry<WallLoad>{
+      .name = "wall_load",
+      .title = "Pressure and force of an exact solitary wave on a vertical wall",
+      .citation =
+          "Su & Mirie, On head-on collisions between two solitary waves, J. Fluid Mech. 98 (1980) 509; Fenton & "
+          "Rienecker, A Fourier method for solving nonlinear water-wave problems, J. Fluid Mech. 118 (1982) 411; "
+          "Cooker, Weidman & Bale, Reflection of a high-amplitude solitary wave at a vertical wall, J. Fluid Mech. 342 "
+          "(1997) 141",
+      .formula =
+          "two mirrored solitary waves of the Euler equations moved by Cauchy's integral; p = -phi_t - v^2/2 - g y at "
+          "the wall",
+      .parameters = {{"amplitude", "m", 0.3, 1e-9, 1e6, "of the incident wave, 0.05 to 0.6 depth"},
+                     depth_parameter(1, 1e6),
+                     {"markers", "1", 384, 128, 4096, "markers of the computation, even"}},
+      .inputs = {{"t", "1", 0, "time since the crest was the separation from the wall, times sqrt(g/depth)"}},
+      .outputs = {{"level", "m", "elevation of the water at the wall"},
+                  {"still", "m", "pressure over rho g at the undisturbed level"},
+                  {"bottom", "m", "pressure over rho g at the foot of the wall"},
+                  {"force", "m^2", "force over rho g per unit width"}},
+      .scalars = {{"largest_still", "m", "largest pressure over rho g at the undisturbed level",
+                   [](const WallLoad& wall) { return wall.largest_still().value; }},
+                  {"largest_bottom", "m", "largest pressure over rho g at the foot of the wall",
+                   [](const WallLoad& wall) { return wall.largest_bottom().value; }},
+                  {"largest_force", "m^2", "largest force over rho g per unit width",
+                   [](const WallLoad& wall) { return wall.largest_force().value; }},
+                  {"time_of_still", "1", "when the pressure at the undisturbed level is largest, times sqrt(g/depth)",
+                   [](const WallLoad& wall) { return wall.largest_still().time; }},
+                  {"time_of_bottom", "1", "when the pressure at the foot is largest, times sqrt(g/depth)",
+                   [](const WallLoad& wall) { return wall.largest_bottom().time; }},
+                  {"time_of_force", "1", "when the force is largest, times sqrt(g/depth)",
+                   [](const WallLoad& wall) { return wall.largest_force().time; }},
+                  {"separation", "m", "distance of the crest from the wall at t = 0", &WallLoad::separation}},
+      .make = from<WallLoad>("amplitude", "depth", "markers"),
+      .row =
+          [](const WallLoad& wall, At at) {
+            const WallLoad::Load load = wall.at(at[0]);
+            return Row{load.level, load.still, load.bottom, load.force};
+          },
+  };
+}
+
+ExactSolution wall_runup_entry() {
+  return Entry<WallRunup>{
+      .name = "wall_runup",
+      .title = "Run-up of an exact solitary wave on a vertical wall",
+      .citation =
+          "Su & Mirie, On head-on collisions between two solitary waves, J. Fluid Mech. 98 (1980) 509; Cooker, Weidman "
+          "& Bale, Reflection of a high-amplitude solitary wave at a vertical wall, J. Fluid Mech. 342 (1997) 141",
+      .formula = "two mirrored solitary waves of the Euler equations moved by Cauchy's integral; R = max y at the wall",
+      .parameters = {{"amplitude", "m", 0.3, 1e-9, 1e6, "of the incident wave, 0.05 to 0.6 depth"},
+                     depth_parameter(1, 1e6),
+                     {"markers", "1", 384, 128, 4096, "markers of the computation, even"}},
+      .inputs = {},
+      .outputs = {{"runup", "m", "highest elevation at the wall"}},
+      .scalars = {{"su_mirie", "m", "series 2 a + a^2/2 + 3 a^3/4 of Su and Mirie, in depths",
+                   [](const WallRunup& wall) { return WallRunup::su_mirie(wall.wave_amplitude(), wall.depth()); }},
+                  {"byatt_smith", "m", "series 2 a + a^2/2 of Byatt-Smith, in depths",
+                   [](const WallRunup& wall) { return WallRunup::byatt_smith(wall.wave_amplitude(), wall.depth()); }}},
+      .make = from<WallRunup>("amplitude", "depth", "markers"),
+      .row = [](const WallRunup& wall, At) { return Row{wall.runup()}; },
+  };
 }
 
 }  // namespace seiche::exact

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "seiche/exact/frank_dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/exact/standing_wave.hpp"
 #include "seiche/models/lagrangian_mesh_2d/layer.hpp"
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "seiche/exact/lagrangian_mesh_dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
 #include "validation/instruments/harmonic_fit.hpp"
 

@@ -127,7 +127,7 @@ cells::FiniteVolumeFlow cell_flow(const FlowProblem& problem, const Discretisati
   }
   std::vector<double> depth;
   std::vector<double> discharge;
-  for (const exact::CellMean& mean : exact::cell_averages(InitialState{&problem}, edges, 0)) {
+  for (const validation::CellMean& mean : validation::cell_averages(InitialState{&problem}, edges, 0)) {
     depth.push_back(mean.depth);
     discharge.push_back(mean.discharge);
   }

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "seiche/exact/cell_average.hpp"
 #include "seiche/shallow_water/relations.hpp"
 #include "validation/instruments/error_measures.hpp"
+#include "validation/instruments/manufactured/cell_average.hpp"
 
 namespace seiche::validation {
 
@@ -93,7 +93,7 @@ class Flow {
 std::unique_ptr<Flow> make_flow(const FlowProblem& problem, const Discretisation& discretisation);
 
 /// The problem of an exact solution of the library.
-template <exact::ShallowWaterSolution S>
+template <validation::ShallowWaterSolution S>
 FlowProblem problem_of(const S& solution, double gravity, double start, double end, std::vector<double> jumps,
                        FlowProblem::End left = FlowProblem::End::wall,
                        FlowProblem::End right = FlowProblem::End::wall) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reports/evidence/criterion.hpp"
-#include "seiche/exact/riemann.hpp"
+#include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
 #include "validation/studies/shallow_water/profile_points.hpp"
 

@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 
 #include "seiche/divergence.hpp"
-#include "seiche/exact/overturning/curve_distance.hpp"
 #include "seiche/exact/overturning/evolution.hpp"
 #include "seiche/exact/overturning/surface_curve.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 
 namespace seiche::exact::overturning {
+
 namespace {
 
 using Complex = std::complex<double>;
@@ -164,11 +164,7 @@ SelfTest MovingSurface::balances(double amplitude, double tolerance) const {
   const double a = amplitude / length_;
   const auto& moments = evolution_->moments();
   const Invariants& start = moments.front().invariants;
-  Worst volume;
-  Worst energy;
-  Worst impulse;
-  Worst largest_energy;
-  Worst largest_impulse;
+  Worst volume, energy, impulse, largest_energy, largest_impulse;
   std::size_t resolved = 0;
   for (const Moment& moment : moments) {
     if (moment.time * time_ > well_resolved_until()) break;

@@ -6,6 +6,7 @@
 /// When not to use it: after touch-down.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -95,9 +96,7 @@ class MovingSurface {
  private:
   void find_touch_down();
 
-  double length_;
-  double time_;
-  double velocity_;
+  double length_, time_, velocity_;
   double last_time_ = 0;
   double well_resolved_until_ = 0;
   std::shared_ptr<const Evolution> evolution_;

@@ -3,8 +3,91 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "seiche/linear/fourier.hpp"
+#include "seiche/require.hpp"
 
 namespace seiche::exact::overturning {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+}  // namespace
+
+TrigonometricInterpolant::TrigonometricInterpolant(std::span<const Complex> samples)
+    : coefficients_(samples.size()), lowest_(-static_cast<long>((samples.size() - 1) / 2)) {
+  linear::Fourier fourier(samples.size());
+  fourier.coefficients(samples, coefficients_);
+  std::ranges::rotate(coefficients_, coefficients_.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2 + 1));
+  // The sawtooth has no derivative at its samples and no values in between.
+  if (samples.size() % 2 == 0) coefficients_.back() = 0;
+}
+
+Complex TrigonometricInterpolant::operator()(double s) const {
+  const Complex step(std::cos(s), std::sin(s));
+  Complex sum = 0;
+  for (auto c = coefficients_.rbegin(); c != coefficients_.rend(); ++c) sum = sum * step + *c;
+  const double first = static_cast<double>(lowest_) * s;
+  return sum * Complex(std::cos(first), std::sin(first));
+}
+
+TrigonometricInterpolant TrigonometricInterpolant::derivative() const {
+  TrigonometricInterpolant result = *this;
+  for (std::size_t i = 0; i < coefficients_.size(); ++i) {
+    result.coefficients_[i] *= Complex(0, static_cast<double>(lowest_ + static_cast<long>(i)));
+  }
+  return result;
+}
+
+std::vector<Complex> TrigonometricInterpolant::refined(std::size_t refinement) const {
+  const std::size_t n = coefficients_.size() * refinement;
+  std::vector<Complex> values(n);
+  for (std::size_t i = 0; i < coefficients_.size(); ++i) {
+    const long k = lowest_ + static_cast<long>(i);
+    values[k >= 0 ? static_cast<std::size_t>(k) : n - static_cast<std::size_t>(-k)] = coefficients_[i];
+  }
+  linear::Fourier(n).samples(values, values);
+  return values;
+}
+
+std::vector<double> labels_at_equal_arc_length(std::span<const Complex> tangent, std::size_t points) {
+  require_at_least("points", static_cast<long>(points), 2);
+  const std::size_t n = tangent.size();
+  std::vector<Complex> speed(n);
+  std::ranges::transform(tangent, speed.begin(), [](Complex z_s) { return std::abs(z_s); });
+  // Integral of the trigonometric interpolant of |z_s|, 0 at s = 0.
+  linear::Fourier fourier(n);
+  std::vector<Complex> arc(n);
+  fourier.coefficients(speed, arc);
+  const double mean = arc[0].real();
+  arc[0] = 0;
+  for (std::size_t i = 1; i < n; ++i) arc[i] = fourier.is_sawtooth(i) ? 0 : arc[i] / Complex(0, fourier.wavenumber(i));
+  fourier.samples(arc, arc);
+  const double start = arc[0].real();
+  const double width = 2 * std::numbers::pi / static_cast<double>(n);
+  std::vector<double> labels(points);
+  std::size_t j = 0;
+  const auto length_at = [&](std::size_t i) {
+    return i == n ? 2 * std::numbers::pi * mean : mean * width * static_cast<double>(i) + arc[i].real() - start;
+  };
+  for (std::size_t p = 0; p + 1 < points; ++p) {
+    const double wanted = 2 * std::numbers::pi * mean * static_cast<double>(p) / static_cast<double>(points - 1);
+    while (j + 1 < n && length_at(j + 1) <= wanted) ++j;
+    // Inverse function between two nodes: cubic in the length, with slopes 1/|z_s|.
+    const double a = length_at(j);
+    const double span = length_at(j + 1) - a;
+    const double u = (wanted - a) / span;
+    const double slope_a = span / (speed[j].real() * width);
+    const double slope_b = span / (speed[(j + 1) % n].real() * width);
+    const double value = u * u * (3 - 2 * u) + u * (1 - u) * ((1 - u) * slope_a - u * slope_b);
+    labels[p] = width * (static_cast<double>(j) + value);
+  }
+  labels.back() = 2 * std::numbers::pi;
+  return labels;
+}
+
 namespace {
 
 using Complex = std::complex<double>;
@@ -98,6 +181,85 @@ double SurfaceCurve::gap(std::size_t nose, std::size_t throat) const {
     for (std::size_t j = throat; j < throat + n / 2; j += 2) least = std::min(least, std::norm(node(j) - node(i)));
   }
   return std::sqrt(least);
+}
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Distance from the origin to the cubic with ends a, b and end slopes s, t, by Newton's iteration for the foot point.
+double distance_to_cubic(Complex a, Complex b, Complex s, Complex t) {
+  const Complex c2 = 3.0 * (b - a) - 2.0 * s - t;
+  const Complex c3 = 2.0 * (a - b) + s + t;
+  double u = std::clamp(-(std::conj(b - a) * a).real() / std::norm(b - a), 0.0, 1.0);
+  for (int i = 0; i < 5; ++i) {
+    const Complex z = a + u * (s + u * (c2 + u * c3));
+    const Complex z1 = s + u * (2.0 * c2 + 3.0 * u * c3);
+    const Complex z2 = 2.0 * c2 + 6.0 * u * c3;
+    const double slope = (std::conj(z1) * z).real();
+    const double curvature = std::norm(z1) + (std::conj(z2) * z).real();
+    u = std::clamp(u - slope / (curvature > 0 ? curvature : std::norm(z1)), 0.0, 1.0);
+  }
+  return std::abs(a + u * (s + u * (c2 + u * c3)));
+}
+
+}  // namespace
+
+PeriodicCurve::PeriodicCurve(std::span<const Complex> points, double period, std::size_t refinement) : period_(period) {
+  require_at_least("points", static_cast<long>(points.size()), 8);
+  require_at_least("refinement", static_cast<long>(refinement), 1);
+  require_positive("period", period);
+  const std::size_t n = points.size();
+  std::vector<Complex> periodic(n);
+  for (std::size_t j = 0; j < n; ++j)
+    periodic[j] = points[j] - period * static_cast<double>(j) / static_cast<double>(n);
+  const TrigonometricInterpolant curve(periodic);
+  nodes_ = curve.refined(refinement);
+  tangents_ = curve.derivative().refined(refinement);
+  const auto m = static_cast<double>(nodes_.size());
+  for (std::size_t j = 0; j < nodes_.size(); ++j) {
+    nodes_[j] += period * static_cast<double>(j) / m;
+    tangents_[j] = tangents_[j] * (2 * std::numbers::pi / m) + period / m;
+  }
+}
+
+double PeriodicCurve::distance(Complex point) const {
+  const Complex p = point - period_ * std::round((point.real() - nodes_[nodes_.size() / 2].real()) / period_);
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t j = 0; j < nodes_.size(); ++j) {
+    double dx = std::abs(nodes_[j].real() - p.real());
+    dx = std::min(dx, std::abs(period_ - dx));
+    const double dy = nodes_[j].imag() - p.imag();
+    const double d2 = dx * dx + dy * dy;
+    if (d2 < least) {
+      least = d2;
+      nearest = j;
+    }
+  }
+  const auto relative = [&](long j) {
+    const auto m = static_cast<long>(nodes_.size());
+    const long wrapped = (j + m) % m;
+    const long turns = (j - wrapped) / m;
+    const Complex z = nodes_[static_cast<std::size_t>(wrapped)] - p + period_ * static_cast<double>(turns);
+    return std::pair{z, tangents_[static_cast<std::size_t>(wrapped)]};
+  };
+  const auto [centre, slope] = relative(static_cast<long>(nearest));
+  const double shift = period_ * std::round(centre.real() / period_);
+  double result = std::abs(centre - shift);
+  for (const long side : {-1L, 1L}) {
+    const auto [end, end_slope] = relative(static_cast<long>(nearest) + side);
+    const auto sign = static_cast<double>(side);
+    result = std::min(result, distance_to_cubic(centre - shift, end - shift, sign * slope, sign * end_slope));
+  }
+  return result;
+}
+
+double hausdorff_distance(const PeriodicCurve& a, const PeriodicCurve& b, std::size_t stride) {
+  double largest = 0;
+  for (std::size_t j = 0; j < a.nodes().size(); j += stride) largest = std::max(largest, b.distance(a.nodes()[j]));
+  for (std::size_t j = 0; j < b.nodes().size(); j += stride) largest = std::max(largest, a.distance(b.nodes()[j]));
+  return largest;
 }
 
 }  // namespace seiche::exact::overturning

@@ -1,3 +1,19 @@
+/// A periodic free surface marked by N particles, in units of 1/k, sqrt(1/(g k)) and unit density: period 2 pi, g = 1.
+///
+///     z_j = x_j + i y_j,  s_j = 2 pi j/N,  y = 0 the level at rest,  fluid below,  phi_j the velocity potential.
+///
+/// Kept is the displacement x - s, which is periodic.
+///
+/// Row by row, the matrix and the right-hand side of the integral equation in surface_velocity.hpp: additions,
+/// multiplications and one division per pair of markers.
+///
+/// With E = exp(iz) and e = exp(i z - h) of every marker,
+///
+///     (1/2) cot((z_j - z_i)/2)                 =  i/2 + i E_i/(E_j - E_i),
+///     (1/2) cot((conj z_j - 2ih - z_i)/2)      = -i/2 + i/(1 - e_i conj e_j)
+///
+/// so that a row needs sums of 1/(E_j - E_i) and 1/(1 - e_i conj e_j) only.
+///
 /// Velocity of the free surface from its shape and potential, by Cauchy's integral.
 ///
 /// R = z_s f = phi_s + i psi_s on the surface, f = u - i v, fluid below, flat bottom at depth h or none:
@@ -21,14 +37,117 @@
 /// (1982) 477; Dold & Peregrine, An efficient boundary-integral method for steep unsteady water waves (1986).
 #pragma once
 
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <span>
+#include <vector>
+
 #include <Eigen/Core>
 
-#include "seiche/exact/overturning/cauchy_kernel.hpp"
-#include "seiche/exact/overturning/surface.hpp"
+#include "seiche/exact/reference_solution.hpp"
 #include "seiche/linear/fourier.hpp"
 #include "seiche/linear/gmres.hpp"
 
 namespace seiche::exact::overturning {
+
+/// x - s, y and phi of every marker, one after the other, then the work and the thrust of a pressure on the surface
+/// since the start: the form the time integrator wants.
+using State = std::vector<double>;
+
+/// What a pressure on the surface has done to the water, per period.
+template <class Number>
+struct PressureSums {
+  Number& work;    ///< -int int p u.n ds dt
+  Number& thrust;  ///< horizontal, -int int p n_x ds dt
+};
+
+inline constexpr std::size_t pressure_sums = 2;
+
+inline std::size_t marker_count(const State& state) {
+  return (state.size() - pressure_sums) / 3;
+}
+
+inline State still_water(std::size_t markers) {
+  State still(3 * markers + pressure_sums);
+  return still;
+}
+
+template <class Number>
+struct SurfaceView {
+  std::span<Number> displacement;
+  std::span<Number> y;
+  std::span<Number> potential;
+
+  [[nodiscard]] std::size_t size() const { return y.size(); }
+};
+
+inline SurfaceView<const double> view(const State& state) {
+  const std::span all(state);
+  const std::size_t n = marker_count(state);
+  return {all.first(n), all.subspan(n, n), all.subspan(2 * n, n)};
+}
+
+inline SurfaceView<double> view(State& state) {
+  const std::span all(state);
+  const std::size_t n = marker_count(state);
+  return {all.first(n), all.subspan(n, n), all.subspan(2 * n, n)};
+}
+
+inline PressureSums<const double> by_pressure(const State& state) {
+  return {state[state.size() - 2], state[state.size() - 1]};
+}
+
+inline PressureSums<double> by_pressure(State& state) {
+  return {state[state.size() - 2], state[state.size() - 1]};
+}
+
+/// Label of marker j out of n.
+inline double label(std::size_t j, std::size_t n) {
+  return 2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n);
+}
+
+/// What the exact motion keeps, per period, where no pressure acts on the surface.
+struct Invariants {
+  double volume = 0;            ///< int y dx, above the level at rest
+  double kinetic_energy = 0;    ///< -1/2 int phi dpsi
+  double potential_energy = 0;  ///< 1/2 int y^2 dx
+  double impulse = 0;           ///< horizontal, -int phi dy
+
+  [[nodiscard]] double energy() const { return kinetic_energy + potential_energy; }
+};
+
+/// Real and imaginary parts apart: the loops load both with unit stride.
+struct Complexes {
+  std::vector<double> re;
+  std::vector<double> im;
+
+  explicit Complexes(std::size_t n) : re(n), im(n) {}
+  [[nodiscard]] std::complex<double> operator[](std::size_t i) const { return {re[i], im[i]}; }
+  void set(std::size_t i, std::complex<double> value) {
+    re[i] = value.real();
+    im[i] = value.imag();
+  }
+};
+
+/// Sums over the markers j of row i, j = i left out.
+struct RowSums {
+  std::complex<double> direct;  ///< sum phi_s,j/(E_j - E_i)
+  std::complex<double> image;   ///< sum phi_s,j/(1 - e_i conj e_j)
+  double product = 0;           ///< sum A_ij x_j, in double precision
+};
+
+/// Row i of A without its diagonal: A_ij = factor Re[z_s E_i/(E_j - E_i) + z_s/(1 - e_i conj e_j)], z_s that of marker
+/// i.
+///
+/// @param e    of every marker; nullptr for infinite depth, where it is zero
+/// @param row  receives A_ij, in single precision
+RowSums kernel_row(std::size_t i, std::complex<double> z_s, double factor, const Complexes& E, const Complexes* e,
+                   const double* phi_s, const double* x, std::vector<float>::iterator row);
+
+/// y = x - A x with A stored by rows.
+void subtract_product(const std::vector<float>& A, const double* x, double* y, std::size_t n);
 
 class SurfaceVelocity {
  public:

@@ -85,10 +85,6 @@ double WallColumn::pressure(Complex place, double y) const {
   return -rate_.at(at, 0, rate_.size()).real() - 0.5 * v * v - y;
 }
 
-double WallColumn::foot_potential() const {
-  return potential_.at(0, 0, potential_.size()).real();
-}
-
 double WallColumn::force(double x, double level) const {
   const auto at = [&](double y) { return pressure({x, y + depth_}, y); };
   return boost::math::quadrature::gauss<double, 30>::integrate(at, -depth_, level);

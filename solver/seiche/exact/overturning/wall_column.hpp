@@ -16,8 +16,11 @@
 /// When not to use it: motions that are not even about x = pi, or a pressure on the surface.
 #pragma once
 
+#include <cmath>
+
 #include "seiche/exact/cauchy_velocity.hpp"
-#include "seiche/exact/overturning/stepper.hpp"
+#include "seiche/exact/overturning/evolution.hpp"
+#include "seiche/exact/reference_solution.hpp"
 
 namespace seiche::exact::overturning {
 
@@ -31,7 +34,7 @@ class WallColumn {
   /// Hydrostatic part included, at -depth <= y <= level().
   [[nodiscard]] double pressure(double y) const { return pressure({0, y + depth_}, y); }
   /// phi at the foot of the wall.
-  [[nodiscard]] double foot_potential() const;
+  [[nodiscard]] double foot_potential() const { return potential_.at(0, 0, potential_.size()).real(); }
   /// int p dy over the wall.
   [[nodiscard]] double force() const { return force(0, level_); }
   /// The same over the wall at x = 0.
@@ -45,9 +48,7 @@ class WallColumn {
   [[nodiscard]] double force(double x, double level) const;
   void set_impulse(const std::vector<double>& psi, const SurfaceVelocity& equation);
 
-  double depth_;
-  double level_;
-  double opposite_level_;
+  double depth_, level_, opposite_level_;
   double impulse_ = 0;
   CauchyVelocity potential_;  ///< W
   CauchyVelocity rate_;       ///< W_t

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/lagrangian_mesh_dispersion.hpp"
+#include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/linear/cosine_lattice.hpp"
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/linear/worth_threads.hpp"

@@ -1,0 +1,253 @@
+/// What the Stokes wave and the solitary wave of the Euler equations share: nodes that gather under the crest, Newton's
+/// method, the surface between its nodes, and the velocity inside.
+///
+/// Waves are symmetric about the crest s = 0 and solved on s >= 0, in units of their own. The changes of variable
+/// phi(s) are analytic in a strip around the real s axis whose width does not shrink as the cluster becomes narrower,
+/// so that series in s converge at the same rate for every steepness and the number of nodes grows like the logarithm
+/// of the width only.
+///
+/// References: Stenger, Numerical Methods Based on Sinc and Analytic Functions (1993); Berrut & Trefethen, Barycentric
+/// Lagrange interpolation, SIAM Rev. 46 (2004) 501.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "seiche/exact/cauchy_velocity.hpp"
+#include "seiche/exact/reference_solution.hpp"
+#include "seiche/linear/dense.hpp"
+
+namespace seiche::exact {
+
+/// How finely a conformal wave is resolved. The defaults reach round-off; a second value of each tells the error, since
+/// integral identities alone under-report it by up to three orders.
+struct Resolution {
+  double refinement = 1;  ///< factor on the number of nodes, [0.5, 2]
+  double clustering = 1;  ///< factor on the width of the cluster of nodes under the crest, [0.25, 4]
+};
+void require_resolution(Resolution resolution);
+
+/// One of the two is given: the height that the wave is known by, or the speed of the water at the crest, seen from the
+/// wave, relative to the wave's.
+struct WaveCrest {
+  std::optional<double> amplitude;
+  std::optional<double> speed;
+};
+
+/// phi(s) = asinh(width sinh s)/rate: spacing ds/rate far away, geometric near phi = 0 for width << 1, uniform for
+/// width = 1. Analytic in |Im s| < pi/2.
+class LineNodes {
+ public:
+  LineNodes(double width, double rate) : width_(width), rate_(rate) {}
+
+  [[nodiscard]] long double potential(double s) const;  ///< phi(s)
+  [[nodiscard]] double stretch(double s) const;         ///< dphi/ds
+  [[nodiscard]] double label(double potential) const;   ///< s(phi)
+  [[nodiscard]] bool uniform() const { return width_ == 1; }
+
+ private:
+  double width_, rate_;
+};
+
+/// tan(phi/2) = k' sn(u)/cn(u), u = s K/pi, with Jacobi's functions of the complementary modulus k' (width) and its
+/// quarter period K: 2 pi periodic and odd, the identity for k' = 1.
+class PeriodicNodes {
+ public:
+  struct Node {
+    long double potential;  ///< phi(s)
+    double stretch;         ///< dphi/ds
+  };
+
+  explicit PeriodicNodes(double width);
+
+  [[nodiscard]] Node at(double s) const;               ///< 0 <= s <= pi
+  [[nodiscard]] double label(double potential) const;  ///< s(phi), 0 <= phi <= pi
+  [[nodiscard]] double quarter_period() const { return static_cast<double>(quarter_period_); }
+
+ private:
+  struct Jacobi {
+    long double sn, cn, dn;
+  };
+  /// By the descending arithmetic-geometric mean from k' itself: 1 - k'^2 would lose it.
+  [[nodiscard]] Jacobi jacobi(long double u) const;
+
+  long double width_;
+  long double quarter_period_;
+};
+
+/// A wave on its nodes s_j = j spacing, j = 0..N, or nodes for one that is not solved yet.
+template <class Nodes>
+struct ConformalSolution {
+  Nodes nodes;
+  double spacing = 0;
+  double depth = 1;           ///< conformal
+  Eigen::VectorXd potential;  ///< phi_j
+  Eigen::VectorXd stretch;    ///< dphi/ds
+  Eigen::VectorXd values;     ///< what is solved for: tau = log q, or the elevation
+  Eigen::VectorXd inclination;
+  double speed_squared = 1;
+  double correction = 0;  ///< last correction of Newton's method
+
+  [[nodiscard]] Eigen::Index count() const { return stretch.size(); }
+};
+
+/// Newton's method for a square nonlinear system with an exact Jacobian: steps are halved until they are admissible;
+/// once the correction is below 1e-3 the factors are kept and iterated until the correction no longer shrinks: the
+/// rounding of the residual.
+///
+/// @returns the last correction (maximum norm), infinite without convergence
+template <class System>
+double solve_newton(const System& system, Eigen::VectorXd& unknowns) {
+  constexpr int most_steps = 30;
+  constexpr double refine_below = 1e-3;
+  Eigen::MatrixXd jacobian;
+  for (int step = 0; step < most_steps; ++step) {
+    system.jacobian(unknowns, jacobian);
+    const linear::LuFactors factors(jacobian);
+    Eigen::VectorXd correction = factors.solve(system.residual(unknowns));
+    double size = correction.lpNorm<Eigen::Infinity>();
+    if (!std::isfinite(size)) break;
+    double damping = 1;
+    while (damping > 1e-6 && !system.admissible(unknowns - damping * correction)) damping /= 2;
+    unknowns -= damping * correction;
+    if (size > refine_below) continue;
+    for (int refinement = 0; refinement < 20; ++refinement) {
+      correction = factors.solve(system.residual(unknowns));
+      const double previous = size;
+      size = correction.lpNorm<Eigen::Infinity>();
+      if (!(size < 0.5 * previous)) break;
+      unknowns -= correction;
+    }
+    return size;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// The wave on the nodes of `grid`, from a first guess of its values and of the square of its speed.
+template <class Equations, class Solution>
+Solution solve_on(const Solution& grid, WaveCrest crest, const Eigen::VectorXd& values, double speed_squared) {
+  Eigen::VectorXd unknowns(grid.count() + 1);
+  unknowns << values, speed_squared;
+  const Equations equations(grid, crest);
+  Solution wave = grid;
+  wave.correction = solve_newton(equations, unknowns);
+  wave.values = unknowns.head(grid.count());
+  wave.speed_squared = unknowns[grid.count()];
+  wave.inclination = equations.inclination(unknowns);
+  return wave;
+}
+
+struct SurfaceSample {
+  double elevation = 0;     ///< even in s
+  double displacement = 0;  ///< odd in s
+  double stretch = 0;       ///< even in s: the derivative by which x(s) is inverted
+};
+
+/// A wave's surface between its nodes: the even function elevation(s) and the odd function x(s), stored without the
+/// part that does not decay (or is not periodic), which the caller adds. Folding the nodes s_j and -s_j leaves one
+/// reciprocal per pair for all functions.
+///
+/// This one on the nodes s_j = j spacing, j = 0..N, of functions that vanish beyond them.
+class SincInterpolation {
+ public:
+  SincInterpolation() = default;
+  SincInterpolation(double spacing, const Eigen::VectorXd& elevation, const Eigen::VectorXd& displacement,
+                    const Eigen::VectorXd& stretch);
+  /// @param s  in [0, N spacing]
+  [[nodiscard]] SurfaceSample at(double s) const;
+
+ private:
+  double spacing_ = 1;
+  std::vector<double> elevation_, displacement_, stretch_, position_;
+};
+
+/// On the nodes s_j = pi j/N, j = 0..N, of 2 pi periodic functions: Lagrange's formula in the variable sin^2(s/2).
+class TrigonometricInterpolation {
+ public:
+  TrigonometricInterpolation() = default;
+  TrigonometricInterpolation(const Eigen::VectorXd& elevation, const Eigen::VectorXd& displacement,
+                             const Eigen::VectorXd& stretch);
+  /// @param s  in [0, pi]
+  [[nodiscard]] SurfaceSample at(double s) const;
+
+ private:
+  std::vector<double> position_, weight_, elevation_, displacement_, stretch_;
+};
+
+/// The values of a wave at the nodes of another grid, scaled to another value at the crest; 0 beyond its last node.
+template <class Solution, class Interpolation>
+Eigen::VectorXd transfer(const Solution& from, const Interpolation& between, const Solution& to, double crest) {
+  const double last = from.spacing * static_cast<double>(from.count() - 1) * (1 + 1e-12);  // a trough's own label
+  return to.potential.unaryExpr([&](double potential) {
+    const double s = from.nodes.label(potential);
+    return s <= last ? between.at(s).elevation * crest / from.values[0] : 0;
+  });
+}
+
+/// The surface of a solved wave, and the water below it.
+class ConformalSurface {
+ public:
+  virtual ~ConformalSurface() = default;
+
+  [[nodiscard]] double speed() const { return speed_; }
+  [[nodiscard]] double depth() const { return depth_; }  ///< mean, or undisturbed
+  [[nodiscard]] double crest() const { return elevation_[0]; }
+  [[nodiscard]] double elevation(double x) const;
+  [[nodiscard]] Velocity velocity(double x, double y) const;
+
+ protected:
+  struct Point {
+    double label, x, displacement, elevation, stretch;
+  };
+  /// @param before, after  what makes a length dimensionless, for messages: "k x", "x/depth"
+  ConformalSurface(double speed, double spacing, double last_label, std::string before, std::string after)
+      : speed_(speed),
+        spacing_(spacing),
+        last_label_(last_label),
+        before_(std::move(before)),
+        after_(std::move(after)) {}
+  ConformalSurface(const ConformalSurface&) = default;
+  ConformalSurface& operator=(const ConformalSurface&) = default;
+  ConformalSurface(ConformalSurface&&) = default;
+  ConformalSurface& operator=(ConformalSurface&&) = default;
+
+  /// The surface point at x, not negative.
+  [[nodiscard]] Point find(double x) const;
+  /// Adds a node to the contour of Cauchy's integral: there q, theta and dphi/ds, or half of it on the axis.
+  void add_to_contour(std::complex<double> z, double log_speed, double inclination, double stretch);
+  /// Largest inclination, from that at the nodes and between them.
+  [[nodiscard]] double steepest(const Eigen::VectorXd& inclination, const std::function<double(double)>& between) const;
+
+  double speed_;
+  double depth_ = 1;
+  Eigen::VectorXd elevation_;
+  Eigen::VectorXd position_;                                ///< x_j
+  double end_ = std::numeric_limits<double>::infinity();    ///< water rests from there on
+  double reach_ = std::numeric_limits<double>::infinity();  ///< of the kernel of Cauchy's integral
+  std::vector<double> contour_;                             ///< x of its nodes
+
+ private:
+  [[nodiscard]] virtual Point point(double label) const = 0;
+  /// The variable p(z) of the quotient of Cauchy sums, and what dp/dz is proportional to.
+  [[nodiscard]] virtual std::complex<double> pole(std::complex<double> z) const = 0;
+  [[nodiscard]] virtual std::complex<double> pole_slope(std::complex<double> z) const = 0;
+  /// x of the same place of the wave next to the crest.
+  [[nodiscard]] virtual double reduced(double x) const { return x; }
+
+  double spacing_, last_label_;
+  std::string before_, after_;
+  CauchyVelocity velocity_;
+};
+
+/// Integral of a horizontal velocity u(y) over the section bottom <= y <= top under a crest, on panels that shrink
+/// geometrically towards the crest: under a steep one the velocity varies over its distance from the limiting corner.
+double section_flux(const ConformalSurface& wave, double bottom);
+
+}  // namespace seiche::exact

@@ -1,0 +1,148 @@
+/// What the entries of the catalogue are put together from. An entry stands at the end of its solution's file.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "seiche/exact/catalogue.hpp"
+
+namespace seiche::exact {
+
+using Values = std::map<std::string, double>;
+using Row = Evaluator::Row;
+using At = std::span<const double>;
+
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+inline constexpr double none_given = std::numeric_limits<double>::quiet_NaN();
+
+inline const Coordinate position_x{"x", "m", 0, "horizontal position"};
+inline const Coordinate time_t{"t", "s", 0, "time"};
+inline const Coordinate height_y{"y", "m", none_given,
+                                 "height above the undisturbed level; the surface where none is given"};
+inline const Coordinate wavenumber_k{"k", "1/m", none_given, "wavenumber; that of the wavelength where none is given"};
+
+/// Gravity with the default of the solution's literature: 1 where everything is scaled, 9.81 for channels.
+inline Parameter gravity_parameter(double default_value) {
+  return {"gravity", "m/s^2", default_value, 1e-6, 1e6, "acceleration of gravity"};
+}
+inline Parameter depth_parameter(double default_value, double maximum) {
+  return {"depth", "m", default_value, 1e-9, maximum, "depth of the water at rest"};
+}
+inline Parameter wavelength_parameter() {
+  return {"wavelength", "m", 2 * std::numbers::pi, 1e-9, 1e9, "wavelength"};
+}
+
+/// A number that belongs to the solution as a whole.
+template <class S>
+struct Scalar : Quantity {
+  template <class Value>
+  Scalar(std::string name, std::string unit, std::string meaning, Value value)
+      : Quantity{std::move(name), std::move(unit), std::move(meaning)}, of(value) {}
+
+  std::function<double(const S&)> of;
+};
+
+/// An entry of the catalogue for the solution S.
+template <ReferenceSolution S>
+struct Entry {
+  std::string name;
+  std::string title;
+  std::string citation;
+  std::string formula;
+  std::vector<Parameter> parameters;
+  std::vector<Coordinate> inputs;
+  std::vector<Quantity> outputs;
+  std::vector<Scalar<S>> scalars;
+  std::function<S(const Values&)> make;
+  std::function<Row(const S&, At)> row;
+  /// Where the solution is a curve at every point: its rows in place of `row`.
+  std::function<std::vector<Row>(const S&, At)> curve = {};
+
+  operator ExactSolution() const {  // NOLINT(google-explicit-constructor)
+    const auto factory = [make = make, row = row, curve = curve, scalars = scalars](const Values& values) {
+      const auto kept = std::make_shared<const S>(make(values));
+      Evaluator evaluator{.eval = [kept, row](At at) { return row(*kept, at); },
+                          .scalars =
+                              [kept, scalars] {
+                                Row numbers;
+                                for (const Scalar<S>& scalar : scalars) numbers.push_back(scalar.of(*kept));
+                                return numbers;
+                              },
+                          .uncertainty = [kept] { return kept->uncertainty(); },
+                          .self_test = [kept] { return kept->self_test(); }};
+      if (curve) {
+        evaluator.curve = [kept, curve](At at) { return curve(*kept, at); };
+        evaluator.eval = [kept, curve](At at) { return curve(*kept, at).front(); };
+      }
+      return evaluator;
+    };
+    return {name, title, citation, formula, parameters, inputs, outputs, {scalars.begin(), scalars.end()}, factory};
+  }
+};
+
+/// The value of a parameter on its way to a constructor: a number, a whole one, or the one chosen.
+struct Given {
+  std::string name;
+  double value;
+
+  template <class T>
+  requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) operator T() const {  // NOLINT(google-explicit-constructor)
+    if constexpr (std::is_integral_v<T>) {
+      if (value != std::floor(value)) {
+        throw std::invalid_argument(fmt::format("{} = {:g} is out of range: must be a whole number", name, value));
+      }
+    }
+    if constexpr (std::is_enum_v<T>)
+      return static_cast<T>(static_cast<int>(value));
+    else
+      return static_cast<T>(value);
+  }
+};
+
+/// S from parameters of these names, in the order of its constructor.
+template <class S, class... Names>
+auto from(Names... names) {
+  return [=](const Values& values) { return S(Given{names, values.at(names)}...); };
+}
+
+/// Rows of what many solutions yield: depth and velocity of shallow water, the same over its bed, and elevation and
+/// velocity at a height or, where none is given, on the surface.
+inline const std::vector<Quantity> depth_and_velocity{{"h", "m", "depth"}, {"u", "m/s", "velocity"}};
+
+template <class S>
+Row state_row(const S& solution, At at) {
+  const auto state = solution.at(at[0], at[1]);
+  return {state.depth, state.velocity};
+}
+
+template <class S>
+Row steady_row(const S& solution, At at) {
+  const auto state = solution.at(at[0]);
+  return {state.depth, state.velocity, solution.elevation(at[0])};
+}
+
+template <class S>
+Row wave_row(const S& wave, At at) {
+  const double eta = wave.elevation(at[0], at[2]);
+  const auto [u, v] = wave.velocity(at[0], std::isnan(at[1]) ? eta : at[1], at[2]);
+  return {eta, u, v};
+}
+
+/// Elevation and velocity of a wave that keeps its shape and travels to +x.
+template <class S>
+Row travelling_row(const S& wave, double speed, At at) {
+  const double x = at[0] - speed * at[1];
+  return {wave.elevation(x), wave.depth_averaged_velocity(x)};
+}
+
+}  // namespace seiche::exact
