@@ -114,8 +114,8 @@ if(SEICHE_PYTHON_MODULE)
       ]])
   set(SEICHE_PYTHON_DIRECTORY ${python_directory} CACHE STRING "Where the Python module is installed, below the prefix")
   install(TARGETS seiche_python LIBRARY DESTINATION ${SEICHE_PYTHON_DIRECTORY}/seiche COMPONENT python)
-  install(FILES ${PROJECT_SOURCE_DIR}/solver/python/adapt.py DESTINATION ${SEICHE_PYTHON_DIRECTORY}/seiche
-          COMPONENT python)
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/python/seiche DESTINATION ${SEICHE_PYTHON_DIRECTORY} COMPONENT python
+          FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
 endif()
 
 include(SeichePackage)

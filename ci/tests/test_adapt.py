@@ -12,7 +12,7 @@ import numpy as np
 from submitting import SOURCE, Scoring, rows_of
 
 WRITTEN = SOURCE / "ci/tests/solver_output"  # by real solvers, see its README.md
-ADAPT = SOURCE / "solver/python/adapt.py"
+PACKAGE = os.environ["SEICHE_PYTHON_PATH"]  # with the compiled module
 COLUMN = ("--column", "0.05715")
 
 
@@ -26,8 +26,9 @@ def has(module):
 
 class Adapt(Scoring):
     def adapt(self, *words, **environment):
-        return subprocess.run([sys.executable, ADAPT, *map(str, words)], capture_output=True, text=True, timeout=120,
-                              env={**os.environ, **environment})
+        path = os.pathsep.join([environment.pop("PYTHONPATH", PACKAGE), PACKAGE])
+        return subprocess.run([sys.executable, "-m", "seiche.adapt", *map(str, words)], capture_output=True, text=True,
+                              timeout=120, env={**os.environ, "PYTHONPATH": path})
 
     def rows(self, *words):
         made = self.adapt(*words)
@@ -97,6 +98,34 @@ class Adapt(Scoring):
         self.assertFalse(bait.exists())
         self.refuses(made, "a.npz", "pickled")
 
+    def test_hostile_files_end_in_one_line(self):
+        """Collections that name themselves or what is above them, damage, links out of the file, and sizes that only a
+        header claims."""
+        def collection(entry):
+            return f'<VTKFile type="Collection"><Collection><DataSet {entry}/></Collection></VTKFile>'
+
+        bomb = '<!DOCTYPE x [<!ENTITY a "' + "x" * 99 + '">]><VTKFile type="UnstructuredGrid"><x>&a;</VTKFile>'
+        for name, content in {
+                "self.pvd": collection('timestep="0" file="self.pvd"'), "up.pvd": collection('timestep="0" file="../up.vtu"'),
+                "root.pvd": collection('timestep="0" file="/etc/passwd"'), "time.pvd": collection('timestep="x" file="a.vtu"'),
+                "none.pvd": "<VTKFile/>", "bytes.pvd": bytes(range(256)), "bomb.vtu": bomb, "a.vtu": b"\0" * 99,
+                "huge.vtk": "# vtk DataFile Version 3.0\nx\nASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS 99999 99999 9\n",
+                "a.nc": b"CDF\1" + b"\xff" * 99, "b.nc": b"\x89HDF\r\n\x1a\n" + b"\xff" * 99, "a.mat": b"MATLAB 5.0 MAT-file" * 9,
+                "a.hdf5": b"\x89HDF\r\n\x1a\n" + bytes(200), "a.xy": "1 2\nx y\n", "a.raw": "", "a.csv": "t,x,h\n1,2\n",
+                "b.csv": bytes(range(256)), "c.csv": "t,x,h\nnan,0,1\n", "d.csv": "", "a.npz": b"PK\3\4", "b.dat": "x\n" * 9,
+        }.items():
+            path = self.write(content, name)
+            with self.subTest(name):
+                self.refuses(self.adapt("surface", path, "--field", "h", "--step", 1), name)
+
+    def test_a_link_out_of_particles_is_not_followed(self):
+        self.hdf5("secret.h5", x=np.arange(3.0))
+        with h5py.File(self.folder / "a.hdf5", "w") as file:
+            file.create_group("solver_data").attrs["t"] = 0.5
+            file["particles/fluid/arrays/y"] = np.zeros(3)
+            file["particles/fluid/arrays/x"] = h5py.ExternalLink(str(self.folder / "secret.h5"), "/x")
+        self.refuses(self.adapt("front", self.folder / "a.hdf5", "--near", 1), "x is a link")
+
     def test_what_is_missing_is_named(self):
         self.refuses(self.adapt("front", self.folder / "nothing.vtu"), "is not there")
         self.refuses(self.adapt("front", self.write("t,x,h\n0,0,1\n"), "--field", "eta"), "no field eta", "h")
@@ -140,6 +169,14 @@ class Adapt(Scoring):
         xarray.Dataset({"eta": (("time", "x"), eta)}, coords={"x": x, "time": t}).to_netcdf(self.folder / "run.nc")
         _, gauge = self.rows("gauge", self.folder / "run.nc", "--field", "eta", "--at", "x=0.25")
         np.testing.assert_allclose(gauge, [[0.25, 0, 0.5], [0.25, 0.5, 1.0]])
+        # As CF and UGRID say it: coordinates by their attributes, points of a mesh, and no value where it is dry.
+        mesh = xarray.Variable((), 0, {"cf_role": "mesh_topology", "node_coordinates": "node_lon node_h"})
+        dry = np.where(x > 0.7, np.nan, eta)
+        xarray.Dataset({"mesh": mesh, "eta": (("time", "node"), dry), "node_lon": ("node", x), "node_h": ("node", 0 * x)},
+                       coords={"time": t}).to_netcdf(self.folder / "mesh.nc", encoding={"eta": {"_FillValue": -9999.0}})
+        _, gauge = self.rows("gauge", self.folder / "mesh.nc", "--field", "eta", "--at", "x=0.25")
+        np.testing.assert_allclose(gauge, [[0.25, 0, 0.5], [0.25, 0.5, 1.0]])
+        self.refuses(self.adapt("gauge", self.folder / "mesh.nc", "--field", "eta", "--at", "x=0.9"), "not known there")
 
     @unittest.skipUnless(has("scipy"), "python3-scipy is not installed")
     def test_matlab_gauge(self):

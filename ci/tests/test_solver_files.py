@@ -47,7 +47,7 @@ class SolverFiles(Scoring):
         probes = self.write(head + "".join(rows), "h")
         self.assertIn("openfoam, columns x, y, z, t, h", self.passes("--data", probes))
         self.write(head + "".join(rows[:40] + rows_at(2 * depths)[40:50] + rows[40:]), "h")
-        self.assertIn("30 rows are replaced by a restart", self.passes("--data", probes))
+        self.assertIn("10 rows for x = ", self.passes("--data", probes))
         vectors = [f" {t!r}   " + "  ".join(f"({h!r} 0 {-h!r})" for h in row) + "\n"
                    for t, row in zip(times.tolist(), depths.tolist())]
         self.passes("--data", self.write(head + "".join(vectors), "U"), "--map", "U_x=h")
@@ -130,7 +130,7 @@ class SolverFiles(Scoring):
                                         line.startswith("#")) +
                                 "".join(" ".join(line.split()[:2]) + "\n" for line in lines if not line.startswith("#")))
         scored = self.score("wavemaker_start", "--data", alone, "--map", "p_rgh=eta")
-        self.assertIn("10 rows are replaced by a restart", scored.stdout, scored.stderr)
+        self.assertIn("10 rows are replaced by later ones", scored.stdout, scored.stderr)
 
     def test_probes_below_each_other_are_no_restart(self):
         places, times, depths = self.bowl()
@@ -190,7 +190,7 @@ class SolverFiles(Scoring):
 
     def test_gauge_without_a_position(self):
         wide = self.write("t,WG1\n0,1\n1,1\n")
-        self.refused(self.score("thacker", "--data", wide, "--gauges", "WG1=left"), "--gauges WG1", "left")
+        self.refused(self.score("thacker", "--data", wide, "--table", "gauges", "--gauges", "WG1=left"), "--gauges WG1", "left")
 
     def test_swash_table_with_its_header(self):
         t, eta = (values.tolist() for values in self.wave())
@@ -216,7 +216,6 @@ class SolverFiles(Scoring):
         def refused(text, name, *words, columns=()):
             self.refused(self.score("wavemaker_start", "--data", self.write(text, name), *columns), name, *words)
 
-        refused("t;eta\n0,5;1\n1;1\n", "comma.csv", "line 2", "column t", "decimal comma")
         refused("0 1\n1 1\n", "bare.txt", "line 1", "--columns")
         refused("0 1\n1 1\n", "bare.txt", "2 columns", "names 3", columns=("--columns", "t,eta,u"))
         refused("# Probe 0 (1 0 0)\n# Time\n0 1 2\n0.1 1\n", "p", "line 4", "number of values")
@@ -224,9 +223,139 @@ class SolverFiles(Scoring):
         refused("# gauge_id= 1 location=( 1.0 0.0 ) num_var= 4\n1 0 1 0 0\n", "gauge00001.txt", "line 2", "5 entries")
         refused("number of gauges:  1\nx_coord y_coord\n1\t 0\t 0\n\ntime\t P1\n\n0\t 1\t 2\n", "WSF.dat", "line 7",
                 "2 values for 1 gauges")
-        refused("t eta\n0 nan\n1 1\n", "nan.txt", "line 2", "column eta", "nan")
+        refused("t eta\n0 inf\n1 1\n", "inf.txt", "line 2", "column eta", "inf")
         self.refused(self.score("wavemaker_start", "--data", self.write("t eta\n0 1\n"), "--format", "excel"),
                      "--format excel", "geoclaw")
+
+class AsPeopleWrite(Scoring):
+    """A table in the shapes in which people and data loggers write it: the same verdict and the same numbers."""
+
+    def setUp(self):
+        super().setUp()
+        self.t, self.eta = (values.tolist() for values in self.reference("standing_wave", "wall").values())
+
+    def rows(self, separator=",", text=lambda value: f"{value:.12g}", order=slice(None), eta=None):
+        return "".join(f"{text(t)}{separator}{text(y)}\n" for t, y in list(zip(self.t, eta or self.eta))[order])
+
+    def judged(self, *words, status=0):
+        scored = self.score("standing_wave", *words, "--table", "wall")
+        self.accepted(scored, status)
+        return scored.stdout, self.record("standing_wave.mine")["measurements"]
+
+    def alike(self, text, *notes, name="mine.csv", within=1e-9):
+        plain = self.judged("--data", self.write("t,eta\n" + self.rows()))[1]
+        stdout, numbers = self.judged("--data", self.write(text, name))
+        for note in notes:
+            self.assertIn(note, stdout)
+        self.assertEqual(set(numbers), set(plain))
+        for key, value in plain.items():
+            self.assertAlmostEqual(numbers[key], value, delta=within * max(1, abs(value)), msg=key)
+
+    def test_headers_and_numbers(self):
+        fortran = lambda value: f"{value:.12E}".replace("E", "D")
+        comma = lambda value: f"{value:.12g}".replace(".", ",")
+        cm = [100 * y for y in self.eta]
+        for text in ("# t [s]   eta [m]\n" + self.rows(" "), "# t eta\n" + self.rows(" ", fortran),
+                     "t [s];eta [m]\n" + self.rows(";", comma), "t\teta\r\n" + self.rows("\t").replace("\n", "\r\n"),
+                     "\ufefft,eta\n" + self.rows(), ("t,eta\n" + self.rows()).encode("utf-16"),
+                     b"\xe9t\xe9\n" + ("t,eta\n" + self.rows()).encode(), "sep=;\nt;eta;\n" + self.rows(";").replace("\n", ";\n"),
+                     "t,eta\n(s),(m)\n" + self.rows(), "t,eta\n" + self.rows(order=slice(0, 50)) + "t,eta\n"
+                     + self.rows(order=slice(50, None))):
+            with self.subTest(text[:20]):
+                self.alike(text)
+        self.alike("Wave flume run 12\nrecorded by a logger\n,wall x=0m\nt(s),level(cm)\n" + self.rows(eta=cm),
+                   "level is taken for eta", "cm became m")
+
+    def test_units(self):
+        for unit, factor in (("mm", 1e-3), ("ft", 0.3048), ("km", 1e3), ("inch", 0.0254)):
+            self.alike(f"t,eta [{unit}]\n" + self.rows(eta=[y / factor for y in self.eta]), f"{unit} became m")
+        for unit, factor in (("min", 60), ("hours", 3600), ("days", 86400), ("ms", 1e-3)):
+            rows = "".join(f"{t / factor:.15g},{y!r}\n" for t, y in zip(self.t, self.eta))
+            self.alike(f"time [{unit}],eta\n" + rows, f"{unit} became s")
+        start = 1577836800
+        rows = "".join(f"{start + t:.9f},{y!r}\n" for t, y in zip(self.t, self.eta))
+        self.alike("t [seconds since 2020-01-01 00:00:00],eta\n" + rows, f"counted from {start} s", within=1e-6)
+        for text in ("t,eta [kg]\n", "t [m],eta\n", "t,eta [furlong]\n"):
+            self.refused(self.score("standing_wave", "--table", "wall", "--data", self.write(text + self.rows())), "unit")
+
+    def test_order_repeats_and_padding(self):
+        n = len(self.t)
+        self.alike("t,eta\n" + self.rows(order=slice(0, None, 2)) + self.rows(order=slice(1, None, 2)), "sorted by t")
+        self.alike("t,eta\n" + self.rows(order=slice(None, None, -1)), "sorted by t")
+        wrong = [2 * y for y in self.eta]
+        self.alike("t,eta\n" + self.rows(order=slice(0, n // 2)) + self.rows(order=slice(n // 2, n // 2 + 9), eta=wrong)
+                   + self.rows(order=slice(n // 2, None)), "9 rows are replaced by later ones")
+        self.alike("t,eta\n" + self.rows() + "0,0\n" * 20, "20 rows of zeros at the end are left out")
+
+    def test_no_value_is_a_gap(self):
+        for none in ("nan", "-9999", "1e20", "9.96921e+36", "", "NA", "****"):
+            lines = ["t,eta", *self.rows().splitlines()]
+            for k in (8, 9, 20):
+                lines[k] = lines[k].split(",")[0] + "," + none
+            stdout, numbers = self.judged("--data", self.write("\n".join(lines)))
+            self.assertIn(f"3 of {len(self.t)} rows have no value", stdout)
+            self.assertAlmostEqual(numbers["eta_coverage"], 1 - 3 / len(self.t), 12)
+        self.judged("--data", self.write("t,eta\n" + self.rows(order=slice(0, len(self.t) // 2))), status=1)
+
+    def test_dry_is_no_value_where_the_reference_is_dry(self):
+        words = ("--set", "right_depth=0,time=4")
+        columns = self.reference("riemann", "profile", *words)
+
+        def scored(dry):
+            h, u = (["nan" if d else repr(float(v)) for v, d in zip(columns[k], dry)] for k in "hu")
+            return self.score("riemann", *words, "--data", self.write("x,h,u\n" + "".join(
+                f"{x},{a},{b}\n" for x, a, b in zip(columns["x"], h, u))))
+
+        whole = self.score("riemann", *words, "--data", self.table(columns))
+        self.accepted(whole)
+        self.accepted(scored(columns["h"] == 0))
+        for path in self.out.glob("*"):
+            path.unlink()
+        self.refused(scored(columns["h"] < 0.05), "no value where the depth is")
+        cut = {**columns, "h": np.where(columns["h"] < 0.05, 0, columns["h"])}
+        self.accepted(self.score("riemann", *words, "--data", self.table(cut)), 1)
+
+    def test_some_gauges_are_judged_and_the_others_named(self):
+        pulse = lambda t: 0.01 * np.exp(-((t - 30) ** 2))
+        t = np.arange(25, 36, 0.1)
+        folder = self.folder / "stations"
+        folder.mkdir()
+        for gauge in (6, 9, 16, 22):
+            (folder / f"sta_{gauge:04d}").write_text("".join(f" {a:.6E} {b:.6E} 0 0\n" for a, b in zip(t, pulse(t))))
+        wide = "".join(",".join([f"{a}", *[repr(pulse(a))] * 4]) + "\n" for a in t)
+        places = [(9.36, 13.8), (10.36, 13.8), (12.96, 11.22), (15.56, 13.8)]
+        long = "x,y,t,eta\n" + "".join(f"{x},{y},{a},{pulse(a)}\n" for x, y in places for a in t)
+        named = "t,A,B,C,D\n" + wide
+        for words in (["--data", folder], ["--data", self.write(wide, "wide.txt"), "--columns", "t,6,9,16,22"],
+                      ["--data", self.write("t,6,9,16,22\n" + wide)], ["--data", self.write(long, "long.csv")],
+                      ["--data", self.write(named, "named.csv"), "--gauges", "A=6,B=9,C=12.96:11.22,D=22"]):
+            with self.subTest(words):
+                scored = self.score("island_gauges", *words, "--table", "gauges")
+                self.accepted(scored, 1)
+                self.assertIn("4 of 8 given, without gauge = 1, 2, 3, 4", scored.stdout)
+                verdicts = self.verdicts("island_gauges.mine")
+                self.assertNotIn("error", verdicts.values())
+                self.assertIn("gauges-highest-6", verdicts)
+        self.assertNotIn("gauges-misfit-1", verdicts)
+        for path in self.out.glob("*"):
+            path.unlink()
+        self.refused(self.score("island_gauges", "--data", self.write(named), "--gauges", "E=6"), "--gauges E=6", "is called E")
+        self.refused(self.score("island_gauges", "--data", self.write(named), "--gauges", "A=7"), "--gauges A=7", "6, 9, 16")
+
+    def test_a_part_of_an_experiment_is_no_full_pass(self):
+        """The data themselves, but for one gauge, or the end of the record."""
+        data = (SOURCE / "reference_data/matsuyama_tanaka_2001_monai_valley/table.csv").read_text().splitlines()
+        head = [k for k, line in enumerate(data) if line.startswith("gauge")][0]
+        rows = [line.split(",") for line in data[head + 1:]]
+        words = ("--table", "gauges", "--uncertainty", "eta=0.0001,t=0.01")
+        for keep, status in ((lambda row: True, 0), (lambda row: row[0] != "7", 1), (lambda row: float(row[1]) < 17, 1)):
+            text = "\n".join([data[head], *(",".join(row) for row in rows if keep(row))])
+            self.accepted(self.score("monai_valley", "--data", self.write(text), *words), status)
+            verdicts = self.verdicts("monai_valley.mine")
+            self.assertNotIn("error", verdicts.values())
+            missed = {name for name, verdict in verdicts.items() if verdict != "pass"}
+            self.assertTrue(all(name.endswith(("-given", "-coverage")) for name in missed), missed)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,12 +1,9 @@
-/// Python module `seiche`: the exact solutions with numpy arrays in and out.
-///
-///     import numpy, seiche
-///     wave = seiche.solitary(amplitude=0.3)
-///     values = wave(x=numpy.linspace(-10, 10, 401), y=-0.5)      # {"eta": array, "u": array, "v": array}
-///     wave.scalars["speed"], wave.uncertainty
+/// What of the Python package `seiche` is compiled: the exact solutions with numpy arrays in and out, and the reader of
+/// tables.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <limits>
 #include <stdexcept>
@@ -15,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "seiche/exact/catalogue.hpp"
+#include "seiche/io/table.hpp"
 
 namespace py = pybind11;
 using namespace seiche;
@@ -44,17 +42,24 @@ class Solution {
             : std::vector<py::ssize_t>(inputs.front().shape(), inputs.front().shape() + inputs.front().ndim());
     std::vector<Array> outputs;
     for (std::size_t k = 0; k < description_->outputs.size(); ++k) outputs.emplace_back(shape);
-    std::vector<double> point(inputs.size());
-    for (py::ssize_t i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < inputs.size(); ++k) point[k] = inputs[k].data()[i];
-      std::vector<double> values;
-      try {
-        values = evaluator_.eval(point);
-      } catch (const exact::OutsideFluid&) {
-        if (!outside_is_nan) throw;
-        values.assign(outputs.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<const double*> from;
+    std::vector<double*> to;
+    for (const Array& input : inputs) from.push_back(input.data());
+    for (Array& output : outputs) to.push_back(output.mutable_data());
+    {
+      const py::gil_scoped_release others_may_run;
+      std::vector<double> point(inputs.size());
+      for (py::ssize_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < from.size(); ++k) point[k] = from[k][i];
+        std::vector<double> values;
+        try {
+          values = evaluator_.eval(point);
+        } catch (const exact::OutsideFluid&) {
+          if (!outside_is_nan) throw;
+          values.assign(to.size(), std::numeric_limits<double>::quiet_NaN());
+        }
+        for (std::size_t k = 0; k < to.size(); ++k) to[k][i] = values[k];
       }
-      for (std::size_t k = 0; k < outputs.size(); ++k) outputs[k].mutable_data()[i] = values[k];
     }
     return named(outputs);
   }
@@ -182,9 +187,32 @@ std::string docstring(const exact::ExactSolution& s) {
   return text;
 }
 
+/// Docstring, and what every parameter is by default.
+py::dict described(const exact::ExactSolution& s) {
+  py::dict defaults;
+  for (const auto& p : s.parameters) {
+    defaults[p.name.c_str()] = p.choices.empty()
+                                   ? py::object(py::float_(p.default_value))
+                                   : py::object(py::str(p.choices.at(static_cast<std::size_t>(p.default_value))));
+  }
+  py::dict result;
+  result["doc"] = docstring(s);
+  result["defaults"] = defaults;
+  return result;
+}
+
+py::dict read_table(const std::filesystem::path& path) {
+  const io::Table table = io::read_table(path);
+  py::dict columns;
+  for (std::size_t k = 0; k < table.names.size(); ++k) {
+    columns[table.names[k].c_str()] = Array(static_cast<py::ssize_t>(table.columns[k].size()), table.columns[k].data());
+  }
+  return columns;
+}
+
 }  // namespace
 
-PYBIND11_MODULE(seiche, m) {
+PYBIND11_MODULE(_seiche, m) {
   m.doc() = "Exact and semi-analytic solutions of free-surface flows, with numpy arrays in and out.";
 
   py::class_<Solution>(m, "Solution", "An exact solution with its parameters fixed; call it with coordinates.")
@@ -200,6 +228,12 @@ PYBIND11_MODULE(seiche, m) {
       .def_property_readonly("parameters", &Solution::parameters)
       .def_property_readonly("name", [](const Solution& s) { return s.description().name; })
       .def_property_readonly("citation", [](const Solution& s) { return s.description().citation; })
+      .def(py::pickle(
+          [](const Solution& s) { return py::make_tuple(s.description().name, s.parameters()); },
+          [](const py::tuple& state) {
+            const auto parameters = state[1].cast<std::map<std::string, double>>();
+            return Solution(exact::find_solution(state[0].cast<std::string>()), parameters);
+          }))
       .def("__repr__", [](const Solution& s) {
         std::vector<std::string> words;
         for (const auto& [name, value] : s.parameters()) words.push_back(fmt::format("{}={:g}", name, value));
@@ -207,13 +241,12 @@ PYBIND11_MODULE(seiche, m) {
       });
 
   std::vector<std::string> names;
-  for (const exact::ExactSolution& solution : exact::catalogue()) {
-    names.push_back(solution.name);
-    m.def(
-        solution.name.c_str(), [&solution](const py::kwargs& arguments) { return make(solution, arguments); },
-        docstring(solution).c_str());
-  }
+  for (const exact::ExactSolution& solution : exact::catalogue()) names.push_back(solution.name);
   m.attr("solutions") = names;
+  m.attr("__version__") = SEICHE_VERSION;
+  m.def("describe", [](const std::string& name) { return described(exact::find_solution(name)); });
+  m.def("read_table", read_table,
+        "Columns of a text or HDF5 file of numbers, by name; NaN for no value. ValueError in one line.");
   m.def(
       "exact",
       [](const std::string& name, const py::kwargs& arguments) { return make(exact::find_solution(name), arguments); },

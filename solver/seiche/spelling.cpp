@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
 
 namespace seiche {
 namespace {
@@ -25,11 +24,12 @@ std::size_t edits(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string nearest_spelling(std::string_view mistyped, const std::vector<std::string>& known) {
-  if (known.empty()) throw std::invalid_argument("known: must hold a word");
-  return *std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
+std::string did_you_mean(std::string_view mistyped, const std::vector<std::string>& known) {
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
     return edits(a, mistyped) < edits(b, mistyped);
   });
+  const std::size_t most = std::max<std::size_t>(1, (mistyped.size() + 1) / 3);
+  return nearest == known.end() || edits(*nearest, mistyped) > most ? ":" : ": did you mean " + *nearest + "?";
 }
 
 }  // namespace seiche

@@ -6,8 +6,8 @@
 
 namespace seiche {
 
-/// The one of the known words that takes the fewest single-letter edits (Levenshtein distance) to get from a mistyped
-/// one; the first of several. `known` must not be empty.
-std::string nearest_spelling(std::string_view mistyped, const std::vector<std::string>& known);
+/// ": did you mean X?", X the one of the known words that takes the fewest single-letter edits (Levenshtein distance) to
+/// get from a mistyped one, the first of several; ":" alone where that takes more than a third of its letters.
+std::string did_you_mean(std::string_view mistyped, const std::vector<std::string>& known);
 
 }  // namespace seiche

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "seiche/spelling.hpp"
+
 #include "validation/case/reference_table.hpp"
 
 namespace seiche::validation {
@@ -116,7 +118,7 @@ const Parameter& Values::find(std::string_view name) const {
     std::vector<std::string> names;
     for (const Parameter& p : declared_) names.push_back(p.name);
     throw std::invalid_argument(
-        fmt::format("parameter {} is unknown: must be one of {}", name, fmt::join(names, ", ")));
+        fmt::format("parameter {} is unknown{} must be one of {}", name, did_you_mean(name, names), fmt::join(names, ", ")));
   }
   return *found;
 }

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
 
 namespace seiche::validation {
 

@@ -21,6 +21,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "reports/evidence/record.hpp"
@@ -74,6 +75,10 @@ struct WantedTable {
   /// Smallest share of the reference points that must lie within the submitted ones. A result at the centres of N cells
   /// leaves half a cell out at either end: 1/N of the points.
   double least_coverage = 0.9;
+  /// What of a group's points is judged, where that is not all: the coverage is counted there.
+  std::function<std::pair<double, double>(double group)> judged = {};
+  /// Where the numbered groups are, x and y [m]: a file may say that instead of the number.
+  Lazy<std::map<double, std::pair<double, double>>> places = {};
   Lazy<std::vector<std::string>> exact = {};              ///< commands that print the reference; a template shows them
   double arrival_fraction = 0.1;                          ///< see Arrival in validation/instruments/agreement.hpp
   evidence::Role reference_role = evidence::Role::exact;  ///< Role::data where it was measured
@@ -84,9 +89,10 @@ struct SubmittedGroup {
   double value = 0;              ///< of the group column
   std::vector<double> abscissa;  ///< strictly increasing; empty for scalars
   std::map<std::string, std::vector<double>> values;
+  std::vector<std::pair<double, double>> gaps = {};  ///< of the abscissa, between whose ends no value was given
 };
 
-/// Submitted tables by name, in the wanted order of groups; checked and complete.
+/// Submitted tables by name, in the wanted order of groups; those groups that were submitted.
 using Submitted = std::map<std::string, std::vector<SubmittedGroup>>;
 
 /// A standard uncertainty that the submitter states of a quantity, or of an abscissa.

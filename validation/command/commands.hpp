@@ -65,6 +65,7 @@ int exact_command(const ExactOptions& options);
 struct ScoreOptions {
   std::string name;
   std::vector<std::string> data;
+  std::vector<std::string> files;  ///< without --data
   std::string solver = "yours";
   std::vector<std::string> map;
   std::vector<std::string> uncertainty;
@@ -74,7 +75,7 @@ struct ScoreOptions {
   std::string table;
   std::string format = "auto";
   std::string columns;              ///< separated by commas
-  std::vector<std::string> gauges;  ///< "WG1=1.5,..."
+  std::vector<std::string> gauges;  ///< "WG1=6,..."
   double cell = 0;                  ///< [m], 0: not said
   std::vector<double> sizes;        ///< of a ladder: so many files for each, [m]
   std::vector<double> seconds;      ///< none: not said; one, or one for each size
@@ -83,6 +84,7 @@ struct ScoreOptions {
   bool template_only = false;
   std::string baseline;  ///< folder with earlier records
   bool bless = false;    ///< write this score there
+  bool json = false;
 };
 int score(const ScoreOptions& options);
 

@@ -17,7 +17,7 @@ using exact::ExactSolution;
 using Json = nlohmann::ordered_json;
 
 std::string value_of(const exact::Parameter& parameter, double value) {
-  return parameter.choices.empty() ? fmt::format("{:.17g}", value)
+  return parameter.choices.empty() ? fmt::format("{}", value)
                                    : parameter.choices.at(static_cast<std::size_t>(value));
 }
 
@@ -61,10 +61,10 @@ std::string as_csv(const ExactResult& result) {
   if (result.rows.empty()) {
     // Nothing but scalars was asked for: they are the table.
     for (const auto& s : solution.scalars) names.push_back(fmt::format("{} [{}]", s.name, s.unit));
-    return text + fmt::format("{}\n{:.17g}\n", fmt::join(names, ","), fmt::join(result.scalars, ","));
+    return text + fmt::format("{}\n{}\n", fmt::join(names, ","), fmt::join(result.scalars, ","));
   }
   for (std::size_t k = 0; k < result.scalars.size(); ++k) {
-    text += fmt::format("# {} [{}] = {:.17g}\n", solution.scalars[k].name, solution.scalars[k].unit, result.scalars[k]);
+    text += fmt::format("# {} [{}] = {}\n", solution.scalars[k].name, solution.scalars[k].unit, result.scalars[k]);
   }
   const std::vector<PrintedColumn> columns = columns_of(result);
   for (const auto& column : columns) names.push_back(fmt::format("{} [{}]", column.name, column.unit));
@@ -72,7 +72,7 @@ std::string as_csv(const ExactResult& result) {
   std::vector<double> row(columns.size());
   for (std::size_t i = 0; i < result.rows.size(); ++i) {
     for (std::size_t k = 0; k < columns.size(); ++k) row[k] = columns[k].values[i];
-    text += fmt::format("{:.17g}\n", fmt::join(row, ","));
+    text += fmt::format("{}\n", fmt::join(row, ","));
   }
   return text;
 }

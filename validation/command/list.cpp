@@ -57,6 +57,24 @@ Json to_json(const Parameter& p) {
   return json;
 }
 
+/// What a case takes from others, with the files of an experiment.
+Json tables_of(const Case& one) {
+  Json tables = Json::object();
+  if (!one.submission) return tables;
+  for (const validation::WantedTable& table : one.submission.tables(one.values(Tier::quick))) {
+    Json columns = Json::object();
+    for (const validation::Column& column : validation::columns_of(table)) columns[column.name] = column.unit;
+    Json files = Json::array();
+    for (const std::string& reference : *table.exact) {
+      const std::string folder = "reference_data/";
+      if (!reference.starts_with(folder)) continue;
+      files.push_back((validation::data_folder("reference_data") / reference.substr(folder.size())).string());
+    }
+    tables[table.name] = {{"columns", columns}, {"files", files}};
+  }
+  return tables;
+}
+
 void print_json() {
   Json cases = Json::array();
   for (const Case& one : validation::all_cases()) {
@@ -71,6 +89,7 @@ void print_json() {
                      {"tiers", tiers_of(one)},
                      {"atlas", one.atlas},
                      {"scores", static_cast<bool>(one.submission)},
+                     {"tables", tables_of(one)},
                      {"parameters", parameters},
                      {"published", published}});
   }

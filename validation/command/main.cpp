@@ -1,5 +1,6 @@
 /// The command line, option by option. All in one file: the parser's header takes longer to compile than all
 /// commands together.
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -33,6 +34,7 @@ using Action = std::function<int()>;
 void add_list(CLI::App& app, Action& action) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* command = app.add_subcommand("list", "Show the cases and the exact solutions");
+  command->add_option("CASE", options->claims, "the same as --claims");
   command->add_flag("--json", options->json, "as JSON, with every parameter");
   command->add_flag("--scores", options->scores, "the cases that score others, with what they ask for");
   command->add_flag("--published", options->published, "the parameters that the sources used, tile by tile");
@@ -50,7 +52,7 @@ void add_list(CLI::App& app, Action& action) {
 void add_run(CLI::App& app, Action& action) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Run cases and write their records");
-  command->add_option("CASE", options->cases, "names of cases, see 'seiche list'");
+  command->add_option("CASE", options->cases, "names of cases, see 'seiche list', or patterns such as 'dam*'");
   command->add_option("--tier", options->tier, "quick (default), full or paper; without CASE: every case of the tier");
   command->add_option("--as", options->as, "with the parameters that a source used, see 'seiche list --published'");
   command->add_option("--set", options->settings, "parameter of the case, as name=value; may be repeated")
@@ -154,6 +156,7 @@ void add_score(CLI::App& app, Action& action) {
   auto options = std::make_shared<ScoreOptions>();
   CLI::App* command = app.add_subcommand("score", "Judge somebody else's result against a case's reference");
   command->add_option("CASE", options->name, "name of a case that scores others, see 'seiche list'")->required();
+  command->add_option("FILE", options->files, "the same as --data")->check(CLI::ExistingPath);
   command
       ->add_option("--data", options->data,
                    "file with the result: CSV, HDF5, or as solvers write it (--format), or the folder of its times; "
@@ -168,8 +171,8 @@ void add_score(CLI::App& app, Action& action) {
   command->add_option("--columns", options->columns, "names of the columns of a file without names, as t,eta");
   command
       ->add_option("--gauges", options->gauges,
-                   "NAME=x,...: position of the gauge that a column, or a file of this name, holds; the columns become "
-                   "rows with x, and their values are called gauge")
+                   "NAME=6,...: gauge that a column, or a file of this name, holds: its number or position in the "
+                   "template's column of gauges, or its place X:Y [m]")
       ->allow_extra_args(false);
   command->add_option("--solver", options->solver, "what to call the solver in the report")->capture_default_str();
   command
@@ -217,6 +220,7 @@ void add_score(CLI::App& app, Action& action) {
       "error grew beyond the uncertainties of both, and 0 otherwise, whatever the verdicts; claims that pass now and "
       "did not are shown");
   command->add_flag("--bless", options->bless, "make this score the baseline, whatever changed")->needs(baseline);
+  command->add_flag("--json", options->json, "print verdict, notes, diagnosis and record as JSON");
   command->footer(
       "Between its points a result is joined by straight lines and taken at the reference's points; nothing is\n"
       "extrapolated. A further file with columns t and volume, energy or momentum is judged for what is conserved.\n"
@@ -224,7 +228,10 @@ void add_score(CLI::App& app, Action& action) {
       "  seiche score riemann --template > mine.csv          # fill it in\n"
       "  seiche score riemann --data mine.csv --solver mine --out evidence\n"
       "  seiche score riemann --data a.csv --data b.csv --data c.csv --sizes 1,0.5,0.25 --seconds 2,8,35");
-  command->callback([options, &action] { action = [options] { return score(*options); }; });
+  command->callback([options, &action] {
+    options->data.insert(options->data.begin(), options->files.begin(), options->files.end());
+    action = [options] { return score(*options); };
+  });
 }
 
 void add_compare(CLI::App& app, Action& action) {
@@ -275,8 +282,7 @@ void require_command(const CLI::App& app, int argc, char** argv) {
     if (command->get_name() == argv[1]) return;
     known.push_back(command->get_name());
   }
-  throw std::invalid_argument(fmt::format("command {} is unknown: did you mean {}? 'seiche --help' shows all", argv[1],
-                                          nearest_spelling(argv[1], known)));
+  throw std::invalid_argument(fmt::format("command {} is unknown{} 'seiche --help' shows all", argv[1], did_you_mean(argv[1], known)));
 }
 
 int parse_and_call(int argc, char** argv) {
@@ -289,6 +295,14 @@ int parse_and_call(int argc, char** argv) {
       "Exit status: 0 every claim has its declared verdict, 1 a check failed, 2 wrong usage or input,\n"
       "3 the run could not finish (diverged, disk full, killed).");
 
+  // Words that others use for options: seiche help, seiche version.
+  for (const char* word : {"help", "version"}) {
+    if (argc == 2 && argv[1] == std::string_view(word)) {
+      const std::string option = std::string("--") + word;
+      const std::array<const char*, 2> words{argv[0], option.c_str()};
+      return parse_and_call(2, const_cast<char**>(words.data()));
+    }
+  }
   Action action;
   add_list(app, action);
   add_run(app, action);

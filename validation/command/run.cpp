@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <stdexcept>
 
+#include <fnmatch.h>
 #include <fmt/format.h>
 
 #include "validation/case/registry.hpp"
@@ -16,9 +18,21 @@ using validation::Tier;
 
 std::vector<const Case*> named(const RunOptions& options) {
   std::vector<const Case*> cases;
+  const auto add = [&](const Case& one) {
+    if (std::find(cases.begin(), cases.end(), &one) == cases.end()) cases.push_back(&one);
+  };
   for (const std::string& name_of : options.cases) {
-    const Case* one = &validation::find_case(name_of);
-    if (std::find(cases.begin(), cases.end(), one) == cases.end()) cases.push_back(one);
+    if (name_of.find_first_of("*?") == std::string::npos) {
+      add(validation::find_case(name_of));
+      continue;
+    }
+    const std::size_t before = cases.size();
+    for (const Case& one : validation::all_cases()) {
+      if (fnmatch(name_of.c_str(), one.name.c_str(), 0) == 0) add(one);
+    }
+    if (cases.size() == before) {
+      throw std::invalid_argument(fmt::format("run: no further case is called {}: 'seiche list' shows all", name_of));
+    }
   }
   return cases;
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "reports/evidence/record_files.hpp"
 #include "reports/evidence/record_lock.hpp"
@@ -205,6 +206,7 @@ struct Read {
   std::vector<validation::ResultFile> files;
   validation::Submitted submitted;
   validation::History history;
+  std::vector<std::string> notes;
 };
 
 Read read(const ScoreOptions& options, const std::vector<std::string>& data, const std::vector<WantedTable>& wanted,
@@ -214,20 +216,25 @@ Read read(const ScoreOptions& options, const std::vector<std::string>& data, con
   how.wanted.insert(how.wanted.end(), history.begin(), history.end());
   std::istringstream given(options.columns);
   for (std::string name; std::getline(given, name, ',');) how.columns.push_back(name);
-  for (const auto& [gauge, position] : split_settings("--gauges", options.gauges)) {
-    how.gauges[gauge] = finite_number("--gauges " + gauge, position);
+  validation::Understanding understood{.renamed = renamed};
+  for (const auto& [name, gauge] : split_settings("--gauges", options.gauges)) {
+    understood.gauges[name] = gauge;
+    how.wanted.push_back(name);
   }
   Read result;
+  std::vector<io::Table> tables;
   for (const std::string& file : data) {
-    const std::vector<validation::ResultFile> files = validation::read_results(file, how);
-    result.files.insert(result.files.end(), files.begin(), files.end());
+    for (const validation::ResultFile& one : validation::read_results(file, how)) {
+      result.files.push_back(one);
+      tables.push_back(one.table);
+    }
   }
-  std::vector<io::Table> tables = validation::joined(result.files);
   result.history = validation::take_history(tables, wanted, renamed);
   if (tables.empty()) {
     throw std::invalid_argument(fmt::format("{}: holds a history and no table of the case", fmt::join(data, ", ")));
   }
-  result.submitted = validation::submitted_from(tables, wanted, renamed);
+  result.submitted = validation::submitted_from(tables, wanted, understood);
+  result.notes = understood.notes;
   return result;
 }
 
@@ -299,10 +306,10 @@ std::optional<evidence::Summary> read_baseline(const ScoreOptions& options, cons
       fmt::format("--baseline {}: {}: --bless makes this score the baseline", options.baseline, why));
 }
 
-/// Says what changed since the baseline; with --bless, makes the record the baseline. Returns whether anything is
+/// Tells what changed since the baseline; with --bless, makes the record the baseline. Returns whether anything is
 /// worse.
 bool compare_with_baseline(const ScoreOptions& options, const std::string& stem,
-                           const std::optional<evidence::Summary>& before) {
+                           const std::optional<evidence::Summary>& before, std::vector<std::string>& told) {
   namespace fs = std::filesystem;
   const fs::path written = fs::path(options.out) / (stem + ".json");
   const fs::path kept = fs::path(options.baseline) / (stem + ".json");
@@ -313,10 +320,10 @@ bool compare_with_baseline(const ScoreOptions& options, const std::string& stem,
       const char* kind = one.kind == Kind::worse             ? "WORSE"
                          : one.kind == Kind::unexpected_pass ? "unexpected pass"
                                                              : "changed";
-      fmt::print("  {:<15} {}: {}\n", kind, one.claim, one.words);
+      told.push_back(fmt::format("  {:<15} {}: {}", kind, one.claim, one.words));
       worse = worse || one.kind == Kind::worse;
     }
-    fmt::print("baseline {}: {}\n", kept.string(), worse ? "something got worse" : "nothing got worse");
+    told.push_back(fmt::format("baseline {}: {}", kept.string(), worse ? "something got worse" : "nothing got worse"));
   }
   if (!options.bless) return worse;
   fs::create_directories(options.baseline);
@@ -325,7 +332,7 @@ bool compare_with_baseline(const ScoreOptions& options, const std::string& stem,
     const fs::path to = fs::path(options.baseline) / (stem + extension);
     if (fs::is_regular_file(from)) io::write_file(to, io::read_file(from));
   }
-  fmt::print("baseline {}: is this score now\n", kept.string());
+  told.push_back(fmt::format("baseline {}: is this score now", kept.string()));
   return false;
 }
 
@@ -340,17 +347,37 @@ void note_files(const std::vector<validation::ResultFile>& files, evidence::Reco
 }
 
 /// What was understood of files that are not our own kind.
-void print_reading(const std::vector<validation::ResultFile>& files) {
-  for (const validation::ResultFile& file : files) {
+void print_reading(const Read& read) {
+  for (const validation::ResultFile& file : read.files) {
     if (file.format == "hdf5" && !io::has_checksums(file.path)) {
       fmt::print("  {:<12} {}: carries no checksums (Fletcher32): damage to its numbers would not be seen\n", "read",
                  printable(file.path.string()));
     }
     if (file.format == "csv" || file.format == "hdf5") continue;
-    fmt::print("  {:<12} {}: {}, columns {}{}\n", "read", file.table.source, file.format,
-               fmt::join(file.table.names, ", "),
-               file.replaced > 0 ? fmt::format("; {} rows are replaced by a restart", file.replaced) : "");
+    fmt::print("  {:<12} {}: {}, columns {}\n", "read", printable(file.table.source), file.format,
+               printable(fmt::format("{}", fmt::join(file.table.names, ", "))));
   }
+  for (const std::string& note : read.notes) fmt::print("  {:<12} {}\n", "read", printable(note));
+}
+
+/// As reports/schema/score.schema.json says.
+nlohmann::ordered_json as_json(const std::vector<Read>& all, const evidence::Record& record,
+                               const std::vector<validation::Finding>& findings, const validation::FirstLook& look,
+                               const std::string& written) {
+  using Json = nlohmann::ordered_json;
+  Json notes = Json::array();
+  for (const Read& read : all) {
+    for (const std::string& note : read.notes) notes.push_back(printable(note));
+  }
+  Json diagnosis = Json::array();
+  for (const validation::Finding& one : findings) diagnosis.push_back({{"where", one.where}, {"finding", one.words}});
+  Json summary = Json::object();
+  for (const auto& [question, answer] : look) summary[question] = answer;
+  return {{"verdict", record.as_declared() ? "pass" : "fail"},
+          {"summary", summary},
+          {"diagnosis", diagnosis},
+          {"notes", notes},
+          {"record", Json::parse(io::read_file(written))}};
 }
 
 }  // namespace
@@ -415,11 +442,21 @@ int score(const ScoreOptions& options) {
     const evidence::RecordLock alone(options.out, record.stem());
     evidence::write(record, options.out);
   }
-  for (const Read& read : all) print_reading(read.files);
-  print(record, findings, look);
   evidence::write_junit(options.out);
-  fmt::print("record: {}\n", (std::filesystem::path(options.out) / (record.stem() + ".json")).string());
-  if (!options.baseline.empty()) return compare_with_baseline(options, record.stem(), baseline) ? 1 : 0;
+  const std::string written = (std::filesystem::path(options.out) / (record.stem() + ".json")).string();
+  std::vector<std::string> since;
+  const bool worse = !options.baseline.empty() && compare_with_baseline(options, record.stem(), baseline, since);
+  if (options.json) {
+    auto json = as_json(all, record, findings, look, written);
+    if (!since.empty()) json["baseline"] = since;
+    fmt::print("{}\n", json.dump(1));
+  } else {
+    for (const Read& read : all) print_reading(read);
+    print(record, findings, look);
+    fmt::print("record: {}\n", written);
+    for (const std::string& line : since) fmt::print("{}\n", line);
+  }
+  if (!options.baseline.empty()) return worse ? 1 : 0;
   return record.as_declared() ? 0 : 1;
 }
 

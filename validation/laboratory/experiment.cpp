@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
+#include "seiche/io/text_table.hpp"
 #include "seiche/samples.hpp"
+#include "validation/case/data_folder.hpp"
 #include "validation/case/reference_source.hpp"
 
 namespace seiche::validation::laboratory {
@@ -147,6 +151,25 @@ std::vector<WantedTable> wanted(const Experiment& experiment, const Values& valu
                                           }}},
                       .reference_role = Role::data};
     if (!scalar) table.points = [find](double group) { return find(group).x; };
+    table.judged = [part](double group) {
+      constexpr double all = std::numeric_limits<double>::infinity();
+      std::pair<double, double> window{all, -all};
+      for (const Reading& reading : part.readings) {
+        if (part.group && reading.group != group) continue;
+        window = {std::min(window.first, reading.window.from), std::max(window.second, reading.window.to)};
+      }
+      return window.first > window.second ? std::pair(-all, all) : window;
+    };
+    table.places = [folder = data_folder("reference_data") / part.table] {
+      std::map<double, std::pair<double, double>> places;
+      if (!std::filesystem::is_regular_file(folder / "gauges.csv")) return places;
+      const io::Table gauges = io::read_csv(folder / "gauges.csv");
+      for (std::size_t k = 0; k < gauges.rows(); ++k) {
+        const double y = gauges.has("y") ? gauges.column("y")[k] : std::numeric_limits<double>::quiet_NaN();
+        places[gauges.column("gauge")[k]] = {gauges.column("x")[k], y};
+      }
+      return places;
+    };
     if (part.group) {
       table.groups = [curves] { return each(*curves, [](const Measured& curve) { return curve.group; }); };
     }

@@ -18,7 +18,7 @@ and falls behind; asymmetry grows until the shore.
 #include <map>
 #include <memory>
 
-#include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
 #include "validation/case/data_folder.hpp"
 #include "validation/instruments/each.hpp"

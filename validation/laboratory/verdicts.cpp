@@ -45,9 +45,9 @@ const SubmittedGroup* group_of(const Submitted& computed, const Series& part, do
 
 }  // namespace
 
-Question::Question(const Experiment& experiment, const Series& part, const Reading& reading,
+Question::Question(std::string source, const Series& part, const Reading& reading,
                    std::shared_ptr<const Measured> measured)
-    : part_(part), reading_(reading), source_(experiment.source), measured_(std::move(measured)) {
+    : part_(part), reading_(reading), source_(std::move(source)), measured_(std::move(measured)) {
   expected_ = reading.expected(*measured_);
   u_data_ = reading.uncertainty(*measured_);
   if (reading.along || (reading.kind == Kind::statistic && part.telling > 0)) {
@@ -110,6 +110,21 @@ std::optional<double> Question::stated(const std::map<std::string, StatedUncerta
   return reading_.uncertainty(as_stated);
 }
 
+std::optional<Question> Question::within(const SubmittedGroup& record) const {
+  if (record.abscissa.empty()) return *this;
+  Reading part = reading_;
+  part.window.from = std::max(part.window.from, record.abscissa.front());
+  part.window.to = std::min(part.window.to, record.abscissa.back());
+  const std::vector<double>& x = measured_->x;
+  const auto inside = [&](double at) { return at >= part.window.from && at <= part.window.to; };
+  if (std::ranges::none_of(x, inside) || std::isnan(part.of(measured_->curve(), *measured_))) return {};
+  if (std::ranges::count_if(x, inside) ==
+      std::ranges::count_if(x, [&](double at) { return at >= reading_.window.from && at <= reading_.window.to; })) {
+    return *this;
+  }
+  return Question(source_, part_, part, measured_);
+}
+
 bool Question::passes(double answer) const {
   return std::abs(answer - expected_) <= 2 * std::hypot(u_data_, u_input_);
 }
@@ -121,7 +136,7 @@ std::vector<Question> questions(const Experiment& experiment, const Values& valu
       const auto kept = std::make_shared<const Measured>(curve);
       for (const Reading& reading : part.readings) {
         if (reading.calibration == calibration && (!part.group || reading.group == curve.group)) {
-          all.emplace_back(experiment, part, reading, kept);
+          all.emplace_back(experiment.source, part, reading, kept);
         }
       }
     }
@@ -187,11 +202,18 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
   for (const auto& [part, shift] : shifts) record.measure(part + "_time_shift", shift);
   std::vector<Question> present;
   std::vector<std::optional<double>> numerical;
-  for (const Question& one : questions(experiment, values)) {
+  for (Question one : questions(experiment, values)) {
     if (!computed.contains(one.part().name)) {
       record.leave_out({one.claim(), "the table was not submitted"});
       continue;
     }
+    const SubmittedGroup* group = group_of(computed, one.part(), one.reading().group);
+    const std::optional<Question> asked = group == nullptr ? std::nullopt : one.within(*group);
+    if (!asked) {
+      record.leave_out({one.claim(), group == nullptr ? "no record was submitted" : "the record does not hold it"});
+      continue;
+    }
+    one = *asked;
     const std::optional<double> u = one.stated(facts.uncertainty);
     record.check(one.claim(),
                  {.value = one.answer(computed),

@@ -13,8 +13,7 @@ namespace seiche::validation::laboratory {
 /// One reading with everything that judging it needs.
 class Question {
  public:
-  Question(const Experiment& experiment, const Series& part, const Reading& reading,
-           std::shared_ptr<const Measured> measured);
+  Question(std::string source, const Series& part, const Reading& reading, std::shared_ptr<const Measured> measured);
 
   [[nodiscard]] const Series& part() const { return part_; }
   [[nodiscard]] const Reading& reading() const { return reading_; }
@@ -34,6 +33,8 @@ class Question {
   /// A record that answers with no uncertainty of its own would pass.
   [[nodiscard]] bool passes(double answer) const;
   [[nodiscard]] const Measured& measured() const { return *measured_; }
+  /// The same of that part of the window for which a record is there; none where no measured point is in it.
+  [[nodiscard]] std::optional<Question> within(const SubmittedGroup& record) const;
 
  private:
   Series part_;

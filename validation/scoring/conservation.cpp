@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <numeric>
 #include <stdexcept>
 #include <variant>
 
@@ -130,18 +131,22 @@ History take_history(std::vector<io::Table>& files, const std::vector<WantedTabl
     }
     holder = file->source;
     const std::vector<double>& t = file->column(name_in_file("t", renamed));
-    if (t.size() < 2) throw std::invalid_argument(fmt::format("{}: {} rows, must be at least two", holder, t.size()));
-    for (std::size_t k = 1; k < t.size(); ++k) {
-      if (t[k] > t[k - 1]) continue;
-      throw std::invalid_argument(
-          fmt::format("{}: {}: column t: {:g} follows {:g}, must increase", holder, file->place(k), t[k], t[k - 1]));
-    }
-    history["t"] = t;
+    std::vector<std::size_t> rows(t.size());
+    std::iota(rows.begin(), rows.end(), 0);
+    rows = in_order(t, rows).rows;
+    if (rows.size() < 2)
+      throw std::invalid_argument(fmt::format("{}: {} rows, must be at least two", holder, t.size()));
+    names.emplace_back("t");
     for (const std::string& name : names) {
-      history[name] = file->column(name_in_file(name, renamed));
-      if (history[name].size() != t.size()) {
+      const std::vector<double>& values = file->column(name_in_file(name, renamed));
+      if (values.size() != t.size()) {
         throw std::invalid_argument(fmt::format("{}: column {}: {} values, must be as many as in column t: {}", holder,
-                                                name, history[name].size(), t.size()));
+                                                name, values.size(), t.size()));
+      }
+      for (const std::size_t row : rows) {
+        if (std::isnan(values[row]))
+          throw std::invalid_argument(fmt::format("{}: {}: column {}: no value", holder, file->place(row), name));
+        history[name].push_back(values[row]);
       }
     }
     const bool also_wanted = std::any_of(wanted.begin(), wanted.end(), [&](const WantedTable& table) {

@@ -33,7 +33,7 @@ const std::vector<std::string>& conserved_names();
 std::vector<std::string> history_names(const std::vector<WantedTable>& wanted, const ColumnNames& renamed);
 
 /// Takes the history out of files that the case's own tables leave alone; empty where there is none.
-/// @throws std::invalid_argument naming file and column: two histories, times that do not increase, fewer than two rows
+/// @throws std::invalid_argument naming file and column: two histories, fewer than two rows
 History take_history(std::vector<io::Table>& files, const std::vector<WantedTable>& wanted, const ColumnNames& renamed);
 
 /// Claims `conserved-volume` and so on of what the history holds, a figure, and measurements.

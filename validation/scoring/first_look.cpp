@@ -52,6 +52,9 @@ std::string verdict_line(const evidence::Record& record) {
         std::pair{Verdict::error, "in error"}}) {
     if (count(verdict) > 0) parts.push_back(fmt::format("{} {}", count(verdict), words));
   }
+  for (const JudgedClaim& claim : claims) {
+    if (claim.claim.id.ends_with("-given")) parts.push_back(claim.judgement.resolution);
+  }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "seiche/io/text_table.hpp"
+
 namespace seiche::validation {
 namespace {
 
@@ -15,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view opening = "fort.q";
 
 struct Patch {
-  int level = 0;
+  double level = 0;
   std::vector<std::size_t> cells;  ///< along x, and y
   std::vector<double> low, size;   ///< corner and edges of a cell
   std::size_t first = 0;           ///< line of its first cell
@@ -36,22 +38,24 @@ struct Patch {
 /// Of fort.t: the time stands in its first line, before the word `time`.
 double time_of(const fs::path& grid) {
   const std::string number = grid.filename().string().substr(opening.size());
-  const Text text = text_of(grid.parent_path() / ("fort.t" + number));
+  const io::Text text = io::text_of(grid.parent_path() / ("fort.t" + number));
   if (text.lines.empty()) throw std::invalid_argument(fmt::format("{}: is empty, must say the time", text.file));
-  const std::vector<std::string> words = words_of(text.lines.front(), " \t");
-  return number_at(text, 0, words.empty() ? "" : words.front(), "time");
+  const std::vector<std::string> words = io::words_of(text.lines.front());
+  const std::optional<double> time = io::number_in(words.empty() ? "" : words.front());
+  if (!time) text.fail(0, "must begin with the time");
+  return *time;
 }
 
 /// Reads "number   what" lines up to the blank one; `line` is then the first of the cells.
-Patch header_at(const Text& text, std::size_t& line) {
+Patch header_at(const io::Text& text, std::size_t& line) {
   Patch patch;
   for (; line < text.lines.size(); ++line) {
-    const std::vector<std::string> words = words_of(text.lines[line], " \t");
+    const std::vector<std::string> words = io::words_of(text.lines[line]);
     if (words.empty()) break;
     if (words.size() != 2) text.fail(line, "must be a number and what it is: the header of a patch");
-    const double value = number_at(text, line, words[0], words[1]);
+    const double value = io::values_of(text, line, {words[0]}).front();
     const std::string& what = words[1];
-    if (what == "AMR_level" || what == "level") patch.level = static_cast<int>(value);
+    if (what == "AMR_level" || what == "level") patch.level = value;
     if (what == "mx" || what == "my") {
       if (!(value >= 1 && value <= 1e7)) text.fail(line, fmt::format("{} = {:g}, must be in [1, 1e7]", what, value));
       patch.cells.push_back(static_cast<std::size_t>(value));
@@ -59,7 +63,7 @@ Patch header_at(const Text& text, std::size_t& line) {
     if (what == "xlow" || what == "ylow") patch.low.push_back(value);
     if (what == "dx" || what == "dy") patch.size.push_back(value);
   }
-  while (line < text.lines.size() && words_of(text.lines[line], " \t").empty()) ++line;
+  while (line < text.lines.size() && io::words_of(text.lines[line]).empty()) ++line;
   const std::size_t dimensions = patch.cells.size();
   if (dimensions == 0 || dimensions > 2 || patch.low.size() != dimensions || patch.size.size() != dimensions) {
     text.fail(std::min(line, text.lines.size() - 1),
@@ -69,18 +73,18 @@ Patch header_at(const Text& text, std::size_t& line) {
   return patch;
 }
 
-std::size_t skip_cells(const Text& text, const Patch& patch) {
+std::size_t skip_cells(const io::Text& text, const Patch& patch) {
   std::size_t left = std::accumulate(patch.cells.begin(), patch.cells.end(), std::size_t{1}, std::multiplies<>());
   std::size_t line = patch.first;
   for (; left > 0 && line < text.lines.size(); ++line) {
-    if (!words_of(text.lines[line], " \t").empty()) --left;
+    if (!io::words_of(text.lines[line]).empty()) --left;
   }
   if (left > 0) text.fail(text.lines.size() - 1, fmt::format("ends {} cells before the patch does", left));
-  while (line < text.lines.size() && words_of(text.lines[line], " \t").empty()) ++line;
+  while (line < text.lines.size() && io::words_of(text.lines[line]).empty()) ++line;
   return line;
 }
 
-std::vector<std::string> names_for(const Text& text, const Patch& patch, std::size_t values) {
+std::vector<std::string> names_for(const io::Text& text, const Patch& patch, std::size_t values) {
   std::vector<std::string> names{"x"};
   if (patch.plan()) names.emplace_back("y");
   names.emplace_back("t");
@@ -100,20 +104,23 @@ std::vector<std::string> names_for(const Text& text, const Patch& patch, std::si
 bool is_geoclaw_grid(const fs::path& file) {
   const std::string name = file.filename().string();
   return name.starts_with(opening) && name.size() > opening.size() &&
-         number_in(std::string_view(name).substr(opening.size())).has_value();
+         io::number_in(std::string_view(name).substr(opening.size())).has_value();
 }
 
 io::Table read_geoclaw_grid(const fs::path& file) {
   const double time = time_of(file);
-  const Text text = text_of(file);
+  const io::Text text = io::text_of(file);
   std::vector<Patch> patches;
   for (std::size_t line = 0; line < text.lines.size();) {
     patches.push_back(header_at(text, line));
+    if (patches.back().plan() != patches.front().plan()) {
+      text.fail(patches.back().first - 1, "a patch of one dimension beside one of two, must all be alike");
+    }
     line = skip_cells(text, patches.back());
   }
   if (patches.empty()) throw std::invalid_argument(fmt::format("{}: no patches", text.file));
-  const std::size_t values = words_of(text.lines[patches.front().first], " \t").size();
-  Rows rows(text, names_for(text, patches.front(), values));
+  const std::size_t values = io::words_of(text.lines[patches.front().first]).size();
+  io::Rows rows(text, names_for(text, patches.front(), values));
   struct Cell {
     std::vector<double> row;
     std::size_t line;
@@ -123,7 +130,7 @@ io::Table read_geoclaw_grid(const fs::path& file) {
     std::size_t line = patch.first;
     for (std::size_t j = 0; j < (patch.plan() ? patch.cells[1] : 1); ++j) {
       for (std::size_t i = 0; i < patch.cells[0]; ++i, ++line) {
-        while (words_of(text.lines[line], " \t").empty()) ++line;
+        while (io::words_of(text.lines[line]).empty()) ++line;
         std::vector<double> row{patch.at(0, i)};
         if (patch.plan()) row.push_back(patch.at(1, j));
         const bool finer = std::any_of(patches.begin(), patches.end(), [&](const Patch& other) {
@@ -131,7 +138,7 @@ io::Table read_geoclaw_grid(const fs::path& file) {
         });
         if (finer) continue;
         row.push_back(time);
-        const std::vector<double> numbers = numbers_of(text, line, words_of(text.lines[line], " \t"), 0);
+        const std::vector<double> numbers = io::values_of(text, line, io::words_of(text.lines[line]));
         if (numbers.size() != values) text.fail(line, fmt::format("{} entries, must be {}", numbers.size(), values));
         row.insert(row.end(), numbers.begin(), numbers.end());
         cells.push_back({row, line});

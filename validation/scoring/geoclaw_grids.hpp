@@ -4,7 +4,7 @@
 /// that every place has one value. Columns: x [m], in two dimensions y [m], t [s], then h, hu, (hv,) eta.
 #pragma once
 
-#include "validation/scoring/result_text.hpp"
+#include "validation/scoring/folder_tables.hpp"
 
 namespace seiche::validation {
 

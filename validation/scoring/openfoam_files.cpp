@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "validation/scoring/gauge_files.hpp"
+
 namespace seiche::validation {
 namespace {
 
@@ -15,14 +17,14 @@ namespace fs = std::filesystem;
 /// Fields in the name of a set's file: what follows the set. Only one usual name has an underscore.
 std::vector<std::string> fields_of(const fs::path& file) {
   std::vector<std::string> fields;
-  for (const std::string& word : words_of(file.stem().string(), "_")) {
+  for (const std::string& word : io::words_of(file.stem().string(), "_")) {
     if (word == "rgh" && !fields.empty() && fields.back() == "p") {
       fields.back() = "p_rgh";
     } else {
       fields.push_back(word);
     }
   }
-  fields.erase(fields.begin());
+  if (!fields.empty()) fields.erase(fields.begin());
   return fields;
 }
 
@@ -73,7 +75,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 std::map<double, fs::path> times_in(const fs::path& folder) {
   std::map<double, fs::path> times;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::optional<double> time = number_in(entry.path().filename().string());
+    const std::optional<double> time = io::number_in(entry.path().filename().string());
     if (entry.is_directory() && time) times[*time] = entry.path();
   }
   return times;
@@ -94,21 +96,21 @@ io::Table sets_in(const std::vector<fs::path>& files, const fs::path& folder) {
 
 }  // namespace
 
-io::Table read_openfoam(const Text& text) {
+io::Table read_openfoam(const io::Text& text) {
   if (text.lines.empty()) throw std::invalid_argument(fmt::format("{}: no rows of numbers", text.file));
   std::vector<std::vector<double>> places;
   const std::string stem = std::filesystem::path(text.file).filename().string();
   const bool heights = text.lines.front().starts_with("# Location");
   std::vector<std::string> names;
-  std::optional<Rows> rows;
+  std::optional<io::Rows> rows;
   for (std::size_t line = 0; line < text.lines.size(); ++line) {
     const std::string& whole = text.lines[line];
-    if (is_comment(whole)) {
+    if (io::is_comment(whole)) {
       const bool place = whole.starts_with("# Probe") || whole.starts_with("# Location");
       if (place && whole.find('(') != std::string::npos) places.push_back(bracketed(text, line));
       continue;
     }
-    const std::vector<double> numbers = numbers_of(text, line, words_of(whole, " \t()"), 0);
+    const std::vector<double> numbers = io::values_of(text, line, io::words_of(whole, " \t()"));
     if (numbers.empty()) text.fail(line, "no numbers");
     const std::size_t values = numbers.size() - 1;
     if (places.empty() || values == 0 || values % places.size() != 0) {
@@ -125,7 +127,7 @@ io::Table read_openfoam(const Text& text) {
         for (std::size_t k = 0; k < each; ++k)
           names.push_back(fmt::format("{}_{}", stem, each == 3 ? std::string(1, "xyz"[k]) : std::to_string(k)));
       }
-      rows.emplace(text, names, std::vector<std::string>(names.size()));
+      rows.emplace(text, names);
     }
     if (each + 4 != names.size()) text.fail(line, "holds another number of values than the lines before");
     for (std::size_t p = 0; p < places.size(); ++p) {
@@ -145,37 +147,29 @@ bool is_openfoam_set(const fs::path& file) {
 }
 
 io::Table read_openfoam_set(const fs::path& file) {
-  const Text text = text_of(file);
-  std::vector<std::string> header;
-  std::size_t first = 0;
-  for (; first < text.lines.size() && is_comment(text.lines[first]); ++first)
-    header = words_of(text.lines[first], "# \t");
-  if (first == text.lines.size()) throw std::invalid_argument(fmt::format("{}: no rows of numbers", text.file));
-  const std::size_t columns = words_of(text.lines[first], " \t").size();
-  std::vector<std::string> names = header.size() == columns ? header : names_by_file(file, columns);
-  if (names.empty()) {
-    text.fail(
-        first,
-        fmt::format("{} columns do not fit the name of the file, SET_FIELD_FIELD.xy: say them by --columns", columns));
+  const io::Text text = io::text_of(file);
+  io::Table table = io::read_text_table(text, {}, [&](std::size_t columns) {
+    std::vector<std::string> names = names_by_file(file, columns);
+    if (names.empty()) {
+      throw std::invalid_argument(
+          fmt::format("{}: {} columns do not fit the name of the file, SET_FIELD_FIELD.xy: say them by --columns",
+                      text.file, columns));
+    }
+    return names;
+  });
+  if (const auto time = io::number_in(file.parent_path().filename().string()); time && !table.has("t")) {
+    table.names.emplace_back("t");
+    table.units.emplace_back();
+    table.columns.emplace_back(table.rows(), *time);
   }
-  const std::optional<double> time = number_in(file.parent_path().filename().string());
-  if (time) names.emplace_back("t");
-  Rows rows(text, names);
-  for (std::size_t line = first; line < text.lines.size(); ++line) {
-    if (is_comment(text.lines[line])) continue;
-    std::vector<double> row = numbers_of(text, line, words_of(text.lines[line], " \t"), 0);
-    if (row.size() != columns) text.fail(line, fmt::format("{} entries, must be {}", row.size(), columns));
-    if (time) row.push_back(*time);
-    rows.add(line, row);
-  }
-  return rows.table();
+  return table;
 }
 
 FolderTables read_openfoam_folder(const fs::path& folder) {
   FolderTables read{.format = "openfoam"};
   const fs::path plain = folder.has_filename() ? folder : folder.parent_path();
   std::map<double, fs::path> times = times_in(plain);
-  if (const auto own = number_in(plain.filename().string()); own && times.empty()) times[*own] = plain;
+  if (const auto own = io::number_in(plain.filename().string()); own && times.empty()) times[*own] = plain;
   std::vector<std::string> there;
   for (const auto& entry : fs::directory_iterator(plain)) there.push_back(entry.path().filename().string());
   std::sort(there.begin(), there.end());
@@ -204,7 +198,7 @@ FolderTables read_openfoam_folder(const fs::path& folder) {
       continue;
     }
     for (const fs::path& file : files) {
-      const io::Table now = read_openfoam(text_of(file));
+      const io::Table now = read_openfoam(io::text_of(file));
       const auto [place, fresh] = series.emplace(file.filename().string(), now);
       if (!fresh) {
         put_below(place->second, now);
@@ -216,7 +210,6 @@ FolderTables read_openfoam_folder(const fs::path& folder) {
     read.tables.push_back(*sets);
     return read;
   }
-  read.series = true;
   if (series.empty()) throw std::invalid_argument(fmt::format("{}: its folders of times are empty", plain.string()));
   for (auto& [name, table] : series) read.tables.push_back(std::move(table));
   return read;

@@ -10,12 +10,13 @@
 /// ends with it, otherwise three coordinates. A header of names, as later versions write it, goes before all that.
 #pragma once
 
-#include "validation/scoring/result_text.hpp"
+#include "seiche/io/text_table.hpp"
+#include "validation/scoring/folder_tables.hpp"
 
 namespace seiche::validation {
 
 /// Probes ("# Probe 0 (x y z)") and interface heights ("# Location 0 ...").
-io::Table read_openfoam(const Text& text);
+io::Table read_openfoam(const io::Text& text);
 
 /// A set's file; the time is the name of its folder, where that is a number.
 io::Table read_openfoam_set(const std::filesystem::path& file);

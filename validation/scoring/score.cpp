@@ -88,7 +88,7 @@ class QuantityScore {
     if (table_.kind == WantedTable::Kind::scalars) {
       exhibit.measure(quantity_.column.name + "_reference" + suffix(), quantity_.reference({group_.value, 0}));
     } else {
-      exhibit.measure(quantity_.column.name + "_coverage" + suffix(), agreement_.coverage);
+      exhibit.measure(quantity_.column.name + "_coverage" + suffix(), coverage_);
     }
   }
 
@@ -98,7 +98,7 @@ class QuantityScore {
                     .text = fmt::format("The reference points of the {} are covered.", table_.name),
                     .quantity = "share of the reference points within the submitted ones",
                     .source = "what the case asks for"},
-                   {.value = agreement_.coverage, .resolution = resolution()},
+                   {.value = coverage_, .resolution = resolution()},
                    evidence::Bound{.limit = 1 - table_.least_coverage,
                                    .reason = "N cell centres leave half a cell out at either end, 1/N of the points",
                                    .expected = 1});
@@ -115,7 +115,7 @@ class QuantityScore {
       return entries;
     }
     entries.emplace_back(static_cast<double>(group_.abscissa.size()));
-    entries.emplace_back(agreement_.coverage);
+    entries.emplace_back(coverage_);
     for (const Measure m : {Measure::relative_l1, Measure::relative_l2, Measure::relative_linf, Measure::skill,
                             Measure::amplitude_ratio, Measure::shift, Measure::peak_error}) {
       entries.emplace_back(value(m));
@@ -162,6 +162,7 @@ class QuantityScore {
     const std::vector<double> x = table_.points(group_.value);
     std::vector<double> y;
     for (const double at : x) y.push_back(quantity_.reference({group_.value, at}));
+    leave_gaps_out(x, y);
     const Curve submitted{group_.abscissa, group_.values.at(quantity_.column.name)};
     try {
       agreement_ = agreement(submitted, {x, y});
@@ -200,6 +201,24 @@ class QuantityScore {
     }
   }
 
+  /// The share of what is judged that was submitted; the reference counts as unknown where it was not.
+  void leave_gaps_out(const std::vector<double>& x, std::vector<double>& y) {
+    constexpr double all = std::numeric_limits<double>::infinity();
+    const auto [from, to] = table_.judged ? table_.judged(group_.value) : std::pair(-all, all);
+    double known = 0;
+    double covered = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (std::isnan(y[i])) continue;
+      const bool gap = std::any_of(group_.gaps.begin(), group_.gaps.end(),
+                                   [&](const auto& one) { return x[i] > one.first && x[i] < one.second; });
+      if (gap) y[i] = std::numeric_limits<double>::quiet_NaN();
+      if (x[i] < from || x[i] > to) continue;
+      ++known;
+      if (!gap && x[i] >= group_.abscissa.front() && x[i] <= group_.abscissa.back()) ++covered;
+    }
+    coverage_ = covered / known;
+  }
+
   /// Of a number that was not computed before it was asked for.
   [[nodiscard]] std::optional<double> told_expected(const Requirement& requirement) const {
     const auto* bound = std::get_if<evidence::Bound>(&requirement.criterion);
@@ -234,6 +253,7 @@ class QuantityScore {
   const SubmittedGroup& group_;
   const std::map<std::string, StatedUncertainty>& uncertainty_;
   Agreement agreement_;
+  double coverage_ = 0;
   Measures measures_;
 };
 
@@ -276,6 +296,25 @@ void claim_absent(const WantedTable& table, evidence::Record& record) {
   leave_out(table, "the table was not submitted", record);
 }
 
+/// Groups of which nothing was submitted are named, and the score is not that of the whole case.
+void claim_groups(const WantedTable& table, const std::vector<SubmittedGroup>& given, evidence::Record& record) {
+  if (!table.group || given.size() == table.groups->size()) return;
+  std::vector<double> missing;
+  for (const double group : *table.groups) {
+    if (std::ranges::find(given, group, &SubmittedGroup::value) == given.end()) missing.push_back(group);
+  }
+  const std::string& name = table.group->name;
+  record.check(
+      {.id = table.name + "-given",
+       .text = fmt::format("Every {} of the table {} is submitted.", name, table.name),
+       .quantity = "share of the groups that were submitted",
+       .source = "what the case asks for"},
+      {.value = static_cast<double>(given.size()) / static_cast<double>(table.groups->size()),
+       .resolution = fmt::format("{} of {} given, without {} = {}", given.size(), table.groups->size(), name,
+                                 fmt::join(missing, ", "))},
+      evidence::Bound{.limit = 0, .reason = "a part of the experiment does not stand for the whole", .expected = 1});
+}
+
 }  // namespace
 
 void leave_out(const WantedTable& table, const std::string& reason, evidence::Record& record) {
@@ -307,6 +346,7 @@ void score(const std::vector<WantedTable>& wanted, const Submitted& submitted,
       claim_absent(table, record);
       continue;
     }
+    claim_groups(table, found->second, record);
     evidence::Table summary = blank_table(table);
     for (const WantedQuantity& quantity : table.quantities) {
       for (const SubmittedGroup& group : found->second) {

@@ -12,21 +12,47 @@ namespace seiche::validation {
 /// Wanted name of a column -> its name in the file, where that differs.
 using ColumnNames = std::map<std::string, std::string>;
 
+/// Name of a column or a file -> the gauge that it holds: its number or position in the wanted group column, or x:y
+/// [m].
+using GaugeNames = std::map<std::string, std::string>;
+
+/// How the columns of files are to be understood, and what was made of them.
+struct Understanding {
+  ColumnNames renamed = {};
+  GaugeNames gauges = {};
+  std::vector<std::string> notes = {};  ///< sentences about what was converted, sorted, left out or taken for something
+};
+
 /// The columns of a table in the order of the template.
 std::vector<Column> columns_of(const WantedTable& wanted);
 
 /// Names, in the file, of all columns that the tables ask for.
 std::vector<std::string> names_in_files(const std::vector<WantedTable>& wanted, const ColumnNames& renamed);
 
-/// Finds the wanted tables in files and checks them: columns, units, lengths, order, groups.
+/// Which rows of a series or profile count, in the order of the abscissa. Of rows at the same place the later counts. A
+/// series that goes back and then on beyond where it was, was restarted: what was there from then on is replaced; rows
+/// in another order are sorted.
+struct RowOrder {
+  std::vector<std::size_t> rows;
+  std::size_t replaced = 0;
+  bool sorted = false;
+};
+RowOrder in_order(const std::vector<double>& abscissa, const std::vector<std::size_t>& rows);
+
+/// Finds the wanted tables in files and reads them: columns, units, order, groups, missing values.
 ///
-/// A table is taken from the file that has one of its quantities; what no file has any quantity of was not submitted.
-/// A column without a unit is taken to be in the wanted one. Rows of groups that are not asked for are left out; a
-/// group counts as the wanted one when it differs from it by less than 1e-6 of the largest.
+/// A table is taken from the files that have one of its quantities; what no file has any quantity of was not submitted.
+/// A column without a unit is taken to be in the wanted one, other units are converted. A group counts as the wanted
+/// one when it differs from it by less than 1e-6 of the largest; where there is no group column, gauges are found by
+/// their position, by numbers in the names of columns, or by that in the name of the file. Groups that are not asked
+/// for are left out, those that are not there are missing in the result.
+///
+/// No value is NaN, what is 1e20 or more, -999, -9999 or -99999. A depth without value is 0 where the reference is less
+/// than a hundredth of its largest, and an error elsewhere; so is the velocity there. Without a depth it is a gap.
 ///
 /// @throws std::invalid_argument, in one line, naming file, line and column
 Submitted submitted_from(const std::vector<io::Table>& files, const std::vector<WantedTable>& wanted,
-                         const ColumnNames& renamed);
+                         Understanding& understood);
 
 /// A table to be filled in, as CSV: comments that say what is asked for, the header, and a row per point.
 std::string template_of(const WantedTable& wanted, const std::string& opening);

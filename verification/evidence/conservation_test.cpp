@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
 #include "validation/scoring/conservation.hpp"
 #include "verification/check.hpp"
 
@@ -90,7 +90,7 @@ TEST_CASE("histories of volume, energy and momentum are judged by what the water
   std::vector<io::Table> named{table("time,mass\n0,3\n1,3\n", "m.csv")};
   is("mapped", "Columns may have other names.",
      fmt::format("{}", take_history(named, wanted_gauge(), {{"t", "time"}, {"volume", "mass"}}).count("volume")), "1");
-  is("order", "Times must increase.", refusal("t,volume\n0,1\n0,1\n"), "mine.csv: line 3: column t: 0 follows 0");
+  is("none", "A value that is missing is refused.", refusal("t,volume\n0,1\n1,\n"), "mine.csv: line 3: column volume");
   is("short", "One row is refused.", refusal("t,volume\n0,1\n"), "1 rows, must be at least two");
   std::string zero;
   try {

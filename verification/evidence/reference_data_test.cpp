@@ -5,7 +5,7 @@
 #include <set>
 
 #include "reports/evidence/provenance.hpp"
-#include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
 #include "validation/case/reference_source.hpp"
 #include "verification/check.hpp"
 

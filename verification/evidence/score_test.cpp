@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
 #include "validation/scoring/score.hpp"
 #include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"
@@ -71,7 +71,8 @@ evidence::Record scored(const std::vector<io::Table>& files, const std::string& 
   std::map<std::string, StatedUncertainty> stated;
   if (!uncertainty.empty()) stated["runup"] = uncertainty_from("runup", uncertainty);
   const std::vector<WantedTable> wanted = wanted_tables();
-  score(wanted, submitted_from(files, wanted, {}), stated, record);
+  Understanding understood;
+  score(wanted, submitted_from(files, wanted, understood), stated, record);
   return record;
 }
 

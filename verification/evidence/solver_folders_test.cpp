@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "validation/scoring/solver_files.hpp"
+#include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"
 #include "verification/scratch_folder.hpp"
 
@@ -103,14 +104,16 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.write("probes/0/p", probes + "0 1 2\n1 3 4\n2 5 6\n");
   folder.write("probes/0.5/h", probes + "1 22 23\n");
   folder.write("probes/0.5/p", probes + "1 7 8\n");
-  folder.is("restart", "What a restart repeats replaces what was before, at every probe.", "probes",
-            "x,y,z,t,h,p|1,0,0,0,10,1|1,0.5,0,0,11,2|1,0,0,1,22,7|1,0.5,0,1,23,8");
+  folder.is("restart", "What a restart repeats stands below what was before.", "probes",
+            "x,y,z,t,h,p|1,0,0,0,10,1|1,0.5,0,0,11,2|1,0,0,1,12,3|1,0.5,0,1,13,4|1,0,0,2,14,5|1,0.5,0,2,15,6|"
+            "1,0,0,1,22,7|1,0.5,0,1,23,8");
+  const validation::RowOrder order = validation::in_order({0, 1, 2, 3, 1, 2, 3, 4}, {0, 1, 2, 3, 4, 5, 6, 7});
   check.that({.id = "replaced",
-              .text = "It is said how many rows were replaced.",
+              .text = "What a restart repeats replaces what was before.",
               .quantity = "rows",
-              .source = "solver_files.hpp"},
-             {.value = static_cast<double>(folder.read("probes").front().replaced)},
-             evidence::Bound{.limit = 0, .reason = "two of two probes in each of two files", .expected = 8});
+              .source = "submitted.hpp"},
+             {.value = order.rows == std::vector<std::size_t>{0, 4, 5, 6, 7} ? 1.0 : 0.0},
+             evidence::Qualitative{"rows 0, 4, 5, 6, 7", "the later rows count"});
 
   const std::string coarse = "1 grid_number\n1 AMR_level\n3 mx\n0 xlow\n1 dx\n\n1 0 1\n9 9 9\n3 0 3\n\n";
   const std::string fine = "2 grid_number\n2 AMR_level\n2 mx\n1 xlow\n0.5 dx\n\n4 0 4\n5 0 5\n";
@@ -124,19 +127,26 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.write("plan/fort.t0000", "0 time\n");
   folder.is("plan", "In two dimensions x runs fastest.", "plan",
             "x,y,t,h,hu,hv,eta|0.5,1,0,1,2,3,4|1.5,1,0,5,6,7,8|0.5,3,0,9,10,11,12|1.5,3,0,13,14,15,16");
+  folder.write("mixed/fort.q0000", coarse + "2 grid_number\n2 AMR_level\n1 mx\n1 my\n0 xlow\n0 ylow\n1 dx\n1 dy\n\n1 0 0 1\n");
+  folder.write("mixed/fort.t0000", "0 time\n");
+  folder.refused("mixed", "Patches of one and of two dimensions are not mixed.", "mixed", "must all be alike");
+  folder.write("layers/gauge00001.txt",
+               "# gauge_id= 1 location=( 2 3 ) num_var= 8\n# Columns: level, time, q[ 1 2 3 4 5 6 ], eta, aux[]\n"
+               "1 0 1 2 3 4 5 6 0.5 0.25\n");
+  folder.is("layers", "A gauge of several layers has the surface after them.", "layers/gauge00001.txt",
+            "level,t,q1,q2,q3,q4,q5,q6,eta,eta2,x,y|1,0,1,2,3,4,5,6,0.5,0.25,2,3");
+  folder.write("names/6/_.xy", "0 1 2\n1 1 2\n");
+  folder.refused("underscore", "The name of a set says its columns.", "names/6/_.xy", "do not fit the name");
+  folder.write("nowhere.csv", " ;PosX [m]:\n ;PosY [m]:\n ;PosZ [m]:\nPart;Time [s]\n0;0.0\n1;1.0\n");
+  folder.refused("nowhere", "MeasureTool without a position is refused.", "nowhere.csv", "no positions");
   folder.write("cut/fort.q0000", coarse.substr(0, coarse.size() - 7));
   folder.write("cut/fort.t0000", "0 time\n");
   folder.refused("cut", "A patch that ends early is refused.", "cut", "1 cells before the patch does");
 
-  folder.write("wide.txt", "t WG1 WG2\n0 1 2\n1 3 4\n");
-  const Reading gauges{.gauges = {{"WG1", 2.5}, {"WG2", -1}}};
-  folder.is("wide", "Gauges beside each other get their positions.", "wide.txt",
-            "x,t,gauge|2.5,0,1|2.5,1,3|-1,0,2|-1,1,4", gauges);
   folder.write("sta_0007", "0 1 2 3\n");
-  folder.is("station", "So does a file of one gauge.", "sta_0007", "x,t,eta,u,v|4,0,1,2,3",
-            {.gauges = {{"sta_0007", 4}}});
+  folder.is("station", "A station has its four columns.", "sta_0007", "t,eta,u,v|0,1,2,3");
   folder.write("table.tbl", "%\n% Run:1 Table:T SWASH\n%\n% Tsec Xp Watlev\n% [sec] [m] [m]\n%\n0 1 2\n");
-  folder.is("swash", "A table of SWASH says its columns in its header.", "table.tbl", "t,x,eta|0,1,2");
+  folder.is("swash", "A table of SWASH says its columns in its header.", "table.tbl", "Tsec,Xp,Watlev|0,1,2");
   folder.write("points.txt", "# 1:t 2:x 3:T\n0 1 0.5\n");
   folder.is("gerris", "So does one of Gerris.", "points.txt", "t,x,T|0,1,0.5");
 }

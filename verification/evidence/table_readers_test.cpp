@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "seiche/io/text_table.hpp"
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/table.hpp"
 #include "seiche/samples.hpp"
@@ -87,7 +88,7 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
                     wrong_words(csv.units, {"s", "m", ""}));
   claims.none_wrong("csv-lines", "Each row knows its line.",
                     wrong_entries({{csv.lines.begin(), csv.lines.end()}}, {{3, 5, 7}}));
-  claims.is_refused("comma", "Decimal commas are refused.", refused("t,h\n0,5,1,5\n"));
+  claims.is_refused("comma", "Decimal commas between commas are refused.", refused("t,h\n0,5,1,5\n"));
   claims.is_refused("missing", "An entry that is missing is refused, it does not become 0.", refused("t,h\n0,\n1,2\n"));
   claims.is_refused("trailing", "So is what follows a number.", refused("t,h\n0,1.5m\n"));
   claims.is_refused("nan", "So is what is not a finite number.", refused("t,h\n0,nan\n"));
@@ -130,7 +131,8 @@ TEST_CASE("a submission is read by the names and units of its columns", "[eviden
                            .points = {}};
   const auto read = [&](const std::string& text) {
     std::istringstream in(text);
-    return submitted_from({io::read_csv(in, "mine.csv")}, {wanted}, {{"h", "depth"}}).at("profiles");
+    Understanding understood{.renamed = {{"h", "depth"}}};
+    return submitted_from({io::read_text_table(io::text_of(in, "mine.csv"))}, {wanted}, understood).at("profiles");
   };
   const std::vector<SubmittedGroup> groups =
       read("u [m/s],depth [m],x [m],t [s]\n9,9,-5,0.5\n5,1,0,1\n7,3,0,2\n6,2,10,1.0000001\n8,4,10,2\n");
@@ -150,12 +152,22 @@ TEST_CASE("a submission is read by the names and units of its columns", "[eviden
     }
     return 0.0;
   };
-  claims.is_refused("unit", "Centimetres are not taken for metres.",
-                    not_accepted("u [m/s],depth [cm],x [m],t [s]\n5,1,0,1\n6,2,10,1\n7,3,0,2\n8,4,10,2\n"));
+  const std::vector<SubmittedGroup> converted =
+      read("u [km/h],depth [cm],x [m],t [ms]\n36,100,0,1000\n18,200,10,1000\n7,3,0,2000\n8,4,10,2000\n");
+  claims.none_wrong("units", "Other units of the same kind are converted.",
+                    wrong_entries({converted.at(0).values.at("h"), converted.at(0).values.at("u")}, {{1, 2}, {10, 5}}));
+  claims.is_refused("unit", "Seconds are not taken for metres.",
+                    not_accepted("u [m/s],depth [s],x [m],t [s]\n5,1,0,1\n6,2,10,1\n7,3,0,2\n8,4,10,2\n"));
   claims.is_refused("no-time", "A profile without its times is not taken for that of time 0.",
                     not_accepted("u,depth,x\n5,1,0\n6,2,10\n"));
-  claims.is_refused("order", "Positions that go back are not put into order.",
-                    not_accepted("u,depth,x,t\n5,1,10,1\n6,2,0,1\n7,3,0,2\n8,4,10,2\n"));
+  const std::vector<SubmittedGroup> sorted = read("u,depth,x,t\n6,2,10,1\n5,1,0,1\n7,3,0,2\n8,4,10,2\n");
+  claims.none_wrong("order", "Positions that go back are put into order.",
+                    wrong_entries({sorted.at(0).abscissa, sorted.at(0).values.at("u")}, {{0, 10}, {5, 6}}));
+  const std::vector<SubmittedGroup> part = read("u,depth,x,t\n7,3,0,2\n8,4,5,2\n,,7,2\n9,5,10,2\n");
+  claims.none_wrong("part", "One time of two is read, and what has no value is a gap.",
+                    wrong_entries({{part.at(0).value, part.at(0).gaps.at(0).first, part.at(0).gaps.at(0).second},
+                                   part.at(0).abscissa},
+                                  {{2, 5, 10}, {0, 5, 10}}));
 }
 
 }  // namespace table_readers_test

@@ -13,6 +13,7 @@
 
 #include "reports/evidence/record_files.hpp"
 #include "seiche/io/atomic_file.hpp"
+#include "seiche/io/text_table.hpp"
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/hdf5_table.hpp"
 #include "seiche/io/isolated.hpp"

@@ -23,15 +23,15 @@ ExactSolution riemann_entry(), bore_reflection_entry(), simple_wave_entry(), ste
 
 Evaluator ExactSolution::evaluator(const std::map<std::string, double>& values) const {
   std::map<std::string, double> complete;
-  std::string known;
+  std::vector<std::string> known;
   for (const Parameter& parameter : parameters) {
     complete[parameter.name] = parameter.default_value;
-    known += (known.empty() ? "" : ", ") + parameter.name;
+    known.push_back(parameter.name);
   }
   for (const auto& [key, value] : values) {
     const auto place = complete.find(key);
     if (place == complete.end()) {
-      throw std::invalid_argument(fmt::format("{} is not a parameter of {}: it has {}", key, name, known));
+      throw std::invalid_argument(fmt::format("{} is not a parameter of {}{} it has {}", key, name, did_you_mean(key, known), fmt::join(known, ", ")));
     }
     place->second = value;
   }
@@ -92,8 +92,8 @@ const ExactSolution& find_solution(std::string_view name) {
     if (solution.name == name) return solution;
     known.push_back(solution.name);
   }
-  throw std::invalid_argument(fmt::format("exact solution {} is unknown: did you mean {}? There are {}", name,
-                                          nearest_spelling(name, known), fmt::join(known, ", ")));
+  throw std::invalid_argument(fmt::format("exact solution {} is unknown{} There are {}", name,
+                                          did_you_mean(name, known), fmt::join(known, ", ")));
 }
 
 }  // namespace seiche::exact

@@ -118,8 +118,10 @@ std::vector<double> values_of(const H5::DataSet& set, hsize_t most_elements) {
   const H5T_class_t kind = set.getTypeClass();
   if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw std::invalid_argument("its elements are not numbers");
   const H5::DataSpace space = set.getSpace();
-  if (!space.isSimple() || space.getSimpleExtentNdims() > 1) {
-    throw std::invalid_argument(fmt::format("has {} dimensions, must have one", space.getSimpleExtentNdims()));
+  std::array<hsize_t, H5S_MAX_RANK> extents{};
+  const int dimensions = space.isSimple() ? space.getSimpleExtentDims(extents.data()) : 0;
+  if (!space.isSimple() || std::count_if(extents.begin(), extents.begin() + dimensions, [](hsize_t n) { return n > 1; }) > 1) {
+    throw std::invalid_argument(fmt::format("has {} dimensions, must have one", dimensions));
   }
   require_own_storage(set);
   const auto count = static_cast<hsize_t>(space.getSimpleExtentNpoints());
@@ -129,7 +131,7 @@ std::vector<double> values_of(const H5::DataSet& set, hsize_t most_elements) {
   }
   std::vector<double> values(count);
   if (count > 0) set.read(values.data(), H5::PredType::NATIVE_DOUBLE);
-  const auto odd = std::find_if_not(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+  const auto odd = std::find_if(values.begin(), values.end(), [](double v) { return std::isinf(v); });
   if (odd != values.end()) {
     throw std::invalid_argument(fmt::format("element {}: '{}' is not a finite number", odd - values.begin(), *odd));
   }

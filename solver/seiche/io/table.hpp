@@ -14,7 +14,7 @@ struct Table {
   std::string source;                           ///< the file
   std::vector<std::string> names;               ///< all different
   std::vector<std::string> units;               ///< one per name; empty where none was stated
-  std::vector<std::vector<double>> columns;     ///< one per name, all numbers finite; of equal lengths in a text file
+  std::vector<std::vector<double>> columns;     ///< one per name, NaN for no value; of equal lengths in a text file
   std::vector<long> lines;                      ///< line of each row in a text file; empty otherwise
   std::map<std::string, std::string> unusable;  ///< what is there by name but is no column of numbers, and why
 
@@ -31,21 +31,13 @@ struct Table {
   [[nodiscard]] std::size_t index(const std::string& name) const;
 };
 
-/// Reads a CSV (read_csv) or an HDF5 file (hdf5_table.hpp); the content decides which, not the name.
+/// Reads a text (text_table.hpp) or an HDF5 file (hdf5_table.hpp); the content decides which, not the name.
 ///
 /// @param wanted  datasets to be read from an HDF5 file; empty for all
 /// @throws std::invalid_argument in one line that names the file and what is wrong where
 Table read_table(const std::filesystem::path& file, const std::vector<std::string>& wanted = {});
 
-/// Reads a CSV file: comments start with '#', the first other line names the columns (a unit may follow in brackets:
-/// "h [m]"), each further line holds as many finite numbers. Lines end with `\n`, `\r\n` or `\r`; a byte order mark at
-/// the beginning and double quotes around an entry are taken off.
-///
-/// No more than one line is held beside the numbers, and a line is given up at 1 MiB.
-///
-/// @throws std::invalid_argument, in one line, naming file, line and column of the first thing that is wrong: no such
-/// file, binary content, a line over 1 MiB, a column without a name or named twice, a missing, non-numeric or
-/// non-finite entry, no rows
+/// Reads a text file (text_table.hpp) that has a finite number in every place, as those of reference_data.
 Table read_csv(const std::filesystem::path& file);
 /// The same from a stream, under the name that its errors give.
 Table read_csv(std::istream& in, const std::string& name);

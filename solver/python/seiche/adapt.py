@@ -18,11 +18,20 @@ Nothing is smoothed, shifted or scaled but by what is asked for: --column scales
 import argparse
 import collections
 import csv
+import io
+import os
 import pathlib
 import re
+import resource
 import sys
+import warnings
 
 import numpy as np
+
+MOST_NUMBERS = 50_000_000   # of one array
+MOST_FILES = 100_000        # of a collection
+MOST_MEMORY = 16 << 30      # [byte]
+MOST_SECONDS = 600          # of processor time
 
 
 class Unusable(Exception):
@@ -30,13 +39,25 @@ class Unusable(Exception):
 
 
 class Snapshot:
-    """Points and fields at one time; y is the vertical, or 0 where there is none."""
+    """Points and fields at one time; y is the vertical, or 0 where there is none. A value may be NaN: there is none."""
 
     def __init__(self, time, x, y=None, fields=None):
         self.time = time
         self.x = np.asarray(x, float)
         self.y = np.zeros_like(self.x) if y is None else np.asarray(y, float)
         self.fields = {name: np.asarray(values, float) for name, values in (fields or {}).items()}
+        if self.x.ndim != 1 or self.x.size == 0 or self.y.shape != self.x.shape:
+            raise Unusable("there are no points, or not as many x as y")
+        if not (np.isfinite(self.x).all() and np.isfinite(self.y).all()):
+            raise Unusable("a position is not a finite number")
+
+    def where_known(self, name):
+        """The points at which a field has a value, with it."""
+        values = self.field(name)
+        if values.shape != self.x.shape:
+            raise Unusable(f"field {name} has {values.size} values for {self.x.size} points")
+        known = np.isfinite(values) & (np.abs(values) < 1e20)
+        return self.x[known], self.y[known], values[known]
 
     def field(self, name):
         if name not in self.fields:
@@ -53,31 +74,40 @@ def package(module, debian):
 
 
 def number_in(text):
-    """The number that a name is, or None."""
+    """The finite number that a name is, or None."""
     try:
-        return float(text)
+        number = float(text)
     except ValueError:
         return None
+    return number if np.isfinite(number) else None
 
 
 # Readers: a path gives snapshots.
 
 def read_vtk(path):
     if path.suffix == ".pvd":
-        entries = re.findall(r'timestep="([^"]+)"[^>]*file="([^"]+)"', path.read_text())
-        if not entries:
-            raise Unusable(f"{path}: no DataSet with timestep and file")
+        entries = [(re.search(r'\btimestep="([^"]*)"', tag), re.search(r'\bfile="([^"]*)"', tag))
+                   for tag in re.findall(r"<DataSet\b[^>]*>", path.read_text(errors="replace"))]
+        entries = [(number_in(time[1]), name[1]) for time, name in entries if time and name]
+        if not 0 < len(entries) <= MOST_FILES or any(time is None for time, _ in entries):
+            raise Unusable(f"{path}: needs 1 to {MOST_FILES} DataSets, each with a number for timestep and a file")
         for time, name in entries:
-            for snapshot in read_vtk(path.parent / name):
-                snapshot.time = float(time)
+            part = (path.parent / name).resolve()
+            if path.parent.resolve() not in part.parents or part.suffix not in VTK or part.suffix == ".pvd":
+                raise Unusable(f"{path}: names {name!r}: must be a VTK file below the collection's own folder")
+            for snapshot in read_vtk(part):
+                snapshot.time = time
                 yield snapshot
         return
+    if not path.is_file():
+        raise Unusable(f"{path}: is not there")
     try:
         vtk = package("vtk", "python3-vtk9")
     except Unusable:
         yield from read_mesh(path)
         return
     from vtk.util.numpy_support import vtk_to_numpy
+    vtk.vtkObject.GlobalWarningDisplayOff()
     kinds = {".vtu": vtk.vtkXMLUnstructuredGridReader, ".vtp": vtk.vtkXMLPolyDataReader,
              ".vtk": vtk.vtkDataSetReader, ".vts": vtk.vtkXMLStructuredGridReader, ".vti": vtk.vtkXMLImageDataReader}
     reader = kinds[path.suffix]()
@@ -100,6 +130,8 @@ def read_vtk(path):
 
 
 def read_mesh(path):
+    if path.suffix not in (".vtk", ".vtu"):
+        raise Unusable(f"{path}: needs the Python package vtk: apt install python3-vtk9")
     mesh = package("meshio", "python3-vtk9, or python3-meshio").read(path)
     if mesh.cell_data:
         centres = np.concatenate([mesh.points[block.data].mean(axis=1) for block in mesh.cells])
@@ -109,18 +141,41 @@ def read_mesh(path):
     yield Snapshot(None, centres[:, 0], centres[:, 1], {n: v for n, v in fields.items() if np.ndim(v) == 1})
 
 
+def coordinate_of(data, axis):
+    """The name of a coordinate in a CF or UGRID file: by its attributes, or by what it is usually called."""
+    standard = {"x": "projection_x_coordinate longitude", "y": "projection_y_coordinate latitude"}[axis].split()
+    for name, values in data.variables.items():
+        if values.attrs.get("axis") == axis.upper() or values.attrs.get("standard_name") in standard:
+            return name
+    names = [name for mesh in data.variables.values()
+             for name in str(mesh.attrs.get("face_coordinates", mesh.attrs.get("node_coordinates", ""))).split()]
+    names = names[0 if axis == "x" else 1:][:1] + [axis, axis.upper(), {"x": "lon", "y": "lat"}[axis]]
+    return next((name for name in names if name in data.variables), None)
+
+
 def read_netcdf(path):
     xarray = package("xarray", "python3-xarray python3-netcdf4")
     with xarray.open_dataset(path, decode_times=False) as data:
-        x_name = next((name for name in ("x", "X", "lon") if name in data.coords), None)
+        x_name, y_name = coordinate_of(data, "x"), coordinate_of(data, "y")
         t_name = next((name for name in ("t", "time", "Time") if name in data.dims), None)
         if x_name is None:
             raise Unusable(f"{path}: no coordinate x: there are {', '.join(map(str, data.coords))}")
+        if max((values.size for values in data.variables.values()), default=0) > MOST_NUMBERS:
+            raise Unusable(f"{path}: a variable of more than {MOST_NUMBERS} numbers")
+        x = data[x_name]
+        places, y = [x.dims], None
+        if y_name is not None and data[y_name].dims == x.dims:
+            y = data[y_name].values.ravel()
+        elif y_name is not None and x.ndim == data[y_name].ndim == 1:
+            places.append((*data[y_name].dims, *x.dims))
         times = data[t_name].values if t_name and t_name in data.coords else np.array([np.nan])
         for k, time in enumerate(times):
             now = data.isel({t_name: k}) if t_name else data
-            fields = {str(name): values.values for name, values in now.data_vars.items() if values.dims == (x_name,)}
-            yield Snapshot(None if np.isnan(time) else float(time), data[x_name].values, None, fields)
+            fields = {str(name): values for name, values in now.data_vars.items() if values.dims in places}
+            plan = len(places) == 2 and any(values.dims == places[1] for values in fields.values())
+            at_x, at_y = (np.meshgrid(x.values, data[y_name].values) if plan else (x.values, y))
+            fields = {name: values.values.ravel() for name, values in fields.items() if values.dims == places[-1 if plan else 0]}
+            yield Snapshot(None if np.isnan(time) else float(time), at_x.ravel(), None if at_y is None else at_y.ravel(), fields)
 
 
 def read_matlab(path):
@@ -144,13 +199,32 @@ def read_particles(path):
     if path.suffix == ".npz":
         raise Unusable(f"{path}: PySPH's .npz hold pickled objects, which run commands of whoever wrote them when they are "
                        "read: with h5py installed PySPH writes .hdf5")
-    with package("h5py", "python3-h5py").File(path) as file:
-        if "particles/fluid/arrays" not in file:
+    h5py = package("h5py", "python3-h5py")
+    with h5py.File(path) as file:
+        group = "particles/fluid/arrays"
+        linked = [name for name in ("particles", "particles/fluid", group)
+                  if name in file and not isinstance(file.get(name, getlink=True), h5py.HardLink)]
+        if group not in file or linked:
             raise Unusable(f"{path}: no particles/fluid/arrays: is not of PySPH, or its fluid has another name")
         time = float(file["solver_data"].attrs["t"])
-        fields = {name: values[:] for name, values in file["particles/fluid/arrays"].items()}
+        fields = {}
+        for name in file[group]:
+            if not isinstance(file[group].get(name, getlink=True), h5py.HardLink):
+                raise Unusable(f"{path}: {name} is a link, must be in this file")
+            values = file[group][name]
+            if values.external or values.is_virtual or values.size > MOST_NUMBERS or values.dtype.kind not in "fiu":
+                raise Unusable(f"{path}: {name}: must be numbers in this file, at most {MOST_NUMBERS}")
+            fields[name] = values[:]
     flat = {name: values for name, values in fields.items() if np.ndim(values) == 1}
-    yield Snapshot(float(time), flat["x"], flat["y"], flat)
+    if not {"x", "y"} <= set(flat) or len({values.size for values in flat.values()}) != 1:
+        raise Unusable(f"{path}: needs x and y of the particles, as long as the other arrays")
+    yield Snapshot(time, flat["x"], flat["y"], flat)
+
+
+def table_of(path):
+    """Columns of a text file by name, as `seiche score` reads it."""
+    from seiche import read_table
+    return read_table(path)
 
 
 def read_set(path):
@@ -164,39 +238,26 @@ def read_set(path):
 
 def read_raw(path):
     """A sampled surface: its points, and a field at them."""
-    with open(path, encoding="utf-8") as file:
-        header = [file.readline() for _ in range(2)][1].lstrip("# ").split()
-    table = np.loadtxt(path, ndmin=2)
-    if header[:3] != ["x", "y", "z"] or table.shape[1] != len(header):
-        raise Unusable(f"{path}: must begin with two comments, the second '# x y z ...'")
-    yield Snapshot(number_in(path.parent.name), table[:, 0], table[:, 1],
-                   {name: table[:, k] for k, name in enumerate(header[3:], start=3)})
-
-
-def snapshots_of(names, columns, path):
-    """Rows with a time in each, in the order in which the times come."""
-    if "t" not in names or "x" not in names:
-        raise Unusable(f"{path}: needs columns t and x: there are {', '.join(names)}")
-    table = {name: columns[:, k] for k, name in enumerate(names)}
-    for time in dict.fromkeys(table["t"]):
-        rows = table["t"] == time
-        yield Snapshot(time, table["x"][rows], table["y"][rows] if "y" in table else None,
-                       {name: values[rows] for name, values in table.items() if name not in "txyz"})
+    table = table_of(path)
+    if list(table)[:3] != ["x", "y", "z"]:
+        raise Unusable(f"{path}: needs a header '# x y z ...': there are {', '.join(table)}")
+    yield Snapshot(number_in(path.parent.name), table["x"], table["y"], dict(list(table.items())[3:]))
 
 
 def read_text(path):
-    with open(path, encoding="utf-8") as file:
-        first = file.readline().lstrip("# ").strip()
-    if first.startswith("1:t "):
-        names = [word.split(":")[1] for word in first.split()]
-        # Every location has the floor's y: a row of points, not a column.
-        yield from snapshots_of(names, np.loadtxt(path, ndmin=2), path)
-        return
-    names = [word.split("[")[0].strip() for word in first.split(",")]
-    yield from snapshots_of(names, np.loadtxt(path, delimiter=",", skiprows=1, ndmin=2), path)
+    """Rows with a time in each, in the order in which the times come."""
+    table = table_of(path)
+    if "t" not in table or "x" not in table:
+        raise Unusable(f"{path}: needs columns t and x: there are {', '.join(table)}")
+    # Gerris' locations have the floor's y: a row of points, not a column.
+    for time in dict.fromkeys(table["t"]):
+        rows = table["t"] == time
+        yield Snapshot(time, table["x"][rows], table["y"][rows] if "y" in table and np.ptp(table["y"]) > 0 else None,
+                       {name: values[rows] for name, values in table.items() if name not in ("t", "x", "y", "z")})
 
 
-READERS = {**dict.fromkeys((".vtu", ".vtp", ".vtk", ".vts", ".vti", ".pvd"), read_vtk), ".nc": read_netcdf,
+VTK = (".vtu", ".vtp", ".vtk", ".vts", ".vti", ".pvd")
+READERS = {**dict.fromkeys(VTK, read_vtk), ".nc": read_netcdf,
            ".mat": read_matlab, ".hdf5": read_particles, ".npz": read_particles, ".xy": read_set, ".raw": read_raw,
            ".csv": read_text, ".txt": read_text, ".dat": read_text}
 
@@ -221,7 +282,13 @@ def read(paths, step=None):
     for path in files_of(paths):
         if path.suffix not in READERS:
             raise Unusable(f"{path}: files *{path.suffix} are not known: only {', '.join(sorted(READERS))}")
-        snapshots += READERS[path.suffix](path)
+        try:
+            snapshots += READERS[path.suffix](path)
+        except Unusable:
+            raise
+        except (Exception, SystemExit) as broken:  # whatever a library says of a stranger's file
+            said = " ".join(str(broken).split())[:200].removeprefix(f"{path}: ")
+            raise Unusable(f"{path}: cannot be read: {said or type(broken).__name__}") from None
     if not snapshots:
         raise Unusable(f"{', '.join(map(str, paths))}: nothing to read")
     if step is not None:
@@ -258,15 +325,19 @@ def front(snapshot, field, level, near):
             if np.count_nonzero(apart < 2 * near) > 4:  # four others
                 return float(snapshot.x[k])
         return None
-    found = [last_crossing(snapshot.x[row], snapshot.field(field)[row], level) for row in rows_of(snapshot.y)]
+    x, y, values = snapshot.where_known(field)
+    found = [last_crossing(x[row], values[row], level) for row in rows_of(y)]
     return max((x for x in found if x is not None), default=None)
 
 
 def rows_of(values):
     """Which points share a coordinate, to a millionth of its range."""
+    if values.size == 0:
+        return []
     size = max(float(np.ptp(values)), 1e-300)
     whole = np.round((values - values.min()) / size * 1e6)
-    return [whole == one for one in np.unique(whole)]
+    order = np.argsort(whole, kind="stable")
+    return np.split(order, np.flatnonzero(np.diff(whole[order])) + 1)
 
 
 def surface(snapshot, field, level):
@@ -274,12 +345,12 @@ def surface(snapshot, field, level):
     if field is None:
         columns = rows_of(snapshot.x)
         return (np.array([snapshot.x[c].mean() for c in columns]), np.array([snapshot.y[c].mean() for c in columns]))
-    values = snapshot.field(field)
-    columns = rows_of(snapshot.x)
+    x, y, values = snapshot.where_known(field)
+    columns = rows_of(x)
     if len(columns) == values.size:
-        order = np.argsort(snapshot.x)
-        return snapshot.x[order], values[order]
-    at = [(float(snapshot.x[c][0]), last_crossing(snapshot.y[c], values[c], level)) for c in columns]
+        order = np.argsort(x)
+        return x[order], values[order]
+    at = [(float(x[c][0]), last_crossing(y[c], values[c], level)) for c in columns]
     at = [(x, y) for x, y in at if y is not None]
     return np.array([x for x, _ in at]), np.array([y for _, y in at])
 
@@ -329,16 +400,47 @@ def main(words=None):
     parser.add_argument("--gravity", type=float, default=9.81, help="[m/s^2] (default: 9.81)")
     parser.add_argument("--square", action="store_true", help="of a square column: T = t sqrt(g/a), not t sqrt(2g/a)")
     options = parser.parse_args(words)
-    try:
-        header, rows = rows_for(options, read(options.paths, options.step))
-        if not rows:
-            raise Unusable(f"{options.paths[0]}: no {options.what} was found: is --level {options.level:g} met?")
-    except (Unusable, OSError, ValueError, KeyError) as wrong:
-        print(f"seiche.adapt: {wrong}".splitlines()[0], file=sys.stderr)
+    status, told = apart(lambda: table_for(options))
+    if status != 0:
+        print("seiche.adapt: " + "".join(c if c.isprintable() else "?" for c in told.strip()), file=sys.stderr)
         sys.exit(2)
-    writer = csv.writer(sys.stdout, lineterminator="\n")
+    sys.stdout.write(told)
+
+
+def table_for(options):
+    header, rows = rows_for(options, read(options.paths, options.step))
+    if not rows:
+        raise Unusable(f"{options.paths[0]}: no {options.what} was found: is --level {options.level:g} met?")
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
     writer.writerow(header)
     writer.writerows([f"{value:.10g}" for value in row] for row in rows)
+    return text.getvalue()
+
+
+def apart(work):
+    """Status and text of work in a child process: libraries crash on some files, warn at length, or never end."""
+    ours, theirs = os.pipe()
+    child = os.fork()
+    if child == 0:
+        status = 2
+        for chatter in (1, 2):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), chatter)
+        resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
+        resource.setrlimit(resource.RLIMIT_CPU, (MOST_SECONDS, MOST_SECONDS))
+        warnings.simplefilter("ignore")
+        try:
+            told, status = work(), 0
+        except BaseException as wrong:
+            told = str(wrong) or type(wrong).__name__
+        with open(theirs, "w", encoding="utf-8") as out:
+            out.write(told)
+        os._exit(status)
+    os.close(theirs)
+    with open(ours, encoding="utf-8", errors="replace") as answer:
+        told = answer.read()
+    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    return status, told or f"reading was ended by signal {-status}: a damaged file, or one that takes more than {MOST_SECONDS} s"
 
 
 if __name__ == "__main__":

@@ -1,0 +1,175 @@
+"""The cases of the suite, from Python: their templates and files, and results judged by the command `seiche`."""
+import functools
+import html
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+
+import numpy as np
+
+
+def _command():
+    beside = pathlib.Path(__file__).resolve().parents[2] / "seiche"  # in the build tree
+    found = os.environ.get("SEICHE") or shutil.which("seiche") or (str(beside) if beside.is_file() else None)
+    if found is None:
+        raise FileNotFoundError("the command 'seiche' is not on the PATH: build it by 'ci/build release seiche_command', or "
+                                "name it by the variable SEICHE")
+    return found
+
+
+def _run(*words, allowed=(0,)):
+    done = subprocess.run([_command(), *map(str, words)], capture_output=True, text=True, check=False)
+    if done.returncode not in allowed:
+        raise ValueError(done.stderr.strip() or f"seiche {words[0]}: ended with status {done.returncode}")
+    return done.stdout
+
+
+@functools.cache
+def _listed():
+    return {one["name"]: one for one in json.loads(_run("list", "--json"))["cases"]}
+
+
+def _settings(parameters):
+    return [word for name, value in parameters.items() for word in ("--set", f"{name}={value}")]
+
+
+class Claims(list):
+    """Claims of a result, a dict each: id, verdict, text, measured, expected, limit, unit."""
+
+    def to_pandas(self):
+        import pandas
+
+        return pandas.DataFrame(list(self))
+
+
+class Result:
+    """What was found of a result, or of a case that was run."""
+
+    def __init__(self, record, notes=()):
+        self.record = record
+        self.notes = list(notes)
+        self.claims = Claims({**{key: claim.get(key) for key in ("id", "verdict", "text", "measured", "expected", "unit")},
+                              "limit": claim["criterion"].get("limit")} for claim in record["claims"])
+        self.measurements = record["measurements"]
+
+    @property
+    def passed(self):
+        """Whether every claim came out as the case expects it to."""
+        return all(claim["as_declared"] for claim in self.record["claims"])
+
+    def __repr__(self):
+        met = sum(claim["verdict"] == "pass" for claim in self.claims)
+        return f"<seiche.Result {self.record['case']}: {met} of {len(self.claims)} claims met>"
+
+    def _repr_html_(self):
+        def cells(values):
+            return "".join(f"<td>{html.escape(f'{v:.6g}' if isinstance(v, float) else str(v))}</td>" for v in values)
+
+        keys = ("verdict", "text", "measured", "expected", "limit", "unit")
+        head = "".join(f"<th>{key}</th>" for key in keys)
+        rows = "".join(f"<tr>{cells(claim[key] for key in keys)}</tr>" for claim in self.claims)
+        return f"<p>{html.escape(repr(self))}</p><table><tr>{head}</tr>{rows}</table>"
+
+    def plot(self, axes=None):
+        """How much of its limit every claim uses. Returns matplotlib's axes."""
+        import matplotlib.pyplot as plt
+
+        axes = axes or plt.subplots(figsize=(7, 0.4 * len(self.claims) + 1))[1]
+        told = [c for c in self.claims if None not in (c["limit"], c["measured"], c["expected"]) and c["limit"] > 0]
+        axes.barh([c["id"] for c in told], [abs(c["measured"] - c["expected"]) / c["limit"] for c in told],
+                  color=["tab:green" if c["verdict"] == "pass" else "tab:red" for c in told])
+        axes.axvline(1, color="black")
+        axes.set_xlabel("error over its limit")
+        return axes
+
+
+class Case:
+    """A case of the suite with its parameters: `seiche.case("monai_valley")`, `seiche.case("riemann", right_depth=0)`."""
+
+    def __init__(self, name, **parameters):
+        if name not in _listed():
+            _run("list", "--claims", name)  # says which was meant
+        self.name, self.parameters = name, parameters
+        self.about = _listed()[name]
+        self.tables = self.about["tables"]
+
+    def __repr__(self):
+        return f"<seiche.Case {self.name}: {self.about['title']}>"
+
+    def _template(self, table):
+        words = ["--table", table] if table else []
+        return _run("score", self.name, "--template", *words, *_settings(self.parameters))
+
+    def template(self, table=None):
+        """What is asked for, a dict of columns by table: where the reference is known, and NaN to be filled in."""
+        chosen = {}
+        for name in [table] if table else self.tables:
+            lines = [line for line in self._template(name).splitlines() if not line.startswith("#")]
+            columns = [word.split(" [")[0] for word in lines[0].split(",")]
+            rows = [[float(entry or "nan") for entry in line.split(",")] for line in lines[1:]]
+            values = np.array(rows or [[np.nan] * len(columns)]).T
+            chosen[name] = dict(zip(columns, values))
+        return chosen[table] if table else chosen
+
+    @property
+    def files(self):
+        """Bathymetry, incident wave and measurements of an experiment, by name."""
+        named = [line.split("the reference: ")[1] for name in self.tables for line in self._template(name).splitlines()
+                 if "the reference: reference_data/" in line]
+        root = pathlib.Path(_run("list", "--data").strip())
+        return {pathlib.Path(name).name: root / pathlib.Path(name).relative_to("reference_data") for name in named}
+
+    def score(self, data, solver="mine", dx=None, seconds=None, uncertainty=None, out=None, **options):
+        """Judges tables of columns, {"gauges": {"gauge": ..., "t": ..., "eta": ...}}; one table may be given as it is, as
+        a pandas DataFrame, as an xarray Dataset, or as a file's path.
+
+        uncertainty  standard, by quantity: {"eta": 0.001} or {"eta": "1%"}
+        options      further options of `seiche score`: baseline="folder", gauges="WG1=6"
+        """
+        with tempfile.TemporaryDirectory(prefix="seiche-") as folder:
+            files = [data] if isinstance(data, (str, os.PathLike)) else self._written(data, pathlib.Path(folder))
+            words = [word for file in files for word in ("--data", file)]
+            if len(files) < len(self.tables) and len(files) == 1 and isinstance(data, dict) and set(data) <= set(self.tables):
+                words += ["--table", next(iter(data))]
+            words += [word for name, u in (uncertainty or {}).items() for word in ("--uncertainty", f"{name}={u}")]
+            given = {"dx": dx, "seconds": seconds, **options}
+            words += [word for name, value in given.items() if value is not None for word in (f"--{name}", value)]
+            told = json.loads(_run("score", self.name, *words, *_settings(self.parameters), "--solver", solver, "--json",
+                                   "--out", out or pathlib.Path(folder) / "results", allowed=(0, 1)))
+        return Result(told["record"], told["notes"])
+
+    def _written(self, data, folder):
+        named = hasattr(data, "keys") and not hasattr(data, "to_dataframe") and set(data) <= set(self.tables)
+        for name, table in (data.items() if named else [("table", data)]):
+            table = table.to_dataframe().reset_index() if hasattr(table, "to_dataframe") else table
+            columns = [np.atleast_1d(np.asarray(table[column], float)) for column in table.keys()]
+            lengths = {column.size for column in columns}
+            if len(lengths) != 1:
+                raise ValueError(f"table {name}: columns of {', '.join(map(str, sorted(lengths)))} values, must be as many")
+            np.savetxt(folder / f"{name}.csv", np.column_stack(columns), "%.17g", ",", comments="",
+                       header=",".join(map(str, table.keys())))
+        return sorted(folder.glob("*.csv"))
+
+
+def cases():
+    """Names of the cases that judge results of others."""
+    return [name for name, one in _listed().items() if one["scores"]]
+
+
+def case(name, **parameters):
+    return Case(name, **parameters)
+
+
+def read_record(path):
+    """The result that a command wrote as JSON."""
+    return Result(json.loads(pathlib.Path(path).read_text()))
+
+
+def run(*names, out, tier="quick", **parameters):
+    """Runs cases of the suite into a folder; their results."""
+    _run("run", *names, "--tier", tier, "--out", out, *_settings(parameters), allowed=(0, 1))
+    suffix = "" if tier == "quick" else f"@{tier}"
+    return [read_record(pathlib.Path(out) / f"{name}{suffix}.json") for name in names]
