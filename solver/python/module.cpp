@@ -228,12 +228,11 @@ PYBIND11_MODULE(_seiche, m) {
       .def_property_readonly("parameters", &Solution::parameters)
       .def_property_readonly("name", [](const Solution& s) { return s.description().name; })
       .def_property_readonly("citation", [](const Solution& s) { return s.description().citation; })
-      .def(py::pickle(
-          [](const Solution& s) { return py::make_tuple(s.description().name, s.parameters()); },
-          [](const py::tuple& state) {
-            const auto parameters = state[1].cast<std::map<std::string, double>>();
-            return Solution(exact::find_solution(state[0].cast<std::string>()), parameters);
-          }))
+      .def(py::pickle([](const Solution& s) { return py::make_tuple(s.description().name, s.parameters()); },
+                      [](const py::tuple& state) {
+                        const auto parameters = state[1].cast<std::map<std::string, double>>();
+                        return Solution(exact::find_solution(state[0].cast<std::string>()), parameters);
+                      }))
       .def("__repr__", [](const Solution& s) {
         std::vector<std::string> words;
         for (const auto& [name, value] : s.parameters()) words.push_back(fmt::format("{}={:g}", name, value));

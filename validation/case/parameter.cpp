@@ -117,8 +117,8 @@ const Parameter& Values::find(std::string_view name) const {
   if (found == declared_.end()) {
     std::vector<std::string> names;
     for (const Parameter& p : declared_) names.push_back(p.name);
-    throw std::invalid_argument(
-        fmt::format("parameter {} is unknown{} must be one of {}", name, did_you_mean(name, names), fmt::join(names, ", ")));
+    throw std::invalid_argument(fmt::format("parameter {} is unknown{} must be one of {}", name,
+                                            did_you_mean(name, names), fmt::join(names, ", ")));
   }
   return *found;
 }

@@ -17,8 +17,7 @@ using exact::ExactSolution;
 using Json = nlohmann::ordered_json;
 
 std::string value_of(const exact::Parameter& parameter, double value) {
-  return parameter.choices.empty() ? fmt::format("{}", value)
-                                   : parameter.choices.at(static_cast<std::size_t>(value));
+  return parameter.choices.empty() ? fmt::format("{}", value) : parameter.choices.at(static_cast<std::size_t>(value));
 }
 
 struct PrintedColumn {

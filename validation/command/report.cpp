@@ -38,8 +38,8 @@ int report(const ReportOptions& options) {
   const auto is_record = [](const auto& entry) { return entry.path().extension() == ".json"; };
   if (!std::filesystem::is_directory(folder) ||
       std::none_of(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator(), is_record)) {
-    throw std::invalid_argument(
-        fmt::format("report: {}: must be a folder with records, as 'seiche run' and 'seiche score' write them", options.evidence));
+    throw std::invalid_argument(fmt::format(
+        "report: {}: must be a folder with records, as 'seiche run' and 'seiche score' write them", options.evidence));
   }
   const std::string out =
       options.out.empty() ? (std::filesystem::path(options.evidence) / "report").string() : options.out;

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include <fnmatch.h>
 #include <fmt/format.h>
+#include <fnmatch.h>
 
 #include "validation/case/registry.hpp"
 #include "validation/case/runner.hpp"

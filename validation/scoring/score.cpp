@@ -205,16 +205,18 @@ class QuantityScore {
   void leave_gaps_out(const std::vector<double>& x, std::vector<double>& y) {
     constexpr double all = std::numeric_limits<double>::infinity();
     const auto [from, to] = table_.judged ? table_.judged(group_.value) : std::pair(-all, all);
+    const double rounding = 1e-6 * (x.back() - x.front());  // of a file with fewer digits than the template
     double known = 0;
     double covered = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
       if (std::isnan(y[i])) continue;
-      const bool gap = std::any_of(group_.gaps.begin(), group_.gaps.end(),
-                                   [&](const auto& one) { return x[i] > one.first && x[i] < one.second; });
+      const bool gap = std::any_of(group_.gaps.begin(), group_.gaps.end(), [&](const auto& one) {
+        return x[i] > one.first + rounding && x[i] < one.second - rounding;
+      });
       if (gap) y[i] = std::numeric_limits<double>::quiet_NaN();
       if (x[i] < from || x[i] > to) continue;
       ++known;
-      if (!gap && x[i] >= group_.abscissa.front() && x[i] <= group_.abscissa.back()) ++covered;
+      if (!gap && x[i] >= group_.abscissa.front() - rounding && x[i] <= group_.abscissa.back() + rounding) ++covered;
     }
     coverage_ = covered / known;
   }

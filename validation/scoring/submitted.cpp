@@ -81,6 +81,10 @@ class Reader {
   }
 
   [[nodiscard]] std::vector<SubmittedGroup> groups() const {
+    for (const Column& column : columns_of(wanted_)) {
+      const bool group = wanted_.group && column.name == wanted_.group->name;
+      if (!group && beside_.empty()) check_length(column, values(column).size());
+    }
     std::vector<SubmittedGroup> result;
     for (const Slice& slice : slices()) {
       if (!slice.rows.empty()) result.push_back(group(slice));
@@ -348,8 +352,6 @@ class Reader {
     const Column& first = wanted_.group ? *wanted_.group : wanted_.quantities.front().column;
     const std::string where =
         wanted_.group ? fmt::format(" for {} = {:g}{}", first.name, slice.group, after_number(first.unit)) : "";
-    for (const WantedQuantity& q : wanted_.quantities) check_length(q.column, values(q, slice).size());
-    if (wanted_.abscissa) check_length(*wanted_.abscissa, values(*wanted_.abscissa).size());
     SubmittedGroup result;
     result.value = slice.group;
     if (!wanted_.abscissa) {
@@ -558,14 +560,14 @@ Submitted submitted_from(const std::vector<io::Table>& files, const std::vector<
     if (table.group) std::ranges::stable_sort(groups, {}, number);
     if (!groups.empty()) submitted[table.name] = std::move(groups);
   }
+  for (const auto& [name, gauge] : understood.gauges) {
+    if (used.contains(name)) continue;
+    throw std::invalid_argument(fmt::format("--gauges {}={}: no column and no file is called {}", name, gauge, name));
+  }
   // Says which column of the first table is missing, or why it cannot be used.
   if (submitted.empty()) {
     submitted[wanted.front().name] =
         Reader(files.front(), wanted.front(), wanted.size() == 1, understood, used).groups();
-  }
-  for (const auto& [name, gauge] : understood.gauges) {
-    if (used.contains(name)) continue;
-    throw std::invalid_argument(fmt::format("--gauges {}={}: no column and no file is called {}", name, gauge, name));
   }
   return submitted;
 }

@@ -127,7 +127,8 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.write("plan/fort.t0000", "0 time\n");
   folder.is("plan", "In two dimensions x runs fastest.", "plan",
             "x,y,t,h,hu,hv,eta|0.5,1,0,1,2,3,4|1.5,1,0,5,6,7,8|0.5,3,0,9,10,11,12|1.5,3,0,13,14,15,16");
-  folder.write("mixed/fort.q0000", coarse + "2 grid_number\n2 AMR_level\n1 mx\n1 my\n0 xlow\n0 ylow\n1 dx\n1 dy\n\n1 0 0 1\n");
+  folder.write("mixed/fort.q0000",
+               coarse + "2 grid_number\n2 AMR_level\n1 mx\n1 my\n0 xlow\n0 ylow\n1 dx\n1 dy\n\n1 0 0 1\n");
   folder.write("mixed/fort.t0000", "0 time\n");
   folder.refused("mixed", "Patches of one and of two dimensions are not mixed.", "mixed", "must all be alike");
   folder.write("layers/gauge00001.txt",

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "seiche/io/text_table.hpp"
 #include "seiche/io/hdf5_file.hpp"
 #include "seiche/io/table.hpp"
+#include "seiche/io/text_table.hpp"
 #include "seiche/samples.hpp"
 #include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"

@@ -120,7 +120,8 @@ std::vector<double> values_of(const H5::DataSet& set, hsize_t most_elements) {
   const H5::DataSpace space = set.getSpace();
   std::array<hsize_t, H5S_MAX_RANK> extents{};
   const int dimensions = space.isSimple() ? space.getSimpleExtentDims(extents.data()) : 0;
-  if (!space.isSimple() || std::count_if(extents.begin(), extents.begin() + dimensions, [](hsize_t n) { return n > 1; }) > 1) {
+  if (!space.isSimple() ||
+      std::count_if(extents.begin(), extents.begin() + dimensions, [](hsize_t n) { return n > 1; }) > 1) {
     throw std::invalid_argument(fmt::format("has {} dimensions, must have one", dimensions));
   }
   require_own_storage(set);

@@ -27,12 +27,12 @@ std::string_view trimmed(std::string_view text, std::string_view off = " \t") {
   return text.substr(begin, text.find_last_not_of(off) - begin + 1);
 }
 
-/// Bytes of a stream; of UTF-16, which two bytes at the beginning announce, the characters that ASCII has.
-class Bytes {
+/// Characters of a stream; of UTF-16, which two bytes at the beginning announce, the characters that ASCII has.
+class Characters {
  public:
   static constexpr int end = std::char_traits<char>::eof();
 
-  explicit Bytes(std::istream& in) : buffer_(in.rdbuf()) {
+  explicit Characters(std::istream& in) : buffer_(in.rdbuf()) {
     const int first = buffer_->sgetc();
     if (first != 0xFF && first != 0xFE) return;
     buffer_->sbumpc();
@@ -232,7 +232,7 @@ void Text::fail(std::size_t index, std::string what) const {
 
 Text text_of(std::istream& in, const std::string& name, std::size_t most) {
   Text text{.file = name, .lines = {}};
-  Bytes bytes(in);
+  Characters bytes(in);
   std::string line;
   std::size_t read = 0;
   int before = 0;
@@ -241,7 +241,7 @@ Text text_of(std::istream& in, const std::string& name, std::size_t most) {
     text.lines.push_back(std::move(line));
     line.clear();
   };
-  for (int c = 0; read < most && (c = bytes.next()) != Bytes::end; before = c, ++read) {
+  for (int c = 0; read < most && (c = bytes.next()) != Characters::end; before = c, ++read) {
     if (c == '\n' && before == '\r') continue;
     if (c == '\n' || c == '\r') {
       end_line();
