@@ -280,7 +280,7 @@ class Score(Scoring):
         for text, words in [
                 ("x,h\n1,1\n2,1\n", ["column u is missing"]),
                 ("x,h,u\n1,1,zero\n", ["line 2", "column u", "'zero'"]),
-                ("x,h,u\n1,1,\n2,1,0\n", ["line 2", "column u", "no value"]),
+                ("x,h,u\n1,1,\n2,1,0\n3,1,0\n", ["line 2", "column u", "no value"]),
                 ("x,h,u\n1,1\n", ["line 2", "column u"]),
                 ("x,h,u\n1,1,0,0\n", ["line 2", "4 entries"]),
                 ("x,h,u\n1,nan,0\n2,1,0\n", ["line 2", "column h", "no value", "depth"]),

@@ -113,8 +113,8 @@ std::optional<double> Question::stated(const std::map<std::string, StatedUncerta
 std::optional<Question> Question::within(const SubmittedGroup& record) const {
   if (record.abscissa.empty()) return *this;
   Reading part = reading_;
-  part.window.from = std::max(part.window.from, record.abscissa.front());
-  part.window.to = std::min(part.window.to, record.abscissa.back());
+  part.window = {std::max(reading_.window.from, record.abscissa.front()),
+                 std::min(reading_.window.to, record.abscissa.back())};
   const std::vector<double>& x = measured_->x;
   const auto inside = [&](double at) { return at >= part.window.from && at <= part.window.to; };
   if (std::ranges::none_of(x, inside) || std::isnan(part.of(measured_->curve(), *measured_))) return {};

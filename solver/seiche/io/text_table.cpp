@@ -369,8 +369,12 @@ Table read_text_table(const Text& text, const std::vector<std::string>& columns,
   if (names.empty()) {
     std::size_t above = start->line;  // a header of another length?
     while (above > 0 && is_comment(text.lines[above - 1])) --above;
-    if (above > 0)
+    if (above > 0 && is_unit(text.lines[above - 1])) {
+      text.fail(above - 1, fmt::format("{}: a unit without the name of its column", text.lines[above - 1]));
+    }
+    if (above > 0) {
       Rows(text, split(text.lines[above - 1], start->separator)).add(start->line, std::vector<double>(start->columns));
+    }
     text.fail(start->line, "the columns have no names: name them by --columns, as in --columns t,eta");
   }
   if (names.size() != start->columns) {
