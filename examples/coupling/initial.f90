@@ -19,12 +19,12 @@ program initial
   print '(f8.3, 3f12.8)', (points(1, k), values(1:3, k), k=1, 9)          ! eta, u, v
   if (abs(values(1, 5) - 0.1_c_double) > 1e-9_c_double) error stop 'the crest is not as high as asked for'
   if (abs(values(1, 1) - values(1, 9)) > 1e-12_c_double) error stop 'the wave is not symmetric'
-  call wave%free()
+  call wave%destroy()
 
   wave = seiche_create('serre_cnoidal', 'height=0.1,wavelength=12,depth=1,gravity=9.81')
   if (.not. wave%ok()) error stop 'cnoidal'
   print '(a, i0, a)', 'cnoidal wave: ', wave%outputs(), ' outputs'
-  call wave%free()
+  call wave%destroy()
 
   wrong = seiche_create('solitary', 'amplitude=9')
   if (wrong%ok()) error stop 'a wave of nine depths was accepted'

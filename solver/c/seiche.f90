@@ -4,7 +4,7 @@
 !   wave = seiche_create('solitary', 'amplitude=0.3,depth=1,gravity=9.81')
 !   if (.not. wave%ok()) error stop seiche_error()
 !   call wave%evaluate(points, values, status)        ! points(coordinates, n), values(outputs, n); NaN outside the water
-!   call wave%free()
+!   call wave%destroy()
 module seiche
   use, intrinsic :: iso_c_binding
   implicit none
@@ -15,7 +15,7 @@ module seiche
     private
     type(c_ptr) :: handle = c_null_ptr
   contains
-    procedure :: ok, inputs, outputs, evaluate, scalar, free
+    procedure :: ok, inputs, outputs, evaluate, scalar, destroy
   end type
 
   interface
@@ -115,7 +115,7 @@ contains
     scalar = c_scalar(self%handle, trim(name)//c_null_char)
   end function
 
-  subroutine free(self)
+  subroutine destroy(self)
     class(seiche_solution), intent(inout) :: self
     call c_free(self%handle)
     self%handle = c_null_ptr
