@@ -9,6 +9,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/roots.hpp>
 
+#include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/entry.hpp"
 #include "seiche/exact/identities.hpp"
 #include "seiche/require.hpp"
