@@ -24,6 +24,7 @@
 #include "seiche/mechanics/index_reduced.hpp"
 #include "seiche/mechanics/scheme.hpp"
 #include "seiche/mechanics/step_parts.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::mechanics {
 
@@ -125,8 +126,7 @@ requires(HasMultipliers<Model>&& HasConstraintValues<Model>) class Rattle {
     for (int k = 0; k < most; ++k) {
       model_.advance(state.q, u_, tau, q_);
       model_.constraint_values(q_, values_);
-      double defect = 0;
-      for (const double f : values_) defect = std::max(defect, std::abs(f));
+      const double defect = std::abs(worst(values_));
       // Round-off: small and no longer falling.
       if (defect <= 4 * std::numeric_limits<double>::epsilon() || (defect < 1e-11 && defect >= previous)) return;
       previous = defect;

@@ -1,9 +1,11 @@
 #include "validation/instruments/rigid_chain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "seiche/require.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::rigid_chain {
 
@@ -131,9 +133,9 @@ void RigidChain::factor() {
 }
 
 void Scales::include(const Scales& other) {
-  energy = std::max(energy, other.energy);
-  momentum = std::max(momentum, other.momentum);
-  angular_momentum = std::max(angular_momentum, other.angular_momentum);
+  for (double Scales::*scale : {&Scales::energy, &Scales::momentum, &Scales::angular_momentum}) {
+    this->*scale = largest(std::array{this->*scale, other.*scale});
+  }
 }
 
 Scales scales_of(const RigidChain& chain, const mechanics::State& state) {

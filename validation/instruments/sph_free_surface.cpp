@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "seiche/require.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::wcsph {
 namespace {
@@ -46,7 +46,7 @@ double Contour::length() const {
 }
 
 double Contour::distance(double px, double pz) const {
-  double nearest = std::numeric_limits<double>::infinity();
+  Smallest nearest;
   const std::size_t segments = closed || x.size() == 1 ? x.size() : x.size() - 1;
   for (std::size_t i = 0; i < segments; ++i) {
     const std::size_t next = (i + 1) % x.size();
@@ -55,9 +55,9 @@ double Contour::distance(double px, double pz) const {
     const double square = along_x * along_x + along_z * along_z;
     const double part = ((px - x[i]) * along_x + (pz - z[i]) * along_z) / square;
     const double foot = square > 0 ? std::clamp(part, 0.0, 1.0) : 0;
-    nearest = std::min(nearest, std::hypot(px - x[i] - foot * along_x, pz - z[i] - foot * along_z));
+    nearest.add(std::hypot(px - x[i] - foot * along_x, pz - z[i] - foot * along_z));
   }
-  return nearest;
+  return nearest.value();
 }
 
 std::vector<Contour> free_surface(const VolumeFraction& fraction, const Box& box, double step) {
