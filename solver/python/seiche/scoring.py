@@ -94,20 +94,17 @@ class Case:
             _run("list", "--claims", name)  # says which was meant
         self.name, self.parameters = name, parameters
         self.about = _listed()[name]
-        self.tables = self.about["tables"]
+        self.tables = self.about["tables"]  # by name: columns with their units, and files
 
     def __repr__(self):
         return f"<seiche.Case {self.name}: {self.about['title']}>"
-
-    def _template(self, table):
-        words = ["--table", table] if table else []
-        return _run("score", self.name, "--template", *words, *_settings(self.parameters))
 
     def template(self, table=None):
         """What is asked for, a dict of columns by table: where the reference is known, and NaN to be filled in."""
         chosen = {}
         for name in [table] if table else self.tables:
-            lines = [line for line in self._template(name).splitlines() if not line.startswith("#")]
+            printed = _run("score", self.name, "--template", "--table", name, *_settings(self.parameters))
+            lines = [line for line in printed.splitlines() if not line.startswith("#")]
             columns = [word.split(" [")[0] for word in lines[0].split(",")]
             rows = [[float(entry or "nan") for entry in line.split(",")] for line in lines[1:]]
             values = np.array(rows or [[np.nan] * len(columns)]).T
@@ -116,11 +113,9 @@ class Case:
 
     @property
     def files(self):
-        """Bathymetry, incident wave and measurements of an experiment, by name."""
-        named = [line.split("the reference: ")[1] for name in self.tables for line in self._template(name).splitlines()
-                 if "the reference: reference_data/" in line]
-        root = pathlib.Path(_run("list", "--data").strip())
-        return {pathlib.Path(name).name: root / pathlib.Path(name).relative_to("reference_data") for name in named}
+        """Bathymetry, incident wave and others of an experiment by name; measurements as FOLDER/table.csv."""
+        files = [pathlib.Path(file) for table in self.tables.values() for file in table["files"]]
+        return {f"{file.parent.name}/{file.name}" if file.name == "table.csv" else file.name: file for file in files}
 
     def score(self, data, solver="mine", dx=None, seconds=None, uncertainty=None, out=None, **options):
         """Judges tables of columns, {"gauges": {"gauge": ..., "t": ..., "eta": ...}}; one table may be given as it is, as

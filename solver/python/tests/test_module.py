@@ -1,5 +1,13 @@
 """The Python module: values are the command's, arrays broadcast, and what is wrong is a ValueError that says so."""
 
+import inspect
+import json
+import os
+import pathlib
+import pickle
+import threading
+import time
+
 import numpy
 import pytest
 
@@ -62,3 +70,62 @@ def test_a_curve_comes_back_as_arrays_along_it():
 def test_solutions_test_themselves():
     for identity in seiche.riemann(right_depth=0.1).self_test():
         assert identity["defect"] <= identity["accuracy"], identity
+
+
+def test_signatures_and_stubs_name_the_parameters():
+    assert list(inspect.signature(seiche.solitary).parameters) == ["amplitude", "depth", "gravity"]
+    assert inspect.signature(seiche.wavemaker).parameters["kind"].default == "piston"
+    compile(seiche._stubs(), "seiche.pyi", "exec")
+    assert pathlib.Path(seiche.__file__).with_name("py.typed").is_file() and seiche.__version__
+
+
+def test_a_solution_is_pickled_by_its_parameters():
+    wave = seiche.solitary(amplitude=0.2)
+    assert pickle.loads(pickle.dumps(wave))(x=0.5)["eta"] == wave(x=0.5)["eta"]
+
+
+def test_other_threads_run_while_points_are_computed():
+    wave, points = seiche.solitary(amplitude=0.3), numpy.linspace(-5, 5, 20000)
+    thread = threading.Thread(target=lambda: wave(x=points, y=-0.5))
+    thread.start()
+    turns = 0
+    while thread.is_alive():
+        turns += 1
+        time.sleep(0.001)
+    assert turns > 10
+
+
+def filled(case):
+    t = case.template("wall")["t"]
+    command = ["exact", "standing", *seiche_words(case, "wall"), "--format", "json"]
+    told = json.loads(seiche.scoring._run(*command))
+    names = [column["name"] for column in told["columns"]]
+    eta = numpy.array([row[names.index("eta")] for row in told["rows"]])
+    return {"t": t, "eta": eta}
+
+
+def seiche_words(case, table):
+    template = seiche.scoring._run("score", case.name, "--template", "--table", table)
+    line = next(line for line in template.splitlines() if "the reference: seiche exact standing" in line)
+    return line.split("seiche exact standing ")[1].split()
+
+
+@pytest.mark.skipif(not os.path.exists(os.environ.get("SEICHE", "")), reason="the command is not built")
+def test_a_result_is_scored(tmp_path):
+    case = seiche.case("standing_wave")
+    assert case.name in seiche.cases()
+    data = filled(case)
+    result = case.score({"wall": data}, solver="mine", dx=0.1, out=tmp_path)
+    assert result.passed and "claims met" in result._repr_html_() and result.notes == []
+    assert seiche.read_record(next(tmp_path.glob("standing_wave*.json"))).passed
+    result = case.score({"wall": {"t": data["t"], "elevation": 1.5 * data["eta"]}})
+    assert not result.passed and any("taken for eta" in note for note in result.notes)
+    from seiche.testing import assert_score
+    assert_score("standing_wave", {"wall": data})
+    with pytest.raises(AssertionError, match="fail: "):
+        assert_score("standing_wave", {"wall": {**data, "eta": 1.5 * data["eta"]}})
+    assert {"bathymetry.asc", "matsuyama_tanaka_2001_monai_valley/table.csv"} <= set(seiche.case("monai_valley").files)
+    with pytest.raises(ValueError, match="did you mean monai_valley"):
+        seiche.case("monai_valey")
+    with pytest.raises(ValueError, match="must be as many"):
+        case.score({"wall": {"t": data["t"], "eta": data["eta"][1:]}})
