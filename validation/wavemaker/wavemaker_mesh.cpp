@@ -144,7 +144,7 @@ SetUp set_up(const Values& values) {
   const Paddle paddle{2 * std::numbers::pi / period, values.real("stroke"), values.text("start") == "jump"};
   return {paddle,
           {values.real("h1"), values.integer("rows"), values.real("tau")},
-          {exact::Paddle::piston, 1, 1, paddle.omega},
+          {exact::Paddle::piston, {1, 1}, exact::AngularFrequency{paddle.omega}},
           period / 40,
           values.real("periods") * period};
 }

@@ -6,6 +6,7 @@
 #include "seiche/exact/shallow_water/steady_flow.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "validation/instruments/error_measures.hpp"
 #include "verification/check.hpp"
 
 namespace particles_open_section_test {

@@ -10,6 +10,7 @@
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/error_measures.hpp"
 #include "validation/instruments/manufactured/lagrangian_manufactured.hpp"
 #include "verification/check.hpp"
 
