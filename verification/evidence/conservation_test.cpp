@@ -44,8 +44,8 @@ std::string verdict(const std::string& phenomenon, const std::string& quantity, 
 }
 
 std::string refusal(const std::string& text) {
-  std::vector<io::Table> files{table(text, "mine.csv")};
   try {
+    std::vector<io::Table> files{table(text, "mine.csv")};
     take_history(files, wanted_gauge(), {});
   } catch (const std::invalid_argument& refused) {
     return refused.what();

@@ -140,14 +140,19 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   is("excessive", "One that is too large to tell buys no pass.",
      verdict(scored({table(run_up, "r")}, "0.5"), "runup-value"), "inconclusive");
 
-  is("group", "A missing time is named.", refusal("t,x,eta\n1,0,0\n1,1,0\n"), "mine.csv: column t: 0 rows for t = 2 s");
-  is("order", "Disorder within a time is named with its line.", refusal("t,x,eta\n1,1,0\n2,0,0\n1,0,0\n2,1,0\n"),
-     "mine.csv: line 4: column x: 0 follows 1 for t = 1 s");
+  is("group", "A result without one of the times is no full result.",
+     verdict(scored({table("t,x,eta\n1,0,0\n1,10,0\n", "mine.csv")}), "profiles-given"), "fail");
+  const std::string in_order = profiles(0);
+  std::istringstream lines(in_order.substr(in_order.find('\n') + 1));
+  std::string reversed;
+  for (std::string line; std::getline(lines, line);) reversed = line + "\n" + reversed;
+  is("order", "Rows in the reverse order are sorted.",
+     verdict(scored({table("t,x,eta\n" + reversed, "mine.csv")}), "eta-relative_l2"), "pass");
   is("several", "What the rows differ in is named, where the file says.",
      refusal("t,x,y,eta\n1,0,0,0\n1,1,0,0\n1,0,3,0\n1,1,3,0\n2,0,0,0\n2,1,0,0\n"), "holds y = 0 and 3, and one alone");
   is("single", "Several rows of single numbers are refused.", refusal("runup\n1\n2\n"),
      "mine.csv: column runup: 2 rows, must be exactly one");
-  is("foreign", "A file that holds nothing wanted is refused.", refusal("a,b\n1,2\n"), "column t is missing");
+  is("foreign", "A file that holds nothing wanted is refused.", refusal("a,b\n1,2\n"), "is missing: the file has a, b");
   is("template", "The template has a row per point and time.", template_of(wanted_tables().front(), "# opening\n"),
      "t [s],x [m],eta [m]\n1,0,\n1,0.2");
 }

@@ -1,4 +1,5 @@
 #include "seiche/io/text_table.hpp"
+#include "seiche/printable.hpp"
 
 #include <algorithm>
 #include <array>
@@ -107,7 +108,7 @@ std::vector<std::string> split(const std::string& line, char separator) {
 std::optional<std::vector<double>> values_in(const std::string& line, char separator) {
   if (separator != ' ' && line.find(separator) == std::string::npos) return {};
   std::vector<std::string> entries = split(line, separator);
-  if (entries.back().empty()) entries.pop_back();  // a separator at the end
+  if (!entries.empty() && entries.back().empty()) entries.pop_back();  // a separator at the end
   std::vector<double> values;
   for (const std::string& entry : entries) {
     const std::optional<double> value = value_in(entry);
@@ -227,7 +228,7 @@ std::string without_number(const std::string& name) {
 
 void Text::fail(std::size_t index, std::string what) const {
   std::replace(what.begin(), what.end(), '\t', ' ');
-  throw std::invalid_argument(fmt::format("{}: line {}: {}", file, index + 1, what));
+  throw std::invalid_argument(fmt::format("{}: line {}: {}", file, index + 1, printable(what)));
 }
 
 Text text_of(std::istream& in, const std::string& name, std::size_t most) {
@@ -336,8 +337,8 @@ Rows::Rows(const Text& text, const std::vector<std::string>& columns) : text_(te
   table_.source = text.file;
   for (const std::string& column : columns) {
     const auto [name, unit] = name_and_unit(column);
-    table_.names.push_back(name);
-    table_.units.push_back(unit);
+    table_.names.push_back(printable(name));
+    table_.units.push_back(printable(unit));
   }
   table_.columns.resize(columns.size());
 }
