@@ -50,6 +50,7 @@ class Command(InstalledTest):
 
     def test_another_interpreter_can_be_named(self):
         (self.somebody.home / "evidence").mkdir(mode=0o777)
+        (self.somebody.home / "evidence/a.json").write_text("{}")
         result = self.somebody.run("seiche", "report", "evidence", SEICHE_PYTHON="/nowhere/python3")
         self.assertEqual(result.returncode, 3)
         self.assertIn("/nowhere/python3", result.stderr)
@@ -57,7 +58,7 @@ class Command(InstalledTest):
     def test_python_module(self):
         if cache("SEICHE_PYTHON_MODULE") != "ON":
             self.skipTest("built without the Python module")
-        module, = PREFIX.rglob("seiche/__init__.*.so")
+        module, = PREFIX.rglob("seiche/_seiche.*.so")
         example = PREFIX / "share/doc/seiche/examples/exact_solutions/particles.py"
         result = self.somebody.run(PYTHON, example, PYTHONPATH=str(module.parent.parent))
         self.assertEqual(result.returncode, 0, result.stderr)
