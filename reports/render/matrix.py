@@ -60,15 +60,13 @@ def regime(height=None, depth=1.0, length=None):
             "Ur": steep * (length / depth) ** 2 if steep is not None and length else None}
 
 
-def share(claim, over=None, whole=False):
-    """|measured - expected| over |expected|, or over `over` where nothing is expected; whole: the measured is the error.
+def share(claim, over=None):
+    """|measured - expected| over |expected|, or over `over` where that is given.
 
     None where there is no number, or a difference with a unit has nothing to be divided by."""
     measured, expected = claim.measured, claim.expected
     if measured is None or expected is None:
         return None
-    if whole:
-        return abs(measured) / over
     if expected and over is None:
         return abs(measured - expected) / abs(expected)
     if over is None and claim.unit not in ("", "1"):
@@ -102,7 +100,7 @@ def _problem(about, cases, own, runs, drawn, by_name):
         what = {"claims": what} if isinstance(what, str) else what
         case, _, pattern = what["claims"].partition(": ")
         if own.get(case):
-            cells[model] = of_claims(own[case], pattern, _number(what.get("over"), own[case]), what.get("whole", False))
+            cells[model] = of_claims(own[case], pattern, _number(what.get("over"), own[case]))
     members = [case for case in cases if case.first.kind == "validation" and case.first.group == about["group"]]
     return Problem(about["id"], about["title"], about["quantity"], about["evidence"], about["group"],
                    about.get("words", ""), _regime(about.get("regime", {}), own),
@@ -127,12 +125,12 @@ def _regime(said, own):
     return regime(**sizes)
 
 
-def of_claims(record, pattern, over, whole):
+def of_claims(record, pattern, over):
     """The root mean square of the claims that match, and the worst; None where none does."""
     claims = [claim for claim in record.claims if fnmatch.fnmatchcase(claim.id, pattern)]
     if not claims:
         return None
-    errors = [share(claim, over, whole) for claim in claims]
+    errors = [share(claim, over) for claim in claims]
     known = [error for error in errors if error is not None]
     worst = max(known, default=None)
     shown = claims[errors.index(worst)] if known else claims[0]

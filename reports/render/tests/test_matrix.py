@@ -54,12 +54,12 @@ class Matrix(unittest.TestCase):
         made = record("wave", wall_time=3.0, claims=[
             compared("a-1", 1.1, 1.0, 0.2), compared("a-2", 1.3, 1.0, 0.2, verdict="fail", declared="fail", declared_reason="r"),
             compared("b", 9.0, 1.0, 0.2)])
-        cell = matrix.of_claims(records.Record("wave.json", made), "a-*", None, False)
+        cell = matrix.of_claims(records.Record("wave.json", made), "a-*", None)
         self.assertAlmostEqual(cell.error, math.sqrt((0.01 + 0.09) / 2))
         self.assertEqual((cell.anchor, cell.readings, cell.seconds, cell.flaws), ("claim-a-2", 2, 3.0, ["1 of 2 exceed"]))
         self.assertAlmostEqual(cell.worst, 0.3)
         self.assertEqual(cell.shade, 3)
-        self.assertIsNone(matrix.of_claims(records.Record("wave.json", made), "c", None, False))
+        self.assertIsNone(matrix.of_claims(records.Record("wave.json", made), "c", None))
 
     def test_every_claim_that_is_named_is_in_the_record(self):
         kept = set()
