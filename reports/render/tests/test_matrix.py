@@ -14,7 +14,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
-from render import costs, matrix, records  # noqa: E402
+from render import costs, matrix, pages, records  # noqa: E402
 from render.tests.test_report import HOSTILE, Page, claim, record, render  # noqa: E402
 from render.tests.test_side_by_side import row, table  # noqa: E402
 
@@ -79,6 +79,15 @@ class Matrix(unittest.TestCase):
         self.assertEqual((drop.cells["lagrangian-mesh"].error, drop.cells["lagrangian-mesh"].flaws), (0.5, ["stops at 0.7 s"]))
         self.assertEqual(drop.cells["sph"].flaws, ["energy -20 %"])
         self.assertEqual([model for model, _ in drop.sorted_cells], ["sph", "lagrangian-mesh"])
+
+    def test_claims_are_counted_by_evidence_and_of_the_laboratory_readings_alone(self):
+        missed = compared("b", 9.0, 1.0, 0.1, verdict="fail", declared="fail", declared_reason="r")
+        cases = loaded(record("a", kind="verification", claims=[claim("x"), claim("y")]), record("b", claims=[claim("x"), missed]),
+                       record("c", group="laboratory", claims=[claim("x"), claim("y", "uncertainty")]))
+        said = pages.overview(cases, [], [])
+        self.assertEqual([(name, met, all_of) for name, _, met, all_of in said["evidence"]],
+                         [("Verification", 2, 2), ("Theory and sources", 1, 2), ("Laboratory", 1, 1)])
+        self.assertEqual(said["deviations"], [("bore", [(("b", "cases/b.html"), 1)])])
 
     def test_the_page_has_counts_matrix_and_other_solvers_and_escapes(self):
         with tempfile.TemporaryDirectory() as folder:
