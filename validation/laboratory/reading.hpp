@@ -12,10 +12,10 @@
 /// stated | | misfit   | root mean square of computed less measured at the measured points | that of u_i and of slope
 /// times u_x |
 ///
-/// d is the distance of the points there over 2 sqrt(3): what lies between two of them is not seen.
+/// d is half of the distance of the points there: what lies between two of them is not seen.
 ///
-/// The misfit is expected to be 0, every other reading to be what the measured curve gives. A point of the window that
-/// the computed curve does not cover makes the misfit NaN.
+/// The misfit is expected to be 0, every other reading to be what the measured curve gives. A misfit of which the
+/// computed curve covers fewer than nine tenths of the points is NaN.
 #pragma once
 
 #include <functional>
@@ -58,13 +58,14 @@ struct Reading {
   bool along = false;                      ///< read in the unit of the abscissa
   /// Standard uncertainty of what is read, where it is not what adding the u of the points changes.
   std::function<double(const Measured&)> spread = {};
-  std::string note = {};     ///< why that is what it is
   bool calibration = false;  ///< of what sets the model's input: shown, and no claim
 
   [[nodiscard]] bool misfit() const { return !read; }
   /// What a curve gives; NaN where the window holds no points.
   [[nodiscard]] double of(Curve curve, const Measured& measured) const;
   [[nodiscard]] double expected(const Measured& measured) const;
+  /// What adding the u of the points changes.
+  [[nodiscard]] double shifted(const Measured& measured) const;
   [[nodiscard]] double uncertainty(const Measured& measured) const;
 };
 
@@ -76,8 +77,8 @@ Reading arrival(double group, double level, Window window);
 Reading mean(double group, Window window, Kind kind = Kind::height);
 Reading impulse(double group, Window window);
 Reading at(double group, double abscissa, Kind kind);
-/// @param uncertainty  standard, of the amplitude. @param note  why it is that
-Reading harmonic(double group, int order, double period, Window window, double uncertainty, std::string note);
+/// @param uncertainty  standard, of the amplitude
+Reading harmonic(double group, int order, double period, Window window, double uncertainty);
 Reading misfit(double group, Window window);
 
 /// How much later than the measured curve a computed one is: the lag within +-range that leaves the smallest misfit in

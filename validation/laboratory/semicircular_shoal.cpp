@@ -97,18 +97,12 @@ Experiment experiment(const Values& values) {
     if (period < 3 || harmonic != 2) part.readings.push_back(when_highest(harmonic, window, Kind::place));
     part.readings.push_back(misfit(harmonic, window));
   }
-  std::vector<Cause> misses, undecided;
-  if (period == 3)
-    misses.push_back({"cause unknown", {"harmonics-highest-2", "harmonics-highest-3", "harmonics-misfit-3"}});
-  if (period == 2)
-    undecided.push_back({"the first harmonic is level from 18 m on: spacings differ by 2 m", {"harmonics-when-1"}});
   return {.source = source,
           .parts = {part},
           .files = {"whalin_1971_semicircular_shoal/bathymetry.asc"},
           .compute = compute,
           .model = basin_model,
-          .misses = misses,
-          .undecided = undecided};
+          .coarsenings = {1, 2}};
 }
 
 }  // namespace
