@@ -10,6 +10,15 @@ namespace {
 
 constexpr double depth = 0.218;
 
+const std::string miss =
+    "arrivals at gauges 8 to 10: between 7 and 8 the measured wave is slower than sqrt(g depth), 1.34 s for 1.46 m "
+    "instead of 1.29 s; and the run-up, 0.0274 m, is more than the doubling of a long wave after Green's law gives at "
+    "the wall, 0.024 m, while the gauge before the wall agrees";
+const std::string breaking_miss =
+    "the wave falls from 0.68 to 0.59 depths between gauges 4 and 6 in the flume, before the slope makes it break; "
+    "Serre's solitary wave keeps its height there, is broader than the Euler equations' of so great a height, and so "
+    "runs too fast and loses more as a bore";
+
 /// Of a wave: its letter, the place of gauge 4, when the crest passes there, and how high [m].
 struct Wave {
   std::string table;
@@ -84,6 +93,7 @@ Experiment composite_beach_experiment(const std::string& letter) {
                  .model = wave.breaks() ? "dispersive shallow water with breaking" : "dispersive shallow water"};
   if (letter != "B") {
     one.compute = [wave](const Run& run, double coarsening) { return compute(run, wave, coarsening); };
+    one.miss = wave.breaks() ? breaking_miss : miss;
   }
   return one;
 }

@@ -67,6 +67,8 @@ Experiment gated_dam_break_in_shallow_water(const std::string& scheme, const std
   one.compute = [scheme](const Run& run, double coarsening) { return bore(run, scheme, coarsening); };
   one.model = model;
   one.order = 1;
+  one.miss =
+      "shallow water makes one bore of what is a jet that runs ahead of it: the front falls behind by 3.3 cm in 0.6 s";
   return one;
 }
 

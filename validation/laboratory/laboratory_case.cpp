@@ -60,10 +60,9 @@ Submitted drawn(const Experiment& experiment, const Curves& curves, const std::f
       const SlowNoise slow(judged, normal);
       SubmittedGroup record{.value = curve.group, .abscissa = curve.x, .values = {}};
       for (std::size_t i = 0; i < curve.x.size(); ++i) {
-        const double x = std::clamp(curve.x[i] - clock * curve.u_x, curve.x.front(), curve.x.back());
+        record.abscissa[i] += clock * curve.u_x;
         const double noise = gauge ? (calibration + slow.at(curve.x[i])) / std::numbers::sqrt2 : normal();
-        record.values[part.quantity.name].push_back(
-            (1 + amplitude * part.input) * linear_at(curve.curve(), x) + noise * curve.u[i]);
+        record.values[part.quantity.name].push_back((1 + amplitude * part.input) * curve.y[i] + noise * curve.u[i]);
       }
       records[part.name].push_back(std::move(record));
     }

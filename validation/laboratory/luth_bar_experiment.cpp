@@ -31,6 +31,14 @@ const BarWave wave_a{"luth_1994_bar_a",
 const BarWave wave_c{
     "luth_1994_bar_c", 1.01, 0.0206, 40, 3, 0.03, "bar and beach reflect, as in the same test at twice the scale"};
 
+const std::string long_miss =
+    "the harmonics that were measured carry 31 to 36 % less energy behind the bar than before it, by Airy's group "
+    "velocities; this model loses none, its waves stay higher, and the first harmonic runs up to 0.1 s ahead";
+const std::string short_miss =
+    "waves of k h = 1.7 are 1 % too slow here, 0.05 s at the foot of the bar; the second harmonic runs free behind it "
+    "with k h = 6.4, where they are 1.12 times too fast; and the harmonics that were measured carry 19 to 36 % less "
+    "energy behind the bar than before it, by Airy's group velocities, while this model loses none";
+
 Submitted compute(const BarWave& wave, const Run& run, double coarsening) {
   const double spacing = coarsening * run.real("spacing");
   const Flume flume{.bed_x = {-90, 6, 12, 14, 17, 60},
@@ -71,7 +79,8 @@ Experiment luth_bar_experiment(const std::string& letter) {
           .parts = {part},
           .files = {wave.table + "/bed.csv"},
           .compute = [wave](const Run& run, double coarsening) { return compute(wave, run, coarsening); },
-          .model = "dispersive shallow water, improved dispersion"};
+          .model = "dispersive shallow water, improved dispersion",
+          .miss = long_wave ? long_miss : short_miss};
 }
 
 }  // namespace seiche::validation::laboratory

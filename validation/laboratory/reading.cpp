@@ -95,7 +95,7 @@ double between_points(const std::vector<double>& x, std::size_t i) {
   return std::max(before, after) / 2;
 }
 
-/// Half of what lies within u of the top: where the top is, is not known better.
+/// Half of what lies within 2 u of the top: a point there may be the highest, for two points differ by as much.
 double blunt(const Measured& measured, Window window) {
   const Cut cut = within(measured.curve(), window);
   const auto highest = static_cast<std::size_t>(std::max_element(cut.y.begin(), cut.y.end()) - cut.y.begin());
@@ -104,7 +104,7 @@ double blunt(const Measured& measured, Window window) {
   double to = nan;
   for (std::size_t i = 0; i < measured.x.size(); ++i) {
     const double x = measured.x[i];
-    if (x < window.from || x > window.to || measured.y[i] < top - measured.u[i]) continue;
+    if (x < window.from || x > window.to || measured.y[i] < top - 2 * measured.u[i]) continue;
     if (std::isnan(from)) from = x;
     to = x;
   }
@@ -245,7 +245,9 @@ Reading harmonic(double group, int order, double period, Window window, double u
           .group = group,
           .window = window,
           .read = [order, period](Curve curve) { return amplitude(curve, order, period); },
-          .spread = [uncertainty](const Measured&) { return uncertainty; }};
+          .spread = [uncertainty](const Measured& measured) {
+            return std::hypot(uncertainty, measured.u.front() / std::sqrt(10.0));
+          }};
 }
 
 Reading misfit(double group, Window window) {
