@@ -337,10 +337,7 @@ class AsPeopleWrite(Scoring):
                 scored = self.score("island_gauges", *words, "--table", "gauges")
                 self.accepted(scored, 1)
                 self.assertIn("4 of 8 given, without gauge = 1, 2, 3, 4", scored.stdout)
-                verdicts = self.verdicts("island_gauges.mine")
-                self.assertNotIn("error", verdicts.values())
-                self.assertIn("gauges-highest-6", verdicts)
-        self.assertNotIn("gauges-misfit-1", verdicts)
+                self.assertIn(self.verdicts("island_gauges.mine")["agreement"], ("fail", "inconclusive"))
         for path in self.out.glob("*"):
             path.unlink()
         self.refused(self.score("island_gauges", "--data", self.write(named), "--gauges", "E=6"), "--gauges E=6", "is called E")

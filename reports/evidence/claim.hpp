@@ -39,7 +39,7 @@ struct Measurement {
   [[nodiscard]] double half_width() const { return uncertainty.value_or(std::numeric_limits<double>::quiet_NaN()); }
 };
 
-/// A convergence order with its 95 % confidence interval, from a least-squares line through log(error), log(size).
+/// A convergence order with its 95 % interval, of a line through log(error), log(size) and of the next order beside it.
 struct ObservedOrder {
   double order = std::numeric_limits<double>::quiet_NaN();
   double half_width = std::numeric_limits<double>::infinity();
@@ -48,7 +48,7 @@ struct ObservedOrder {
   std::string note;  ///< names the points left out and why
 };
 
-/// Fits the order of convergence.
+/// Fits the order p; half_width: Student's, and what the next order, error = a h^p (1 + c h), changes of p.
 ///
 /// @param sizes   mesh widths or time steps, positive, at least one
 /// @param errors  error norms, same length

@@ -52,7 +52,7 @@ struct Roundoff {
   Amount expected = 0;
 };
 
-/// The confidence interval of the observed order lies inside [theory - tolerance, theory + tolerance].
+/// The observed order lies inside theory +- tolerance, and its interval excludes the orders theory +- 1.
 struct Order {
   double theory = 2;
   double tolerance = 0.1;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -63,7 +64,24 @@ ObservedOrder order_of_few(const std::vector<double>& sizes, const std::vector<d
   gsl_fit_linear(log_size.data(), 1, log_error.data(), 1, n, &intercept, &slope, &cov_intercept, &cov_mixed, &cov_slope,
                  &residual);
   result.order = slope;
-  result.half_width = gsl_cdf_tdist_Pinv(0.975, static_cast<double>(n - 2)) * std::sqrt(cov_slope);
+
+  // error = a h^p (1 + c h): h/h_max beside log h, whose share of it a line through the logarithms takes already.
+  const double largest = *std::max_element(result.sizes.begin(), result.sizes.end());
+  double level = 0;
+  double share = 0;
+  std::vector<double> next;
+  for (const double size : result.sizes) next.push_back(size / largest);
+  double unused = 0;
+  gsl_fit_linear(log_size.data(), 1, next.data(), 1, n, &level, &share, &unused, &unused, &unused, &unused);
+  double product = 0;
+  double squares = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double rest = next[k] - level - share * log_size[k];
+    product += rest * log_error[k];
+    squares += rest * rest;
+  }
+  result.half_width = gsl_cdf_tdist_Pinv(0.975, static_cast<double>(n - 2)) * std::sqrt(cov_slope) +
+                      std::abs(share * product / squares);
   return result;
 }
 

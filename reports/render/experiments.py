@@ -10,7 +10,9 @@ Where s is below s_E the experiments cannot tell the model's own scatter.
 """
 import collections
 import dataclasses
+import fnmatch
 import math
+import statistics
 
 from markupsafe import Markup
 
@@ -38,9 +40,18 @@ class Line:
     mark: Mark
     pairs: list
     left_out: int                   # of another sign, without a number, or too near zero to be a ratio
+    errors: list                    # abs(M - E)/E of every reading with a number, of another sign as well
     bias: float | None = None
     scatter: float | None = None    # None: below that of the experiments, or too few pairs
     experimental: float | None = None
+
+    @property
+    def median(self):
+        return statistics.median(self.errors) if self.errors else None
+
+    @property
+    def worst(self):
+        return max(self.errors, default=None)
 
     @property
     def cases(self):
@@ -49,16 +60,17 @@ class Line:
 
 def survey(records):
     """[(quantity, [Line])] of all records that hold readings; the misfit has no measured value and is left out."""
-    pairs, left_out = collections.defaultdict(list), collections.Counter()
+    pairs, errors, left_out = collections.defaultdict(list), collections.defaultdict(list), collections.Counter()
     for record in records:
-        for table in record.tables:
-            if table["id"] != TABLE:
-                continue
+        for table in tables(record):
             solver = table["title"] if record.own else record.solver
-            for kind, claim, measured, uncertainty, computed, _, origin in table["rows"]:
+            for kind, reading, measured, uncertainty, computed, _, origin, _ in table["rows"]:
                 if kind == "misfit":
                     continue
-                pair = _pair(record, claim, measured, uncertainty, computed, origin)
+                error = relative(measured, uncertainty, computed, origin)
+                if error is not None:
+                    errors[kind, solver].append(error)
+                pair = _pair(record, reading, measured, uncertainty, computed, origin)
                 if pair is None:
                     left_out[kind, solver] += 1
                 else:
@@ -66,23 +78,41 @@ def survey(records):
     solvers = list(dict.fromkeys(solver for _, solver in list(pairs) + list(left_out)))
     lines = collections.defaultdict(list)
     for kind, solver in dict.fromkeys(list(pairs) + list(left_out)):
-        lines[kind].append(line_of(solver, mark(solvers.index(solver)), pairs[kind, solver], left_out[kind, solver]))
+        lines[kind].append(line_of(solver, mark(solvers.index(solver)), pairs[kind, solver], left_out[kind, solver],
+                                   errors[kind, solver]))
     return sorted(lines.items())
+
+
+def tables(record):
+    """Those of readings that a solver has answered: a record of the data alone has no solver in its title."""
+    return [table for table in record.tables if table["id"] == TABLE and table["title"]]
+
+
+def of_readings(record, pattern):
+    """abs(M - E)/E of the readings whose name matches, None where there is no number."""
+    return [relative(measured, uncertainty, computed, origin) for table in tables(record)
+            for _, reading, measured, uncertainty, computed, _, origin, _ in table["rows"]
+            if fnmatch.fnmatchcase(reading, pattern)]
+
+
+def relative(measured, uncertainty, computed, origin):
+    """Counted from the origin; None without a number, or where the measured one is not known to a half."""
+    if None in (measured, uncertainty, computed, origin) or not 2 * uncertainty <= abs(measured - origin):
+        return None
+    return abs(computed - measured) / abs(measured - origin)
 
 
 def _pair(record, claim, measured, uncertainty, computed, origin):
     """Counted from the origin; None where there is no ratio of the two, or the measured one is not known to a half."""
-    if None in (measured, uncertainty, computed, origin):
+    if relative(measured, uncertainty, computed, origin) is None:
         return None
     measured, computed = measured - origin, computed - origin
-    if uncertainty > abs(measured) / 2:
-        return None
     return Pair(record, claim, abs(measured), uncertainty, abs(computed)) if measured * computed > 0 else None
 
 
-def line_of(solver, own_mark, pairs, left_out):
+def line_of(solver, own_mark, pairs, left_out, errors=()):
     """Bias and scatter; see above."""
-    line = Line(solver, own_mark, pairs, left_out)
+    line = Line(solver, own_mark, pairs, left_out, list(errors))
     if len(pairs) < LEAST:
         return line
     logs = [math.log(pair.computed / pair.measured) for pair in pairs]

@@ -8,7 +8,7 @@ import math
 import pathlib
 import tomllib
 
-from render import side_by_side
+from render import experiments, side_by_side
 
 PROBLEMS = pathlib.Path(__file__).resolve().parent.parent / "problems.toml"
 STEPS = (0.01, 0.05, 0.1, 0.25)     # of the error, between the shades of a cell
@@ -126,16 +126,18 @@ def _regime(said, own):
 
 
 def of_claims(record, pattern, over):
-    """The root mean square of the claims that match, and the worst; None where none does."""
-    claims = [claim for claim in record.claims if fnmatch.fnmatchcase(claim.id, pattern)]
+    """The root mean square of the claims that match, or of the readings of an experiment, whose one claim is that of all;
+    and the worst; None where none does."""
+    read = experiments.of_readings(record, pattern)
+    claims = [claim for claim in record.claims if fnmatch.fnmatchcase(claim.id, "agreement" if read else pattern)]
     if not claims:
         return None
-    errors = [share(claim, over) for claim in claims]
+    errors = read or [share(claim, over) for claim in claims]
     known = [error for error in errors if error is not None]
     worst = max(known, default=None)
-    shown = claims[errors.index(worst)] if known else claims[0]
+    shown = claims[errors.index(worst)] if known and not read else claims[0]
     cell = Cell(record, f"claim-{shown.id}", math.sqrt(math.fsum(e * e for e in known) / len(known)) if known else None,
-                worst, len(claims), seconds=record.wall_time)
+                worst, len(errors), seconds=record.wall_time)
     failed = sum(1 for claim in claims if claim.verdict != "pass")
     if failed:
         cell.flaws.append("exceeds limit" if len(claims) == 1 else f"{failed} of {len(claims)} exceed")

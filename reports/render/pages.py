@@ -23,7 +23,7 @@ def environment(typesetter):
     pages = jinja2.Environment(loader=jinja2.FileSystemLoader(_HERE / "templates"), autoescape=True,
                                undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     pages.filters.update(number=quantities.number, value=quantities.value, unit=quantities.unit,
-                         duration=quantities.duration, block=typesetter.block, inline=typesetter.inline,
+                         duration=quantities.duration, percent=percent, block=typesetter.block, inline=typesetter.inline,
                          words=lambda text: text.replace("_", " "), slug=slug, plural=plural, capital=capital)
     pages.globals.update(SIGNS=SIGNS, KINDS=KINDS, KIND_NAMES=KIND_NAMES, with_uncertainty=quantities.with_uncertainty,
                          gauge=gauge, tally=tally, limit_html=limit_html, readable=readable, short_commit=short_commit,
@@ -34,6 +34,10 @@ def environment(typesetter):
 
 def plural(count, noun, many=None):
     return f"{count} {noun if count == 1 else many or noun + 's'}"
+
+
+def percent(share):
+    return "" if share is None else Markup(f"{quantities.plain(100 * share, 2)} %")
 
 
 def capital(text):
@@ -132,9 +136,9 @@ def overview(cases, broken, problems):
 
 
 def _evidence(records):
-    """[(title, what it is, claims that hold, claims)] of verification, theory and laboratory; readings of experiments."""
+    """[(title, what it is, claims that hold, claims)] of verification, theory and laboratory; experiments, not their data."""
     kinds = {"Verification": "orders, invariants, exact solutions", "Theory and sources": "exact solutions, published figures",
-             "Laboratory": "readings within their uncertainty"}
+             "Laboratory": "experiments within their uncertainty"}
     found = {name: [] for name in kinds}
     for record in records:
         name = ("Verification" if record.kind == "verification" else

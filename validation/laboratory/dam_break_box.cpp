@@ -38,9 +38,7 @@ Experiment experiment(const Values& /*values*/) {
                   .input = 0.1,
                   .input_reason = "calibration of the probes in aerated water, estimated",
                   .telling = 0.2,
-                  .readings = {},
-                  .alike = 3,
-                  .alike_reason = "probes 0.04 m apart get the same impact, to a tenth"};
+                  .readings = {}};
   for (const double probe : {1, 2, 3, 4}) {
     pressure.readings.push_back(arrival(probe, 1000, {0.1, 1}));
     pressure.readings.push_back(impulse(probe, {0.39, 1.0}));

@@ -96,18 +96,16 @@ void add_rows(const std::vector<Row>& rows, Measured& curve) {
   }
 }
 
-void set_zero(Measured& curve, Window still) {
-  double sum = 0;
-  double count = 0;
-  for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    if (curve.x[i] < still.from || curve.x[i] > still.to) continue;
-    sum += curve.y[i];
-    ++count;
-  }
-  for (double& y : curve.y) y -= sum / count;
-}
-
 }  // namespace
+
+void set_zero(const std::vector<double>& x, std::vector<double>& y, Window still) {
+  Mean level;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i] >= still.from && x[i] <= still.to) level.add(y[i]);
+  }
+  if (level.count() == 0) return;
+  for (double& one : y) one -= level.value();
+}
 
 double Clock::lag(Curve computed, const Measured& measured) const {
   if (!by) return lag_of(computed, measured, window, range);
@@ -125,7 +123,7 @@ std::vector<Measured> measured(const Series& part, const Values& values) {
     std::stable_sort(members.begin(), members.end(), [](const Row& a, const Row& b) { return a.x < b.x; });
     Measured curve{.group = group, .x = {}, .y = {}, .u = {}, .u_x = rows.abscissa_uncertainty()};
     add_rows(members, curve);
-    if (part.still) set_zero(curve, *part.still);
+    if (part.still) set_zero(curve.x, curve.y, *part.still);
     curves.push_back(std::move(curve));
   }
   return curves;

@@ -1,12 +1,9 @@
 /// A laboratory experiment as a case: what was measured, how well, and what of it is judged.
 ///
 /// An experiment is a list of parts, each a table of reference_data with readings (reading.hpp). What is asked of
-/// others, how they are judged, and how a model of our own is judged where one computes it, follow from that; the
-/// claims are the same. Every reading is a claim by uncertainty (ASME V&V 20-2009),
-///
-///     |computed - measured| <= 2 sqrt(u_data^2 + u_input^2 + u_num^2),
-///
-/// u_data from source.toml or from repeats in the table, u_input from what the incident wave is not known to.
+/// others, how they are judged, and how a model of our own is judged where one computes it, follow from that. All
+/// readings together are one claim by uncertainty (verdicts.hpp): u_data from source.toml or from repeats in the table,
+/// u_input from what the incident wave is not known to.
 #pragma once
 
 #include <functional>
@@ -48,34 +45,29 @@ struct Series {
   std::optional<Window> still = {};         ///< in which the quantity's mean is its zero
   double input = 0;                         ///< relative standard uncertainty of the incident wave
   std::string input_reason = {};
-  double telling = 0;     ///< largest expanded uncertainty of a time, place or statistic that still decides
-  double useful = 0.5;    ///< ... of everything else, over what is measured
+  double telling = 1e30;  ///< largest expanded uncertainty of a submitted time or place that still decides
   double origin = 0;      ///< what arrivals are counted from in the summary
   double highest = 1e30;  ///< abscissae beyond it do not count
   std::optional<Clock> clock = {};
   std::vector<Reading> readings;
-  long alike = 0;  ///< pairs of neighbouring groups that the readings cannot tell apart
-  std::string alike_reason = "every group has a record of its own";
-};
-
-/// Claims that are known to fail, or cannot be decided, and what is known of the cause: "cause unknown" where no
-/// evidence is. How far each is off is in the evidence of record.
-struct Cause {
-  std::string reason;
-  std::vector<std::string> claims;  ///< by id
 };
 
 struct Experiment {
   std::string source;  ///< citation
   std::vector<Series> parts;
   std::vector<std::string> files = {};  ///< of reference_data, which say the geometry and what drives the flow
+  /// Largest common factor, less 1, that may go unnoticed: a result is inconclusive where its uncertainty hides more.
+  double ceiling = 0.2;
+  std::string ceiling_reason = "a result a fifth off is wrong for any use of such a measurement";
   /// A model of our own. @param coarsening  how much coarser than the parameters say
   std::function<Submitted(const Run&, double coarsening)> compute = {};
-  std::string model = {};  ///< its name
+  std::string model = {};                       ///< its name
+  double order = 2;                             ///< theoretical, of its convergence
+  std::vector<double> coarsenings = {1, 2, 4};  ///< with which it is computed: two, or three for an observed order
   /// Parameters of it that no source states, known to within this factor: what each changes is part of u_input.
   std::map<std::string, double> known_within = {};
-  std::vector<Cause> misses = {};     ///< of it
-  std::vector<Cause> undecided = {};  ///< what its spacings cannot decide
+  /// Why it is known to fail, or "cause unknown" and what would tell; empty where it passes.
+  std::string miss = {};
 };
 
 /// A part of kind scalars is one row of a table; its abscissa tells which and is not asked for.
@@ -83,6 +75,9 @@ struct Experiment {
 /// Measured curves of a part, group by group. Values at the same place are repeats: their mean, with their standard
 /// deviation for uncertainty.
 std::vector<Measured> measured(const Series& part, const Values& values);
+
+/// Takes the mean of y where x is in the window off y; nothing where no x is.
+void set_zero(const std::vector<double>& x, std::vector<double>& y, Window still);
 
 /// As tables that others are asked for.
 std::vector<WantedTable> wanted(const Experiment& experiment, const Values& values);

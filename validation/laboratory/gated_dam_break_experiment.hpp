@@ -25,7 +25,7 @@ Experiment gated_dam_break_experiment();
 /// @param front_at  front [m] at a time [s], asked for in ascending order
 Submitted gated_fronts(const std::function<double(double time)>& front_at);
 
-/// By shallow water on 2 m, with what it misses at the standard parameters; the run must have the parameter cell [m].
+/// By shallow water on 2 m; the run must have the parameter cell [m].
 /// @param scheme  as make_flow names it
 Experiment gated_dam_break_in_shallow_water(const std::string& scheme, const std::string& model);
 

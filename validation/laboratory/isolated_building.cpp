@@ -38,7 +38,6 @@ Experiment experiment(const Values& /*values*/) {
                   .group = gauge,
                   .abscissa = time,
                   .quantity = {"u", "m/s", "velocity along the channel"},
-                  .useful = 0.8,
                   .readings = {}};
   for (const double at : {1, 2, 4}) {
     velocity.readings.push_back(mean(at, {5, 7}, Kind::velocity));

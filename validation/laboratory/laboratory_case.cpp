@@ -1,116 +1,125 @@
 #include "validation/laboratory/laboratory_case.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+#include <numbers>
+#include <random>
 
+#include <boost/math/distributions/binomial.hpp>
 #include <fmt/format.h>
+
+#include "reports/evidence/grid_convergence.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::laboratory {
 namespace {
 
 constexpr std::size_t most_panels = 10;
+constexpr long draws = 200;
 
-/// Whether every reading of the questions passes with the curve in the place of the measured one.
-bool all_pass(const std::vector<const Question*>& asked, Curve curve) {
-  return std::all_of(asked.begin(), asked.end(),
-                     [&](const Question* one) { return one->passes(one->reading().of(curve, one->measured())); });
-}
+using Curves = std::map<std::string, std::vector<Measured>>;
 
-std::vector<double> times(double factor, std::vector<double> values) {
-  for (double& value : values) value *= factor;
-  return values;
-}
+/// Noise of standard deviation 1 along a record of time: from knot to knot, a tenth of what is judged apart.
+class SlowNoise {
+ public:
+  SlowNoise(std::pair<double, double> judged, const std::function<double()>& normal)
+      : from_(judged.first), step_((judged.second - judged.first) / intervals) {
+    std::ranges::generate(knots_, normal);
+  }
+  [[nodiscard]] double at(double t) const {
+    const double place = std::clamp((t - from_) / step_, 0.0, intervals - 1e-9);
+    const auto k = static_cast<std::size_t>(place);
+    const double part = place - std::floor(place);
+    return std::lerp(knots_.at(k), knots_.at(k + 1), part) / std::hypot(part, 1 - part);
+  }
 
-std::vector<Trial> trials_of(const Experiment& experiment, const Values& values) {
-  std::map<std::string, std::map<double, std::vector<const Question*>>> asked;
-  const std::vector<Question> all = questions(experiment, values);
-  for (const Question& one : all) asked[one.part().name][one.measured().group].push_back(&one);
-  std::vector<Trial> trials;
+ private:
+  static constexpr int intervals = 10;
+  double from_, step_;
+  std::array<double, intervals + 1> knots_{};
+};
+
+/// The measured records with one draw of everything that is not known of them, as verdicts.hpp has it: one incident
+/// amplitude, one clock per part that has no other, for a gauge half of the variance in its calibration and half slowly
+/// varying, for a profile each point by itself.
+Submitted drawn(const Experiment& experiment, const Curves& curves, const std::function<double()>& normal) {
+  Submitted records;
+  const double amplitude = normal();
   for (const Series& part : experiment.parts) {
-    Trial trial{.part = part.name};
-    const auto& groups = asked[part.name];
-    trial.groups = static_cast<long>(groups.size());
-    for (auto at = groups.begin(); at != groups.end(); ++at) {
-      const Measured& own = at->second.front()->measured();
-      if (all_pass(at->second, {own.x, times(-1, own.y)})) ++trial.upside_down;
-      if (all_pass(at->second, {own.x, times(0.5, own.y)})) ++trial.half;
-      const auto next = std::next(at);
-      if (next != groups.end() && all_pass(at->second, next->second.front()->measured().curve())) ++trial.alike;
-      for (const Question* one : at->second) {
-        const double expanded = 2 * std::hypot(one->data_uncertainty(), one->input_uncertainty());
-        if (!(expanded / one->useful() <= trial.dullest)) {
-          trial.dullest = expanded / one->useful();
-          trial.where = one->claim().id;
-        }
+    const double clock = part.clock ? 0 : normal();
+    for (const Measured& curve : curves.at(part.name)) {
+      std::pair<double, double> judged{curve.x.back(), curve.x.front()};
+      for (const Reading& reading : part.readings) {
+        judged.first = std::min(judged.first, std::max(reading.window.from, curve.x.front()));
+        judged.second = std::max(judged.second, std::min(reading.window.to, curve.x.back()));
       }
-    }
-    trials.push_back(trial);
-  }
-  return trials;
-}
-
-void claim_trials(const Experiment& experiment, const Claims<Computed>& claims) {
-  for (std::size_t k = 0; k < experiment.parts.size(); ++k) {
-    const Series& part = experiment.parts[k];
-    const auto trial = claims.of([k](const Computed& r) -> const Trial& { return r.trials.at(k); }).at("the data");
-    const auto count = [&](const std::string& id, const std::string& text, long Trial::*groups, long limit,
-                           const std::string& reason) {
-      trial.from(experiment.source)
-          .check(
-              fmt::format("{}-{}", part.name, id), text, "groups that pass",
-              [groups](const Trial& t) { return static_cast<double>(t.*groups); },
-              Bound{.limit = static_cast<double>(limit), .reason = reason});
-    };
-    trial.from(experiment.source)
-        .check(
-            part.name + "-decides", fmt::format("The {} is known well enough to decide.", part.quantity.meaning),
-            "largest expanded uncertainty of a reading over what still decides",
-            [](const Trial& t) -> Measurement { return {.value = t.dullest, .where = t.where}; },
-            Bound{.limit = 1, .reason = "beyond it agreement says nothing"});
-    if (part.group) {
-      count("neighbour",
-            fmt::format("A {} that belongs to the next {} is told.", part.quantity.meaning, part.group->name),
-            &Trial::alike, part.alike, part.alike_reason);
-    }
-    count("inverted", fmt::format("A {} of the wrong sign is told.", part.quantity.meaning), &Trial::upside_down, 0,
-          "the readings see signs");
-    count("half", fmt::format("Half of the {} is told.", part.quantity.meaning), &Trial::half, 0,
-          "an expanded uncertainty of half of a value or less decides");
-  }
-}
-
-const Cause* cause_of(const std::vector<Cause>& causes, const Question& question) {
-  const auto found = std::ranges::find_if(causes, [id = question.claim().id](const Cause& cause) {
-    return std::ranges::find(cause.claims, id) != cause.claims.end();
-  });
-  return found == causes.end() ? nullptr : &*found;
-}
-
-/// A cause of what is not asked has been forgotten.
-void require_asked(const std::vector<Cause>& causes, const std::vector<Question>& asked) {
-  for (const Cause& cause : causes) {
-    for (const std::string& id : cause.claims) {
-      if (std::ranges::none_of(asked, [&](const Question& one) { return one.claim().id == id; })) {
-        throw std::logic_error(fmt::format("a failure of {} is declared, which is no claim", id));
+      const bool gauge = part.kind == WantedTable::Kind::series;
+      const double calibration = normal();
+      const SlowNoise slow(judged, normal);
+      SubmittedGroup record{.value = curve.group, .abscissa = curve.x, .values = {}};
+      for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        record.abscissa[i] += clock * curve.u_x;
+        const double noise = gauge ? (calibration + slow.at(curve.x[i])) / std::numbers::sqrt2 : normal();
+        record.values[part.quantity.name].push_back((1 + amplitude * part.input) * curve.y[i] + noise * curve.u[i]);
       }
+      records[part.name].push_back(std::move(record));
     }
   }
+  return records;
+}
+
+double share_failing(const Experiment& experiment, const Values& values, const std::vector<Question>& all) {
+  Curves curves;
+  for (const Series& part : experiment.parts) curves[part.name] = measured(part, values);
+  std::mt19937_64 random(51);
+  std::normal_distribution<double> normal;
+  long failing = 0;
+  for (long k = 0; k < draws; ++k) {
+    if (!metric(all, drawn(experiment, curves, [&] { return normal(random); }), {}).passes()) ++failing;
+  }
+  return static_cast<double>(failing) / draws;
+}
+
+/// Expanded (95 %) numerical uncertainty of a value on the finest of two or three grids, over 2: the grid convergence
+/// index, with the theoretical order and a factor of 3 where there are two values.
+double numerical_of(const Question& one, const Experiment& experiment, const Computed& computed) {
+  std::vector<double> sizes, values;
+  for (std::size_t k = 0; k < computed.grids.size(); ++k) {
+    const double value = one.answer(computed.grids[k]);
+    if (k > 1 && std::isnan(value)) break;  // of the coarsest grid alone a reading may be missing
+    sizes.push_back(experiment.coarsenings[k]);
+    values.push_back(value);
+  }
+  if (sizes.size() > 2) return 0.5 * evidence::grid_convergence(sizes, values, experiment.order).uncertainty;
+  return 1.5 * std::abs(values[1] - values[0]) / (std::pow(sizes[1] / sizes[0], experiment.order) - 1);
+}
+
+Sources sources_of(const std::vector<Question>& all, const Experiment& experiment, const Computed& computed) {
+  Sources sources;
+  for (const Question& one : all) sources.numerical.push_back(numerical_of(one, experiment, computed));
+  for (const Submitted& changed : computed.changed) {
+    sources.parameters.push_back(
+        each(all, [&](const Question& one) { return one.answer(changed) - one.answer(computed.grids[1]); }));
+  }
+  return sources;
 }
 
 void draw(const Series& part, const std::vector<Measured>& data, const Computed& computed, const std::string& model,
           evidence::Exhibit& exhibit) {
   auto& figure = exhibit.figure(part.name, fmt::format("{}: {}", part.name, part.quantity.meaning),
-                                fmt::format("Measured points{}.", computed.fine.empty() ? "" : " and the model"));
-  const auto own = computed.fine.find(part.name);
+                                fmt::format("Measured points{}.", computed.grids.empty() ? "" : " and the model"));
+  const Submitted none;
+  const Submitted& fine = computed.grids.empty() ? none : computed.grids.front();
+  const auto own = fine.find(part.name);
   for (std::size_t k = 0; k < std::min(data.size(), most_panels); ++k) {
     const Measured& curve = data[k];
     auto& panel =
         figure.panel({.x = fmt::format("{} [{}]", part.abscissa.name, part.abscissa.unit),
                       .y = fmt::format("{} [{}]", part.quantity.name, part.quantity.unit),
                       .title = part.group ? fmt::format("{} = {:g}", part.group->name, curve.group) : std::string()});
-    if (own != computed.fine.end()) {
+    if (own != fine.end()) {
       for (const SubmittedGroup& one : own->second) {
         if (part.group && one.value != curve.group) continue;
         std::vector<double> x, y;
@@ -127,61 +136,54 @@ void draw(const Series& part, const std::vector<Measured>& data, const Computed&
   }
 }
 
-void list_uncertainties(const std::vector<Question>& all, evidence::Exhibit& exhibit) {
-  evidence::Table table{
-      .id = "readings",
-      .title = "What is judged",
-      .caption = "Readings of the measured curves, with standard uncertainties of the data and from the incident wave.",
-      .columns = table_columns({"claim", "measured [1]", "u_data [1]", "u_input [1]", "unit"})};
-  for (const Question& one : all) {
-    table.rows.push_back(
-        {one.claim().id, one.expected(), one.data_uncertainty(), one.input_uncertainty(), one.claim().unit});
-  }
-  exhibit.table(std::move(table));
-}
-
 }  // namespace
 
 void claim_experiment(const Experiment& experiment, const Values& values, const Claims<Computed>& claims) {
-  claim_trials(experiment, claims);
+  const auto data = claims.from(experiment.source).at("the data");
+  data.check(
+      "resolves", fmt::format("A common factor of {:g} on all readings is detected.", 1 + experiment.ceiling),
+      "smallest common factor that is detected, less 1", &Computed::noticed,
+      Bound{.limit = experiment.ceiling, .reason = experiment.ceiling_reason});
+  const boost::math::binomial_distribution<double> perfect(draws, 0.05);
+  data.check(
+      "perfect-solver", "A perfect solver agrees with the measurement in 95 % of draws of its stated uncertainty.",
+      fmt::format("share of {} draws that fail", draws), &Computed::failing,
+      Bound{.limit = std::ceil(boost::math::quantile(perfect, 0.999)) / draws,
+            .reason = "99.9 % of a binomial distribution of 5 %"});
   if (!experiment.compute) return;
-  const std::vector<Question> asked = questions(experiment, values);
-  require_asked(experiment.misses, asked);
-  require_asked(experiment.undecided, asked);
-  for (const Question& one : asked) {
-    const auto answer = [one](const Computed& r) -> Measurement {
-      const double fine = one.answer(r.fine);
-      const double coarse = one.answer(r.coarse);
-      Measurement measurement{.value = fine, .uncertainty = std::abs(coarse - fine)};
-      double input = one.input_uncertainty();
-      for (const Submitted& changed : r.changed) input = std::hypot(input, one.answer(changed) - coarse);
-      if (!r.changed.empty()) measurement.told.input = input;
-      return measurement;
-    };
-    const Cause* open = cause_of(experiment.undecided, one);
-    const auto judged =
-        claims.at(experiment.model + ", two spacings").only_if(open == nullptr, open == nullptr ? "" : open->reason);
-    const Uncertainty criterion = experiment.known_within.empty() ? one.criterion() : one.criterion_of_run();
-    if (const Cause* miss = cause_of(experiment.misses, one)) {
-      constexpr double no_band = std::numeric_limits<double>::infinity();
-      judged.known_failure(one.claim(), answer, criterion, {.width = no_band, .reason = miss->reason});
-    } else {
-      judged.check(one.claim(), answer, criterion);
-    }
-  }
+  const auto agree = [experiment, values](const Computed& r) -> Measurement {
+    const std::vector<Question> all = questions(experiment, values);
+    const Metric found = metric(all, r.grids.front(), sources_of(all, experiment, r));
+    Measurement measurement{.value = found.difference,
+                            .uncertainty = coverage() * found.numerical,
+                            .resolution = fmt::format("{} readings, {} spacings", all.size(), r.grids.size())};
+    measurement.told.data = found.data;
+    measurement.told.input = found.input;
+    return measurement;
+  };
+  const Uncertainty criterion =
+      criterion_of(experiment, Amount::told_by_run(experiment.ceiling), Amount::told_by_run(experiment.ceiling));
+  evidence::Claim claim = claim_of(experiment);
+  claim.text.insert(claim.text.size() - 1, fmt::format(" ({})", experiment.model));
+  if (experiment.miss.empty()) return claims.check(claim, agree, criterion);
+  claims.known_failure(claim, agree, criterion,
+                       {.width = std::numeric_limits<double>::infinity(), .reason = experiment.miss});
 }
 
 Computed compute_experiment(const Experiment& experiment, const Run& run) {
-  Computed r{.trials = trials_of(experiment, run)};
+  const std::vector<Question> all = questions(experiment, run);
+  Computed r{.noticed = metric(all, {}, {}).noticed(), .failing = share_failing(experiment, run, all)};
   if (!experiment.compute) return r;
   std::map<std::string, double> unused;
-  r.fine = on_the_clock(experiment, run, experiment.compute(run, 1), r.shifts);
-  run.progress(0.7);
-  r.coarse = on_the_clock(experiment, run, experiment.compute(run, 2), unused);
+  for (const double coarsening : experiment.coarsenings) {
+    r.grids.push_back(
+        on_the_clock(experiment, run, experiment.compute(run, coarsening), r.grids.empty() ? r.shifts : unused));
+    run.progress(0.7);
+  }
   for (const auto& [parameter, factor] : experiment.known_within) {
     Run other = run;
     other.set(parameter, Value(run.real(parameter) / factor));
-    r.changed.push_back(on_the_clock(experiment, run, experiment.compute(other, 2), unused));
+    r.changed.push_back(on_the_clock(experiment, run, experiment.compute(other, experiment.coarsenings[1]), unused));
   }
   return r;
 }
@@ -190,17 +192,14 @@ void show_experiment(const Experiment& experiment, const Computed& computed, con
                      evidence::Exhibit& exhibit) {
   for (const auto& [part, shift] : computed.shifts) exhibit.measure(part + "_time_shift", shift);
   const std::vector<Question> all = questions(experiment, values);
-  list_uncertainties(all, exhibit);
-  if (experiment.compute) {
-    std::vector<Question> answered;
-    std::vector<std::optional<double>> numerical;
-    for (const Question& one : all) {
-      if (!computed.fine.contains(one.part().name)) continue;
-      answered.push_back(one);
-      numerical.emplace_back(0.5 * std::abs(one.answer(computed.coarse) - one.answer(computed.fine)));
-    }
-    show_readings(answered, computed.fine, numerical, experiment.model, exhibit);
-    show_calibration(experiment, values, computed.fine, exhibit);
+  if (computed.grids.empty()) {
+    const std::vector<double> none(all.size(), std::numeric_limits<double>::quiet_NaN());
+    show_readings(all, {}, none, none, "", exhibit);
+  } else {
+    const Sources sources = sources_of(all, experiment, computed);
+    show_readings(all, computed.grids.front(), sources.numerical,
+                  metric(all, computed.grids.front(), sources).scores, experiment.model, exhibit);
+    show_calibration(experiment, values, computed.grids.front(), exhibit);
   }
   for (const Series& part : experiment.parts) draw(part, measured(part, values), computed, experiment.model, exhibit);
 }

@@ -14,21 +14,11 @@
 
 namespace seiche::validation::laboratory {
 
-/// Wrong results that each group of a part is tried with: a wrong one must miss at least one reading.
-struct Trial {
-  std::string part;
-  long groups = 0;       ///< with readings
-  long alike = 0;        ///< neighbouring pairs that pass for each other
-  long upside_down = 0;  ///< groups that pass with the sign turned
-  long half = 0;         ///< groups that pass with half of the values
-  double dullest = 0;    ///< largest expanded uncertainty of a reading over what still decides
-  std::string where;     ///< of that
-};
-
 struct Computed {
-  std::vector<Trial> trials;
-  Submitted fine, coarse;          ///< of our own model, on the measured clock; empty without one
-  std::vector<Submitted> changed;  ///< as coarse, one parameter each that is known to within a factor
+  double noticed = 0;            ///< smallest common factor, less 1, that the measurements tell
+  double failing = 0;            ///< share of records, each the measured one with noise as large as stated, that fail
+  std::vector<Submitted> grids;  ///< of our own model, the finest first, on the measured clock; empty without one
+  std::vector<Submitted> changed;  ///< as the second grid, one parameter each that is known to within a factor
   std::map<std::string, double> shifts;
 };
 

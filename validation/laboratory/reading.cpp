@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
@@ -62,13 +63,19 @@ double slope_at(Curve curve, std::size_t i) {
 }
 
 double misfit_of(Curve computed, const Measured& measured, Window window, double lag) {
+  constexpr double least_covered = 0.9;
   Mean square;
+  double asked = 0;
+  double covered = 0;
   for (std::size_t i = 0; i < measured.x.size(); ++i) {
     if (measured.x[i] < window.from || measured.x[i] > window.to) continue;
-    const double difference = linear_at(computed, measured.x[i] + lag) - measured.y[i];
-    square.add(difference * difference);
+    ++asked;
+    const double x = measured.x[i] + lag;
+    if (computed.x.empty() || x < computed.x.front() || x > computed.x.back()) continue;
+    ++covered;
+    square.add(std::pow(linear_at(computed, x) - measured.y[i], 2));
   }
-  return std::sqrt(square.value());
+  return covered < least_covered * asked ? nan : std::sqrt(square.value());
 }
 
 double uncertainty_of_misfit(const Measured& measured, Window window) {
@@ -85,10 +92,10 @@ double uncertainty_of_misfit(const Measured& measured, Window window) {
 double between_points(const std::vector<double>& x, std::size_t i) {
   const double before = i > 0 ? x[i] - x[i - 1] : 0;
   const double after = i + 1 < x.size() ? x[i + 1] - x[i] : 0;
-  return std::max(before, after) / (2 * std::numbers::sqrt3);
+  return std::max(before, after) / 2;
 }
 
-/// Half of what lies within u of the top: where the top is, is not known better.
+/// Half of what lies within 2 u of the top: a point there may be the highest, for two points differ by as much.
 double blunt(const Measured& measured, Window window) {
   const Cut cut = within(measured.curve(), window);
   const auto highest = static_cast<std::size_t>(std::max_element(cut.y.begin(), cut.y.end()) - cut.y.begin());
@@ -97,39 +104,25 @@ double blunt(const Measured& measured, Window window) {
   double to = nan;
   for (std::size_t i = 0; i < measured.x.size(); ++i) {
     const double x = measured.x[i];
-    if (x < window.from || x > window.to || measured.y[i] < top - measured.u[i]) continue;
+    if (x < window.from || x > window.to || measured.y[i] < top - 2 * measured.u[i]) continue;
     if (std::isnan(from)) from = x;
     to = x;
   }
   return std::hypot(measured.u_x, 0.5 * (to - from) / std::numbers::sqrt3, between_points(cut.x, highest));
 }
 
-/// Amplitude of one harmonic by least squares: normal equations of the mean and four harmonics.
+/// Amplitude of one harmonic by least squares with the mean and four harmonics.
 double amplitude(Curve curve, int order, double period) {
-  constexpr std::size_t unknowns = 9;
-  std::array<std::array<double, unknowns + 1>, unknowns> a{};
-  for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    std::array<double, unknowns> row{1};
-    for (std::size_t m = 1; m <= 4; ++m) {
-      const double phase = 2 * std::numbers::pi * static_cast<double>(m) * curve.x[i] / period;
-      row.at(2 * m - 1) = std::cos(phase);
-      row.at(2 * m) = std::sin(phase);
-    }
-    for (std::size_t r = 0; r < unknowns; ++r) {
-      for (std::size_t c = 0; c < unknowns; ++c) a.at(r).at(c) += row.at(r) * row.at(c);
-      a.at(r).at(unknowns) += row.at(r) * curve.y[i];
-    }
+  const Eigen::Map<const Eigen::ArrayXd> t(curve.x.data(), static_cast<Eigen::Index>(curve.x.size()));
+  const Eigen::Map<const Eigen::VectorXd> y(curve.y.data(), t.size());
+  Eigen::MatrixXd waves = Eigen::MatrixXd::Ones(t.size(), 9);
+  for (int m = 1; m <= 4; ++m) {
+    const Eigen::ArrayXd phase = 2 * std::numbers::pi * m / period * t;
+    waves.col(2 * m - 1) = phase.cos();
+    waves.col(2 * m) = phase.sin();
   }
-  for (std::size_t k = 0; k < unknowns; ++k) {
-    for (std::size_t r = 0; r < unknowns; ++r) {
-      if (r == k) continue;
-      const double factor = a.at(r).at(k) / a.at(k).at(k);
-      for (std::size_t c = k; c <= unknowns; ++c) a.at(r).at(c) -= factor * a.at(k).at(c);
-    }
-  }
-  const auto solved = [&](std::size_t k) { return a.at(k).at(unknowns) / a.at(k).at(k); };
-  const auto m = static_cast<std::size_t>(order);
-  return std::hypot(solved(2 * m - 1), solved(2 * m));
+  const Eigen::VectorXd solved = waves.colPivHouseholderQr().solve(y);
+  return std::hypot(solved[2 * order - 1], solved[2 * order]);
 }
 
 }  // namespace
@@ -150,16 +143,20 @@ double Reading::expected(const Measured& measured) const {
   return misfit() ? 0 : of(measured.curve(), measured);
 }
 
-double Reading::uncertainty(const Measured& measured) const {
-  if (spread) return spread(measured);
-  if (misfit()) return uncertainty_of_misfit(measured, window);
+double Reading::shifted(const Measured& measured) const {
   Measured up = measured;
   Measured down = measured;
   for (std::size_t i = 0; i < measured.y.size(); ++i) {
     up.y[i] += measured.u[i];
     down.y[i] -= measured.u[i];
   }
-  const double change = 0.5 * std::abs(of(up.curve(), up) - of(down.curve(), down));
+  return 0.5 * (of(up.curve(), up) - of(down.curve(), down));
+}
+
+double Reading::uncertainty(const Measured& measured) const {
+  if (spread) return spread(measured);
+  if (misfit()) return uncertainty_of_misfit(measured, window);
+  const double change = std::abs(shifted(measured));
   if (!along) return change;
   const auto next = std::upper_bound(measured.x.begin(), measured.x.end(), expected(measured));
   const auto here = static_cast<std::size_t>(std::max(next - measured.x.begin() - 1, 0L));
@@ -241,15 +238,16 @@ Reading at(double group, double abscissa, Kind kind) {
               }};
 }
 
-Reading harmonic(double group, int order, double period, Window window, double uncertainty, std::string note) {
+Reading harmonic(double group, int order, double period, Window window, double uncertainty) {
   return {.id = fmt::format("harmonic-{}", order),
           .kind = Kind::height,
           .words = fmt::format("amplitude of harmonic {}", order),
           .group = group,
           .window = window,
           .read = [order, period](Curve curve) { return amplitude(curve, order, period); },
-          .spread = [uncertainty](const Measured&) { return uncertainty; },
-          .note = std::move(note)};
+          .spread = [uncertainty](const Measured& measured) {
+            return std::hypot(uncertainty, measured.u.front() / std::sqrt(10.0));
+          }};
 }
 
 Reading misfit(double group, Window window) {

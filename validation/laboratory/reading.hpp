@@ -4,18 +4,17 @@
 /// |----------|------------|-------|
 /// | highest, lowest | extreme of the points in the window | what adding u_i changes |
 /// | height   | highest less lowest | sqrt(2) times that |
-/// | when highest | abscissa of the highest point | u_x, half of what lies within u_i of the top over sqrt(3), and d |
+/// | when highest | abscissa of the highest point | u_x, half of what lies within 2 u_i of the top over sqrt(3), and d |
 /// | arrival  | first abscissa at or above a level, between points on a straight line | u_x, what u_i changes, and d |
 /// | mean, impulse | trapezoidal mean, and integral, over the window | what adding u_i changes |
 /// | at       | value at an abscissa | u_i there, and the slope times u_x |
-/// | harmonic | amplitude of harmonic n of a given period, least squares with the mean and the harmonics up to 4 |
-/// stated | | misfit   | root mean square of computed less measured at the measured points | that of u_i and of slope
-/// times u_x |
+/// | harmonic | amplitude of harmonic n, least squares with the mean and harmonics to 4 | stated, and u_i/sqrt(10) |
+/// | misfit   | rms of computed less measured at the measured points | that of u_i and of slope times u_x |
 ///
-/// d is the distance of the points there over 2 sqrt(3): what lies between two of them is not seen.
+/// d is half of the distance of the points there: what lies between two of them is not seen.
 ///
-/// The misfit is expected to be 0, every other reading to be what the measured curve gives. A point of the window that
-/// the computed curve does not cover makes the misfit NaN.
+/// The misfit is expected to be 0, every other reading to be what the measured curve gives. A misfit of which the
+/// computed curve covers fewer than nine tenths of the points is NaN.
 #pragma once
 
 #include <functional>
@@ -58,13 +57,14 @@ struct Reading {
   bool along = false;                      ///< read in the unit of the abscissa
   /// Standard uncertainty of what is read, where it is not what adding the u of the points changes.
   std::function<double(const Measured&)> spread = {};
-  std::string note = {};     ///< why that is what it is
   bool calibration = false;  ///< of what sets the model's input: shown, and no claim
 
   [[nodiscard]] bool misfit() const { return !read; }
   /// What a curve gives; NaN where the window holds no points.
   [[nodiscard]] double of(Curve curve, const Measured& measured) const;
   [[nodiscard]] double expected(const Measured& measured) const;
+  /// What adding the u of the points changes.
+  [[nodiscard]] double shifted(const Measured& measured) const;
   [[nodiscard]] double uncertainty(const Measured& measured) const;
 };
 
@@ -76,8 +76,8 @@ Reading arrival(double group, double level, Window window);
 Reading mean(double group, Window window, Kind kind = Kind::height);
 Reading impulse(double group, Window window);
 Reading at(double group, double abscissa, Kind kind);
-/// @param uncertainty  standard, of the amplitude. @param note  why it is that
-Reading harmonic(double group, int order, double period, Window window, double uncertainty, std::string note);
+/// @param uncertainty  standard, of the amplitude, beside what slow errors of the points make of it
+Reading harmonic(double group, int order, double period, Window window, double uncertainty);
 Reading misfit(double group, Window window);
 
 /// How much later than the measured curve a computed one is: the lag within +-range that leaves the smallest misfit in

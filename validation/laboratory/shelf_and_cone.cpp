@@ -30,9 +30,7 @@ Experiment experiment(const Values& /*values*/) {
                 .telling = 1.5,
                 .origin = 3.62,
                 .clock = Clock{.group = 1, .range = 1.5, .window = {1, 6}},
-                .readings = {},
-                .alike = 1,
-                .alike_reason = "gauges 7 and 8 stand in the same broken wave, 5 m apart along its crest"};
+                .readings = {}};
   for (double gauge = 1; gauge <= 9; ++gauge) {
     const Window window{1.5, 20};
     gauges.readings.push_back(highest(gauge, window));

@@ -2,14 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include <Eigen/Cholesky>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "seiche/samples.hpp"
 #include "validation/scoring/units.hpp"
 
 namespace seiche::validation::laboratory {
 namespace {
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 /// For ids: no points, and a word for a minus.
 std::string plain(std::string text, const char* minus) {
@@ -27,13 +33,6 @@ double size_of(const Measured& measured, Window window) {
   return std::sqrt(square.value());
 }
 
-/// What half of a misfit's range is taken of: the range of the measured curve.
-double range_of(const Measured& measured, Window window) {
-  const Reading top = highest(measured.group, window);
-  const Reading bottom = lowest(measured.group, window);
-  return top.expected(measured) - bottom.expected(measured);
-}
-
 const SubmittedGroup* group_of(const Submitted& computed, const Series& part, double group) {
   const auto found = computed.find(part.name);
   if (found == computed.end()) return nullptr;
@@ -43,57 +42,58 @@ const SubmittedGroup* group_of(const Submitted& computed, const Series& part, do
   return nullptr;
 }
 
+/// Of `freedom` degrees, exceeded by one of two independent parts in 1 - sqrt(0.95) of draws.
+double chi_squared(std::size_t freedom) {
+  return boost::math::quantile(boost::math::chi_squared(static_cast<double>(freedom)), std::sqrt(0.95));
+}
+
+/// Covariances of the data of readings with a sign.
+Eigen::MatrixXd covariance(const std::vector<const Question*>& of) {
+  const auto n = static_cast<Eigen::Index>(of.size());
+  Eigen::MatrixXd v = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Question& a = *of[static_cast<std::size_t>(i)];
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const Question& b = *of[static_cast<std::size_t>(j)];
+      if (a.part().name != b.part().name) continue;
+      if (a.reading().along && b.reading().along) v(i, j) = a.measured().u_x * b.measured().u_x;
+      if (a.reading().group == b.reading().group) v(i, j) += a.datum() * b.datum();
+      v(j, i) = v(i, j);
+    }
+    v(i, i) = std::pow(a.data_uncertainty(), 2);
+  }
+  return v;
+}
+
 }  // namespace
 
-Question::Question(std::string source, const Series& part, const Reading& reading,
-                   std::shared_ptr<const Measured> measured)
-    : part_(part), reading_(reading), source_(std::move(source)), measured_(std::move(measured)) {
+Question::Question(const Series& part, const Reading& reading, std::shared_ptr<const Measured> measured)
+    : part_(part), reading_(reading), measured_(std::move(measured)) {
   expected_ = reading.expected(*measured_);
   u_data_ = reading.uncertainty(*measured_);
-  if (reading.along || (reading.kind == Kind::statistic && part.telling > 0)) {
-    useful_ = part.telling;
-    return;
-  }
-  const double size = reading.misfit() ? size_of(*measured_, reading.window) : std::abs(expected_);
-  u_input_ = part.input * size;
-  useful_ = part.useful * (reading.misfit() ? range_of(*measured_, reading.window) : size);
+  if (reading.along) return;
+  size_ = reading.misfit() ? size_of(*measured_, reading.window) : expected_;
+  if (reading.misfit() || part.kind != WantedTable::Kind::series) return;
+  datum_ = std::numbers::sqrt2 / 2 * std::clamp(reading.shifted(*measured_), -u_data_, u_data_);
 }
 
-evidence::Claim Question::claim() const {
-  const Column& quantity = part_.quantity;
-  const std::string at =
-      part_.group ? fmt::format(" at {} = {:g}{}", part_.group->name, reading_.group, after_number(part_.group->unit))
-                  : "";
+std::string Question::id() const {
   const std::string suffix = part_.group ? fmt::format("-{}", plain(fmt::format("{:g}", reading_.group), "m")) : "";
-  return {.id = fmt::format("{}-{}{}", part_.name, plain(reading_.id, "-"), suffix),
-          .text = reading_.misfit() ? fmt::format("The {}{} follows the measured one.", quantity.meaning, at)
-                                    : fmt::format("The {}{}: {} as measured.", quantity.meaning, at, reading_.words),
-          .quantity = reading_.words,
-          .unit = reading_.along                                     ? part_.abscissa.unit
-                  : reading_.id == "impulse" && quantity.unit != "1" ? quantity.unit + " s"
-                                                                     : quantity.unit,
-          .source = source_};
+  return fmt::format("{}-{}{}", part_.name, plain(reading_.id, "-"), suffix);
 }
 
-Uncertainty Question::criterion() const {
-  std::string reason = fmt::format("u_data {} reference_data/{}",
-                                   reading_.note.empty() ? "from" : reading_.note + ", beside", part_.table);
-  if (u_input_ > 0) reason += fmt::format("; u_input, {:g} % of it: {}", 100 * part_.input, part_.input_reason);
-  return {.expected = expected_, .data = u_data_, .input = u_input_, .useful = useful_, .reason = reason};
+std::string Question::unit() const {
+  if (reading_.along) return part_.abscissa.unit;
+  return reading_.id == "impulse" && part_.quantity.unit != "1" ? part_.quantity.unit + " s" : part_.quantity.unit;
 }
 
-Uncertainty Question::criterion_of_run() const {
-  Uncertainty criterion = this->criterion();
-  criterion.input = Amount::told_by_run(useful_ / 2);
-  criterion.reason += "; u_input holds what parameters change that no source states";
-  return criterion;
-}
-
-double Question::answer(const Submitted& computed) const {
+double Question::answer(const Submitted& computed, double factor) const {
   const SubmittedGroup* group = group_of(computed, part_, reading_.group);
-  if (group == nullptr) return std::numeric_limits<double>::quiet_NaN();
+  if (group == nullptr) return not_known;
   const bool scalar = part_.kind == WantedTable::Kind::scalars;
-  return reading_.of({scalar ? measured_->x : group->abscissa, group->values.at(part_.quantity.name)}, *measured_);
+  std::vector<double> y = group->values.at(part_.quantity.name);
+  for (double& one : y) one /= factor;
+  return reading_.of({scalar ? measured_->x : group->abscissa, y}, *measured_);
 }
 
 std::optional<double> Question::stated(const std::map<std::string, StatedUncertainty>& uncertainty) const {
@@ -107,7 +107,8 @@ std::optional<double> Question::stated(const std::map<std::string, StatedUncerta
   std::fill(as_stated.u.begin(), as_stated.u.end(), u);
   as_stated.u_x = of_x == uncertainty.end() ? 0 : of_x->second.of(as_stated.x.back() - as_stated.x.front());
   if (u == 0 && as_stated.u_x == 0) return 0;
-  return reading_.uncertainty(as_stated);
+  const double all = reading_.uncertainty(as_stated);
+  return reading_.along && 2 * all > part_.telling ? std::nullopt : std::optional(all);
 }
 
 std::optional<Question> Question::within(const SubmittedGroup& record) const {
@@ -122,11 +123,7 @@ std::optional<Question> Question::within(const SubmittedGroup& record) const {
       std::ranges::count_if(x, [&](double at) { return at >= reading_.window.from && at <= reading_.window.to; })) {
     return *this;
   }
-  return Question(source_, part_, part, measured_);
-}
-
-bool Question::passes(double answer) const {
-  return std::abs(answer - expected_) <= 2 * std::hypot(u_data_, u_input_);
+  return Question(part_, part, measured_);
 }
 
 std::vector<Question> questions(const Experiment& experiment, const Values& values, bool calibration) {
@@ -136,7 +133,7 @@ std::vector<Question> questions(const Experiment& experiment, const Values& valu
       const auto kept = std::make_shared<const Measured>(curve);
       for (const Reading& reading : part.readings) {
         if (reading.calibration == calibration && (!part.group || reading.group == curve.group)) {
-          all.emplace_back(experiment.source, part, reading, kept);
+          all.emplace_back(part, reading, kept);
         }
       }
     }
@@ -148,14 +145,18 @@ Submitted on_the_clock(const Experiment& experiment, const Values& values, const
                        std::map<std::string, double>& shifts) {
   Submitted shifted = computed;
   for (const Series& part : experiment.parts) {
-    if (!part.clock) continue;
-    const SubmittedGroup* group = group_of(computed, part, part.clock->group);
+    if (!shifted.contains(part.name)) continue;
+    std::vector<SubmittedGroup>& groups = shifted.at(part.name);
+    for (SubmittedGroup& one : groups) {
+      if (part.still) set_zero(one.abscissa, one.values.at(part.quantity.name), *part.still);
+    }
+    const SubmittedGroup* group = part.clock ? group_of(shifted, part, part.clock->group) : nullptr;
     if (group == nullptr) continue;
     for (const Measured& curve : measured(part, values)) {
       if (part.group && curve.group != part.clock->group) continue;
       const double lag = part.clock->lag({group->abscissa, group->values.at(part.quantity.name)}, curve);
       shifts[part.name] = lag;
-      for (SubmittedGroup& one : shifted.at(part.name)) {
+      for (SubmittedGroup& one : groups) {
         for (double& x : one.abscissa) x -= lag;
       }
     }
@@ -163,22 +164,110 @@ Submitted on_the_clock(const Experiment& experiment, const Values& values, const
   return shifted;
 }
 
-void show_readings(const std::vector<Question>& all, const Submitted& computed,
-                   const std::vector<std::optional<double>>& numerical, const std::string& solver,
-                   evidence::Exhibit& exhibit) {
+double coverage() {
+  return std::sqrt(chi_squared(1));
+}
+
+double Metric::noticed() const {
+  return coverage() * std::hypot(data, input, numerical);
+}
+
+Metric metric(const std::vector<Question>& all, const Submitted& computed, const Sources& sources) {
+  std::vector<const Question*> of;
+  std::vector<std::size_t> index;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all[k].reading().misfit()) continue;
+    of.push_back(&all[k]);
+    index.push_back(k);
+  }
+  const auto gather = [&](const auto& value) {
+    Eigen::VectorXd gathered(static_cast<Eigen::Index>(index.size()));
+    for (std::size_t i = 0; i < index.size(); ++i) gathered[static_cast<Eigen::Index>(i)] = value(index[i]);
+    return gathered;
+  };
+  const auto input = [&](std::size_t k) { return all[k].part().input * all[k].size(); };
+  const auto numerical = [&](std::size_t k) { return sources.numerical.empty() ? 0 : sources.numerical[k]; };
+  const Eigen::VectorXd size = gather([&](std::size_t k) { return all[k].size(); });
+  const Eigen::VectorXd incident = gather(input);
+  const Eigen::VectorXd error = gather([&](std::size_t k) { return all[k].answer(computed) - all[k].expected(); });
+  Eigen::MatrixXd v = covariance(of);
+  // Of a common factor, from the readings as well as these covariances let it be told.
+  const auto of_factor = [&] { return 1 / std::sqrt(size.dot(v.llt().solve(size))); };
+  const auto more = [](double total, double before) { return std::sqrt(std::max(total * total - before * before, 0.0)); };
+  Metric result;
+  result.data = of_factor();
+  v += incident * incident.transpose();
+  for (const auto& changes : sources.parameters) {
+    const Eigen::VectorXd change = gather([&](std::size_t k) { return changes[k]; });
+    v += change * change.transpose();
+  }
+  const double before = of_factor();
+  result.input = more(before, result.data);
+  v.diagonal() += gather([&](std::size_t k) { return std::pow(numerical(k), 2); });
+  const double total = of_factor();
+  result.numerical = more(total, before);
+
+  const Eigen::LLT<Eigen::MatrixXd> factors = v.llt();
+  const Eigen::VectorXd weighted = factors.solve(error);
+  const double factor = size.dot(weighted) * total * total;
+  const double explained = incident.dot(weighted);  // of the incident amplitude, in its standard uncertainties
+  double rest = error.dot(weighted) - std::pow(factor / total, 2);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Question& one = all[k];
+    double u = std::hypot(one.data_uncertainty(), numerical(k));
+    for (const auto& changes : sources.parameters) u = std::hypot(u, changes[k]);
+    if (one.reading().misfit()) {
+      result.scores.push_back(one.answer(computed, 1 + explained * one.part().input) / u);
+      rest += std::pow(result.scores.back(), 2);
+    } else {
+      result.scores.push_back((one.answer(computed) - one.expected()) / std::hypot(u, input(k)));
+    }
+  }
+  const double beyond = all.size() > 1 ? std::sqrt(rest / chi_squared(all.size() - 1)) : 0;
+  result.difference = std::isnan(beyond) ? not_known : std::max(std::abs(factor), beyond * result.noticed());
+  return result;
+}
+
+evidence::Claim claim_of(const Experiment& experiment) {
+  std::vector<std::string> parts;
+  for (const Series& part : experiment.parts) parts.push_back(part.quantity.meaning);
+  return {.id = "agreement",
+          .text = fmt::format("All readings of {} agree with the measurement within their combined uncertainty.",
+                              fmt::join(parts, ", ")),
+          .quantity = "common factor, less 1, as clear as what the readings differ by",
+          .unit = "1",
+          .source = experiment.source};
+}
+
+Uncertainty criterion_of(const Experiment& experiment, Amount data, Amount input) {
+  std::string reason = "ASME V&V 20.1-2024, all readings at once: validation/laboratory/verdicts.hpp; u_data from";
+  for (const Series& part : experiment.parts) reason += fmt::format(" reference_data/{}", part.table);
+  for (const Series& part : experiment.parts) {
+    if (part.input > 0) {
+      reason += fmt::format("; u_input {:g} % of {}: {}", 100 * part.input, part.name, part.input_reason);
+    }
+  }
+  return {.data = data,
+          .input = input,
+          .useful = experiment.ceiling,
+          .reason = fmt::format("{}; ceiling: {}", reason, experiment.ceiling_reason),
+          .coverage = coverage()};
+}
+
+void show_readings(const std::vector<Question>& all, const Submitted& computed, const std::vector<double>& numerical,
+                   const std::vector<double>& scores, const std::string& solver, evidence::Exhibit& exhibit) {
   evidence::Table table{.id = "laboratory-readings",
                         .title = solver,
                         .caption =
-                            "What was measured and computed, with standard uncertainties, in the units of the claims; "
-                            "arrivals are counted from the last column.",
-                        .columns = table_columns({"quantity", "claim", "measured [1]", "u measured [1]", "computed [1]",
-                                                  "u computed [1]", "origin [1]"})};
+                            "What was measured and computed, with standard uncertainties, and their difference over "
+                            "the combined one; arrivals are counted from the origin.",
+                        .columns = table_columns({"quantity", "reading", "measured [1]", "u measured [1]",
+                                                  "computed [1]", "u computed [1]", "origin [1]", "E/u [1]"})};
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Question& one = all[k];
-    table.rows.push_back({name(one.reading().kind), one.claim().id, one.expected(),
-                          std::hypot(one.data_uncertainty(), one.input_uncertainty()), one.answer(computed),
-                          numerical.at(k).value_or(std::numeric_limits<double>::quiet_NaN()),
-                          one.reading().along ? one.part().origin : 0.0});
+    table.rows.push_back({name(one.reading().kind), one.id(), one.expected(),
+                          std::hypot(one.data_uncertainty(), one.part().input * one.size()), one.answer(computed),
+                          numerical[k], one.reading().along ? one.part().origin : 0.0, scores[k]});
   }
   exhibit.table(std::move(table));
 }
@@ -190,7 +279,7 @@ void show_calibration(const Experiment& experiment, const Values& values, const 
                         .caption = "Readings of the gauges that set the input of a computation: no claims.",
                         .columns = table_columns({"reading", "measured [1]", "computed [1]", "unit"})};
   for (const Question& one : questions(experiment, values, true)) {
-    table.rows.push_back({one.claim().id, one.expected(), one.answer(computed), one.claim().unit});
+    table.rows.push_back({one.id(), one.expected(), one.answer(computed), one.unit()});
   }
   if (!table.rows.empty()) exhibit.table(std::move(table));
 }
@@ -201,29 +290,36 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
   const Submitted computed = on_the_clock(experiment, values, submitted, shifts);
   for (const auto& [part, shift] : shifts) record.measure(part + "_time_shift", shift);
   std::vector<Question> present;
-  std::vector<std::optional<double>> numerical;
-  for (Question one : questions(experiment, values)) {
-    if (!computed.contains(one.part().name)) {
-      record.leave_out({one.claim(), "the table was not submitted"});
-      continue;
-    }
+  Sources sources;
+  bool stated = true;
+  for (const Question& one : questions(experiment, values)) {
     const SubmittedGroup* group = group_of(computed, one.part(), one.reading().group);
     const std::optional<Question> asked = group == nullptr ? std::nullopt : one.within(*group);
     if (!asked) {
-      record.leave_out({one.claim(), group == nullptr ? "no record was submitted" : "the record does not hold it"});
+      record.leave_out({{.id = one.id(),
+                         .text = fmt::format("{}: {}", one.part().quantity.meaning, one.reading().words),
+                         .quantity = one.reading().words,
+                         .unit = one.unit(),
+                         .source = experiment.source},
+                        group == nullptr ? "no record was submitted" : "the record does not hold it"});
       continue;
     }
-    one = *asked;
-    const std::optional<double> u = one.stated(facts.uncertainty);
-    record.check(one.claim(),
-                 {.value = one.answer(computed),
-                  .uncertainty = u ? std::optional(2 * *u) : std::nullopt,
-                  .resolution = u ? fmt::format("u_num = {:.3g}", *u) : "u_num not stated"},
-                 one.criterion());
-    present.push_back(one);
-    numerical.push_back(u);
+    const std::optional<double> u = asked->stated(facts.uncertainty);
+    stated = stated && u;
+    present.push_back(*asked);
+    sources.numerical.push_back(u.value_or(0));
   }
-  show_readings(present, computed, numerical, record.solver, record);
+  if (std::ranges::all_of(present, [](const Question& one) { return one.size() == 0 || one.reading().misfit(); })) {
+    return record.leave_out({claim_of(experiment), "no amplitude was submitted"});
+  }
+  const Metric found = metric(present, computed, sources);
+  record.check(claim_of(experiment),
+               {.value = found.difference,
+                .uncertainty = stated ? std::optional(coverage() * found.numerical) : std::nullopt,
+                .resolution = fmt::format("{} readings{}", present.size(), stated ? "" : ", u_num not stated")},
+               criterion_of(experiment, found.data, found.input));
+  show_readings(present, computed, stated ? sources.numerical : std::vector<double>(present.size(), not_known), found.scores,
+                record.solver, record);
   show_calibration(experiment, values, computed, record);
 }
 

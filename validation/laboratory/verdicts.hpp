@@ -1,8 +1,24 @@
-/// Readings of an experiment as claims, judged for others and for a model of our own alike.
+/// Readings of an experiment as one verdict, of others and of a model of our own alike: the multivariate metric of ASME
+/// V&V 20.1-2024,
+///
+///     T = E^T V^-1 E,   E = computed - measured,   V = V_data + V_input + V_num,
+///
+/// against chi-square. One source of error is one term of rank one in V: the incident amplitude (input of each part
+/// times what a common factor changes), the zero and calibration of a gauge (half of the variance of its readings in a
+/// time series; the other half is of each reading by itself), the clock of a part, a parameter that no source states.
+/// Numerical errors are taken for independent.
+///
+/// T has two parts, independent for a perfect solver: the common factor a of all readings, (a/u_a)^2 with one degree of
+/// freedom, and the rest with n - 1. Each must be within its quantile of sqrt(0.95), so both are in 95 % of draws; T
+/// alone would let through a factor 6 u_a away from 1 where n = 30 readings share an incident amplitude.
+///
+/// The misfit of a record has no sign and no covariance with others: it adds (misfit/u)^2, whose mean is 1, after the
+/// computed record has been divided by the common factor that the incident amplitude explains.
 #pragma once
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,25 +29,22 @@ namespace seiche::validation::laboratory {
 /// One reading with everything that judging it needs.
 class Question {
  public:
-  Question(std::string source, const Series& part, const Reading& reading, std::shared_ptr<const Measured> measured);
+  Question(const Series& part, const Reading& reading, std::shared_ptr<const Measured> measured);
 
   [[nodiscard]] const Series& part() const { return part_; }
   [[nodiscard]] const Reading& reading() const { return reading_; }
   [[nodiscard]] double expected() const { return expected_; }
+  /// Standard uncertainty of the data, and what of it is the gauge's zero and calibration, with its sign.
   [[nodiscard]] double data_uncertainty() const { return u_data_; }
-  [[nodiscard]] double input_uncertainty() const { return u_input_; }
-  /// Largest expanded uncertainty that still decides.
-  [[nodiscard]] double useful() const { return useful_; }
-  [[nodiscard]] evidence::Claim claim() const;
-  [[nodiscard]] Uncertainty criterion() const;
-  /// What a computed record gives. NaN where the part or the group is not there.
-  [[nodiscard]] double answer(const Submitted& computed) const;
-  /// Standard, from what is stated of the columns; none where nothing is.
+  [[nodiscard]] double datum() const { return datum_; }
+  /// What a common factor of 1 + s changes, over s: nothing of times and places.
+  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] std::string id() const;
+  [[nodiscard]] std::string unit() const;
+  /// What a computed record gives, divided by a factor. NaN where the part or the group is not there.
+  [[nodiscard]] double answer(const Submitted& computed, double factor = 1) const;
+  /// Standard, from what is stated of the columns; none where nothing is, or where a time is not known to what decides.
   [[nodiscard]] std::optional<double> stated(const std::map<std::string, StatedUncertainty>& uncertainty) const;
-  /// With an input uncertainty that the run tells.
-  [[nodiscard]] Uncertainty criterion_of_run() const;
-  /// A record that answers with no uncertainty of its own would pass.
-  [[nodiscard]] bool passes(double answer) const;
   [[nodiscard]] const Measured& measured() const { return *measured_; }
   /// The same of that part of the window for which a record is there; none where no measured point is in it.
   [[nodiscard]] std::optional<Question> within(const SubmittedGroup& record) const;
@@ -39,24 +52,50 @@ class Question {
  private:
   Series part_;
   Reading reading_;
-  std::string source_;
   std::shared_ptr<const Measured> measured_;
-  double expected_ = 0, u_data_ = 0, u_input_ = 0, useful_ = 0;
+  double expected_ = 0, u_data_ = 0, datum_ = 0, size_ = 0;
 };
 
 /// @param calibration  those of what sets the model's input, which are shown, instead of those that are judged
 std::vector<Question> questions(const Experiment& experiment, const Values& values, bool calibration = false);
 
-/// The same with the clock of every part that has one set by its group; the shift is told to `shifts` by part.
+/// The same with the zero of every record that has one and the clock of every part that has one set by its group; the
+/// shift is told to `shifts` by part.
 Submitted on_the_clock(const Experiment& experiment, const Values& values, const Submitted& computed,
                        std::map<std::string, double>& shifts);
 
+/// Standard uncertainties beside those of data and incident wave, per question.
+struct Sources {
+  std::vector<double> numerical = {};                ///< empty: none
+  std::vector<std::vector<double>> parameters = {};  ///< what each changes that is known to within a factor
+};
+
+/// What the metric says, as a common factor of all readings.
+struct Metric {
+  /// That which is as far beyond its uncertainty as the readings are: the common factor itself or what the rest of them
+  /// amounts to, whichever is clearer.
+  double difference = 0;
+  double data = 0, input = 0, numerical = 0;  ///< standard uncertainties of a common factor
+  std::vector<double> scores = {};            ///< E/u, reading by reading
+
+  /// The smallest common factor that is noticed.
+  [[nodiscard]] double noticed() const;
+  [[nodiscard]] bool passes() const { return difference <= noticed(); }
+};
+
+/// sqrt of the chi-square quantile of sqrt(0.95), one degree of freedom: 2.236 standard uncertainties.
+double coverage();
+
+Metric metric(const std::vector<Question>& all, const Submitted& computed, const Sources& sources);
+
+evidence::Claim claim_of(const Experiment& experiment);
+Uncertainty criterion_of(const Experiment& experiment, Amount data, Amount input);
+
 /// What the report's summary over experiments is made of: a row per reading.
-/// @param numerical  standard, per question; none: not known
+/// @param numerical  standard, per question; NaN: not known
 /// @param solver     whose they are
-void show_readings(const std::vector<Question>& all, const Submitted& computed,
-                   const std::vector<std::optional<double>>& numerical, const std::string& solver,
-                   evidence::Exhibit& exhibit);
+void show_readings(const std::vector<Question>& all, const Submitted& computed, const std::vector<double>& numerical,
+                   const std::vector<double>& scores, const std::string& solver, evidence::Exhibit& exhibit);
 
 /// Readings of what sets the input, beside what was measured.
 void show_calibration(const Experiment& experiment, const Values& values, const Submitted& computed,

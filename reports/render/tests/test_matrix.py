@@ -14,7 +14,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 
-from render import costs, matrix, pages, records  # noqa: E402
+from render import costs, experiments, matrix, pages, records  # noqa: E402
 from render.tests.test_report import HOSTILE, Page, claim, record, render  # noqa: E402
 from render.tests.test_side_by_side import row, table  # noqa: E402
 
@@ -68,7 +68,26 @@ class Matrix(unittest.TestCase):
         for problem in tomllib.loads(matrix.PROBLEMS.read_text(encoding="utf-8"))["problem"]:
             for what in problem.get("cells", {}).values():
                 case, _, pattern = (what if isinstance(what, str) else what["claims"]).partition(": ")
+                if (case, "resolves") in kept:      # of an experiment readings are named, which are one claim
+                    pattern = "agreement"
                 self.assertTrue(any(one == case and fnmatch.fnmatchcase(claim, pattern) for one, claim in kept), what)
+
+    def test_the_error_of_readings_is_that_of_all_and_the_verdict_that_of_their_experiment(self):
+        rows = [["height", "gauges-highest-1", 1.0, 0.1, 1.1, 0.0, 0.0, 1.0],
+                ["height", "gauges-highest-2", 1.0, 0.1, 1.3, 0.0, 0.0, 3.0], ["misfit", "gauges-misfit-1", 0.0, 1.0, 0.5, 0.0, 0.0, 0.5]]
+        read = [{"id": experiments.TABLE, "title": "m", "caption": "", "columns": [], "rows": rows, "atlas": []}]
+        made = record("lab", tables=read, claims=[claim("agreement", "uncertainty", verdict="fail", declared="fail",
+                                                        declared_reason="r")])
+        cell = matrix.of_claims(records.Record("lab.json", made), "gauges-highest-*", None)
+        self.assertAlmostEqual(cell.error, math.sqrt((0.01 + 0.09) / 2))
+        self.assertEqual((cell.anchor, cell.readings, cell.flaws), ("claim-agreement", 2, ["exceeds limit"]))
+
+    def test_of_the_order_claims_95_percent_hold_the_theory(self):
+        with (matrix.PROBLEMS.parent / "record" / "quick.csv").open(encoding="utf-8", newline="") as file:
+            found = [abs(float(row["measured"]) - float(row["expected"])) <= float(row["uncertainty"])
+                     for row in csv.DictReader(file) if row["kind"] == "order"]
+        doubt = 3 * math.sqrt(0.95 * 0.05 / len(found))     # three standard deviations of the share
+        self.assertGreater(sum(found) / len(found), 0.95 - doubt)
 
     def test_a_contest_says_where_a_model_stops(self):
         rows = [row("Lagrangian mesh", size=0.2, error=0.5),

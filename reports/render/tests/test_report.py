@@ -298,9 +298,9 @@ class Report(unittest.TestCase):
         self.assertAlmostEqual(line.bias, math.exp(mean + (own - 0.01) / 2))
         alike = [experiments.Pair(None, "c", 1.0, 0.1, 1.01) for _ in range(3)]
         self.assertIsNone(experiments.line_of("mine", marks.mark(0), alike, 0).scatter)
-        rows = [["arrival", "a", 31.0, 0.1, 31.1, 0.0, 30.0], ["misfit", "m", 0.0, 1.0, 0.5, 0.0, 0.0],
-                ["arrival", "b", 29.0, 0.1, 31.1, 0.0, 30.0], ["arrival", "c", 32.0, 0.1, None, 0.0, 30.0],
-                ["arrival", "d", 30.1, 0.1, 30.2, 0.0, 30.0]]
+        rows = [["arrival", "a", 31.0, 0.1, 31.1, 0.0, 30.0, 1.0], ["misfit", "m", 0.0, 1.0, 0.5, 0.0, 0.0, 0.5],
+                ["arrival", "b", 29.0, 0.1, 31.1, 0.0, 30.0, 21.0], ["arrival", "c", 32.0, 0.1, None, 0.0, 30.0, None],
+                ["arrival", "d", 30.1, 0.1, 30.2, 0.0, 30.0, 1.0]]
         table = {"id": experiments.TABLE, "title": "Our model", "caption": "", "columns": [], "rows": rows, "atlas": []}
         ours = records.Record("lab.json", record("lab", tables=[table]))
         theirs = records.Record("lab.theirs.json", record("lab", solver="theirs", tables=[table]))
@@ -308,6 +308,9 @@ class Report(unittest.TestCase):
         self.assertEqual((kind, [line.solver for line in lines]), ("arrival", ["Our model", "theirs"]))
         self.assertEqual([(len(line.pairs), line.left_out, line.bias) for line in lines], [(1, 3, None)] * 2)
         self.assertAlmostEqual(lines[0].pairs[0].computed, 1.1)
+        self.assertEqual(len(lines[0].errors), 2)       # of another sign as well: 31.1 for 29 is 2.1 of 1
+        self.assertAlmostEqual(lines[0].median, 1.1)
+        self.assertAlmostEqual(lines[0].worst, 2.1)
         self.assertEqual(experiments.scatter_figure(lines).count("<circle"), 2)
 
     def cells(self, page, mark):
