@@ -292,11 +292,17 @@ Case flap_plunging_sph() {
        sound_rule("depth", {"largest_speed", "depth", "depth"})},
       sph_parameters({.alpha = 0.01, .filter = 30, .courant = {0.2, 0.3, 0.3}}, "sqrt(g d)"));
   c.published = {
-      {.tiles = {"sph-fig-4"}},
+      {.tiles = {"sph-fig-4"},
+       .stated = {"period", "alpha", "diffusion", "filter", "isotropic", "kernel", "nu0", "shifting", "smagorinsky",
+                  "smoothing", "walls", "xsph"},
+       .different = {{"courant", "0.3"}, {"layers", "26"}, {"stroke", "0.305, a misprint of 0.0305"}}},
       {.tiles = {"sph-fig-6"},
        .tier = Tier::paper,
-       .differs = "the publication states neither the length of the flume nor the height and the first phase of the "
-                  "paddle; spray moves at a third of the sound speed, where it asks for a tenth"}};
+       .stated = {"alpha", "period", "courant", "diffusion", "filter", "isotropic", "kernel", "nu0", "shifting",
+                  "smagorinsky", "smoothing", "walls", "xsph", "layers"},
+       .different = {{"stroke", "0.305, a misprint of 0.0305"},
+                     {"sound_from",
+                      "largest_speed of the whole run; here spray moves at a third of the sound speed, not a tenth"}}}};
   c.study = Study(claims, compute, show, publication);
   return c;
 }
