@@ -142,14 +142,6 @@ void draw_setup(evidence::Exhibit& exhibit, const exact::Bore& bore) {
   panel.line("bed", std::vector<double>{0, length}, std::vector<double>{0, 0}, Role::bed);
 }
 
-void draw_exact(evidence::Exhibit& exhibit, const FlowProblem& problem, double time) {
-  auto& figure =
-      exhibit.figure("exact", "The exact bore", fmt::format("Depth and velocity at t = {:g} s.", time), {"bzz-fig-11"});
-  const ExactCurve curve = exact_curve(problem, 0, length, time);
-  figure.panel({.x = "x [m]", .y = "depth h [m]"}).line("exact", curve.x, curve.depth, Role::exact);
-  figure.panel({.x = "x [m]", .y = "velocity u [m/s]"}).line("exact", curve.x, curve.velocity, Role::exact);
-}
-
 particles::ParticleFlow initial_flow(const SetUp& s) {
   const exact::Bore& bore = s.bore;
   return {particles::bore(bore.gravity(), 0, start, length, bore.behind().depth, bore.ahead().depth,
@@ -261,7 +253,9 @@ Results compute(const Run& run) {
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   const SetUp& s = r.set_up;
   draw_setup(exhibit, s.bore);
-  draw_exact(exhibit, s.problem, s.time);
+  draw_exact(exhibit.figure("exact", "The exact bore", fmt::format("Depth and velocity at t = {:g} s.", s.time),
+                            {"bzz-fig-11"}),
+             s.problem, s.time);
   show_figure(r.figure, exhibit, "A bore runs into still water", {"bzz-fig-12"});
   draw_history(exhibit, r.history, s.bore);
   measure_own(wanted_states(s.states()), submitted_profile(r.figure.flow.profile()), exhibit);

@@ -17,7 +17,6 @@ for the front.
 **What to look at.** The front: by the rearrangement as the paper wrote it the last particle is a rectangle, one tenth
 of the water, and ends metres short of it. MacCormack's scheme has no answer over a dry bed.
 */
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -66,10 +65,6 @@ struct Results {
   std::vector<Contestant> contestants;
 
   [[nodiscard]] double front() const { return flow.profile().edges.back(); }
-  [[nodiscard]] const Contestant& by(const std::string& scheme) const {
-    return contestants.at(
-        static_cast<std::size_t>(std::find(all_schemes.begin(), all_schemes.end(), scheme) - all_schemes.begin()));
-  }
 };
 
 void draw_setup(evidence::Exhibit& exhibit, double depth) {
@@ -113,7 +108,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   here.from("figure 24 uses the scheme over a wet bed only")
       .known_failure(
           "maccormack", "MacCormack's scheme finishes over a dry bed.", "finished",
-          [](const Results& r) { return r.by("maccormack").finished() ? 1.0 : 0.0; },
+          [](const Results& r) { return by_scheme(r.contestants, "maccormack").finished() ? 1.0 : 0.0; },
           Qualitative{.detector = "no negative or undefined depth until the end",
                       .reason = "a usable scheme must survive drying"},
           {.value = 0, .reason = "its predictor makes negative depths at a dry front; a property of the scheme"});

@@ -61,8 +61,7 @@ struct Results {
   FlowRun roe;
 
   [[nodiscard]] double error(const std::string& scheme) const {
-    return contestants.at(static_cast<std::size_t>(std::ranges::find(schemes, scheme) - schemes.begin()))
-        .errors.cell.depth.l1;
+    return by_scheme(contestants, scheme).errors.cell.depth.l1;
   }
 };
 

@@ -74,10 +74,8 @@ void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const
                             .y_min = -0.1,
                             .y_max = 3});
   panel.fill("water", curve.x, curve.depth, Role::water);
-  auto& figure =
-      exhibit.figure("exact", "The exact jump", "Depth and velocity, the same at all times.", {"bzz-fig-17"});
-  figure.panel({.x = "x [m]", .y = "depth h [m]"}).line("exact", curve.x, curve.depth, Role::exact);
-  figure.panel({.x = "x [m]", .y = "velocity u [m/s]"}).line("exact", curve.x, curve.velocity, Role::exact);
+  draw_exact(exhibit.figure("exact", "The exact jump", "Depth and velocity, the same at all times.", {"bzz-fig-17"}),
+             problem, 0);
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {

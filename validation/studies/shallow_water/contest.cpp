@@ -45,6 +45,11 @@ std::vector<Contestant> contest_all(const FlowProblem& problem, const Discretisa
   return contestants;
 }
 
+const Contestant& by_scheme(const std::vector<Contestant>& contestants, const std::string& scheme) {
+  return contestants.at(
+      static_cast<std::size_t>(std::ranges::find(contestants, scheme, &Contestant::scheme) - contestants.begin()));
+}
+
 void report_contest(evidence::Exhibit& exhibit, const FlowProblem& problem, double time,
                     const std::vector<Contestant>& contestants, const std::vector<std::string>& atlas) {
   evidence::Table table{

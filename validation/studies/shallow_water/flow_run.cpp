@@ -194,6 +194,13 @@ void show_conservation(const FlowRun& flow, evidence::Exhibit& exhibit, const st
   exhibit.measure("max_courant" + suffix, flow.max_courant);
 }
 
+void draw_exact(evidence::Figure& figure, const FlowProblem& problem, double time, const std::string& title) {
+  const ExactCurve curve = exact_curve(problem, problem.start, problem.end, time);
+  figure.panel({.x = "x [m]", .y = "depth h [m]", .title = title}).line("exact", curve.x, curve.depth, Role::exact);
+  figure.panel({.x = "x [m]", .y = "velocity u [m/s]", .title = title})
+      .line("exact", curve.x, curve.velocity, Role::exact);
+}
+
 void draw_frame(evidence::Figure& figure, evidence::Exhibit& exhibit, const FlowRun& flow, const FlowRun::Frame& frame,
                 const std::string& title, const FlowRun::Frame* beside) {
   const ExactCurve exact = exact_curve(flow.problem, frame.profile, frame.time);

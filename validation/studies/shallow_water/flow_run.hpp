@@ -93,6 +93,8 @@ ParticleFigure compute_figure(const Run& run, const FlowProblem& problem, const 
 void show_figure(const ParticleFigure& figure, evidence::Exhibit& exhibit, const std::string& title,
                  const std::vector<std::string>& atlas);
 
+/// Two panels, depth and velocity, of the exact solution at one of the times.
+void draw_exact(evidence::Figure& figure, const FlowProblem& problem, double time, const std::string& title = "");
 /// A row of two panels, depth and velocity, at one of the times: the exact curve, the particles as rectangles and dots;
 /// and a snapshot for ParaView. @param beside  the same time by another method, before the flow's own
 void draw_frame(evidence::Figure& figure, evidence::Exhibit& exhibit, const FlowRun& flow, const FlowRun::Frame& frame,
