@@ -58,7 +58,7 @@ if(NOT CMAKE_INSTALL_BINDIR MATCHES "^[^/]+$")
   message(FATAL_ERROR "CMAKE_INSTALL_BINDIR is ${CMAKE_INSTALL_BINDIR}: must be one folder below the prefix, for the "
                       "command looks for its data in ../share/seiche")
 endif()
-set(data reports/render reports/schema reports/record reports/atlas.toml reports/problems.toml reference_data)
+set(data reports/render reports/schema reports/record reports/atlas.toml reports/formulas.toml reports/problems.toml reference_data)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/seiche)
 foreach(path IN LISTS data)
   cmake_path(GET path FILENAME name)

@@ -38,8 +38,11 @@ struct PublishedSet {
   std::vector<std::string> tiles;
   std::string tier;  ///< in which it is run
   std::map<std::string, Scalar> values;
-  std::string differs;  ///< where they still are not the source's, and why
-  bool here = false;    ///< they are those of this record
+  std::map<std::string, std::string> origins;    ///< of each value: "stated", "chosen" or "different"
+  std::map<std::string, std::string> different;  ///< the source's value of those that are different
+  std::string differs;                           ///< where the method is not the source's, and why
+  std::vector<std::string> contradicted;         ///< ids of claims whose declared failure proves the source wrong
+  bool here = false;                             ///< the values are those of this record
 };
 
 struct JudgedClaim {

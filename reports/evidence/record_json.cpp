@@ -145,8 +145,14 @@ std::string to_json(const Record& record, const std::map<std::string, std::strin
   for (const PublishedSet& set : record.published) {
     Json values = Json::object();
     for (const auto& [name_of, value] : set.values) values[name_of] = any(value);
-    published.push_back(
-        {{"tiles", set.tiles}, {"tier", set.tier}, {"values", values}, {"differs", set.differs}, {"here", set.here}});
+    published.push_back({{"tiles", set.tiles},
+                         {"tier", set.tier},
+                         {"values", values},
+                         {"origins", set.origins},
+                         {"different", set.different},
+                         {"differs", set.differs},
+                         {"contradicted", set.contradicted},
+                         {"here", set.here}});
   }
   Json claims = Json::array();
   for (const JudgedClaim& judged : record.claims()) claims.push_back(describe(judged));

@@ -10,6 +10,8 @@ from render.records import TIERS
 _REPORTS = pathlib.Path(__file__).resolve().parent.parent
 TILES = _REPORTS / "atlas.toml"
 RECORD = _REPORTS / "record"
+WORDS = ("reproduced", "reproduced by another method", "source contradicted", "reduced size", "picture only", "not yet")
+ORIGINS = {"stated": "Stated by the source", "chosen": "Chosen, the source is silent", "different": "Different from the source"}
 AS_DECLARED = ("pass", "declared fail")
 
 
@@ -58,28 +60,40 @@ class Tile:
         return any(record.status == "error" for record in self.judged)
 
     @property
-    def state(self):
-        """reproduced: a run with the parameters of the source shows it, every claim of such runs as declared; reduced:
-        shown by a shorter tier than they need; shown: with other parameters, or not as declared; empty."""
-        if self.at_source:
-            return "shown" if any(record.unexpected for record in self.at_source) else "reproduced"
-        if not self.records:
-            return "empty"
-        reduced = self.published and any(
-            record.own and record.standard and TIERS.index(record.tier) < TIERS.index(self.published["tier"])
-            for record in self.records)
-        return "reduced" if reduced else "shown"
+    def word(self):
+        """One of WORDS, from the runs with the parameters of the source: all of their claims hold, with the source's method
+        and parameters or with others; only those fail whose failure, declared, proves the source wrong; or the runs are of
+        a longer tier than the report has. What the source only drew is a picture. Anything else is not yet reproduced."""
+        if not self.at_source:
+            longer = self.published and any(
+                record.own and record.standard and TIERS.index(record.tier) < TIERS.index(self.published["tier"])
+                for record in self.records)
+            return "reduced size" if longer else "not yet"
+        if any(record.unexpected for record in self.at_source):
+            return "not yet"
+        sets = [record.published_set(self.id) for record in self.at_source]
+        failed = {claim.id for record in self.at_source for claim in record.claims if claim.verdict != "pass"}
+        wrong = failed & {name for one in sets if one for name in one["contradicted"]}
+        if wrong and wrong == failed:
+            return "source contradicted"
+        if self.kind != "computed":
+            return "picture only"
+        if failed:
+            return "not yet"
+        return "reproduced by another method" if any(one["differs"] or one["different"] for one in sets) else "reproduced"
 
     @property
     def parameters(self):
-        """[(name, value, unit, value of the best record if another)] of the source, those first that differ."""
+        """[(where from, [(name, value, unit, the source's value, value of the best record if another)])] of the set."""
         if not self.published:
             return []
-        ran = self.records[0].parameters
-        found = [(name, value, ran[name]["unit"] if name in ran else "1",
-                  ran[name]["value"] if name in ran and ran[name]["value"] != value else None)
-                 for name, value in self.published["values"].items()]
-        return sorted(found, key=lambda one: one[3] is None)
+        ran, set_ = self.records[0].parameters, self.published
+        found = {origin: [] for origin in ORIGINS}
+        for name, value in set_["values"].items():
+            here = ran.get(name, {"unit": "1", "value": value})
+            found[set_["origins"][name]].append((name, value, here["unit"], set_["different"].get(name),
+                                                 here["value"] if here["value"] != value else None))
+        return [(ORIGINS[origin], members) for origin, members in found.items() if members]
 
 
 def read(path=TILES):
@@ -147,13 +161,11 @@ def strip(sources, most=8):
 
 
 def count(sources):
-    """{state: how many tiles are in it}, and "all"."""
-    states = [tile.state for _, members in sources for tile in members]
-    return {"all": len(states), **{state: states.count(state) for state in ("reproduced", "reduced", "shown", "empty")}}
+    """{word: how many tiles have it}, and "all"."""
+    words = [tile.word for _, members in sources for tile in members]
+    return {"all": len(words), **{word: words.count(word) for word in WORDS}}
 
 
 def in_words(counts):
     """The counts in one phrase."""
-    words = {"reproduced": "reproduced", "reduced": "shown at reduced size (the parameters of their sources run in a longer tier)",
-             "shown": "shown with other parameters or not as declared", "empty": "empty"}
-    return ", ".join(f"{counts[state]} {said}" for state, said in words.items() if counts[state] or state == "reproduced")
+    return ", ".join(f"{counts[word]} {word}" for word in WORDS if counts[word] or word == "reproduced")

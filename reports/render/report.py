@@ -5,16 +5,16 @@ import shutil
 
 from markupsafe import Markup
 
-from render import (atlas, badge, coverage, experiments, files, gallery, league, matrix, mutants, pages, records,
-                    seal, search, sharpness, speed)
+from render import (atlas, badge, coverage, experiments, files, gallery, league, matrix, mutants, pages, printed,
+                    records, seal, search, sharpness, speed)
 from render.formulas import Formulas
 from render.records import Broken
 from render.store import MARKER, Store, user_cache
 from render.text import Typesetter
 
 PAGES = {"cases": "Cases and tests", "agreement": "Data agreement", "atlas": "Figures of the sources",
-         "league": "Solvers", "deviations": "Known deviations", "quality": "Test quality", "reading": "How to read",
-         "provenance": "Provenance"}
+         "formulas": "Formulas as printed and as solved", "league": "Solvers", "deviations": "Known deviations",
+         "quality": "Test quality", "reading": "How to read", "provenance": "Provenance"}
 _HERE = pathlib.Path(__file__).resolve().parent
 
 
@@ -49,6 +49,7 @@ def build(evidence, stage, out, options):
              "speed": speed.survey(speed.read(), speed.build_time()),
              "rooms": coverage.survey(coverage.read()), "wanted_lines": coverage.WANTED, "LOOSEST": sharpness.SHOWN,
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE},
+             "formulas": printed.survey(sources, cases),
              "matrix": matrix.survey(cases, drawn, others), "scorable": matrix.scorable(options.scorable, cases),
              "others": len(others), "league": others}
     write("index.html.j2", "index.html", "", **whole)
@@ -78,13 +79,13 @@ def build(evidence, stage, out, options):
     store.save()
     return (f"{pages.plural(whole['summary']['claims'], 'claim')} in {pages.plural(len(cases), 'case')}, "
             f"{whole['summary']['unexpected_count']} unexpected, {pages.plural(len(broken), 'broken record')}, "
-            f"{counts['reproduced']} of {counts['all']} tiles reproduced, {counts['reduced']} at reduced size")
+            f"of {counts['all']} tiles {atlas.in_words(counts)}")
 
 
 def _menu(others):
     """[(page, words)] of the links above every page."""
     return [("index.html", "Overview")] + [(f"{name}.html", words) for name, words in PAGES.items()
-                                           if name != "provenance" and (others or name != "league")]
+                                           if name not in ("provenance", "formulas") and (others or name != "league")]
 
 
 def _made(case, cases, drawn, titles, write, broken):

@@ -306,9 +306,9 @@ Case breaking_gauss() {
            "p0, amplitude of the surface pressure; fitted to the source's frames"),
       real("at", 6.2, "(g k)^(-1/2)", {0, 7.4}, "when the crest is measured"),
   };
-  c.published = {
-      {.tiles = {"frank-fig-10"},
-       .differs = "the thesis does not state the pressure: its amplitude is a fit to the times of the frames"}};
+  c.published = {{.tiles = {"frank-fig-10"},
+                  .differs = "a penalty on gradients of vorticity; the pressure, which the thesis does not state, is "
+                             "fitted to the times of its frames"}};
   c.study = Study(claims, compute, show, source);
   return c;
 }

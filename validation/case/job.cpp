@@ -102,10 +102,15 @@ evidence::Record Job::blank_record() const {
   for (const Published& set : values.sets()) {
     const Values as = definition->values(set);
     std::map<std::string, evidence::Scalar> chosen(as.all().begin(), as.all().end());
+    std::map<std::string, std::string> origins;
+    for (const auto& [parameter, value] : chosen) origins[parameter] = set.origin(parameter);
     record.published.push_back({.tiles = set.tiles,
                                 .tier = std::string(name(set.tier)),
                                 .values = std::move(chosen),
+                                .origins = std::move(origins),
+                                .different = set.different,
                                 .differs = set.differs,
+                                .contradicted = set.contradicted,
                                 .here = values.are(set)});
   }
   record.fingerprint = fingerprint();

@@ -99,6 +99,11 @@ bool Published::shows(std::string_view tile) const {
   return std::find(tiles.begin(), tiles.end(), tile) != tiles.end();
 }
 
+std::string Published::origin(const std::string& parameter) const {
+  if (different.count(parameter) == 1) return "different";
+  return std::find(stated.begin(), stated.end(), parameter) == stated.end() ? "chosen" : "stated";
+}
+
 Values::Values(std::vector<Parameter> declared, Tier tier, Sets sets)
     : declared_(std::move(declared)),
       tier_(tier),

@@ -50,10 +50,15 @@ struct Published {
       tiles;                ///< of reports/atlas.toml that a run with these values shows; the first names the set
   NamedValues values;       ///< what differs from the defaults of the tier
   Tier tier = Tier::quick;  ///< in which the set is run: the least one that can afford it
-  std::string differs;      ///< where it still is not what the source did, and why; empty if nowhere
+  std::vector<std::string> stated;  ///< parameters whose values the source states; about the others it is silent
+  std::map<std::string, std::string> different;  ///< parameters with another value than the source's, and that
+  std::string differs;                           ///< where the method is not the source's, and why; empty if nowhere
+  std::vector<std::string> contradicted;         ///< claims of the source whose declared failure proves it wrong
 
   [[nodiscard]] const std::string& name() const { return tiles.front(); }
   [[nodiscard]] bool shows(std::string_view tile) const;
+  /// Where a parameter's value comes from: "stated", "chosen", or "different" from the source's.
+  [[nodiscard]] std::string origin(const std::string& parameter) const;
 };
 
 /// Values for a set of declared parameters.

@@ -35,9 +35,14 @@ Json to_json(const validation::Value& value) {
 
 Json to_json(const Case& one, const validation::Published& set) {
   Json values = Json::object();
+  Json origins = Json::object();
   const validation::Values chosen = one.values(set);
-  for (const auto& [name, value] : chosen.all()) values[name] = to_json(value);
-  return {{"tiles", set.tiles}, {"tier", name(set.tier)}, {"values", values}, {"differs", set.differs}};
+  for (const auto& [name, value] : chosen.all()) {
+    values[name] = to_json(value);
+    origins[name] = set.origin(name);
+  }
+  return {{"tiles", set.tiles}, {"tier", name(set.tier)},     {"values", values},
+          {"origins", origins}, {"different", set.different}, {"differs", set.differs}};
 }
 
 Json to_json(const Parameter& p) {
@@ -122,13 +127,18 @@ void print_table() {
 void print_published() {
   for (const Case& one : validation::all_cases()) {
     for (const validation::Published& set : one.published) {
-      fmt::print("seiche run {} --as {}\n  tier {}", one.name, fmt::join(set.tiles, ", "), name(set.tier));
+      fmt::print("seiche run {} --as {}\n  tier {}\n", one.name, fmt::join(set.tiles, ", "), name(set.tier));
+      std::map<std::string, std::vector<std::string>> by_origin;
       const validation::Values chosen = one.values(set);
       for (const auto& [name, value] : chosen.all()) {
-        fmt::print(", {} = {}", name, std::visit([](const auto& v) { return fmt::format("{}", v); }, value));
+        const std::string text = std::visit([](const auto& v) { return fmt::format("{}", v); }, value);
+        const auto theirs = set.different.find(name);
+        by_origin[set.origin(name)].push_back(
+            fmt::format("{} = {}{}", name, text,
+                        theirs == set.different.end() ? "" : fmt::format(" (source: {})", theirs->second)));
       }
-      fmt::print("\n");
-      if (!set.differs.empty()) fmt::print("  differs from the source: {}\n", set.differs);
+      for (const auto& [origin, values] : by_origin) fmt::print("  {}: {}\n", origin, fmt::join(values, ", "));
+      if (!set.differs.empty()) fmt::print("  method differs from the source: {}\n", set.differs);
     }
   }
 }

@@ -238,9 +238,14 @@ Case dam_break_sph_front() {
       {integer("cells", {30, 71, 50}, {10, 1000}, "particle spacings in the width of the column"),
        choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"}, "lattice of the particles")},
       sph_dam_parameters({.alpha = 0.3}));
-  c.published = {{.tiles = {"sph-fig-1"}},
+  c.published = {{.tiles = {"sph-fig-1"},
+                  .stated = {"alpha", "courant", "diffusion", "filter", "isotropic", "kernel", "nu0", "shifting",
+                             "smagorinsky", "smoothing", "viscosity", "walls", "xsph"},
+                  .different = {{"cells", "50"}, {"lattice", "body_centred, by its number of particles"}}},
                  {.tiles = {"sph-fig-2"},
                   .tier = Tier::paper,
+                  .stated = {"alpha", "cells", "lattice", "courant", "diffusion", "filter", "isotropic", "kernel",
+                             "nu0", "shifting", "smagorinsky", "smoothing", "viscosity", "walls", "xsph"},
                   .differs = "the two shared corners of the walls hold one particle, not two"}};
   c.study = Study(claims, compute, show, experiment);
   return c;

@@ -241,7 +241,9 @@ Case dam_break_sph_turbulence() {
       sph_dam_parameters({.viscosity = "sps", .filter = 30, .courant = {0.2, 0.15, 0.15}}));
   c.published = {{.tiles = {"sph-fig-3"},
                   .tier = Tier::paper,
-                  .differs = "time steps of 0.15 h/(c + sigma) where the publication has 0.3"}};
+                  .stated = {"cells", "lattice", "diffusion", "filter", "isotropic", "kernel", "nu0", "shifting",
+                             "smagorinsky", "smoothing", "viscosity", "walls", "xsph"},
+                  .different = {{"courant", "0.3"}, {"wall_rows", "2"}}}};
   c.study = Study(claims, compute, show, publication);
   return c;
 }

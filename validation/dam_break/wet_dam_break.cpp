@@ -9,7 +9,7 @@ namespace seiche::validation {
 std::vector<Parameter> wet_dam_break_parameters(ByTier<long> particles, ByTier<double> time_step) {
   return {integer("particles", particles, {10, 1e6}, "particles over the whole channel, of equal widths"),
           real("time_step", time_step, "s", {1e-6, 10}, "time step"),
-          real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity")};
+          real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"), rearrangement()};
 }
 
 namespace {
@@ -40,11 +40,13 @@ SetUp set_up(const WetDamBreak& setup, const Values& values) {
 
 }  // namespace
 
-void claim_wet_dam_break(const WetDamBreak& setup, const Values& values, const Claims<WetDamBreakResults>& claims) {
+void claim_wet_dam_break(const WetDamBreak& setup, const Values& values, const Claims<ParticleFigure>& claims) {
   const SetUp s = set_up(setup, values);
-  const auto flow = claims.of(&WetDamBreakResults::flow).at(s.discretisation.text());
+  const auto flow = claims.of(&ParticleFigure::flow).at(s.discretisation.text());
   claim_conservation(flow, s.problem, s.discretisation, s.time);
   claim_single_particle(flow, s.front);
+  claim_as_written(claims.of(&ParticleFigure::as_written), values, s.problem, s.discretisation, s.time, 1 - setup.ratio,
+                   &s.front);
   claim_range(flow, setup.ratio, 1, s.discretisation, s.time, "maximum principle of the two fields");
   flow.only_if(values.as_published(setup.atlas.front()), "of the particles and steps of the figure")
       .from("Stoker, Water Waves (1957), 10.8")
@@ -57,21 +59,9 @@ void claim_wet_dam_break(const WetDamBreak& setup, const Values& values, const C
                     "(1 m - h0)/N in the mean"});
 }
 
-WetDamBreakResults compute_wet_dam_break(const WetDamBreak& setup, const Run& run) {
+ParticleFigure compute_wet_dam_break(const WetDamBreak& setup, const Run& run) {
   const SetUp s = set_up(setup, run);
-  return {
-      .flow = compute_flow(s.problem, s.discretisation, setup.times, [&](double done) { run.progress(0.5 * done); }),
-      .front = s.front,
-      .contestants = contest_all(s.problem, s.discretisation, setup.schemes, s.time, &s.front,
-                                 [&](double done) { run.progress(0.5 + 0.5 * done); })};
-}
-
-void show_wet_dam_break(const WetDamBreak& setup, const WetDamBreakResults& r, evidence::Exhibit& exhibit) {
-  draw_flow(r.flow, exhibit, fmt::format("Dam break over water, h0/h1 = {:g}", setup.ratio), setup.atlas);
-  report_contest(exhibit, r.flow.problem, r.flow.time(), r.contestants);
-  show_conservation(r.flow, exhibit);
-  show_errors(r.flow.errors, exhibit);
-  exhibit.measure("front_width", front_width(r.flow.profile(), r.front));
+  return compute_figure(run, s.problem, s.discretisation, setup.times, s.front, setup.schemes);
 }
 
 }  // namespace seiche::validation

@@ -4,13 +4,14 @@ upstream, a bore downstream, with a plateau of depth $h_*$ between them. For dep
 dam is critical and does not feel the water downstream: this is such a case.
 
 Bogomolov, Zakharov and Zerkal show steps 0, 40, 80 and 120 with $\tau = 0.05$ s (their figure 22; its caption prints
-"0.3" for 0). The number of particles and the channel are not stated; $\Delta x = 1$ m on $[0, 50]$ m is taken here.
+"0.3" for 0). The number of particles, the channel and $h_1$ are not stated; $\Delta x = 1$ m on $[0, 50]$ m and 1 m are
+taken here.
 
 **What is compared.** Mean depths, the bore's position and width, with the peers on cells of the same width.
 
 **What to look at.** The bore stays in one particle. What error remains sits at the corners of the fan, where the
 particles have expanded to two and a half times their first width, and in the position of the bore, which the start
-leaves a quarter of a cell behind.
+leaves a quarter of a cell behind. The rearrangement as written has a plateau 2 to 4 % too deep, and its bore is late.
 */
 #include "validation/dam_break/wet_dam_break.hpp"
 
@@ -29,9 +30,7 @@ Case wet_dam_break_shallow() {
   c.source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow-water waves by the particle method, figure 22";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = wet_dam_break_parameters({50, 800, 3200}, {0.05, 0.003, 0.00075});
-  c.published = {
-      {.tiles = {"bzz-fig-22"},
-       .differs = "the paper states neither the depth behind the dam nor the length of the channel: 1 m and 50 m"}};
+  c.published = {{.tiles = {"bzz-fig-22"}, .stated = {"time_step", "rearrangement"}}};
   c.study = wet_dam_break<setup>();
   return c;
 }

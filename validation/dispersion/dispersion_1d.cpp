@@ -326,7 +326,7 @@ Case dispersion_1d() {
       real("gamma", 0.0, "1", {0, 10}, "factor of the added energy of slopes"),
       real("periods", 20.0, "1", {2, 1000}, "length of the series"),
   };
-  c.published = {{.tiles = {"frank-formula-13"}}};
+  c.published = {{.tiles = {"frank-formula-13"}, .stated = {"alpha", "beta", "gamma", "scheme"}}};
   c.study = Study(claims, compute, show);
   return c;
 }

@@ -406,7 +406,7 @@ Case dispersion_mesh() {
       toggle("tuned_surface_inertia", false, "vertical inertia of surface nodes reduced by h2/(3H) of itself"),
       real("periods", {20.0, 30.0, 60.0}, "1", {2, 1000}, "length of the series"),
   };
-  c.published = {{.tiles = {"frank-dispersion-2d"}}};
+  c.published = {{.tiles = {"frank-dispersion-2d"}, .stated = {"scheme"}}};
   c.study = Study(claims, compute, show, law_source);
   return c;
 }

@@ -187,7 +187,7 @@ Case mach_stem_growth() {
       real("h", {1, 0.5, 0.35}, "depth", {0.1, 1.25}, "spacing of the lattice at rest; steps are half of it"),
       real("time", 300.0, "sqrt(depth/g)", {100, 20000}, "how long"),
   };
-  c.published = {{.tiles = {"frank-fig-6"}, .differs = "the thesis does not state the spacing"}};
+  c.published = {{.tiles = {"frank-fig-6"}}};
   c.study = Study(claims, compute, show, source);
   return c;
 }

@@ -295,7 +295,7 @@ Case melville_channel() {
       real("h", {0.6, 0.4, 0.4}, "depth", {0.1, 0.7},
            "spacing of the lattice at rest; also 1.4 and 2 times that; finer ones than 0.4 may fold at the bend"),
   };
-  c.published = {{.tiles = {"frank-melville"}, .differs = "the thesis does not state the spacing"}};
+  c.published = {{.tiles = {"frank-melville"}}};
   c.study = Study(claims, compute, show, source);
   return c;
 }

@@ -6,16 +6,19 @@ free particles under Gauss's principle of least constraint, against Schwartz (19
 of the density: the last has nine tenths of the greatest height. A fourth one is nearly a train of solitary waves:
 length 30, depth 1, height 0.3, with five halves as many cells and steps. Particles in columns and rows that follow
 the exact surface carry the exact velocities; masses of the rows next to the surface and to the bottom are
-end-corrected. The space of fields is that of cubic splines on square cells; markers trace the surface. The penalty on
-gradients of vorticity holds down what gravity does to small eddies, because sums over particles are no exact integrals.
+end-corrected. The space of fields is that of cubic splines on square cells; markers trace the surface. Gravity is the
+potential energy of the water under the line of markers, Frank's (7), so that energy and momentum are exact.
 
-**What is compared.** The surface after three periods with the exact one, moved by $c t$; the phase, which leads by what
-the steps make it lead; momentum; the energy, which changes by what the penalty takes and by nothing else.
+**What is compared.** The surface after three periods with the exact one, moved by $c t$; the phase, which leads or lags
+by what the steps make it; momentum and energy.
 
-**What to look at.** The markers lie on the exact curves, at the steepest crest too. Frank's own projection scheme
-(`scheme = dissipative`, `penalty = 0`) loses a fifth of the energy in the first period.
+**What to look at.** The markers lie on the exact curves, nearly so at the steepest crest. The energy of all
+four waves is constant to round-off. Frank's projection scheme (`scheme = dissipative`, `gravity = particles`) loses a
+fifth of it in the first period.
 
-**When it is no test.** Without the penalty a run of one period is better, one of five is lost.
+**A variant.** With `gravity = particles` sums over particles are no exact integrals, gravity feeds small eddies and the
+long wave is lost within a period, unless a penalty on gradients of vorticity (`penalty = 0.01`), which is not Frank's,
+holds them down; it takes energy, which is booked.
 */
 #include <cmath>
 #include <memory>
@@ -171,14 +174,25 @@ void claim_wave(const SetUp& s, const Values& values, const Claims<WaveRun>& cla
   const StokesWave wave = s.wave();
   const double turn = 2 * std::numbers::pi / static_cast<double>(s.steps);
   const auto periods = static_cast<double>(values.integer("periods"));
-  claims.check(s.named("surface"),
-               fmt::format("{}: after {:g} periods the surface is the exact one.", s.name(), periods),
-               "rms difference of the markers' elevations", &WaveRun::rms,
-               Bound{0.01 * s.height,
-                     "a hundredth of the height: in a figure in which the wave is 3 cm high, the width of a line"});
+  const bool on_surface = values.text("gravity") == "surface";
+  const evidence::Claim surface{
+      .id = s.named("surface"),
+      .text = fmt::format("{}: after {:g} periods the surface is the exact one.", s.name(), periods),
+      .quantity = "rms difference of the markers' elevations",
+      .source = source};
+  const Bound line{0.01 * s.height,
+                   "a hundredth of the height: in a figure in which the wave is 3 cm high, the width of a line"};
+  if (s.id.empty() && values.as_published("frank-fig-9")) {
+    claims.known_failure(surface, &WaveRun::rms, line,
+                         {.value = 0.00877,
+                          .width = 1e-4,
+                          .reason = "its crest, nine tenths of the highest, is a few cells of L/20 wide; with the "
+                                    "source's method and no penalty nothing smooths what they do not resolve"});
+  } else {
+    claims.check(surface, &WaveRun::rms, line);
+  }
   const double linear = std::sqrt(std::tanh(wave.wavenumber() * s.depth) / wave.wavenumber());
   const double excess = wave.phase_speed() / linear - 1;
-  const bool on_surface = values.text("gravity") == "surface";
   claims.only_if(excess > 0.01, "the wave is so low that its height adds less than 1 per cent to its speed")
       .check(s.named("phase"),
              fmt::format("{}: it travels at its speed, but for what the steps make it lead.", s.name()),
@@ -190,14 +204,15 @@ void claim_wave(const SetUp& s, const Values& values, const Claims<WaveRun>& cla
                                          on_surface ? "-(omega tau)^2/12, the lag of the discrete gradient"
                                                     : "(omega tau)^2/24, leapfrog's lead"),
                    .expected = on_surface ? -turn * turn / 12 : turn * turn / 24});
-  claims.check(s.named("loss"), fmt::format("{}: the penalty takes next to nothing of the energy.", s.name()),
-               "energy taken over the kinetic energy", &WaveRun::loss,
-               Bound{0.01 * 2 * std::numbers::pi * turn * periods,
-                     "a hundredth of what Frank's projection scheme loses with the same steps, (tau/2) sum m |a|^2 = "
-                     "tau omega^2 times the kinetic energy per unit of time in a linear wave"});
+  claims.only_if(values.real("penalty") > 0, "there is no penalty")
+      .check(s.named("loss"), fmt::format("{}: the penalty takes next to nothing of the energy.", s.name()),
+             "energy taken over the kinetic energy", &WaveRun::loss,
+             Bound{0.01 * 2 * std::numbers::pi * turn * periods,
+                   "a hundredth of what Frank's projection scheme loses with the same steps, (tau/2) sum m |a|^2 = "
+                   "tau omega^2 times the kinetic energy per unit of time in a linear wave"});
   claims.from("Frank (1994), chapter 6; exact for every space and step")
       .check(s.named("energy"),
-             fmt::format("{}: the energy changes by what the penalty takes, to round-off.", s.name()),
+             fmt::format("{}: the energy is conserved to round-off, less what a penalty takes.", s.name()),
              "largest defect over the kinetic energy", &WaveRun::energy_defect,
              Roundoff{.operations = static_cast<double>(s.steps) * periods,
                       .scale = 2,
@@ -295,14 +310,13 @@ Case stokes_gauss() {
       integer("steps_per_period", {134, 267, 400}, {10, 100000}, "steps to a period"),
       integer("periods", 3, {1, 1000}, "length of the run"),
       integer("degree", 3, {2, 4}, "degree of the splines"),
-      real("penalty", 0.01, "1", {0, 10}, "C of the penalty on gradients of vorticity"),
-      choice("gravity", std::string("particles"), {"particles", "surface"},
-             "on every particle, or as the potential energy under the line of markers, which needs no penalty"),
+      real("penalty", 0.0, "1", {0, 10}, "C of the penalty on gradients of vorticity, which the source has not"),
+      choice("gravity", std::string("surface"), {"particles", "surface"},
+             "on every particle, which needs the penalty, or as the potential energy under the line of markers"),
       choice("scheme", std::string("conservative"), {"conservative", "dissipative"},
-             "time stepping; dissipative: with penalty = 0"),
+             "time stepping; dissipative: with gravity = particles"),
   };
-  c.published = {{.tiles = {"frank-fig-9"},
-                  .differs = "the thesis states neither the waves nor the numbers of particles and fields"}};
+  c.published = {{.tiles = {"frank-fig-9"}, .stated = {"gravity", "penalty"}}};
   c.study = Study(claims, compute, show, source);
   return c;
 }

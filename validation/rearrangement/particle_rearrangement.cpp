@@ -100,25 +100,18 @@ void draw_rearrangement(evidence::Exhibit& exhibit, const Results& r, double tau
                                 "Before; moved each with its own velocity, overlapping; "
                                 "rearranged: the shared edge has moved, areas are kept, and both centres have changed.",
                                 {"bzz-fig-3", "bzz-fig-4"});
-  auto& first = figure.panel(
-      {.x = "x [m]", .y = "depth h [m]", .title = "before", .x_min = 0.5, .x_max = 4, .y_min = 0, .y_max = 2.2});
-  auto& second = figure.panel({.x = "x [m]",
-                               .y = "depth h [m]",
-                               .title = "moved apart: overlap",
-                               .x_min = 0.5,
-                               .x_max = 4,
-                               .y_min = 0,
-                               .y_max = 2.2});
-  auto& third = figure.panel(
-      {.x = "x [m]", .y = "depth h [m]", .title = "rearranged", .x_min = 0.5, .x_max = 4, .y_min = 0, .y_max = 2.2});
-  for (const std::size_t i : {std::size_t{1}, std::size_t{2}}) {
-    const Role role = i == 1 ? Role::computed : Role::peer;
-    const std::string label = i == 1 ? "fast" : "slow";
-    const double shift = tau * r.before.velocity[i];
-    draw_rectangle(first, label, r.before.edge[i], r.before.edge[i + 1], r.before.depth(i), role);
-    draw_rectangle(second, label, r.before.edge[i] + shift, r.before.edge[i + 1] + shift, r.before.depth(i), role);
-    draw_rectangle(third, label, r.after.edge[i], r.after.edge[i + 1], r.after.depth(i), role);
-  }
+  const auto draw = [&](const std::string& title, const particles::Particles& row, double moved) {
+    auto& panel = figure.panel(
+        {.x = "x [m]", .y = "depth h [m]", .title = title, .x_min = 0.5, .x_max = 4, .y_min = 0, .y_max = 2.2});
+    for (const std::size_t i : {std::size_t{1}, std::size_t{2}}) {
+      const double shift = moved * row.velocity[i];
+      draw_rectangle(panel, i == 1 ? "fast" : "slow", row.edge[i] + shift, row.edge[i + 1] + shift, row.depth(i),
+                     i == 1 ? Role::computed : Role::peer);
+    }
+  };
+  draw("before", r.before, 0);
+  draw("moved apart: overlap", r.before, tau);
+  draw("rearranged", r.after, 0);
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -191,8 +184,7 @@ Case particle_rearrangement() {
       integer("particles", 10L, {4, 10000}, "rectangles under the parabola"),
       real("time_step", 0.12, "s", {1e-6, 0.2}, "time step of the rearrangement"),
   };
-  c.published = {
-      {.tiles = {"bzz-fig-1", "bzz-fig-2", "bzz-fig-3", "bzz-fig-4"}, .differs = "the sketches state no numbers"}};
+  c.published = {{.tiles = {"bzz-fig-1", "bzz-fig-2", "bzz-fig-3", "bzz-fig-4"}}};
   c.study = Study(claims, compute, show);
   return c;
 }

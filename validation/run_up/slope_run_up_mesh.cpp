@@ -349,7 +349,7 @@ Case slope_run_up_mesh() {
               mesh_parameters(0.25, 8, 0.025),
               {real("rounding", 0.0, "columns", {0, 4}, "of the toe, to either side; 0: the toe's node stays"),
                toggle("beyond_folds", true, "go on when a cell folds, as Frank's model does")}});
-  c.published = {{.tiles = {"frank-slopes-2d"}, .differs = "the thesis does not state the mesh"}};
+  c.published = {{.tiles = {"frank-slopes-2d"}, .stated = {"tan_slope", "scheme"}}};
   c.study = Study(claims, compute, show, source);
   return c;
 }

@@ -340,7 +340,7 @@ Case synolakis_beach() {
       "runup of solitary waves, J. Fluid Mech. 185 (1987) 523";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = joined({climb_parameters({0.25, 0.125, 0.0625}), slope_parameters()});
-  c.published = {{.tiles = {"frank-fig-5"}, .differs = "the thesis does not state the spacing"}};
+  c.published = {{.tiles = {"frank-fig-5"}, .stated = {"kinetics", "scheme"}}};
   c.study = Study(claims, compute, show, source);
   c.submission = beach_submission();
   return c;

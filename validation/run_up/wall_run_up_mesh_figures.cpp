@@ -352,9 +352,7 @@ Case wall_run_up_mesh_figures() {
              "stepping; Frank's is the first"),
       real("hourglass", 0, "1", {0, 2}, "kappa_0 of the hourglass potential; Frank's model has none"),
   };
-  c.published = {
-      {.tiles = {"frank-fig-2", "frank-fig-3"},
-       .differs = "the thesis does not state the meshes of the figures, nor its level y = 0: the still water"}};
+  c.published = {{.tiles = {"frank-fig-2", "frank-fig-3"}, .stated = {"scheme"}}};
   c.study = Study(claims, compute, show, source);
   return c;
 }

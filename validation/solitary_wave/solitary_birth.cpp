@@ -388,9 +388,7 @@ Case solitary_birth() {
       real("tau", 0.1, "sqrt(depth/g)", {1e-3, 0.5}, "step"),
       real("hourglass", 0.0, "1", {0, 10}, "kappa_0 of the force against node motions (-1)^(i+j)"),
   };
-  c.published = {
-      {.tiles = {"frank-table-celerity", "frank-fig-1"},
-       .differs = "the thesis states neither the elevations nor the mesh: the one that it recommends for long waves"}};
+  c.published = {{.tiles = {"frank-table-celerity", "frank-fig-1"}, .stated = {"h1", "rows"}}};
   c.study = Study(claims, compute, show, source);
   return c;
 }

@@ -368,7 +368,7 @@ Case standing_1d() {
       integer("cells", {24, 48, 96}, {8, 1000}, "of the coarser of the two boxes of the extrapolation"),
       real("periods", {10.0, 20.0, 20.0}, "1", {2, 1000}, "length of the series"),
   };
-  c.published = {{.tiles = {"frank-standing"}, .differs = "the thesis states neither the amplitude nor the spacing"}};
+  c.published = {{.tiles = {"frank-standing"}, .stated = {"alpha", "gamma", "scheme"}}};
   c.study = Study(claims, compute, show, frank);
   return c;
 }

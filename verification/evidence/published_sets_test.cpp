@@ -79,6 +79,13 @@ TEST_CASE("a published set starts from the defaults of its tier", "[evidence]") 
   CHECK_THROWS_WITH(c.published_set("c"), Contains("must be one of a, b"));
 }
 
+TEST_CASE("a parameter of a published set is stated, chosen or different", "[evidence]") {
+  const Published set{.tiles = {"a"}, .stated = {"particles"}, .different = {{"scheme", "M3"}}};
+  CHECK(set.origin("particles") == "stated");
+  CHECK(set.origin("scheme") == "different");
+  CHECK(set.origin("time_step") == "chosen");
+}
+
 TEST_CASE("values are a published set by their numbers, in its tier or a longer one", "[evidence]") {
   const Case c = with_sets({{.tiles = {"small"}}, {.tiles = {"large"}, .tier = Tier::full}});
   const Values quick = c.values(Tier::quick);
@@ -117,6 +124,8 @@ TEST_CASE("a published set that cannot be run is refused", "[evidence]") {
   refused({{.tiles = {}}}, "names no tile");
   refused({{.tiles = {"a"}}, {.tiles = {"b", "a"}}}, "tile a has two sets");
   refused({{.tiles = {"a"}, .values = {{"particle", 10}}}}, "parameter particle is unknown");
+  refused({{.tiles = {"a"}, .stated = {"particle"}}}, "names no parameter particle");
+  refused({{.tiles = {"a"}, .different = {{"particle", "11"}}}}, "names no parameter particle");
   refused({{.tiles = {"a"}, .values = {{"particles", 1001}}}}, "an integer in [4, 1000]");
   refused({{.tiles = {"a"}, .values = {{"scheme", "X"}}}}, "one of H2, M2");
   refused({{.tiles = {"a"}, .values = {{"particles", 10.5}}}}, "particles");

@@ -192,7 +192,6 @@ TEST_CASE("a row as it is written keeps its momentum and refuses by name", "[rob
                {.value = refusal(action).find(word) != std::string::npos ? 1.0 : 0.0},
                Qualitative{"std::invalid_argument whose message contains \"" + word + "\"", "input must be refused"});
   };
-  refused("vacuum", "A dry bed beyond an end.", "end", [] { AsWritten row(still_water(), {Wall{}, Vacuum{}}); });
   refused("open", "A section that water passes.", "end", [] { AsWritten row(still_water(), {Open{}, Wall{}}); });
   refused("step", "A step of no length.", "tau", [&] { flow.advance(0); });
   AsWritten pressed(still_water(), {Piston{[](double) { return 5.0; }}, Wall{}});

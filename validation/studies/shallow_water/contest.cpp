@@ -45,6 +45,11 @@ std::vector<Contestant> contest_all(const FlowProblem& problem, const Discretisa
   return contestants;
 }
 
+const Contestant& by_scheme(const std::vector<Contestant>& contestants, const std::string& scheme) {
+  return contestants.at(
+      static_cast<std::size_t>(std::ranges::find(contestants, scheme, &Contestant::scheme) - contestants.begin()));
+}
+
 void report_contest(evidence::Exhibit& exhibit, const FlowProblem& problem, double time,
                     const std::vector<Contestant>& contestants, const std::vector<std::string>& atlas) {
   evidence::Table table{
@@ -73,8 +78,7 @@ void report_contest(evidence::Exhibit& exhibit, const FlowProblem& problem, doub
     const ExactCurve exact = exact_curve(problem, c.profile, time);
     auto& panel = figure.panel({.x = "x [m]", .y = "depth h [m]", .title = c.scheme});
     panel.line("exact", exact.x, exact.depth, Role::exact);
-    const bool particles =
-        std::find(particle_schemes.begin(), particle_schemes.end(), c.scheme) != particle_schemes.end();
+    const bool particles = std::find(peer_schemes.begin(), peer_schemes.end(), c.scheme) == peer_schemes.end();
     panel.steps(particles ? "particles" : "cells", c.profile.edges, means_of(c.profile).depth,
                 particles ? Role::computed : Role::peer);
   }

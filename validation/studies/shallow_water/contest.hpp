@@ -34,6 +34,9 @@ std::vector<Contestant> contest_all(const FlowProblem& problem, const Discretisa
                                     const std::vector<std::string>& schemes, double time, const Front* front,
                                     const std::function<void(double)>& progress = {});
 
+/// The one of that name. @throws std::out_of_range
+const Contestant& by_scheme(const std::vector<Contestant>& contestants, const std::string& scheme);
+
 /// Adds a table of errors, widths and front errors, and a figure with a panel of depth per scheme.
 void report_contest(evidence::Exhibit& exhibit, const FlowProblem& problem, double time,
                     const std::vector<Contestant>& contestants, const std::vector<std::string>& atlas = {});

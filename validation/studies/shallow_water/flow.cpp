@@ -8,9 +8,11 @@
 #include <fmt/format.h>
 
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
+#include "seiche/models/shallow_water_particles/as_written.hpp"
 #include "seiche/models/shallow_water_particles/initial.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/require.hpp"
+#include "seiche/samples.hpp"
 #include "validation/instruments/processor_time.hpp"
 
 namespace seiche::validation {
@@ -65,13 +67,16 @@ particles::End particle_end(FlowProblem::End kind, State at_start) {
   return particles::Piston{[u = at_start.velocity](double) { return u; }};
 }
 
+particles::Ends particle_ends(const FlowProblem& problem) {
+  return {.left = particle_end(problem.left, problem.exact(problem.start, 0)),
+          .right = particle_end(problem.right, problem.exact(problem.end, 0))};
+}
+
 class ParticleRun : public Flow {
  public:
   ParticleRun(const FlowProblem& problem, const Discretisation& d)
       : Flow(d, problem.gravity),
-        flow_(initial_particles(problem, d),
-              {.left = particle_end(problem.left, problem.exact(problem.start, 0)),
-               .right = particle_end(problem.right, problem.exact(problem.end, 0))},
+        flow_(initial_particles(problem, d), particle_ends(problem),
               {.gravity = problem.gravity, .bed = {}, .manning = 0, .body_force = {}}, particle_scheme(d)) {}
 
   [[nodiscard]] double time() const override { return flow_.time(); }
@@ -85,6 +90,54 @@ class ParticleRun : public Flow {
   [[nodiscard]] double largest_step(double /*courant*/) const override { return flow_.largest_step().tau; }
 
   particles::ParticleFlow flow_;
+};
+
+/// Of a method that has no curve of its own between edges.
+void add_steps(Profile& profile) {
+  profile.reconstruction = [edges = profile.edges, means = profile.means](double x) {
+    const auto above = std::upper_bound(edges.begin(), edges.end(), x) - edges.begin();
+    return means[static_cast<std::size_t>(std::clamp<long>(above - 1, 0, static_cast<long>(means.size()) - 1))];
+  };
+}
+
+class AsWrittenRun : public Flow {
+ public:
+  AsWrittenRun(const FlowProblem& problem, const Discretisation& d)
+      : Flow(d, problem.gravity), flow_(initial_particles(problem, d), particle_ends(problem), problem.gravity) {}
+
+  [[nodiscard]] double time() const override { return flow_.time(); }
+  [[nodiscard]] Profile profile() const override {
+    Profile profile;
+    profile.edges = flow_.edges();
+    for (std::size_t i = 0; i < flow_.size(); ++i) profile.means.push_back({flow_.depth(i), flow_.velocity(i)});
+    add_steps(profile);
+    return profile;
+  }
+  [[nodiscard]] double mass_defect() const override { return mass() - initial_mass_; }
+  [[nodiscard]] double momentum_defect() const override { return flow_.momentum_defect(); }
+  [[nodiscard]] double max_courant() const override { return max_courant_; }
+
+ private:
+  void step(double tau) override {
+    max_courant_ = std::max(max_courant_, tau / largest_step(1));
+    flow_.advance(tau);
+  }
+  [[nodiscard]] double largest_step(double courant) const override {
+    Smallest crossing;
+    for (std::size_t i = 0; i < flow_.size(); ++i) {
+      crossing.add(flow_.mass(i) / flow_.depth(i) / shallow_water::celerity(gravity(), flow_.depth(i)));
+    }
+    return courant * crossing.value();
+  }
+  [[nodiscard]] double mass() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < flow_.size(); ++i) sum += flow_.mass(i);
+    return sum;
+  }
+
+  particles::AsWritten flow_;
+  double initial_mass_ = mass();
+  double max_courant_ = 0;
 };
 
 // ---- cells
@@ -150,11 +203,7 @@ class CellRun : public Flow {
     Profile profile;
     profile.edges = flow_.edges();
     for (std::size_t i = 0; i < flow_.cells(); ++i) profile.means.push_back({flow_.depth()[i], flow_.velocity()[i]});
-    // The difference schemes have no curve of their own between cell edges.
-    profile.reconstruction = [edges = profile.edges, means = profile.means](double x) {
-      const auto above = std::upper_bound(edges.begin(), edges.end(), x) - edges.begin();
-      return means[static_cast<std::size_t>(std::clamp<long>(above - 1, 0, static_cast<long>(means.size()) - 1))];
-    };
+    add_steps(profile);
     return profile;
   }
   [[nodiscard]] double mass_defect() const override { return flow_.mass_defect(); }
@@ -210,6 +259,7 @@ double Flow::momentum_scale() const {
 std::unique_ptr<Flow> make_flow(const FlowProblem& problem, const Discretisation& d) {
   require_at_least("particles", d.particles, 4);
   require_not_negative("time_step", d.time_step);
+  if (d.scheme == as_written) return std::make_unique<AsWrittenRun>(problem, d);
   if (contains(particle_schemes, d.scheme)) return std::make_unique<ParticleRun>(problem, d);
   if (contains(peer_schemes, d.scheme)) return std::make_unique<CellRun>(problem, d);
   throw std::invalid_argument(fmt::format("scheme = {} is unknown", d.scheme));

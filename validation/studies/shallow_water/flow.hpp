@@ -35,6 +35,7 @@ struct FlowProblem {
 
 /// Names of the schemes as users write them: the three levels of the particle method, then its peers.
 inline const std::vector<std::string> particle_schemes{"G1", "M2", "H2"};
+inline const std::string as_written = "as_written";  ///< the particle method's rearrangement in its authors' words
 inline const std::vector<std::string> peer_schemes{"lax_friedrichs", "maccormack", "roe", "muscl"};
 inline const std::vector<std::string> all_schemes{"G1", "M2", "H2", "lax_friedrichs", "maccormack", "roe", "muscl"};
 

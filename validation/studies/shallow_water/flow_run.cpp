@@ -52,6 +52,19 @@ FlowRun compute_flow(const FlowProblem& problem, const Discretisation& discretis
   return run;
 }
 
+Parameter rearrangement() {
+  return choice("rearrangement", {as_written, "hand_over", "hand_over"}, {as_written, "hand_over"},
+                "of particles: as its authors wrote it beside the hand-over, or the hand-over alone");
+}
+
+FlowRun compute_as_written(const Values& values, const FlowProblem& problem, const Discretisation& discretisation,
+                           const std::vector<double>& times) {
+  if (values.text("rearrangement") != as_written) return {};
+  Discretisation d = discretisation;
+  d.scheme = as_written;
+  return compute_flow(problem, d, times, [](double) {});
+}
+
 double most_steps(const FlowProblem& problem, const Discretisation& d, double time) {
   constexpr double times_shown = 10;  // each cuts a step short
   if (d.time_step > 0) return time / d.time_step + times_shown;
@@ -96,6 +109,44 @@ void claim_conservation(const Claims<FlowRun>& claims, const FlowProblem& proble
                    .scale = Amount::told_by_run(momentum),
                    .reason = "one rounded update per particle and step, of the size of m (|u| + c) of one particle; "
                              "two sums over N particles, N times that size, count as N^2 such operations each"});
+}
+
+void claim_as_written(const Claims<FlowRun>& all, const Values& values, const FlowProblem& problem,
+                      const Discretisation& discretisation, double time, double range, const Front* front,
+                      const std::optional<evidence::KnownFailure>& off) {
+  Discretisation d = discretisation;
+  d.scheme = as_written;
+  const double width = problem.length() / static_cast<double>(d.particles);
+  const auto claims = all.only_if(values.text("rearrangement") == as_written, "of the rearrangement as written")
+                          .from("section 3 of the paper")
+                          .at(d.text());
+  claim_conservation(claims, problem, d, time, "_as_written");
+  claims.check(
+      "cell_l1_h_as_written", "By the rearrangement as written mean depths are within a particle of the exact profile.",
+      "cell L1(h) [m]", [](const FlowRun& flow) { return flow.errors.cell.depth.l1; },
+      Bound{.limit = range / static_cast<double>(d.particles),
+            .reason = "a profile moved by the width of one of N particles differs by the range of depths over N in the "
+                      "mean"});
+  if (front == nullptr) return;
+  const evidence::Claim place{.id = "front_as_written",
+                              .text = "By the rearrangement as written the jump is in its place, to one particle.",
+                              .quantity = "position of the jump less the exact one",
+                              .unit = "m",
+                              .source = "section 3 of the paper"};
+  const auto error = [front = *front](const FlowRun& flow) {
+    return front_position(flow.profile(), front) - front.position;
+  };
+  const Bound particle{.limit = width, .reason = "the particles' first width: one holds the jump"};
+  if (off) {
+    claims.known_failure(place, error, particle, *off);
+  } else {
+    claims.check(place, error, particle);
+  }
+  claims.check(
+      "width_as_written", "By the rearrangement as written the jump is one particle wide.",
+      "particles between 5 % and 95 % of the jump",
+      [front = *front](const FlowRun& flow) { return front_width(flow.profile(), front); },
+      Bound{.limit = 1, .reason = "the paper hands the jump from one particle to the next"});
 }
 
 void claim_single_particle(const Claims<FlowRun>& claims, const Front& front) {
@@ -143,16 +194,26 @@ void show_conservation(const FlowRun& flow, evidence::Exhibit& exhibit, const st
   exhibit.measure("max_courant" + suffix, flow.max_courant);
 }
 
+void draw_exact(evidence::Figure& figure, const FlowProblem& problem, double time, const std::string& title) {
+  const ExactCurve curve = exact_curve(problem, problem.start, problem.end, time);
+  figure.panel({.x = "x [m]", .y = "depth h [m]", .title = title}).line("exact", curve.x, curve.depth, Role::exact);
+  figure.panel({.x = "x [m]", .y = "velocity u [m/s]", .title = title})
+      .line("exact", curve.x, curve.velocity, Role::exact);
+}
+
 void draw_frame(evidence::Figure& figure, evidence::Exhibit& exhibit, const FlowRun& flow, const FlowRun::Frame& frame,
-                const std::string& title) {
+                const std::string& title, const FlowRun::Frame* beside) {
   const ExactCurve exact = exact_curve(flow.problem, frame.profile, frame.time);
   const Means means = means_of(frame.profile);
+  const Means others = beside != nullptr ? means_of(beside->profile) : Means{};
   auto& depth = figure.panel({.x = "x [m]", .y = "depth h [m]", .title = title});
   depth.line("exact", exact.x, exact.depth, Role::exact);
+  if (beside != nullptr) depth.steps("hand-over", beside->profile.edges, others.depth, Role::peer);
   depth.steps(fmt::format("{}, {} particles", flow.discretisation.scheme, means.depth.size()), frame.profile.edges,
               means.depth, Role::computed);
   auto& velocity = figure.panel({.x = "x [m]", .y = "velocity u [m/s]", .title = title});
   velocity.line("exact", exact.x, exact.velocity, Role::exact);
+  if (beside != nullptr) velocity.points("hand-over", others.centre, others.velocity, Role::peer);
   velocity.points(flow.discretisation.scheme, means.centre, means.velocity, Role::computed);
   const ExactCurve curve = computed_curve(frame.profile);
   exhibit.snapshot({.time = frame.time,
@@ -163,13 +224,36 @@ void draw_frame(evidence::Figure& figure, evidence::Exhibit& exhibit, const Flow
 }
 
 void draw_flow(const FlowRun& flow, evidence::Exhibit& exhibit, const std::string& title,
-               const std::vector<std::string>& atlas) {
+               const std::vector<std::string>& atlas, const FlowRun& literal) {
+  const bool both = !literal.frames.empty();
   auto& figure = exhibit.figure(
       "profiles", title,
       "The exact solution, the particles as rectangles of their mean depth, and as dots at their velocity.", atlas);
-  for (const FlowRun::Frame& frame : flow.frames) {
-    draw_frame(figure, exhibit, flow, frame, fmt::format("t = {:g} s, step {}", frame.time, frame.steps));
+  for (std::size_t k = 0; k < flow.frames.size(); ++k) {
+    const FlowRun& drawn = both ? literal : flow;
+    draw_frame(figure, exhibit, drawn, drawn.frames[k],
+               fmt::format("t = {:g} s, step {}", drawn.frames[k].time, drawn.frames[k].steps),
+               both ? &flow.frames[k] : nullptr);
   }
+}
+
+ParticleFigure compute_figure(const Run& run, const FlowProblem& problem, const Discretisation& discretisation,
+                              const std::vector<double>& times, const Front& front,
+                              const std::vector<std::string>& schemes) {
+  return {.flow = compute_flow(problem, discretisation, times, [&](double done) { run.progress(0.5 * done); }),
+          .as_written = compute_as_written(run, problem, discretisation, times),
+          .front = front,
+          .contestants = contest_all(problem, discretisation, schemes, times.back(), &front,
+                                     [&](double done) { run.progress(0.5 + 0.5 * done); })};
+}
+
+void show_figure(const ParticleFigure& figure, evidence::Exhibit& exhibit, const std::string& title,
+                 const std::vector<std::string>& atlas) {
+  draw_flow(figure.flow, exhibit, title, atlas, figure.as_written);
+  report_contest(exhibit, figure.flow.problem, figure.flow.time(), figure.contestants);
+  show_conservation(figure.flow, exhibit);
+  show_errors(figure.flow.errors, exhibit);
+  exhibit.measure("front_width", front_width(figure.flow.profile(), figure.front));
 }
 
 }  // namespace seiche::validation

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "reports/evidence/record.hpp"
-#include "validation/case/claims.hpp"
+#include "validation/case/study.hpp"
 #include "validation/studies/shallow_water/contest.hpp"
 #include "validation/studies/shallow_water/flow.hpp"
 #include "validation/studies/shallow_water/profile_curves.hpp"
@@ -41,6 +42,18 @@ struct FlowRun {
 FlowRun compute_flow(const FlowProblem& problem, const Discretisation& discretisation, const std::vector<double>& times,
                      const std::function<void(double)>& progress);
 
+/// Whether the rearrangement is also computed as its authors wrote it, which is what their figures show; the hand-over
+/// always is.
+Parameter rearrangement();
+/// The flow by the rearrangement as written; without frames where the parameter leaves it out.
+FlowRun compute_as_written(const Values& values, const FlowProblem& problem, const Discretisation& discretisation,
+                           const std::vector<double>& times);
+/// Momentum, mean depths and, where there is one, the place and width of the jump by the rearrangement as written; ids
+/// with the suffix "_as_written". @param range  of depths [m]  @param off  of a jump that is not in its place
+void claim_as_written(const Claims<FlowRun>& claims, const Values& values, const FlowProblem& problem,
+                      const Discretisation& discretisation, double time, double range, const Front* front,
+                      const std::optional<evidence::KnownFailure>& off = {});
+
 /// More steps than a run to `time` takes, which shows at most ten times: the largest number of operations that counts.
 double most_steps(const FlowProblem& problem, const Discretisation& discretisation, double time);
 
@@ -65,12 +78,29 @@ void claim_range(const Claims<FlowRun>& claims, double lowest, double highest, c
 /// Largest Courant number and conservation defects as measurements, each name with the suffix.
 void show_conservation(const FlowRun& flow, evidence::Exhibit& exhibit, const std::string& suffix = "");
 
+/// What a figure of the particle method's paper shows: the hand-over, the rearrangement as written where the parameters
+/// have it, and other schemes at the same resolution.
+struct ParticleFigure {
+  FlowRun flow;
+  FlowRun as_written;
+  Front front;
+  std::vector<Contestant> contestants;
+};
+ParticleFigure compute_figure(const Run& run, const FlowProblem& problem, const Discretisation& discretisation,
+                              const std::vector<double>& times, const Front& front,
+                              const std::vector<std::string>& schemes = all_schemes);
+/// Profiles, which are the tiles, and numbers.
+void show_figure(const ParticleFigure& figure, evidence::Exhibit& exhibit, const std::string& title,
+                 const std::vector<std::string>& atlas);
+
+/// Two panels, depth and velocity, of the exact solution at one of the times.
+void draw_exact(evidence::Figure& figure, const FlowProblem& problem, double time, const std::string& title = "");
 /// A row of two panels, depth and velocity, at one of the times: the exact curve, the particles as rectangles and dots;
-/// and a snapshot for ParaView.
+/// and a snapshot for ParaView. @param beside  the same time by another method, before the flow's own
 void draw_frame(evidence::Figure& figure, evidence::Exhibit& exhibit, const FlowRun& flow, const FlowRun::Frame& frame,
-                const std::string& title);
-/// A figure with such a row at each of the times.
+                const std::string& title, const FlowRun::Frame* beside = nullptr);
+/// A figure with such a row at each of the times; with the rearrangement as written, where it was computed.
 void draw_flow(const FlowRun& flow, evidence::Exhibit& exhibit, const std::string& title,
-               const std::vector<std::string>& atlas);
+               const std::vector<std::string>& atlas, const FlowRun& literal = {});
 
 }  // namespace seiche::validation

@@ -1,6 +1,5 @@
 #include "seiche/models/shallow_water_particles/as_written.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -33,16 +32,23 @@ AsWritten::AsWritten(const Particles& initial, Ends ends, double gravity)
   initial.validate();
   require_positive("gravity", gravity);
   for (const End* end : {&ends_.left, &ends_.right}) {
-    if (std::holds_alternative<Vacuum>(*end) || std::holds_alternative<Open>(*end)) {
-      throw std::invalid_argument("end of a row as written; allowed: Wall, Piston, Free");
+    if (std::holds_alternative<Open>(*end)) {
+      throw std::invalid_argument("end of a row as written; allowed: Wall, Piston, Free, Vacuum");
     }
   }
+  impulse_ = momentum();
 }
 
 std::optional<double> AsWritten::end_velocity(bool right, double time) const {
   const End& end = right ? ends_.right : ends_.left;
   if (const auto* piston = std::get_if<Piston>(&end)) return piston->velocity(time);
   return std::holds_alternative<Wall>(end) ? std::optional(0.0) : std::nullopt;
+}
+
+double AsWritten::momentum() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < size(); ++i) sum += row_.mass[i] * row_.velocity[i];
+  return sum;
 }
 
 std::vector<double> AsWritten::edges() const {
@@ -109,13 +115,22 @@ void AsWritten::advance(double tau) {
   for (std::size_t i = 0; i + 1 < n; ++i) {
     thrust[i + 1] = shallow_water::thrust(gravity_, row.depth(right_one[i] != 0 ? i + 1 : i));
   }
-  thrust.front() = shallow_water::thrust(gravity_, row.depth(0));
-  thrust.back() = shallow_water::thrust(gravity_, row.depth(n - 1));
+  const auto at_end = [&](const End& end, std::size_t i) {
+    return std::holds_alternative<Vacuum>(end) ? 0.0 : shallow_water::thrust(gravity_, row.depth(i));
+  };
+  thrust.front() = at_end(ends_.left, 0);
+  thrust.back() = at_end(ends_.right, n - 1);
   for (std::size_t i = 0; i < n; ++i) row.velocity[i] += tau * (thrust[i] - thrust[i + 1]) / row.mass[i];
-  if (std::holds_alternative<Piston>(ends_.left)) row.velocity.front() = *at_left;
-  if (std::holds_alternative<Piston>(ends_.right)) row.velocity.back() = *at_right;
+  double impulse = tau * (thrust.front() - thrust.back());
+  const auto follow = [&](const End& end, std::size_t i, std::optional<double> velocity) {
+    if (!std::holds_alternative<Piston>(end)) return;
+    impulse += row.mass[i] * (*velocity - row.velocity[i]);
+    row.velocity[i] = *velocity;
+  };
+  follow(ends_.left, 0, at_left);
+  follow(ends_.right, n - 1, at_right);
   std::swap(row_, row);
-  most_sweeps_ = std::max(most_sweeps_, sweep);
+  impulse_ += impulse;
   time_ += tau;
   ++steps_;
 }

@@ -11,8 +11,9 @@
 /// sides nearer than 1e-11 of the row's length touch: compared by < and == in doubles, a sweep goes back and forth over
 /// one unit in the last place and does not end.
 ///
-/// Mass is exact. Momentum changes by the impulses of the ends alone, for every shared side has one pressure, but for
-/// the particle at a piston, which has the piston's velocity.
+/// Mass is exact. Momentum changes by the impulses of the ends alone, for every shared side has one pressure; a
+/// piston's impulse includes what gives the particle beside it the piston's velocity. A dry bed beyond an end does not
+/// push.
 ///
 /// When not to use it: to compute; see ParticleFlow. A bore is one particle wide, but behind it the depth wanders by a
 /// per cent, and the front of a dam break on a dry bed is a rectangle.
@@ -21,6 +22,7 @@
 /// 3 and 4.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "seiche/models/shallow_water_particles/ends.hpp"
@@ -30,8 +32,7 @@ namespace seiche::shallow_water_particles {
 
 class AsWritten {
  public:
-  /// Throws std::invalid_argument: particles that do not validate, gravity not positive, an end that is not Wall,
-  /// Piston or Free.
+  /// Throws std::invalid_argument: particles that do not validate, gravity not positive, an end that is Open.
   AsWritten(const Particles& initial, Ends ends = {}, double gravity = 9.81);
 
   /// One step. Throws std::invalid_argument for tau not positive, and seiche::Divergence where pairs cannot be made to
@@ -44,10 +45,10 @@ class AsWritten {
   [[nodiscard]] double depth(std::size_t i) const { return row_.depth(i); }
   [[nodiscard]] double velocity(std::size_t i) const { return row_.velocity[i]; }
   [[nodiscard]] double mass(std::size_t i) const { return row_.mass[i]; }
+  /// Momentum less the initial one and the impulses of the ends [m^3/s].
+  [[nodiscard]] double momentum_defect() const { return momentum() - impulse_; }
   /// Sides of the rectangles from left to right.
   [[nodiscard]] std::vector<double> edges() const;
-  /// Most sweeps that a step took.
-  [[nodiscard]] int most_sweeps() const { return most_sweeps_; }
 
  private:
   struct Row {
@@ -56,15 +57,16 @@ class AsWritten {
   };
   /// Returns whether the right one of the pair (i, i + 1) was rebuilt.
   static bool rebuild(Row& row, std::size_t i);
+  [[nodiscard]] double momentum() const;
   /// What moves an end: a velocity, or nothing where it goes with its particle.
   [[nodiscard]] std::optional<double> end_velocity(bool right, double time) const;
 
   Row row_;
   Ends ends_;
   double gravity_;
+  double impulse_ = 0;  ///< and the initial momentum
   double time_ = 0;
   long steps_ = 0;
-  int most_sweeps_ = 0;
 };
 
 }  // namespace seiche::shallow_water_particles
