@@ -184,8 +184,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
             .reason = "half a unit of the last printed digit",
             .expected = printed.column("reflected_depth_exact")[0]});
   published.check(
-      "printed-speed", "So does its speed of the reflected jump, -2.88 m/s.", "reflected speed [m/s]",
-      [](const Results& r) { return r.set_up.reflection().reflected_speed(); },
+      "printed-speed", "The reflected-bore speed that the paper prints, -2.88 m/s, follows from the jump conditions.",
+      "reflected speed [m/s]", [](const Results& r) { return r.set_up.reflection().reflected_speed(); },
       Bound{.limit = 0.005,
             .reason = "half a unit of the last printed digit",
             .expected = printed.column("reflected_speed")[0]});

@@ -219,7 +219,7 @@ void claim_distances(const Claims<Results>& claims, const Values& values) {
 void claims(const Values& values, const Claims<Results>& claims) {
   const double period = period_of(wave_of(values));
   claim_distances(claims, values);
-  claims.check("overturns", "The wave turns over.", "it does",
+  claims.check("overturns", "The free surface of the wave overturns in SPH.", "it does",
                on_finest([](const Results& r) { return std::isnan(r.finest().hangs_over) ? 0.0 : 1.0; }),
                Qualitative{.detector = "the surface hangs over by a hundredth of the wavelength",
                            .reason = "potential flow from the same start does"});

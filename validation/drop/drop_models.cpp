@@ -136,14 +136,16 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   claims_of(all, "overlapping")
       .at(fmt::format("{} spacings to the radius", values.integer("overlapping") / 2))
       .check(
-          "overlapping-rim", "So is that of overlapping particles on half as many rows.",
+          "overlapping-rim",
+          "The drop outline of overlapping particles, at half as many rows, is within one particle spacing of the "
+          "exact ellipse.",
           "rms distance from the exact places over the spacing",
           [](const Entry& entry) { return entry.attempts.at(1).error / entry.attempts.at(1).size; },
           Bound{.limit = 1,
                 .reason = "a surface is not known by less than the spacing; on finer rows noise of single particles is "
                           "in it, which nobody can foretell"});
   all.check(
-      "nearest", "None is nearer than the free particles.", "their error is the least",
+      "nearest", "Gauss-principle particles give the smallest outline error of all models.", "their error is the least",
       [](const Contest& contest) {
         const double least = contest.of("particles").finest().error;
         return std::ranges::all_of(contest.entries(),

@@ -167,7 +167,7 @@ struct Results {
 };
 
 RefinementStudy study_of_orders() {
-  return {.quantities = {{"places", "places, rms", "The particles converge.",
+  return {.quantities = {{"places", "places, rms", "Particle positions converge to the exact drop.",
                           Order{1.25, 0.5,
                                 "between 1, when what is lost beside the surface, a part h of the velocity, slows all "
                                 "water, and 3/2, errors of the size h in a layer of the width h alone"}},

@@ -146,7 +146,8 @@ void claim_momenta(const Claims<Stretched>& claims, const Values& values) {
     };
   };
   claims.check(
-      "momentum", "Momentum is kept to rounding.", "largest defect over sum m|u|", kept(&Stretched::momentum),
+      "momentum", "Momentum of the SPH patch is conserved to round-off.", "largest defect over sum m|u|",
+      kept(&Stretched::momentum),
       Roundoff{
           .operations = particles * steps,
           .scale = 1 / particles,

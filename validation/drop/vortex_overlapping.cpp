@@ -257,8 +257,8 @@ void claims(const Values& values, const Claims<Results>& all) {
                       .scale = 1,
                       .reason = "in every step the multipliers of a particle's forty volumes, rounded"});
   claims.from("Frank (1994), chapter 1")
-      .check("angular_momentum", "So is the angular momentum.", "largest defect of all flows",
-             &Results::angular_momentum,
+      .check("angular_momentum", "Angular momentum is conserved to round-off (overlapping particles).",
+             "largest defect of all flows", &Results::angular_momentum,
              Roundoff{.operations = operations,
                       .scale = s.rate / std::sqrt(s.particles()),
                       .reason = "as for the energy; scale: sum of m |r| |u|, with particles up to 3 away at speeds of "

@@ -171,7 +171,7 @@ void claims(const Values& /*values*/, const Claims<Results>& claims) {
                          .expected = exact});
   here.check(
       {.id = "hand-over-behind",
-       .text = "And the depth behind it.",
+       .text = "The depth behind the front is exact with the hand-over.",
        .quantity = "largest difference of a depth from 2 m",
        .unit = "m",
        .source = source},

@@ -178,7 +178,8 @@ void claim_fates(const Claims<Results>& claims, bool quick) {
       [](const Results& r) { return later_heights<Largest>(r.told, true).value(); },
       Bound{.limit = 1, .reason = "the wave came once; what returns has lost energy to the reflected wave"});
   claims.known_failure(
-      "later-above", "Nor does it above the limit.", "runs whose shoreline later stands above the run-up",
+      "later-above", "Above the limiting amplitude, the shoreline never rises above its first run-up maximum.",
+      "runs whose shoreline later stands above the run-up",
       [](const Results& r) {
         return later_heights<Count>(r.told, false, [](double ratio) { return ratio > 1; }).value();
       },

@@ -124,7 +124,7 @@ void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels)
             .reason = "the 95 % half-width from the change from mesh to mesh, of which no more than 15 % of the run-up "
                       "counts; the exact values are known to seven digits"});
   finest.check(
-      "exact-order", "It converges to that of the Euler equations with the first order.",
+      "exact-order", "The run-up converges to that of the Euler equations at first order.",
       "order of the difference from the last halving, farthest from 1 of all waves",
       [](const std::vector<Climbed>& all) -> Measurement {
         Worst off;

@@ -274,10 +274,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
       "before it breaks, at t = 15, the computed crest is 0.8 depths ahead of the measured one and a sixth higher: the "
       "wave in the laboratory is lower or slower than its nominal height";
   for (const double t : {15.0, 20.0, 25.0, 30.0}) {
-    const evidence::Claim claim{.id = fmt::format("closure-profile-{:g}", t),
-                                .text = fmt::format("Its surface at t = {:g} is the measured one.", t),
-                                .quantity = "rms distance over the range of the profile",
-                                .source = source};
+    const evidence::Claim claim{
+        .id = fmt::format("closure-profile-{:g}", t),
+        .text = fmt::format("The surface at t = {:g} agrees with the measured profile (breaking, friction).", t),
+        .quantity = "rms distance over the range of the profile",
+        .source = source};
     const auto measure = [distance, t](const Results& r) { return distance(t, r); };
     const Bound bound{.limit = 0.1, .reason = laboratory};
     if (t > 20) {

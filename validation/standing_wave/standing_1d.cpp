@@ -220,16 +220,18 @@ void claims(const Values& values, const Claims<Results>& claims) {
   };
   limit.check("critical-wavelength", "At one wavelength the frequency does not depend on amplitude, as in theory.",
               "critical wavelength/H", &Results::critical, root_within(theory));
-  limit.from(water).known_failure("critical-wavelength-of-water", "It is the critical wavelength of water.",
-                                  "critical wavelength/H", &Results::critical,
-                                  Bound{.limit = 0.01,
-                                        .reason = "the digits of 5.94, as the source gives it",
-                                        .expected = of_water,
-                                        .relative = true},
-                                  {.value = theory,
-                                   .width = in_wavelengths(useful_uncertainty, theory),
-                                   .reason = "a property of the equations, not of the cells: the model's coefficient "
-                                             "vanishes at alpha (kH)^2 = 0.2957, a wave 12 % longer than in water"});
+  limit.from(water).known_failure(
+      "critical-wavelength-of-water",
+      "The critical wavelength, at which frequency does not depend on amplitude, equals that of water.",
+      "critical wavelength/H", &Results::critical,
+      Bound{.limit = 0.01,
+            .reason = "the digits of 5.94, as the source gives it",
+            .expected = of_water,
+            .relative = true},
+      {.value = theory,
+       .width = in_wavelengths(useful_uncertainty, theory),
+       .reason = "a property of the equations, not of the cells: the model's coefficient "
+                 "vanishes at alpha (kH)^2 = 0.2957, a wave 12 % longer than in water"});
   limit.from(water).check(
       "critical-wavelength-with-weight",
       fmt::format("With gamma = 1/15 and the weight s = {:.3f} it is.", like_water().weight_exponent),

@@ -294,7 +294,7 @@ void claim_conservation(const Claims<Wave>& claims, const Values& values, double
               "two coordinates of each node, of the size of the depth, are rounded in each step: work of its weight "
               "along the wave's slope k a, over the energy; across, where areas change, the scheme takes it back"});
   claims.check(
-      "areas-conservative" + suffix, "It keeps the area of every cell to round-off.",
+      "areas-conservative" + suffix, "Areas of all cells are conserved to round-off (conservative scheme).",
       "largest change of a cell's area [H^2]",
       [whole](const Wave& wave) {
         return whole(wave.conservative, wave.conservative.flow->ledger().entry("volume_worst").largest_defect);

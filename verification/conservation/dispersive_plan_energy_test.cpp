@@ -128,7 +128,7 @@ TEST_CASE("energy and volumes of the one-step scheme in plan err by the square o
       check.measure(fmt::format("{}: volume defect at tau = {:g}", id, tau), d.volume);
       if (tau != taus.back()) continue;
       check.that({.id = id + "-no-drift",
-                  .text = "The energy does not drift.",
+                  .text = "The energy error does not drift over ten times as long a run.",
                   .quantity = "largest energy defect of the whole run over that of its first half",
                   .source = source},
                  {.value = d.energy / d.first_half},

@@ -111,7 +111,7 @@ TEST_CASE("a moving window of the plan model holds the same wave as a long tank"
              {.value = worst.value(), .resolution = "h = 0.5, tau = 0.2"},
              Bound{1e-7, "the wave where columns are appended, 1e-9 each time, some 70 times; places add them up"});
   check.that({.id = "shifts",
-              .text = "The window has followed.",
+              .text = "The moving window keeps its distance to the crest.",
               .quantity = "x of the east side less that of the crest",
               .source = "interface of the model"},
              {.value = window.x()[window.shape().columns] - std::sqrt(1.3) * window.time()},

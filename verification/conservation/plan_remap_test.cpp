@@ -105,7 +105,7 @@ TEST_CASE("a remap of the plan model keeps water and momentum", "[conservation]"
     const Point before = momentum(model.node_masses(), std::span(u).first(n), std::span(u).subspan(n, n));
     const Point after = momentum(next.node_masses(), now.u, now.v);
     check.that({.id = "momentum",
-                .text = "Nor is momentum.",
+                .text = "Momentum is conserved by the remap to round-off.",
                 .quantity = "change of the momentum",
                 .unit = "m^4/s",
                 .source = source},
@@ -156,7 +156,7 @@ TEST_CASE("a remap of the plan model lets no column fall dry", "[conservation]")
   Smallest depth;
   for (const double z : now.lattice.z) depth.add(z + 1);
   check.that({.id = "wet",
-              .text = "No column falls dry.",
+              .text = "Depths of all columns stay positive after the remap.",
               .quantity = "smallest depth is positive",
               .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
              {.value = depth.value() > 0 ? 1.0 : 0.0, .resolution = resolution},
@@ -173,7 +173,7 @@ TEST_CASE("a remap of the plan model lets no column fall dry", "[conservation]")
   const Point before = momentum(model.node_masses(), std::span(u).first(n), std::span(u).subspan(n, n));
   const Point after = momentum(next.node_masses(), now.u, now.v);
   check.that({.id = "momentum",
-              .text = "Nor is momentum.",
+              .text = "Momentum is conserved by the remap to round-off.",
               .quantity = "change of the momentum",
               .unit = "m^4/s",
               .source = source},
@@ -293,7 +293,7 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   moved_down.insert(moved_down.end(), after.lattice.y.begin(), after.lattice.y.end());
   moved_down.insert(moved_down.end(), after.lattice.z.begin(), after.lattice.z.end());
   check.that({.id = "downhill",
-              .text = "It goes downhill: no energy is gained.",
+              .text = "Potential energy of the film falls: the water goes downhill.",
               .quantity = "potential energy after is less than before",
               .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
              {.value = thin.potential_energy(moved_down) < thin.potential_energy(state.q) ? 1.0 : 0.0,
@@ -367,7 +367,7 @@ TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conserva
   const std::string resolution =
       fmt::format("columns 0.7 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned());
   check.that({.id = "whole",
-              .text = "The wave passes the island.",
+              .text = "The grid is sound until the wave has passed the island.",
               .quantity = "the lattice is sound at the end, and each rezoning could be made",
               .source = "seiche/models/dispersive_shallow_water_2d/rezone.hpp"},
              {.value = whole && flow.refused() == 0 ? 1.0 : 0.0, .resolution = resolution},

@@ -212,7 +212,7 @@ TEST_CASE("any number of threads gives the same bytes", "[conservation]") {
     std::replace_if(
         id.begin(), id.end(), [](char c) { return c == ' ' || c == ','; }, '-');
     check.that({.id = id,
-                .text = fmt::format("One, two and three threads give the same bytes ({}).", name),
+                .text = fmt::format("Results of one, two and three threads are bitwise identical ({}).", name),
                 .quantity = "same bytes",
                 .source = "every particle gathers its own sums in a fixed order"},
                {.value = same ? 1.0 : 0.0},

@@ -138,7 +138,7 @@ TEST_CASE("gauges read the surface where they stand while the lattice moves", "[
   const auto second = gauges.read({after.x, after.y, after.z});
   for (std::size_t k = 2; k < places.size(); ++k) worst.add(second[k] - Sheet::height(places[k]));
   check.that({.id = "plane",
-              .text = "They read the plane before and after.",
+              .text = "Gauges read a plane surface exactly, on the grid before and after rezoning.",
               .quantity = "largest error",
               .source = "bilinear maps hold planes"},
              {.value = worst.value()},

@@ -140,7 +140,7 @@ TEST_CASE("what the tables of laboratories say is read as it is meant", "[eviden
   const Measured runup = measured(runs, values_of("monai_valley")).front();
   is(check, "repeats", "Six runs at the first place have the mean 0.0896 m.", runup.y.front(), 0.0896, 5e-5,
      "half a unit of the last digit");
-  is(check, "spread", "And the standard deviation 0.0064 m.", runup.u.front(), 0.0064, 5e-5,
+  is(check, "spread", "The standard deviation of the six runs is 0.0064 m.", runup.u.front(), 0.0064, 5e-5,
      "half a unit of the last digit");
   const Series island{.name = "runup",
                       .table = "briggs_1995_conical_island_runup",
@@ -214,7 +214,7 @@ TEST_CASE("a record of a laboratory in the wrong place is told, a common shift o
   is(check, "clock", "Where the origin of time is unknown, a common shift of 0.3 s is found.",
      late.numbers.at("gauges_time_shift"), 0.3, 0.005, "a parabola through lags 0.007 s apart");
   check.that({.id = "clock-passes",
-              .text = "And it is not held against the record.",
+              .text = "A common shift of the clock does not count against the result.",
               .quantity = "claims that are missed",
               .source = "what scoring means"},
              {.value = static_cast<double>(late.missed)}, Bound{.limit = 0, .reason = "the shift is common"});
@@ -229,7 +229,7 @@ TEST_CASE("a record of a laboratory in the wrong place is told, a common shift o
               .source = "ASME V&V 20-2009"},
              {.value = static_cast<double>(near.missed)},
              Bound{.limit = 0, .reason = "0.4 mm, of points that are known to 0.25 mm"});
-  is_told(check, "own-clock", "One gauge that is late alone is told.", "dingemans_bar",
+  is_told(check, "own-clock", "A delay of one gauge alone is detected.", "dingemans_bar",
           [&](Submitted& all) { shift(0.3)(all.at("gauges").back()); });
   is_told(check, "neighbour", "A gauge in the place of the next is told.", "luth_bar", [](Submitted& all) {
     std::swap(all.at("gauges").at(4).values, all.at("gauges").at(5).values);

@@ -67,7 +67,7 @@ TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") 
                              "the last of 20 halved steps is 2^-19 of 0.0035",
                    .expected = 0.17});
   check.that(
-      named("rms", "With it nothing is left.", "rms"), {.value = fit.rms},
+      named("rms", "The rms distance after the shift is zero.", "rms"), {.value = fit.rms},
       Bound{.limit = of_lines + of_halving * std::sqrt(squares / 4),
             .reason = "least squares leave no more than the true shift, whose lines leave 6e-8, and what is left "
                       "of halving times the slopes"});
@@ -90,14 +90,18 @@ TEST_CASE("distances of curves are those of lines and circles", "[evidence]") {
   const Polyline low{{0, 1}, {0, 0}};
   const Polyline high{{0, 0.3, 1}, {0.25, 0.25, 0.25}};
   const PolylineDistance lines = polyline_distance({low}, {high});
-  check.that(named("lines", "Parallel lines.", "rms distance"), {.value = lines.rms},
+  check.that(named("lines", "The rms distance of parallel lines is their distance.", "rms distance"),
+             {.value = lines.rms},
              Roundoff{.operations = 20, .scale = 1, .reason = "three segments", .expected = 0.25});
   const PolylineDistance circles = polyline_distance({circle(1, 1000)}, {circle(1.5, 1000)});
   check.that(
-      named("circles", "Concentric circles.", "rms distance"), {.value = circles.rms},
+      named("circles", "The rms distance of concentric circles is the difference of their radii.", "rms distance"),
+      {.value = circles.rms},
       Bound{.limit = 1.5 * pi * pi / 2 / 1e6, .reason = "the height of a chord of the larger one", .expected = 0.5});
   check.that(
-      named("largest", "And their largest distance.", "largest distance"), {.value = circles.largest},
+      named("largest", "The largest distance of concentric circles is the difference of their radii.",
+            "largest distance"),
+      {.value = circles.largest},
       Bound{.limit = 1.5 * pi * pi / 2 / 1e6, .reason = "the height of a chord of the larger one", .expected = 0.5});
   const PolylineDistance images = polyline_distance({low}, {Polyline{{2, 3}, {0, 0}}}, 2);
   check.that(named("images", "A curve a period away is the same curve.", "rms distance"), {.value = images.rms},
@@ -153,7 +157,7 @@ TEST_CASE("the steep wave starts with the velocities and accelerations of potent
                    "largest defect over g times the amplitude"),
              {.value = start.surface_defect()},
              Bound{.limit = 1e-9, .reason = "24 terms of a series whose terms fall by a factor of 2.2"});
-  check.that(named("bottom", "Nothing flows through the bottom.", "largest vertical velocity"),
+  check.that(named("bottom", "The velocity through the bottom is zero to round-off.", "largest vertical velocity"),
              {.value = std::abs(start.velocity(0.3, -depth)[1])},
              Roundoff{.operations = 4, .scale = fastest.value(), .reason = "sinh of zero"});
   CHECK_THROWS_AS(SteepWaveStart(0.08, 1, 0.13, gravity), std::invalid_argument);

@@ -111,9 +111,9 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
                Qualitative{"\"" + expected + "\"", "stated in the interface"});
   };
   const evidence::Record good = scored({table(profiles(0), "p.csv"), table("runup\n2.05\n", "r.csv")});
-  is("good", "Exact profiles pass.", verdict(good, "eta-relative_l2"), "pass");
+  is("good", "Exact profiles with a stated uncertainty pass.", verdict(good, "eta-relative_l2"), "pass");
   const evidence::Record bad = scored({table(profiles(0.1), "p.csv")});
-  is("worst", "One time of two that is wrong fails the claim.", verdict(bad, "eta-relative_l2"), "fail");
+  is("worst", "Wrong profiles at one of two times fail the claim.", verdict(bad, "eta-relative_l2"), "fail");
   const evidence::Record both = scored({table(profiles(0.1, 0.06), "p.csv")});
   is("farthest", "Of two times that fail the one that is farther off is shown.", shown(both, "eta-relative_l2"),
      "t = 2");
@@ -134,10 +134,13 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   const std::string run_up = "runup [m]\n2.25\n";
   is("unstated", "Without a stated uncertainty nothing can be said.",
      verdict(scored({table(run_up, "r")}), "runup-value"), "inconclusive");
-  is("exact", "One of 0 is the strictest.", verdict(scored({table(run_up, "r")}, "0"), "runup-value"), "fail");
-  is("absolute", "A stated one counts.", verdict(scored({table(run_up, "r")}, "0.1"), "runup-value"), "pass");
-  is("relative", "So does a relative one.", verdict(scored({table(run_up, "r")}, "5%"), "runup-value"), "pass");
-  is("excessive", "One that is too large to tell buys no pass.",
+  is("exact", "A stated uncertainty of 0 gives the strictest comparison.",
+     verdict(scored({table(run_up, "r")}, "0"), "runup-value"), "fail");
+  is("absolute", "A stated absolute uncertainty enters the comparison.",
+     verdict(scored({table(run_up, "r")}, "0.1"), "runup-value"), "pass");
+  is("relative", "A stated relative uncertainty enters the comparison.",
+     verdict(scored({table(run_up, "r")}, "5%"), "runup-value"), "pass");
+  is("excessive", "A stated uncertainty beyond its ceiling does not turn a failure into a pass.",
      verdict(scored({table(run_up, "r")}, "0.5"), "runup-value"), "inconclusive");
 
   is("group", "A result without one of the times is no full result.",

@@ -149,7 +149,8 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.write("table.tbl", "%\n% Run:1 Table:T SWASH\n%\n% Tsec Xp Watlev\n% [sec] [m] [m]\n%\n0 1 2\n");
   folder.is("swash", "A table of SWASH says its columns in its header.", "table.tbl", "Tsec,Xp,Watlev|0,1,2");
   folder.write("points.txt", "# 1:t 2:x 3:T\n0 1 0.5\n");
-  folder.is("gerris", "So does one of Gerris.", "points.txt", "t,x,T|0,1,0.5");
+  folder.is("gerris", "A table of Gerris is read with the columns that its header names.", "points.txt",
+            "t,x,T|0,1,0.5");
 }
 
 }  // namespace solver_folders_test

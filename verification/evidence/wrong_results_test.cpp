@@ -68,13 +68,16 @@ TEST_CASE("a dam break is judged by the solver's cells, in depth and in discharg
     const auto named = [&](const char* id) { return fmt::format("{}-{}", id, points); };
     const evidence::Record right = scored_riemann(points, 1, [](double, auto state) { return state; });
     is(check, named("right"), "The exact profile has the right depth.", verdict_of(right, "depth"), Verdict::pass);
-    is(check, named("right-volume"), "All its water is there.", verdict_of(right, "volume"), Verdict::pass);
-    is(check, named("right-front"), "And the right front.", verdict_of(right, "front"), Verdict::pass);
+    is(check, named("right-volume"), "The water volume of the exact profile is right.", verdict_of(right, "volume"),
+       Verdict::pass);
+    is(check, named("right-front"), "The front position of the exact profile is right.", verdict_of(right, "front"),
+       Verdict::pass);
     const evidence::Record still = scored_riemann(points, 1, [](double, auto state) {
       state.velocity = 0;
       return state;
     });
-    is(check, named("still"), "Without velocity it fails.", verdict_of(still, "discharge"), Verdict::fail);
+    is(check, named("still"), "The exact depth without a velocity fails the score.", verdict_of(still, "discharge"),
+       Verdict::fail);
     const evidence::Record reversed = scored_riemann(points, 1, [](double, auto state) {
       state.velocity = -state.velocity;
       return state;
@@ -82,9 +85,9 @@ TEST_CASE("a dam break is judged by the solver's cells, in depth and in discharg
     is(check, named("reversed"), "With the velocity turned it fails.", verdict_of(reversed, "discharge"),
        Verdict::fail);
     const Changed first = [](double x, auto) { return exact::Riemann::State{x < 20 ? 1.0 : 0.1, 0}; };
-    is(check, named("untouched"), "The initial state fails.", verdict_of(scored_riemann(points, 1, first), "depth"),
-       Verdict::fail);
-    is(check, named("untouched-coarse"), "It does not pass with huge cells either.",
+    is(check, named("untouched"), "The initial state fails the score.",
+       verdict_of(scored_riemann(points, 1, first), "depth"), Verdict::fail);
+    is(check, named("untouched-coarse"), "The initial state on huge cells is inconclusive, not a pass.",
        verdict_of(scored_riemann(points, 12.5, first), "depth"), Verdict::inconclusive);
     const auto slow = [](double x, auto state) {
       const exact::Riemann solution = riemann_solution(find_case("riemann").values(Tier::quick));
@@ -120,12 +123,14 @@ TEST_CASE("a standing wave of finite amplitude is not a linear one", "[evidence]
   const auto theory = [&](double t) { return wanted.front().quantities.front().reference({0, t}); };
   const double omega = wanted.back().quantities.front().reference({});
   const evidence::Record right = scored(one, values, submitted(theory, omega), {});
-  is(check, "right", "The elevation of theory passes.", verdict_of(right, "eta-relative_l2"), Verdict::pass);
-  is(check, "right-frequency", "So does its frequency.", verdict_of(right, "omega-value"), Verdict::pass);
+  is(check, "right", "The elevation of the theory passes the score.", verdict_of(right, "eta-relative_l2"),
+     Verdict::pass);
+  is(check, "right-frequency", "The frequency of the theory passes the score.", verdict_of(right, "omega-value"),
+     Verdict::pass);
   // The wavelength is 2 pi: k = 1.
   const double linear = std::sqrt(gravity * std::tanh(depth));
   const auto cosine = [&](double t) { return values.real("amplitude") * std::cos(linear * t); };
-  is(check, "linear", "A linear wave fails.",
+  is(check, "linear", "The elevation of a linear wave fails the score.",
      verdict_of(scored(one, values, submitted(cosine, linear), {}), "eta-relative_l2"), Verdict::fail);
   const double shallow = std::sqrt(gravity * std::tanh(0.85 * depth));
   is(check, "shallow", "The frequency of a tank 15 % too shallow fails.",
@@ -191,7 +196,7 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
              Qualitative{"an uncertainty", "none was stated", false});
   // An X that is wrong by 0.02 with the sign of the weights moves the rate by as much as is said, to first order.
   check.that({.id = "bound",
-              .text = "It bounds what the front being a constant 0.02 too far does.",
+              .text = "The stated bound covers the change of the rate by a front 0.02 too far.",
               .quantity = "change of the rate over its bound",
               .source = "triangle inequality"},
              {.value =

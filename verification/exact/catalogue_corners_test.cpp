@@ -173,7 +173,7 @@ void try_members(bool longest) {
              evidence::Bound{.limit = 0, .reason = "the user must know what to change"});
   if (longest) return;
   check.that({.id = "both",
-              .text = "Neither nearly all nor nearly none of the members are refused, so that both ways are tried.",
+              .text = "The share of rejected parameter sets lies between 5 % and 95 %, so that both ways are tried.",
               .quantity = "share refused",
               .source = "this test"},
              {.value = refused.value() / members, .resolution = resolution},

@@ -61,7 +61,7 @@ TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") 
   check.that({.id = "mass", .text = "Mass is constant.", .quantity = "mass change", .unit = "m^2", .source = source},
              {.value = mass.value()}, limit);
   check.that({.id = "momentum",
-              .text = "Momentum is constant.",
+              .text = "Momentum of the exact simple wave is constant.",
               .quantity = "momentum change",
               .unit = "m^3/s",
               .source = source},

@@ -227,7 +227,7 @@ TEST_CASE("deep Stokes waves are fastest below the limiting steepness", "[exact]
   };
   const StokesWave finer(0.443144051862, wavelength, StokesWave::deep, 1, Resolution{1.25, 0.5});
   check.that({.id = "steep-resolution",
-              .text = "Its speed does not depend on the resolution.",
+              .text = "The speed of the steepest wave does not depend on the resolution.",
               .quantity = "relative difference of the speed",
               .source = source},
              {.value = std::abs(steep.phase_speed() / finer.phase_speed() - 1)},

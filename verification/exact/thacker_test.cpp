@@ -112,7 +112,7 @@ TEST_CASE("the Lagrangian manufactured solution satisfies the forced equations",
     }
   }
   check.that({.id = "label",
-              .text = "Label and position are inverse.",
+              .text = "Maps from label to position and back are inverse.",
               .quantity = "label error",
               .unit = "m",
               .source = source},

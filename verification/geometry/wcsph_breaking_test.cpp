@@ -194,7 +194,7 @@ TEST_CASE("a jet touches down when it shuts off air", "[geometry]") {
               .source = source},
              {.value = late}, evidence::Qualitative{"touches_down(curves, 4 dx^2)", "water touches water", false});
   check.that({.id = "not-early",
-              .text = "One whose gap is wider than the support of a kernel has not.",
+              .text = "A gap wider than the support of a kernel is not called closed.",
               .quantity = "widest gap said to be closed, over dx",
               .source = source},
              {.value = early.value()},

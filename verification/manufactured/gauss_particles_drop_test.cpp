@@ -93,7 +93,7 @@ TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however 
   }
   order("conservative", "Conservative scheme, 300 particles: second order.", many, 2);
   order("four-particles", "Conservative scheme, 4 particles: second order.", few, 2);
-  order("projection-scheme", "Frank's projection scheme: first order.", first, 1);
+  order("projection-scheme", "Frank's projection scheme converges at first order in the step.", first, 1);
 }
 
 TEST_CASE("a stretched disc on splines with cut cells", "[manufactured]") {

@@ -76,7 +76,7 @@ TEST_CASE("an impulsive pressure sets hexahedra into the potential flow of its w
       Order{.theory = 2, .tolerance = 0.2, .reason = "bilinear patches under a pressure taken at their middles"});
   check.that(
       {.id = "rates",
-       .text = "Volumes do not change.",
+       .text = "Rates of all cell volumes after the impulse are zero.",
        .quantity = "largest rate of a volume over the volume",
        .unit = "1",
        .source = source},

@@ -102,7 +102,10 @@ TEST_CASE("steps beyond the stability limit are counted, and too long ones stop"
   const long below = still.steps_beyond_stability();
   for (int k = 0; k < 2; ++k) still.advance(1.001 * limit);
   check.that(
-      {.id = "counted", .text = "Longer steps are counted.", .quantity = "steps counted", .source = source},
+      {.id = "counted",
+       .text = "Steps longer than the stable limit are counted.",
+       .quantity = "steps counted",
+       .source = source},
       {.value = static_cast<double>(still.steps_beyond_stability() - 10 * below), .resolution = "3 below, 2 above"},
       evidence::Bound{.limit = 0, .reason = "two were longer", .expected = 2});
   Channel rough = channel;

@@ -168,7 +168,7 @@ TEST_CASE("a moving window that follows still water changes nothing", "[robustne
   for (const double u : flow.state().u) motion.add(u);
   for (const double z : flow.surface_z()) motion.add(z);
   check.that({.id = "still",
-              .text = "The water is still.",
+              .text = "Still water in a moving window stays still.",
               .quantity = "largest speed or elevation",
               .source = "interface of the model"},
              {.value = motion.value()}, evidence::Bound{0, "every force is exactly zero"});
@@ -179,7 +179,7 @@ TEST_CASE("a moving window that follows still water changes nothing", "[robustne
              {.value = flow.x().back()},
              evidence::Bound{.limit = 0, .reason = "one column of width 1 for each unit of time", .expected = 14});
   check.that({.id = "shifts",
-              .text = "Columns left behind are counted.",
+              .text = "The number of columns left behind by the window is counted.",
               .quantity = "number of columns",
               .source = "interface of the model"},
              {.value = static_cast<double>(flow.shifts())},
