@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "reports/evidence/record_files.hpp"
@@ -148,12 +149,12 @@ std::string to_json(const Record& record, const std::map<std::string, std::strin
     published.push_back(
         {{"tiles", set.tiles}, {"tier", set.tier}, {"values", values}, {"differs", set.differs}, {"here", set.here}});
   }
-  std::map<std::string, int> told;  // a sentence that several claims share is completed by the id: each stands alone
-  for (const JudgedClaim& judged : record.claims()) ++told[judged.claim.text];
+  std::map<std::string, int> uses;  // a sentence that several claims share is completed by the id: each stands alone
+  for (const JudgedClaim& judged : record.claims()) ++uses[judged.claim.text];
   Json claims = Json::array();
   for (JudgedClaim judged : record.claims()) {
     std::string& text = judged.claim.text;
-    if (told[text] > 1) text = fmt::format("{} ({}).", text.substr(0, text.find_last_not_of('.') + 1), judged.claim.id);
+    if (uses[text] > 1) text = fmt::format("{} ({}).", text.substr(0, text.find_last_not_of('.') + 1), judged.claim.id);
     claims.push_back(describe(judged));
   }
   Json left_out = Json::array();
