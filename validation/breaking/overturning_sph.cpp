@@ -195,7 +195,7 @@ void claim_distances(const Claims<Results>& claims, const Values& values) {
   for (std::size_t i = 0; i < instants.size(); ++i) {
     claims.check(
         "distance-" + instants[i].id,
-        fmt::format("{} the surface is that of potential flow to one spacing.", instants[i].when),
+        fmt::format("{} the surface agrees with potential flow to one spacing.", instants[i].when),
         "rms distance of the surfaces [m]",
         [i](const Results& r) -> Measurement {
           return {.value = r.distances.at(i).back().rms,

@@ -90,7 +90,7 @@ void claim_kept(const Claims<Contest>& all, const Values& values) {
     claims_of(all, model.id)
         .from("Frank (1994), chapter 1; forces of pairs are opposite")
         .check(
-            model.id + "-momentum", fmt::format("The momentum of {} is kept to round-off.", model.name),
+            model.id + "-momentum", fmt::format("The momentum of {} is conserved to round-off.", model.name),
             "change over the sum of all momenta", [](const Entry& entry) { return entry.finest().momentum; },
             Roundoff{.operations = steps_of(values, model.id),
                      .scale = 1,

@@ -208,7 +208,7 @@ void claim_invariants(const SetUp& s, const Claims<Results>& claims) {
   const auto kept = [&](const std::string& id, const std::string& what, double Results::*member, double scale,
                         const std::string& of_scale) {
     claims.from("Frank (1994), chapter 6, proposition 4")
-        .check(id, "The " + what + " is kept to round-off.", "largest defect", member,
+        .check(id, "The " + what + " is conserved to round-off.", "largest defect", member,
                Roundoff{.operations = std::ceil(s.end / s.tau),
                         .scale = scale,
                         .reason = "one rounded velocity per step; scale: " + of_scale});

@@ -251,7 +251,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   claim_statistics(s, claims);
   const double operations = 40 * static_cast<double>(s.steps());
   claims.from("Frank (1994), chapter 1")
-      .check("energy", "The energy is kept to round-off, through all disorder.",
+      .check("energy", "The energy is conserved to round-off, through all disorder.",
              "largest defect of all flows, over the energy", &Results::energy,
              Roundoff{.operations = operations,
                       .scale = 1,

@@ -123,7 +123,7 @@ void claim_theory(const Claims<ReflectionSeries>& claims, const ReflectionSeries
   claims.from("Miles (1977); Li, Yeh and Kodama (2011)")
       .check(
           with("theory", series),
-          fmt::format("a = {:g}: a_w/a_i is that of the theory of small waves over the parameter for finite angles, "
+          fmt::format("a = {:g}: a_w/a_i agrees with the theory of small waves over the parameter for finite angles, "
                       "farther than {:g} from its cusp.",
                       series.amplitude, cusp),
           "largest relative difference of the limits for infinite time",

@@ -113,7 +113,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const Requirement& required = one.wanted.requirements.front();
     tabulated.check(
         {.id = "tabulated-" + one.wanted.column.name,
-         .text = "A run of the plan model: " + required.text,
+         .text = "A run of the 2DH model: " + required.text,
          .quantity = one.wanted.column.meaning,
          .unit = one.wanted.column.unit,
          .source = source},

@@ -93,7 +93,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.at(fmt::format("n = {}", finest.n))
       .only_if(finest.distortion == 0, "the estimate is for equal cells")
       .check(
-          "slip", "The slip is that of the pressure gradient half a cell below the surface.",
+          "slip", "The slip agrees with the pressure gradient half a cell below the surface.",
           "slip along the surface over its estimate 2 h P X (1 - cos t), X = 3/4",
           [finest](const Results& r) {
             return r.refinement.finest(slip_quantity) / expected_slip(finest, judged_edge);

@@ -219,7 +219,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const double excess = waves.excess();
   const Claims<Ladder> particles = all.at(fmt::format("{} cells", cells)).of(&Results::particles);
   particles.from("Frank (1994), chapter 6; exact for every space and step")
-      .check("particles-energy", "The energy of the free particles is kept to round-off.",
+      .check("particles-energy", "The energy of the free particles is conserved to round-off.",
              "change over the kinetic energy", &Ladder::energy_change,
              Roundoff{.operations = steps,
                       .scale = 2,

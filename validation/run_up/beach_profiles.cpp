@@ -71,7 +71,7 @@ Worst largest_over_range(const Differences& profiles) {
 
 BeachClaim all_profiles() {
   return {{.id = "analytic-profiles",
-           .text = "The surfaces from t = 35 to 70 are those of the shallow-water equations' exact solution.",
+           .text = "The surfaces from t = 35 to 70 agree with the shallow-water equations' exact solution.",
            .quantity = "rms distance over rms elevation, all points of all profiles",
            .source = source},
           benchmark()};

@@ -72,7 +72,7 @@ std::size_t levels(const Values& values) {
 void claim_thesis(const Claims<std::vector<Climbed>>& claims) {
   claims.at("h1 = 0.25, 8 rows")
       .check(
-          "thesis", "The run-up is that of the thesis's two-dimensional model.", "largest |R/R_thesis - 1|",
+          "thesis", "The run-up agrees with the thesis's two-dimensional model.", "largest |R/R_thesis - 1|",
           [](const std::vector<Climbed>& all) -> Measurement {
             Worst off;
             Largest halving;
@@ -110,7 +110,7 @@ void claim_convergence(const Claims<std::vector<Climbed>>& claims) {
 void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels) {
   const auto finest = claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing));
   finest.check(
-      "exact", "The run-up is that of the Euler equations within the finest mesh's uncertainty.",
+      "exact", "The run-up agrees with the Euler equations within the finest mesh's uncertainty.",
       "largest difference over the uncertainty that the change from mesh to mesh gives",
       [](const std::vector<Climbed>& all) -> Measurement {
         Worst off;
@@ -140,7 +140,7 @@ void claim_measurements(const Claims<std::vector<Climbed>>& claims, std::size_t 
   claims.at(fmt::format("to zero from h1 = {:g} and {:g}", meshes[levels - 2].spacing, meshes[levels - 1].spacing))
       .from("Hall and Watts (1953)")
       .check(
-          "measurements", "Extrapolated to fine meshes, it is that of Hall and Watts' formula for their measurements.",
+          "measurements", "Extrapolated to fine meshes, it agrees with Hall and Watts' formula for their measurements.",
           "rms of R/R_formula - 1",
           [](const std::vector<Climbed>& all) -> Measurement {
             Mean deviation;

@@ -202,7 +202,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const double kh = judged_depths[k];
     limit.check(
         fmt::format("limit-{:.0f}", 1e4 * kh),
-        fmt::format("At k H = {:g} the model's coefficient is that of its theory.", kh),
+        fmt::format("At k H = {:g} the model's coefficient agrees with its theory.", kh),
         "C = (Omega/omega - 1)/(a/H)^2", [k](const Results& r) { return r.coefficients[k]; },
         Bound{.limit = uncertainty,
               .reason = "a quarter of (k s)^4 of the coarser box: what extrapolation in s^2 leaves of the next power, "
@@ -247,7 +247,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       },
       Qualitative{.detector = "sign of the measured coefficient at wavelengths of 4 to 12 depths",
                   .reason = "the energy of slopes stiffens crests more than it softens troughs"});
-  limit.check("with-gamma", "With the added energy too, the coefficient is that of theory.",
+  limit.check("with-gamma", "With the added energy too, the coefficient agrees with theory.",
               "largest deviation of C, wavelengths of 4 to 12 depths", &Results::deviation,
               Bound{uncertainty, "a quarter of (k s)^4 of the coarser box"});
 }

@@ -30,7 +30,7 @@ struct Required {
 std::vector<Required> requirements(const JudgedSteadyFlow& flow, double cell) {
   std::vector<Required> all{
       {{.id = "depth",
-        .text = "The depth is that of the steady flow.",
+        .text = "The depth agrees with the steady flow.",
         .quantity = "mean |h - exact| over that of level water",
         .source = flow.source},
        [flow](const ProfilePoints& points) { return mean_errors(points, flow.exact).depth / untouched(flow, points); },

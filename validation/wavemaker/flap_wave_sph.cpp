@@ -166,7 +166,7 @@ void claim_scheme(const Claims<Results>& claims, const std::string& id, const Fl
                   std::vector<FlapWaves> Results::*runs, const Theory& linear) {
   claims.check(
       "beside-flap" + id,
-      fmt::format("Beside the flap the second wave is that of the exact transient ({}).", scheme.name),
+      fmt::format("Beside the flap the second wave agrees with the exact transient ({}).", scheme.name),
       "height from crest to trough during the second period [m]",
       [runs](const Results& r) -> Measurement {
         const FlapWaves& finest = (r.*runs).back();
@@ -261,7 +261,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_variants(claims, values);
   const Theory linear = theory_of(flap_design(values));
   claims.check(
-      "second-transient", fmt::format("The second wave is that of the exact transient ({}).", more_neighbours.name),
+      "second-transient", fmt::format("The second wave agrees with the exact transient ({}).", more_neighbours.name),
       "height from crest to trough during the second period [m]",
       [](const Results& r) -> Measurement {
         return {.value = r.heights(r.wide.back())[1], .resolution = r.wide.back().resolution()};

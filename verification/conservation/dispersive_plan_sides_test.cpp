@@ -105,7 +105,7 @@ TEST_CASE("a moving window of the plan model holds the same wave as a long tank"
                               "Largest difference of places and elevations within 15 depths of the crest.");
   figure.panel({.x = "t sqrt(g/H)", .y = "difference / H", .log_y = true}).line("window", times, differences);
   check.that({.id = "same",
-              .text = "The wave is that of the long tank.",
+              .text = "The wave agrees with the long tank.",
               .quantity = "largest difference of a place or elevation within 15 depths of the crest",
               .source = source},
              {.value = worst.value(), .resolution = "h = 0.5, tau = 0.2"},

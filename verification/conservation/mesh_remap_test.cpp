@@ -157,7 +157,7 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
                       .scale = 1,
                       .reason = "every cell's area rounds in every step and in every rezoning"});
   check.that({.id = "booked",
-              .text = "With what rezoning took, energy is kept to round-off.",
+              .text = "With what rezoning took, energy is conserved to round-off.",
               .quantity = "largest change over the first value",
               .source = "Frank (1994), chapter 1"},
              {.value = drift.value(), .resolution = resolution},

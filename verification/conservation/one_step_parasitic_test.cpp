@@ -234,7 +234,7 @@ TEST_CASE("the corrected start leaves an alternation of third order", "[conserva
   const double tau = steps.back();
   check.that(
       {.id = "amplitude",
-       .text = "The amplitude is that of tau A^-1 B(u, u').",
+       .text = "The amplitude agrees with tau A^-1 B(u, u').",
        .quantity = "amplitude / (tau max |A^-1 B(u, u')|) at tau = 0.001",
        .source = expansion},
       {.value = projected.back() / (tau * worst(instant.jerk(start))), .resolution = "tau = 0.001"},

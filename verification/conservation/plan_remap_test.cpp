@@ -484,7 +484,7 @@ TEST_CASE("a rezoned flow books the energy that rezoning takes", "[conservation]
   const std::string resolution =
       fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned());
   check.that({.id = "booked",
-              .text = "With what rezoning took, energy is kept to round-off.",
+              .text = "With what rezoning took, energy is conserved to round-off.",
               .quantity = "largest change over the first value",
               .source = "Frank (1994), chapter 1"},
              {.value = drift.value(), .resolution = resolution},

@@ -67,7 +67,7 @@ TEST_CASE("a solitary wave on coarse cells in plan keeps amplitude, energy and s
     if (found_row == spacings_known.end()) continue;  // the finest serves the order alone
     const auto row = static_cast<std::size_t>(found_row - spacings_known.begin());
     check.that({.id = id + "-height",
-                .text = "The mean height is that of an earlier program.",
+                .text = "The mean height has its recorded value (regression).",
                 .quantity = "height over depth",
                 .source = digits},
                {.value = found.mean_height(), .resolution = resolution},

@@ -94,7 +94,7 @@ TEST_CASE("a wave that dies away or comes late is told by how much in a waveleng
   measured("right-decay", "The decay read off the exact wave is zero.", right, "decay_per_wavelength", 0);
   measured("right-lead", "The phase lead read off the exact wave is zero.", right, "lead_per_wavelength", 0);
   measured("cells", "Cells in the height are counted.", right, "cells_per_height", 2);
-  measured("seconds", "The time is that of a wavelength.", right, "seconds_per_wavelength", 20 / 9.75);
+  measured("seconds", "The time read off is the time of one wavelength.", right, "seconds_per_wavelength", 20 / 9.75);
   is("right", "The exact wave passes the attenuation score.", verdict_of(right, "decay"), Verdict::pass);
   const auto dying = [](double rate) {
     return scored([rate](const auto& wave, double x, double t) {

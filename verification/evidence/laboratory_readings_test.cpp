@@ -106,13 +106,13 @@ TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
   is(check, "arrival", "A ramp passes 0.02 at 3.4 s.", arrival(0, 0.02, {}).expected(front), 3.4, 1e-12,
      "a straight line");
   is(check, "arrival-uncertainty",
-     "The uncertainty of an arrival is that of the clock, of the level over the slope, and of the distance of points.",
+     "The uncertainty of an arrival combines clock, level over slope, and distance of points.",
      arrival(0, 0.02, {}).uncertainty(front), std::hypot(0.03, 0.002 / 0.05, 0.1 / std::sqrt(12.0)), 1e-12,
      "a straight line, points 0.1 s apart");
   const Measured peak = sampled(
       0, 4, 8, [](double t) { return -std::abs(t - 2); }, 0.01, 0.03);
   is(check, "place-uncertainty",
-     "The uncertainty of the place of a sharp crest is that of the abscissa and of the distance of points.",
+     "The uncertainty of the position of a sharp crest combines abscissa and distance of points.",
      when_highest(0, {}).uncertainty(peak), std::hypot(0.03, 0.5 / std::sqrt(12.0)), 1e-12, "points 0.5 apart");
   const auto slow = [](double t) { return std::sin(t - 0.2005); };
   is(check, "lag-range", "A clock is set by no more than its range.",

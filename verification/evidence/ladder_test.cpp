@@ -142,7 +142,7 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
 
   // Against data, what converges is the distance from the result's own limit, wherever that is.
   const Ladder measured = ladder(1, 0.5, evidence::Role::data);
-  close("own-order", "Against data the order is that of the result's own convergence.",
+  close("own-order", "Against data the order agrees with the result's own convergence.",
         measured.quantities.at(1).order.order, 1, 0.02, "the scan for the limit has steps of 0.005 in the order");
   std::map<std::string, StatedUncertainty> uncertainty{{"height", {.value = 0.7}}};
   add_numerical(measured, uncertainty);

@@ -61,7 +61,7 @@ TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") 
     slopes += steepness;
     squares += steepness * steepness;
   }
-  check.that(named("shift", "The shift is that of the points.", "shift"), {.value = fit.shift},
+  check.that(named("shift", "The shift that fits equals the shift of the points.", "shift"), {.value = fit.shift},
              Bound{.limit = of_lines * slopes / squares + of_halving,
                    .reason = "lines between points 1e-3 apart leave 6e-8, which least squares weigh by the slopes; "
                              "the last of 20 halved steps is 2^-19 of 0.0035",
@@ -75,7 +75,7 @@ TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") 
              {.value = static_cast<double>(fit.points)}, Bound{.limit = 0, .reason = "by hand", .expected = 4});
   double sum = 0;
   for (int k = 0; k < 4; ++k) sum += std::pow(front(late[k]) - measured[k], 2);
-  check.that(named("raw", "As it stands the difference is that of the formulas.", "rms without a shift"),
+  check.that(named("raw", "The difference before the shift agrees with the formulas.", "rms without a shift"),
              {.value = fit.raw_rms},
              Bound{.limit = 1e-6, .reason = "lines between the points", .expected = std::sqrt(sum / 4)});
   check.that(named("slope", "The slope of a straight part is the slope.", "slope"),
@@ -144,11 +144,11 @@ TEST_CASE("the steep wave starts with the velocities and accelerations of potent
     const double a_y = (-3 * at_rest.v[i] + 4 * soon.v[i] - later.v[i]) / (2 * tau);
     acceleration.add(std::hypot(a_x + p_x, a_y + p_y + gravity));
   }
-  check.that(named("velocity", "Velocities at the surface are those of the boundary integral.", "largest difference"),
+  check.that(named("velocity", "Velocities at the surface agree with the boundary integral.", "largest difference"),
              {.value = velocity.value() / fastest.value()},
              Bound{.limit = 1e-10, .reason = "128 markers resolve the first surface to round-off of the kernels"});
   check.that(
-      named("acceleration", "Accelerations at the surface are those of the boundary integral.",
+      named("acceleration", "Accelerations at the surface agree with the boundary integral.",
             "largest difference over g"),
       {.value = acceleration.value() / gravity},
       Bound{.limit = 1e-5,

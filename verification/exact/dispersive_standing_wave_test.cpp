@@ -188,7 +188,7 @@ TEST_CASE("the frequency of a standing wave of the dispersive model follows from
                       .reason = "terms up to 1 rounded 60 times, over a slope of 0.5 in k H",
                       .expected = water});
   check.that({.id = "long-waves",
-              .text = "In long waves the change of frequency is that of water.",
+              .text = "The change of frequency with amplitude agrees with water's in long waves.",
               .quantity = "C over that of Tadjbakhsh and Keller at k H = 0.01",
               .source = "Tadjbakhsh and Keller, J. Fluid Mech. 8 (1960) 442"},
              {.value = correction(0.01, {}) / in_water(0.01)},

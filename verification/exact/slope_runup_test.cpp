@@ -85,7 +85,7 @@ TEST_CASE("velocities of water over a slope are those of a potential with poles 
     const double coarse = error_of_velocity(140, cotangent);
     const double fine = error_of_velocity(280, cotangent);
     check.that({.id = fmt::format("velocity-{:g}", cotangent),
-                .text = "The velocities at the surface are those of the potential.",
+                .text = "The velocities at the surface agree with the potential.",
                 .quantity = fmt::format("largest error over the largest velocity, cotangent {:g}", cotangent),
                 .source = source},
                {.value = fine, .resolution = "280 intervals"},

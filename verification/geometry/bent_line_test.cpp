@@ -71,7 +71,7 @@ TEST_CASE("a bent line's chords, places and moments agree to round-off", "[geome
               .source = source},
              {.value = length.value()}, roundings);
   check.that({.id = "foot",
-              .text = "The arc length of a place on the curve is that of the place.",
+              .text = "The arc length found for a point of the curve is the point's own.",
               .quantity = "largest difference",
               .source = source},
              {.value = back.value()}, roundings);

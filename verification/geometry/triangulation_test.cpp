@@ -110,7 +110,7 @@ TEST_CASE("flips give the triangles of a full rebuild over random motions", "[ge
     }
     const std::string resolution = std::to_string(motions) + " motions";
     check.that({.id = id + "-built",
-                .text = "The mesh at the beginning is that of the rebuild.",
+                .text = "The mesh at the beginning agrees with the rebuild.",
                 .quantity = "triangles in one set alone",
                 .source = source},
                {.value = first}, Bound{0, "the Delaunay triangulation is unique"});

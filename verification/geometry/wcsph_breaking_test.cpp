@@ -114,7 +114,7 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
       "two extrema of x, each known to the contour's largest distance, 0.71 dx: whether a cell is water is decided by "
       "its middle";
   check.that({.id = "overhang",
-              .text = "The overhang is that of the curve.",
+              .text = "The overhang agrees with the curve.",
               .quantity = "largest error over dx",
               .source = source},
              {.value = overhang_error.value()}, evidence::Bound{.limit = 1.5, .reason = reason});

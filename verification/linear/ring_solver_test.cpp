@@ -81,7 +81,7 @@ TEST_CASE("matrices of rings are the sums of their blocks, and are solved", "[li
   const Roundoff of_row{
       .operations = 100, .scale = 10, .reason = "some fifty terms in a row, in two orders, of a sum of 10"};
   check.that({.id = "product",
-              .text = "A x is that of the dense sum.",
+              .text = "The product A x agrees with the dense sum.",
               .quantity = "largest difference",
               .source = "identity"},
              {.value = off.value()}, of_row);

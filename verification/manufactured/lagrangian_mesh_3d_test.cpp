@@ -305,12 +305,12 @@ TEST_CASE("hexahedra over an uneven bottom are of second order in time alone", "
     const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
     const Order second{2, 0.1, "a symmetric scheme; 512 steps err by 1/64 of 64"};
     check.that({.id = id + "-places",
-                .text = id + ": places are of second order in time.",
+                .text = id + ": places are second-order in time.",
                 .quantity = "observed order",
                 .source = source},
                observed_order(taus, places), second);
     check.that({.id = id + "-velocities",
-                .text = id + ": velocities are of second order in time.",
+                .text = id + ": velocities are second-order in time.",
                 .quantity = "observed order",
                 .source = source},
                observed_order(taus, velocities), second);

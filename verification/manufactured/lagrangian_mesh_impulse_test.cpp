@@ -86,7 +86,7 @@ TEST_CASE("an impulse on the surface starts the potential flow of an exact wave"
                evidence::observed_order(h, errors), criterion);
     panel.points(id, h, errors, verification::Role::computed);
   };
-  order("lower-half", "Velocities in the lower half are those of the wave, to second order.", lower_half,
+  order("lower-half", "Velocities in the lower half agree with the wave, to second order.", lower_half,
         {2, 0.2, "smooth wave; the coarsest mesh has four rows"});
   order("energy", "The kinetic energy after the impulse converges at second order.", kinetic,
         {2, 0.2, "smooth wave; the coarsest mesh has four rows"});

@@ -115,17 +115,17 @@ void check_printed(Check& check, const std::vector<Errors>& table, const std::ve
     for (std::size_t k = 0; k < row.values.size(); ++k) {
       const auto n = static_cast<double>(sizes[2 * k]);
       const double scatter = disordered ? 3 * std::sqrt(20.0) / n * row.values[k] : 0;
-      check.that(
-          {.id = fmt::format("{}-{}", row.id, n),
-           .text = fmt::format("The error of the {} at N = {} is that of an earlier program.", row.operator_name, n),
-           .quantity = "relative L2 error",
-           .source = source},
-          {.value = table[2 * k].*row.error, .resolution = fmt::format("N = {}", n)},
-          Bound{.limit = row.half_digits[k] + scatter,
-                .reason = disordered ? "half a unit of the last printed digit, and three standard deviations of "
-                                       "two norms over N^2/20 independent samples each"
-                                     : "half a unit of the last printed digit",
-                .expected = row.values[k]});
+      check.that({.id = fmt::format("{}-{}", row.id, n),
+                  .text = fmt::format("The error of the {} at N = {} has its recorded value (regression).",
+                                      row.operator_name, n),
+                  .quantity = "relative L2 error",
+                  .source = source},
+                 {.value = table[2 * k].*row.error, .resolution = fmt::format("N = {}", n)},
+                 Bound{.limit = row.half_digits[k] + scatter,
+                       .reason = disordered ? "half a unit of the last printed digit, and three standard deviations of "
+                                              "two norms over N^2/20 independent samples each"
+                                            : "half a unit of the last printed digit",
+                       .expected = row.values[k]});
     }
   }
 }

@@ -156,7 +156,7 @@ TEST_CASE("steps of the plan model beyond stability are counted", "[robustness]"
               "whatever the cells. Longer steps are a warning, not an error: small waves may not notice.");
   Flow flow(rectangular_lattice({.begin = 0, .end = 1, .south = 0, .north = 1, .columns = 20, .rows = 20}));
   check.that({.id = "bound",
-              .text = "The bound is that of the fastest mode.",
+              .text = "The bound of the step agrees with the fastest mode.",
               .quantity = "longest stable step over 2 sqrt(alpha H/g)",
               .source = "exact/plan_dispersion.hpp"},
              {.value = flow.stable_step() / (2 * std::sqrt(1.0 / 3))},

@@ -124,7 +124,7 @@ TEST_CASE("steps beyond the stability limit are counted, and too long ones stop"
       }
     }
     check.that({.id = std::string("too-long-") + stepping_names[k],
-                .text = "A wave in far too long steps stops, and the state is that of before.",
+                .text = "A wave in far too long steps stops, and the state before the failing step is kept.",
                 .quantity = "stopped with the state kept",
                 .source = source},
                {.value = stopped ? 1.0 : 0.0},

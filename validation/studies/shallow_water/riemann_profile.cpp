@@ -224,13 +224,13 @@ std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solut
       std::max(fastest(solution.left(), solution.gravity()), fastest(solution.right(), solution.gravity()));
   std::vector<RiemannRequirement> all = {
       {"depth",
-       "The depth is that of the exact solution to within what first-order schemes lose.",
+       "The depth agrees with the exact solution to within what first-order schemes lose.",
        "mean |h - exact|",
        "m",
        &RiemannErrors::depth,
        {.limit = mean(lost.depth, untouched.depth), .reason = smeared}},
       {"discharge",
-       "The discharge is that of the exact solution to within what first-order schemes lose.",
+       "The discharge agrees with the exact solution to within what first-order schemes lose.",
        "mean |h u - exact|",
        "m^2/s",
        &RiemannErrors::discharge,

@@ -213,7 +213,7 @@ void claim_dissipates(const Claims<Entry>& claims, const Named& model, const std
 
 void claim_energy(const Claims<Entry>& claims, const Named& model, double operations, double scale,
                   const std::string& reason, const std::string& source) {
-  claims.from(source).check(model.id + "-energy", fmt::format("The energy is kept to round-off: {}.", model.name),
+  claims.from(source).check(model.id + "-energy", fmt::format("The energy is conserved to round-off: {}.", model.name),
                             "relative change", energy_of_finest,
                             Roundoff{.operations = operations, .scale = scale, .reason = reason});
 }
