@@ -192,7 +192,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
     exactly_zero("velocity", "Velocities of water at rest are zero.", "largest rate", "(g H)^(1/2)", &Unrest::velocity);
     exactly_zero("elevation", "The surface of water at rest stays level.", "largest elevation", "H",
                  &Unrest::elevation);
-    exactly_zero("displacement", "No marker moves.", "largest displacement", "H", &Unrest::displacement);
+    exactly_zero("displacement", "Markers of the water at rest do not move.", "largest displacement", "H",
+                 &Unrest::displacement);
   }
 }
 

@@ -225,7 +225,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                            .reason = "potential flow from the same start does"});
   claims.only_if(values.tier() != Tier::quick, "its jet is two of its wide spacings thick before it counts")
       .check(
-          "overhang-time", "The front hangs over when that of potential flow does.",
+          "overhang-time", "The front overhangs at the time of potential flow.",
           "when it hangs over by a hundredth of the wavelength [s]",
           [](const Results& r) -> Measurement {
             return {.value = r.finest().hangs_over,

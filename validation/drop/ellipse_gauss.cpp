@@ -185,7 +185,7 @@ void claim_accuracy(const SetUp& s, const Claims<Results>& claims) {
       Bound{std::pow(strain * s.tau, 2),
             "second order: the square of strain rate times step, in radii; Frank's projection scheme, of first order, "
             "errs by a part of strain rate times step"});
-  claims.check("lattice", "What the splines add to the error is less than that of the steps.",
+  claims.check("lattice", "The error of the splines is below the error of the steps.",
                "rms distance over that with linear fields alone", &Results::beside_linear,
                Bound{2, "as much again: an error budget of which steps and splines have equal parts"});
   claims.check(

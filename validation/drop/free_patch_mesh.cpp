@@ -199,7 +199,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
        "Every cell keeps V[r] - (tau^2/4) V[r'].", &Defects::modified_area, formula, cap.scales.area, of(&Scales::area),
        rounding);
   kept(claims.only_if(stepping == Stepping::conservative, "one step changes areas by O(tau^2)"), "area",
-       "Every cell keeps its area.", &Defects::area, formula, cap.scales.area, of(&Scales::area), rounding);
+       "Areas of all cells are conserved to round-off.", &Defects::area, formula, cap.scales.area, of(&Scales::area),
+       rounding);
 }
 
 Results compute(const Run& run) {

@@ -252,8 +252,9 @@ Worst angle_difference(const ReflectionSeries& series) {
 void claim_angles(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
   claims.from(source).check(
       with("angle-falls", series),
-      fmt::format("a = {:g}: where reflection is irregular, the angle of reflection falls as that of incidence grows.",
-                  series.amplitude),
+      fmt::format(
+          "a = {:g}: where reflection is irregular, the angle of reflection falls as the angle of incidence grows.",
+          series.amplitude),
       "falls", angle_falls,
       Qualitative{.detector = "from angle to angle up to kappa = 1, each within its uncertainty",
                   .reason = "Frank: the dependence is not monotonic"});

@@ -150,7 +150,7 @@ std::vector<WantedTable> wanted(const Values& values) {
                           .criterion = Bound{.limit = values.real("tolerance") * wave.crest_velocity,
                                              .reason = "the case's parameter `tolerance`, of the velocity at the "
                                                        "crest; by default 5 %, which makes 10 % in a drag"},
-                          .text = "Over the depth the velocity is that of the exact wave.",
+                          .text = "The velocity over the depth agrees with the exact wave.",
                           .source = source};
   WantedTable table{
       .name = "velocities",

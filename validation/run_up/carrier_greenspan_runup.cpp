@@ -89,7 +89,7 @@ std::vector<WantedTable> wanted(const Values& values) {
                                                              "Synolakis et al., NOAA Tech. Memo. OAR PMEL-135 (2007)",
                                                    .expected = to_be_told(),
                                                    .relative = true},
-                                         .text = "The run-up is that of the exact solution.",
+                                         .text = "The run-up agrees with the exact solution.",
                                          .source = source}}}}},
       {.name = "shoreline",
        .kind = WantedTable::Kind::series,

@@ -124,7 +124,7 @@ void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels)
             .reason = "the 95 % half-width from the change from mesh to mesh, of which no more than 15 % of the run-up "
                       "counts; the exact values are known to seven digits"});
   finest.check(
-      "exact-order", "The run-up converges to that of the Euler equations at first order.",
+      "exact-order", "The run-up converges to the Euler equations at first order.",
       "order of the difference from the last halving, farthest from 1 of all waves",
       [](const std::vector<Climbed>& all) -> Measurement {
         Worst off;
@@ -140,7 +140,8 @@ void claim_measurements(const Claims<std::vector<Climbed>>& claims, std::size_t 
   claims.at(fmt::format("to zero from h1 = {:g} and {:g}", meshes[levels - 2].spacing, meshes[levels - 1].spacing))
       .from("Hall and Watts (1953)")
       .check(
-          "measurements", "Extrapolated to fine meshes, it agrees with Hall and Watts' formula for their measurements.",
+          "measurements",
+          "The run-up extrapolated to fine meshes agrees with Hall and Watts' formula for their measurements.",
           "rms of R/R_formula - 1",
           [](const std::vector<Climbed>& all) -> Measurement {
             Mean deviation;

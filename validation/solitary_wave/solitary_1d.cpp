@@ -142,9 +142,10 @@ void claim_kept(const Claims<OwnRun>& claims, const Values& values) {
         "the rounded momentum");
   const auto kept = claims.only_if(scheme_of(values).stepping == Stepping::conservative,
                                    "only the conservative scheme keeps it to round-off");
-  claim(kept, "energy", "Energy is kept.", &SerreHistory::energy, 1, "the rounded energy");
-  claim(kept, "volume", "Every cell's volume is kept.", &SerreHistory::volume, values.real("length") / h,
-        "a rounded coordinate, up to the channel's length, over the width of a cell");
+  claim(kept, "energy", "Energy of the solitary wave is conserved to round-off.", &SerreHistory::energy, 1,
+        "the rounded energy");
+  claim(kept, "volume", "The volume of every cell is conserved to round-off.", &SerreHistory::volume,
+        values.real("length") / h, "a rounded coordinate, up to the channel's length, over the width of a cell");
 }
 
 void claim_orders(const Claims<Results>& claims) {

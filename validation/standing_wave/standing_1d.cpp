@@ -222,7 +222,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
               "critical wavelength/H", &Results::critical, root_within(theory));
   limit.from(water).known_failure(
       "critical-wavelength-of-water",
-      "The critical wavelength, at which frequency does not depend on amplitude, equals that of water.",
+      "The critical wavelength, at which frequency does not depend on amplitude, equals water's 5.94 H.",
       "critical wavelength/H", &Results::critical,
       Bound{.limit = 0.01,
             .reason = "the digits of 5.94, as the source gives it",

@@ -300,11 +300,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
                            "hundredth of its energy, and of meshes of eight rows a few more"};
   at_fixed_x.only_if(periods <= 10, "the noise grows with time")
       .check(
-          "noise-of-life-fixed", "The motion at fixed x stays that of one wave.",
+          "noise-of-life-fixed", "The motion of nodes at fixed x stays a single wave's.",
           "largest noise of particles of variable mass at fixed x",
           [](const Results& r) { return largest(r.life.at(of_fixed).noise); }, one_wave);
   life.only_if(amplitude == 0.1 && periods == 10, "the noise grows with height and time")
-      .known_failure("noise-of-life", "The motion of the high wave stays that of one wave.",
+      .known_failure("noise-of-life", "The motion of the high wave stays a single wave's.",
                      "largest noise of particles of variable mass",
                      [](const Results& r) { return largest(r.life.at(of_variable).noise); }, one_wave,
                      {.value = 0.2,

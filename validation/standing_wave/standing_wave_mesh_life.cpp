@@ -283,7 +283,7 @@ void claim_conservation(const Claims<Wave>& claims, const Values& values, double
   const auto whole = [](const Life& life, double value) { return life.fold ? nan : value; };
   claims.check(
       "energy-conservative" + suffix,
-      "The conservative scheme keeps the energy, that of the potential included, to round-off.",
+      "Energy, the hourglass potential's included, is conserved to round-off (conservative scheme).",
       "largest error of the energy, relative",
       [whole](const Wave& wave) { return whole(wave.conservative, wave.conservative.largest_energy_error()); },
       // The energy is length a^2/4, a node's weight length/nodes.

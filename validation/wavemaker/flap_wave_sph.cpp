@@ -224,7 +224,7 @@ void claim_loss(const Claims<Results>& claims, const Theory& linear, const Value
                 .relative = true});
   few.only_if(sph_ladder(values.tier(), values.integer("layers")).size() >= 3, "it takes the lattices of the full tier")
       .check(
-          "not-spacing", "It is not a matter of the spacing (as set).",
+          "not-spacing", "The difference does not depend on the spacing (as set).",
           "half of the spacing leaves more than half of the loss",
           [](const Results& r) -> Measurement {
             return {.value = r.loss(r.runs.back()) > 0.5 * r.loss(r.runs.front()) ? 1.0 : 0.0,

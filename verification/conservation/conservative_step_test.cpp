@@ -101,7 +101,7 @@ TEST_CASE("a solitary wave in a periodic channel: what each scheme conserves", "
   known_digits(check, "B-volume-3", "The cell-volume error with feedback at tau = 0.025", b3.volume, 1.8e-8);
   const double steps = 2000;
   check.that({.id = "C-energy",
-              .text = "Fully conservative: energy to round-off.",
+              .text = "Energy is conserved to round-off (conservative scheme).",
               .quantity = "largest relative energy defect",
               .source = source},
              {.value = c2.energy, .resolution = "tau = 0.05"},

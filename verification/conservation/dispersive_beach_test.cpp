@@ -54,13 +54,13 @@ void check_round_off(Check& check, const std::string& id, const std::string& tex
                      double length) {
   const auto steps = static_cast<double>(defects.steps);
   check.that({.id = id + "-energy",
-              .text = text + ": energy to round-off.",
+              .text = "Energy is conserved to round-off (" + text + ").",
               .quantity = "largest relative energy defect",
               .source = source},
              {.value = defects.energy, .resolution = fmt::format("{} steps", defects.steps)},
              Roundoff{.operations = steps, .scale = 1, .reason = "one rounded energy per step"});
   check.that({.id = id + "-volume",
-              .text = text + ": the volume of every cell to round-off.",
+              .text = "The volume of every cell is conserved to round-off (" + text + ").",
               .quantity = "largest volume defect",
               .unit = "depth^2",
               .source = source},

@@ -87,7 +87,7 @@ TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bot
       const double steps = 5 / tau;
       const std::string resolution = fmt::format("h = 0.5, tau = {:g}", tau);
       check.that({.id = id + "-energy",
-                  .text = "Energy to round-off over " + basin.text + ".",
+                  .text = "Energy is conserved to round-off over " + basin.text + ".",
                   .quantity = "largest energy defect over the hump's energy",
                   .source = source},
                  {.value = d.energy, .resolution = resolution},
@@ -97,7 +97,7 @@ TEST_CASE("the conservative scheme keeps energy and volumes in plan over any bot
                                     "that it counts over how many nodes the energy is spread, never fewer than at the "
                                     "beginning; and of the energies themselves"});
       check.that({.id = id + "-volume",
-                  .text = "Every cell's volume to round-off over " + basin.text + ".",
+                  .text = "Every cell's volume is conserved to round-off over " + basin.text + ".",
                   .quantity = "largest defect of a volume over a cell's volume",
                   .source = source},
                  {.value = d.volume, .resolution = resolution},

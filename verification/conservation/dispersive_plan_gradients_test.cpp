@@ -158,7 +158,7 @@ TEST_CASE("gradients of the plan model's volumes and energy are those of differe
         {.operations = 64,
          .scale = level.potential_energy(level.state().q) / (2 * difference_step),
          .reason = "over twice the step: two sums over 30 cells, rounded up to the energy, and the places"});
-  claim("improved", "Potential energy with that of improved dispersion, no polynomial of the places.",
+  claim("improved", "Gradients of the potential energy, improved dispersion included, equal differences.",
         force_error(improved));
 }
 

@@ -102,7 +102,7 @@ void keeps(Check& check, const std::string& id, const std::string& text, const D
   const std::string resolution = "768 particles, tau = 1/2048, 1000 steps";
   const auto claim = [&](const std::string& what, double value, double scale, const std::string& reason) {
     const seiche::evidence::Claim statement{.id = id + "-" + what,
-                                            .text = text + ": " + what + " to round-off.",
+                                            .text = "The " + what + " is conserved to round-off (" + text + ").",
                                             .quantity = "largest defect of the " + what,
                                             .source = source};
     check.that(

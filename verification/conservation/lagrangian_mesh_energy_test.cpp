@@ -69,7 +69,7 @@ TEST_CASE("water between walls keeps energy and areas with the conservative sche
   const auto keeps = [&](const std::string& id, const std::string& text, const Defects& d, double stages,
                          const std::string& resolution) {
     check.that({.id = id + "-energy",
-                .text = text + ": energy to round-off.",
+                .text = "Energy is conserved to round-off (" + text + ").",
                 .quantity = "largest energy defect over the wave's energy",
                 .source = source},
                {.value = d.energy, .resolution = resolution},

@@ -91,7 +91,10 @@ TEST_CASE("a free rigid chain keeps energy and momenta", "[conservation]") {
               .source = source},
              {.value = watch.ledger().largest_defect("energy"), .resolution = resolution},
              Bound{1e-12, "4 eps sqrt(1e5) times the kinetic energy, about 3.5"});
-  check.that({.id = "momentum", .text = "Momentum is constant.", .quantity = "largest defect", .source = source},
+  check.that({.id = "momentum",
+              .text = "Momentum of the chain is constant to round-off.",
+              .quantity = "largest defect",
+              .source = source},
              {.value = watch.ledger().largest_defect("momentum"), .resolution = resolution},
              Bound{1e-12, "4 eps sqrt(1e5) times sum m|u|, a few units"});
   check.that({.id = "angular-momentum",
@@ -126,7 +129,7 @@ TEST_CASE("the one-step scheme is reversible", "[conservation]") {
   }
   check.that(
       {.id = "return",
-       .text = "The start returns.",
+       .text = "The reversed run returns to its start.",
        .quantity = "largest difference of a coordinate or a rate",
        .source = source},
       {.value = defect.value(), .resolution = "tau = 0.01, 100 steps each way"},

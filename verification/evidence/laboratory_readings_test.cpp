@@ -231,23 +231,23 @@ TEST_CASE("a record of a laboratory in the wrong place is told, a common shift o
              Bound{.limit = 0, .reason = "0.4 mm, of points that are known to 0.25 mm"});
   is_told(check, "own-clock", "A delay of one gauge alone is detected.", "dingemans_bar",
           [&](Submitted& all) { shift(0.3)(all.at("gauges").back()); });
-  is_told(check, "neighbour", "A gauge in the place of the next is told.", "luth_bar", [](Submitted& all) {
+  is_told(check, "neighbour", "A gauge at the position of its neighbour is detected.", "luth_bar", [](Submitted& all) {
     std::swap(all.at("gauges").at(4).values, all.at("gauges").at(5).values);
     std::swap(all.at("gauges").at(4).abscissa, all.at("gauges").at(5).abscissa);
   });
-  is_told(check, "datum", "Elevations above the floor instead of still water are told.", "dingemans_bar",
+  is_told(check, "datum", "Elevations above the floor instead of still water are detected.", "dingemans_bar",
           [&](Submitted& all) {
             each(all, [](SubmittedGroup& one) {
               for (double& y : one.values.at("eta")) y += 0.8;
             });
           });
-  is_told(check, "inverted", "Elevations that count downwards are told.", "solitary_shoaling", [&](Submitted& all) {
+  is_told(check, "inverted", "Elevations that count downwards are detected.", "solitary_shoaling", [&](Submitted& all) {
     each(all, [](SubmittedGroup& one) {
       for (double& y : one.values.at("eta")) y = -y;
     });
   });
-  is_told(check, "clock-of-paddle", "Where the clock is the wavemaker's, two seconds late is told.", "fission_on_shelf",
-          [&](Submitted& all) { each(all, shift(2)); });
+  is_told(check, "clock-of-paddle", "A delay of two seconds is detected where the clock is the wavemaker's.",
+          "fission_on_shelf", [&](Submitted& all) { each(all, shift(2)); });
 }
 
 }  // namespace laboratory_readings_test

@@ -103,7 +103,7 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
   close("reach-second", "Of 3 h^2 it needs h = sqrt(1/300).", sooner ? sooner->size : 0, std::sqrt(1.0 / 300), 1e-9,
         rounding);
   // A scalar with error a h has 1.25 a h for its half-width: the safety factor of Roache.
-  close("numerical", "The numerical error is 1.25 times that of the finest.", height.numerical, 1.25 * 0.075, 1e-3,
+  close("numerical", "The numerical error is 1.25 times the finest one.", height.numerical, 1.25 * 0.075, 1e-3,
         "the scan for the order has steps of 0.005");
   is("says", "The printed line states order, error and reach.",
      first.line(height).find("your order is 1 (") != std::string::npos &&
@@ -146,8 +146,8 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
         measured.quantities.at(1).order.order, 1, 0.02, "the scan for the limit has steps of 0.005 in the order");
   std::map<std::string, StatedUncertainty> uncertainty{{"height", {.value = 0.7}}};
   add_numerical(measured, uncertainty);
-  close("stated", "A stated uncertainty is kept beside that of the series.", uncertainty.at("height").value, 0.7, 0,
-        "the same number");
+  close("stated", "A stated uncertainty is kept beside the uncertainty of the series.", uncertainty.at("height").value,
+        0.7, 0, "the same number");
   close("standard", "An uncertainty that was not stated comes from the series, as a standard uncertainty.",
         uncertainty.at("eta").value, measured.quantities.at(0).typical / 2, 1e-15, "the same number");
   std::map<std::string, StatedUncertainty> none;

@@ -92,7 +92,7 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
             "x,U_x,U_y,U_z,t,h,p_rgh|0,5,6,7,0.5,1,10|1,8,9,10,0.5,2,20|0,11,12,13,10,3,30");
   folder.write("points/1/line_h.xy", "# x y z h\n0 0.5 0 4\n");
   folder.write("points/2/line_h.xy", "0 0.5 0 5\n");
-  folder.is("points", "Three coordinates are told from a vector.", "points", "x,y,z,h,t|0,0.5,0,4,1|0,0.5,0,5,2");
+  folder.is("points", "Three coordinates are not taken for a vector.", "points", "x,y,z,h,t|0,0.5,0,4,1|0,0.5,0,5,2");
   folder.write("two/1/a_h.xy", "0 1\n");
   folder.write("two/1/b_h.xy", "5 1\n");
   folder.refused("several", "Sets of different points in one folder are not mixed.", "two", "2 sets");

@@ -67,7 +67,8 @@ TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
   };
   const std::string three = "List<vector>\n3\n(\n(0.1 0 0.5)\n(0.1 0 1.5)\n(0.1 0 3.5)\n)\n;\n";
   const std::vector<validation::Vector3> centres = read(centres_file(three));
-  exactly("count", "Centres inside are read, those of boundaries are not.", static_cast<double>(centres.size()), 3);
+  exactly("count", "Centres inside are read, and centres of boundaries are not.", static_cast<double>(centres.size()),
+          3);
   exactly("last", "The last entry of the list is read whole.", centres.at(2)[2], 3.5);
   is("binary", "A binary field is rejected with its reason.", refusal(centres_file(three, "binary")),
      "writeFormat ascii");

@@ -159,7 +159,7 @@ TEST_CASE("a submission is read by the names and units of its columns", "[eviden
                     wrong_entries({converted.at(0).values.at("h"), converted.at(0).values.at("u")}, {{1, 2}, {10, 5}}));
   claims.is_refused("unit", "Seconds are not taken for metres.",
                     not_accepted("u [m/s],depth [s],x [m],t [s]\n5,1,0,1\n6,2,10,1\n7,3,0,2\n8,4,10,2\n"));
-  claims.is_refused("no-time", "A profile without its times is not taken for that of time 0.",
+  claims.is_refused("no-time", "A profile without its times is not taken for the profile at time 0.",
                     not_accepted("u,depth,x\n5,1,0\n6,2,10\n"));
   const std::vector<SubmittedGroup> sorted = read("u,depth,x,t\n6,2,10,1\n5,1,0,1\n7,3,0,2\n8,4,10,2\n");
   claims.none_wrong("order", "Positions that go back are put into order.",

@@ -161,7 +161,11 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
   const FrontFit fit = front_fit({T, X}, data, 100, 0.02);
   const auto close = [&](const std::string& id, double value, double expected) {
     check.that(
-        {.id = id, .text = "It is found.", .quantity = id, .source = "definition of the fit"}, {.value = value},
+        {.id = id,
+         .text = "The planted " + id + " of the front is found.",
+         .quantity = id,
+         .source = "definition of the fit"},
+        {.value = value},
         Bound{.limit = 1e-5,
               .reason = "straight lines between points 0.005 apart miss a front of second derivative 2 at most by "
                         "0.005^2/4 = 6e-6",
@@ -178,7 +182,7 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
   const FrontFit exact = front_fit({T, X}, data, 100, 0.0);
   const FrontFit twice = front_fit({T, X}, data, 100, 0.04);
   check.that({.id = "uncertainty",
-              .text = "Twice the uncertainty of the front is twice that of its rate.",
+              .text = "Twice the uncertainty of the front gives twice the uncertainty of its rate.",
               .quantity = "ratio",
               .source = "linear propagation"},
              {.value = *twice.rate_numerical / *fit.rate_numerical},

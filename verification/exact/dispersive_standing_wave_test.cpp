@@ -164,15 +164,14 @@ TEST_CASE("the frequency of a standing wave of the dispersive model follows from
       amplitudes.push_back(e);
       errors.push_back(std::abs(balance.frequency(e) - wave.frequency()));
     }
-    check.that(
-        {.id = "order-" + c.id,
-         .text = "The frequency leaves that of the unexpanded Lagrangian with the fourth power of the amplitude.",
-         .quantity = "order in e of the frequency error",
-         .source = source},
-        evidence::observed_order(amplitudes, errors, 1e-13),
-        evidence::Order{4, 0.1,
-                        "first neglected order; the next is e^2 <= 0.0064 of it times a ratio of "
-                        "coefficients of order 1 to 10"});
+    check.that({.id = "order-" + c.id,
+                .text = "The frequency differs from the unexpanded Lagrangian's by the fourth power of the amplitude.",
+                .quantity = "order in e of the frequency error",
+                .source = source},
+               evidence::observed_order(amplitudes, errors, 1e-13),
+               evidence::Order{4, 0.1,
+                               "first neglected order; the next is e^2 <= 0.0064 of it times a ratio of "
+                               "coefficients of order 1 to 10"});
   }
   const double water = StandingWave::critical_depth();
   const auto exponent = DispersiveStandingWave::exponent_for_critical_depth(water, improved.alpha, improved.gamma);

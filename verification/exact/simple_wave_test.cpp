@@ -58,7 +58,11 @@ TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") 
       .operations = 4000,
       .scale = 1,
       .reason = "200 cells of 20 points of size 0.1, partial sums up to 20 over 200 additions"};
-  check.that({.id = "mass", .text = "Mass is constant.", .quantity = "mass change", .unit = "m^2", .source = source},
+  check.that({.id = "mass",
+              .text = "Mass of the exact simple wave is constant.",
+              .quantity = "mass change",
+              .unit = "m^2",
+              .source = source},
              {.value = mass.value()}, limit);
   check.that({.id = "momentum",
               .text = "Momentum of the exact simple wave is constant.",

@@ -138,7 +138,7 @@ TEST_CASE("means of a bottom and of its square are exact over any interval", "[g
           steepest);
     claim("mean-square", "The mean square elevation of the bottom equals quadrature.", "largest difference",
           square.value(), 8, steepest);
-    claim("additive", "Means over two parts make that of the whole.", "largest difference over the length",
+    claim("additive", "Means over two parts make the mean over the whole.", "largest difference over the length",
           additive.value(), 2, broken ? 0 : steepest);
   }
 }

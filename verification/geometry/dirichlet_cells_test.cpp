@@ -90,11 +90,13 @@ TEST_CASE("cells are Voronoi's, cut by the outline", "[geometry]") {
   }
   const Roundoff of_cell{
       .operations = 500, .scale = 1, .reason = "57 cuts of a polygon of the size 1, some ten roundings each"};
-  check.that(
-      {.id = "areas", .text = "Areas agree with Voronoi's cells.", .quantity = "largest difference", .source = source},
-      {.value = off.value()}, of_cell);
+  check.that({.id = "areas",
+              .text = "Areas agree with Voronoi's cells from half-planes.",
+              .quantity = "largest difference",
+              .source = source},
+             {.value = off.value()}, of_cell);
   check.that({.id = "centroids",
-              .text = "First moments equal those of Voronoi's cells from half-planes.",
+              .text = "First moments agree with Voronoi's cells from half-planes.",
               .quantity = "largest difference",
               .source = source},
              {.value = moment.value()}, of_cell);

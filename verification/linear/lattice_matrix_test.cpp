@@ -156,9 +156,9 @@ TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[l
   }
   claim("nine-product", "Products of nine-point matrices equal the dense products.", nine.product.value(), 18,
         "nine products and sums a row");
-  claim("nine-form", "Scalar products x.Ax equal those of the dense matrix.", nine.form.value(), 18,
+  claim("nine-form", "Scalar products x.Ax equal the dense matrix's.", nine.form.value(), 18,
         "errors of rows are independent");
-  claim("nine-coefficient", "Coefficients addressed by their two cells equal those of the dense matrix.",
+  claim("nine-coefficient", "Coefficients addressed by their two cells equal the dense matrix's.",
         nine.coefficient.value(), 0, "the same number");
   Errors all;
   for (const Shape& shape : {Shape{1, 1, 1}, {3, 1, 4}, {1, 4, 3}, {2, 2, 2}, {6, 5, 1}, {5, 4, 6}}) {
@@ -167,9 +167,9 @@ TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[l
   }
   claim("twenty-seven-product", "Products of 27-point matrices equal the dense products.", all.product.value(), 54,
         "27 products and sums a row");
-  claim("twenty-seven-form", "Scalar products x.Ax equal those of the dense matrix.", all.form.value(), 54,
+  claim("twenty-seven-form", "Scalar products x.Ax equal the dense matrix's.", all.form.value(), 54,
         "errors of rows are independent");
-  claim("twenty-seven-coefficient", "Coefficients addressed by their two cells equal those of the dense matrix.",
+  claim("twenty-seven-coefficient", "Coefficients addressed by their two cells equal the dense matrix's.",
         all.coefficient.value(), 0, "the same number");
 
   const auto residual = [&](const std::string& id, const std::string& text, double value) {

@@ -69,7 +69,7 @@ TEST_CASE("an impulsive pressure sets hexahedra into the potential flow of its w
   }
   check.that(
       {.id = "kinetic",
-       .text = "The kinetic energy converges to that of the wave with second order.",
+       .text = "The kinetic energy converges to the wave's at second order.",
        .quantity = "observed order",
        .source = source},
       evidence::observed_order(sizes, kinetic),

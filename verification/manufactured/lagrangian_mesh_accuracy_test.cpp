@@ -117,7 +117,7 @@ class Judge {
     const double last_digit = std::pow(10, std::floor(std::log10(expected.value)) - expected.printed + 1);
     check_.that(
         {.id = std::string(name(integrator)) + what + std::to_string(steps),
-         .text = std::string(title(integrator)) + ": the number of an earlier program.",
+         .text = "The " + quantity + " has its recorded value (regression, " + std::string(title(integrator)) + ").",
          .quantity = quantity,
          .source = digits},
         {.value = value, .resolution = std::to_string(steps) + " steps"},

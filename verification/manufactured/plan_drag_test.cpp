@@ -249,7 +249,7 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
   }
   check.that(
       {.id = "momentum",
-       .text = "Momentum is kept.",
+       .text = "Momentum is conserved by the drag to round-off.",
        .quantity = "change of its two components together",
        .source = "seiche/models/dispersive_shallow_water_2d/drag.hpp"},
       {.value = momentum},

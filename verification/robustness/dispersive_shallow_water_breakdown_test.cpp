@@ -28,10 +28,10 @@ Breakdown run_until_breakdown(Flow& flow, double tau, double end) {
 void claim_breakdown(Check& check, const std::string& id, const Flow& flow, const Breakdown& breakdown,
                      const std::string& word, double leftmost, double rightmost) {
   seiche::verification::claim_breakdown(check, id, breakdown, word, leftmost, rightmost);
-  seiche::verification::claim_of_breakdown(check, id, "limit", "There still is a longest stable step.",
-                                           std::isfinite(flow.stable_step()) && flow.stable_step() > 0,
-                                           "finite and positive after the failure",
-                                           "a caller may go on with a shorter step");
+  seiche::verification::claim_of_breakdown(
+      check, id, "limit", "The longest stable step is still stated after the failure.",
+      std::isfinite(flow.stable_step()) && flow.stable_step() > 0, "finite and positive after the failure",
+      "a caller may go on with a shorter step");
 }
 
 Channel beach(double cotangent, double wall, double table_end) {

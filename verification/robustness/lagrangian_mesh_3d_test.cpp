@@ -223,7 +223,7 @@ void claim_threads(const std::string& id, mechanics::Stepping stepping) {
   const bool all = same(run(2)) && same(run(3));
   omp_set_num_threads(threads);
   check.that({.id = id,
-              .text = "One, two and three threads give the same bits.",
+              .text = "Results of one, two and three threads are bitwise identical.",
               .quantity = "equal coordinates, rates and multipliers",
               .source = "interface of the model"},
              {.value = all ? 1.0 : 0.0, .resolution = fmt::format("{} x {} x 2 cells", columns, rows)},
