@@ -51,7 +51,7 @@ class Ladders(Sines):
     def test_wrong_numbers_of_files_sizes_and_times_are_refused(self):
         file = self.wave()
         for words, expected in [
-                (["--sizes", "0.1,0.2,0.3"], ["1 files for 3", "as many for each"]),
+                (["--sizes", "0.1,0.2,0.3"], ["got 1 files for 3", "same number for each"]),
                 (["--data", file, "--sizes", "0.1,0.2"], ["three or more"]),
                 (["--data", file, "--data", file, "--sizes", "0.1,0.1,0.2"], ["all different"]),
                 (["--data", file, "--data", file, "--sizes", "0.1,0.05,0.2", "--seconds", "3"], ["one for each of the 3"]),
@@ -75,7 +75,7 @@ class RepeatedRuns(Sines):
     def test_wrong_numbers_of_runs_are_refused(self):
         file = self.wave()
         for words, expected in [
-                (["--repeats", "2"], ["1 files for 2", "as many for each"]),
+                (["--repeats", "2"], ["got 1 files for 2", "same number for each"]),
                 (["--repeats", "1"], ["--repeats"]),
                 (["--data", file, "--data", file, "--repeats", "3", "--sizes", "0.1,0.2,0.3"], ["leave one of the two out"])]:
             with self.subTest(words=words[-2:]):

@@ -291,7 +291,7 @@ void require_command(const CLI::App& app, int argc, char** argv) {
     known.push_back(command->get_name());
   }
   throw std::invalid_argument(
-      fmt::format("command {} is unknown{} 'seiche --help' shows all", argv[1], did_you_mean(argv[1], known)));
+      fmt::format("unknown command '{}'{} 'seiche --help' shows all", argv[1], did_you_mean(argv[1], known)));
 }
 
 int parse_and_call(int argc, char** argv) {

@@ -121,7 +121,7 @@ bool is_comparison(const JudgedClaim& claim) {
 
 std::string whose_line(const JudgedClaim& claim, bool exact, const std::optional<Ladder>& ladder) {
   const evidence::Judgement& j = claim.judgement;
-  if (j.verdict == Verdict::error) return "the file's: what was measured is no number";
+  if (j.verdict == Verdict::error) return "the submitted file: a measured value is NaN or missing";
   if (is_comparison(claim)) {
     if (j.verdict == Verdict::fail && !j.uncertainty) return "your solver's: " + j.note;
     if (j.verdict == Verdict::fail) {
@@ -147,7 +147,8 @@ std::string next_line(const evidence::Record& record, const JudgedClaim& claim, 
                       const std::optional<Ladder>& ladder, bool exact) {
   const evidence::Judgement& j = claim.judgement;
   if (j.verdict == Verdict::pass) {
-    return ladder ? "nothing is to be mended" : "three sizes or more (--sizes) tell your order and what 1 % costs";
+    return ladder ? "none, all claims are met"
+                  : "run three or more cell sizes (--sizes) to obtain the order of accuracy and the cost of 1 % error";
   }
   for (const JudgedClaim& one : record.claims()) {
     if (one.claim.id.ends_with("-coverage") && one.judgement.verdict == Verdict::fail) {
@@ -160,7 +161,8 @@ std::string next_line(const evidence::Record& record, const JudgedClaim& claim, 
   }
   if (!ladder) return "run three sizes or more and pass them with --sizes";
   if (exact && not_numerical(ladder) != nullptr) {
-    return "finer cells do not mend it: look at initial state, boundaries, gravity, friction and viscosity";
+    return "refinement will not remove this error; check initial and boundary conditions, gravity, friction and "
+           "viscosity";
   }
   for (const LadderQuantity& q : ladder->quantities) {
     if (const auto reached = ladder->reach(q, ladder_target); reached && reached->size < ladder->size.back()) {

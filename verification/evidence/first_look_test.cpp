@@ -106,8 +106,8 @@ TEST_CASE("the first screen says where an error is, of what kind, whose it is an
        kind_of([](double x) { return std::sin(x - 0.05); }).words(), "phase: 100 %");
 
   const auto high = [](double x) { return 1.2 * std::sin(x); };
-  says("right", "Of a right result nothing is to be mended.",
-       answer([](double x) { return std::sin(x); }, "whose it is"), "within every limit");
+  says("right", "The next step of a right result is none.", answer([](double x) { return std::sin(x); }, "whose it is"),
+       "within every limit");
   says("verdict", "The number of claims met is in the summary.", answer(high, "verdict"),
        "1 of 2 claims are met, 1 not met");
   says("line", "The claim that is missed farthest is named in the summary.", answer(high, "in one line"),
@@ -128,8 +128,9 @@ TEST_CASE("the first screen says where an error is, of what kind, whose it is an
        answer(high, "next step", evidence::Role::exact, ladder_of_errors(0.2, 0)), "run dx = 0.05: 1 % of eta");
   says("model", "An error that remains on fine cells is attributed to the model's equations.",
        answer(high, "whose it is", evidence::Role::exact, ladder_of_errors(0.001, 0.2)), "your model's or set-up's");
-  says("model-next", "Then finer cells do not mend it.",
-       answer(high, "next step", evidence::Role::exact, ladder_of_errors(0.001, 0.2)), "finer cells do not mend it");
+  says("model-next", "The summary states that refinement does not remove the model's error.",
+       answer(high, "next step", evidence::Role::exact, ladder_of_errors(0.001, 0.2)),
+       "refinement will not remove this error");
 }
 
 }  // namespace first_look_test
