@@ -154,11 +154,11 @@ class FirstLook(Sines):
     def test_the_first_lines_say_what_where_whose_and_what_next(self):
         said = self.judged("--data", self.wave(0.2), status=1)
         lines = dict(line.split(": ", 1) for line in said.splitlines() if ": " in line)
-        self.assertIn("not met", lines["verdict"])
-        self.assertIn("eta-relative_l2", lines["in one line"])
-        self.assertIn("amplitude: 100 %", lines["of what kind"])
-        self.assertIn("t = ", lines["where the error is"])
-        self.assertIn("amplitude is wrong", lines["look first at"])
+        self.assertIn("not met", lines["result"])
+        self.assertIn("eta-relative_l2", lines["closest limit"])
+        self.assertIn("amplitude: 100 %", lines["type of error"])
+        self.assertIn("t = ", lines["largest error"])
+        self.assertIn("amplitude is wrong", lines["start with"])
         self.assertIn("check the file", lines["next step"])
         import jsonschema
 
