@@ -155,5 +155,5 @@ def count(sources):
 def in_words(counts):
     """The counts in one phrase."""
     words = {"reproduced": "reproduced", "reduced": "shown at reduced size (the parameters of their sources run in a longer tier)",
-             "shown": "shown with other parameters or not as declared", "empty": "empty"}
+             "shown": "shown with other parameters or not as expected", "empty": "empty"}
     return ", ".join(f"{counts[state]} {said}" for state, said in words.items() if counts[state] or state == "reproduced")
