@@ -80,7 +80,7 @@ def build(evidence, stage, out, options):
     store.save()
     return (f"{pages.plural(whole['summary']['claims'], 'claim')} in {pages.plural(len(cases), 'case')}, "
             f"{whole['summary']['unexpected_count']} unexpected, {pages.plural(len(broken), 'broken record')}, "
-            f"{counts['reproduced']} of {counts['all']} tiles reproduced, {counts['reduced']} at reduced size")
+            f"{counts['reproduced']} of {counts['all']} figures reproduced, {counts['reduced']} at reduced size")
 
 
 def _menu(others):
