@@ -256,7 +256,7 @@ void claims(const Values& values, const Claims<Results>& all) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  auto& figure = exhibit.figure("surfaces", "The wave turns over", "Finer lattice of the free particles, and SPH.");
+  auto& figure = exhibit.figure("surfaces", "The wave overturns", "Finer lattice of the free particles, and SPH.");
   for (std::size_t i = 0; i < instants.size(); ++i) {
     auto& panel =
         figure.panel({.x = "k x", .y = "k y", .title = fmt::format("t = {:.2f}", r.times[i]), .equal_aspect = true});

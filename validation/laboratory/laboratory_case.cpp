@@ -71,12 +71,12 @@ void claim_trials(const Experiment& experiment, const Claims<Computed>& claims) 
             Bound{.limit = 1, .reason = "beyond it agreement says nothing"});
     if (part.group) {
       count("neighbour",
-            fmt::format("A {} that belongs to the next {} is told.", part.quantity.meaning, part.group->name),
+            fmt::format("The {} of a neighbouring {} fails the comparison.", part.quantity.meaning, part.group->name),
             &Trial::alike, part.alike, part.alike_reason);
     }
-    count("inverted", fmt::format("A {} of the wrong sign is told.", part.quantity.meaning), &Trial::upside_down, 0,
-          "the readings see signs");
-    count("half", fmt::format("Half of the {} is told.", part.quantity.meaning), &Trial::half, 0,
+    count("inverted", fmt::format("The {} with the wrong sign fails the comparison.", part.quantity.meaning),
+          &Trial::upside_down, 0, "the readings see signs");
+    count("half", fmt::format("The {} scaled by 0.5 fails the comparison.", part.quantity.meaning), &Trial::half, 0,
           "an expanded uncertainty of half of a value or less decides");
   }
 }

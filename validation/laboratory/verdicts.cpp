@@ -66,8 +66,10 @@ evidence::Claim Question::claim() const {
                   : "";
   const std::string suffix = part_.group ? fmt::format("-{}", plain(fmt::format("{:g}", reading_.group), "m")) : "";
   return {.id = fmt::format("{}-{}{}", part_.name, plain(reading_.id, "-"), suffix),
-          .text = reading_.misfit() ? fmt::format("The {}{} follows the measured one.", quantity.meaning, at)
-                                    : fmt::format("The {}{}: {} as measured.", quantity.meaning, at, reading_.words),
+          .text = reading_.misfit() ? fmt::format("The {}{} agrees with the measured record within its uncertainty.",
+                                                  quantity.meaning, at)
+                                    : fmt::format("The {}{} agrees with the measurement within its uncertainty: {}.",
+                                                  quantity.meaning, at, reading_.words),
           .quantity = reading_.words,
           .unit = reading_.along                                     ? part_.abscissa.unit
                   : reading_.id == "impulse" && quantity.unit != "1" ? quantity.unit + " s"

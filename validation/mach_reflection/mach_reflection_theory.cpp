@@ -91,7 +91,7 @@ std::vector<Number> numbers_of(const Values& values) {
                      "The angle at which the reflected wave leaves the wall agrees with theory."),
            [](const KnownReflection& run) { return run.reflected_angle; }},
           {wanted_of({"stem_angle", "deg", "angle between the wall and the path of the stem's end"}, stem,
-                     neglected * turned / 3, 0, "The stem grows at the angle of the theory."),
+                     neglected * turned / 3, 0, "The angle at which the stem grows agrees with theory."),
            [](const KnownReflection& run) { return run.stem_angle; }},
           {growth, [](const KnownReflection& run) { return run.growth; }}};
 }

@@ -222,7 +222,7 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
   }
   const evidence::Claim climbed{
       .id = "climbed-" + wave.name,
-      .text = fmt::format("Case {}: all around the island the run-up is over before the lattice folds.", wave.name),
+      .text = fmt::format("Case {}: all around the island the run-up is over before the grid tangles.", wave.name),
       .quantity = "measured angles where it is not",
       .source = source};
   const auto missed = [data](const std::vector<Passed>& spacings) {

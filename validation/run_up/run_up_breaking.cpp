@@ -154,7 +154,7 @@ Samples later_heights(const std::vector<Told>& all, bool under, const Property&.
 
 void claim_fates(const Claims<Results>& claims, bool quick) {
   claims.check(
-      "below", "Waves below the limit run through run-up and run-down.", "all do",
+      "below", "Waves below the limit complete run-up and run-down.", "all do",
       [](const Results& r) {
         return all_are(
             r.told, [](const Told& one) { return below(one.wave); },
@@ -197,7 +197,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_fates(claims.at(fmt::format("h = {0:g} and {1:g}", h, h / 2)), quick);
   claims.at(fmt::format("h = {:g}", h))
       .check(
-          "map-below", "On all slopes of the map waves below the limit run through and return lower than they came.",
+          "map-below", "On all slopes of the map waves below the limit complete and return lower than they came.",
           "all do",
           [](const Results& r) {
             const auto lower = [](const Mapped& one) { return !below(one.wave) || returns_lower(one.fate); };

@@ -162,7 +162,7 @@ void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t l
   const double finest = meshes[levels - 1].tau;
   claims.at("all meshes")
       .check(
-          "folds", "With a toe that slides no cell folds before the largest run-up.",
+          "folds", "With a toe that slides no cell tangles before the maximum run-up.",
           "meshes on which one does, of all waves",
           [](const std::vector<Climbed>& all) {
             double folded = 0;
@@ -173,7 +173,7 @@ void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t l
   claims.at("all meshes")
       .from("the discrete gradient, and chords for tangents: exact on any curve")
       .check(
-          "energy", "Energy stays while nodes slide around the toe, until the largest run-up.",
+          "energy", "Energy stays while nodes slide around the toe, until the maximum run-up.",
           "largest change over the wave's energy",
           [](const std::vector<Climbed>& all) -> Measurement {
             Worst off;

@@ -166,7 +166,7 @@ void claim_fold(const Claims<Results>& all) {
   };
   claims.known_failure(
       claim("fold",
-            "A = 0.5 on cells one depth wide: no corner folds behind a wave that starts with sampled velocities."),
+            "A = 0.5 on cells one depth wide: no corner tangles behind a wave that starts with sampled velocities."),
       end(&Results::sampled), to_the_end,
       {.value = 19.2,
        .width = 0.2,

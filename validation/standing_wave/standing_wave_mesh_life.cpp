@@ -215,7 +215,7 @@ void claim_fold(const Claims<Wave>& claims, const Values& values, double amplitu
                "only of the waves of amplitude 0.15 and 0.05 on 16 x 4 cells, tau = 0.05, it is known when they fold "
                "the mesh")
       .check("not-the-step" + suffix,
-             "With half the time step, and with the conservative scheme, it folds at the same time.",
+             "With half the time step, and with the conservative scheme, it tangles at the same time.",
              "largest difference of the times of the fold [sqrt(H/g)]", &Wave::spread,
              Bound{.limit = 0.1 * 2 * std::numbers::pi / tank_of(values).law().frequency(wavenumber),
                    .reason = "a tenth of the wave's period. Were it the error of the time step, of order tau^2, half "

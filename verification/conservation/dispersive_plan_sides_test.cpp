@@ -175,7 +175,7 @@ TEST_CASE("the plan model gives the same bytes for any number of threads", "[con
     const mechanics::State two = run(2);
     omp_set_num_threads(threads);
     check.that({.id = stepping == Stepping::one_step ? "one-step" : "conservative",
-                .text = "The state is the same, bit by bit.",
+                .text = "The state is the same, bitwise.",
                 .quantity = "equal coordinates, rates and multipliers",
                 .source = "interface of the model"},
                {.value = one.q == two.q && one.u == two.u && one.multipliers == two.multipliers ? 1.0 : 0.0,

@@ -193,7 +193,7 @@ TEST_CASE("free particles give the same bytes for any number of threads", "[cons
   const State three = after(3);
   omp_set_num_threads(threads);
   check.that({.id = "same",
-              .text = "The state is the same, bit by bit.",
+              .text = "The state is the same, bitwise.",
               .quantity = "equal places and velocities",
               .source = "interface of the model"},
              {.value = one.q == two.q && one.u == two.u && one.q == three.q && one.u == three.u ? 1.0 : 0.0},

@@ -34,14 +34,14 @@ TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conser
   }
   const std::string resolution = "N = 500, tau = 0.01 s, 1e5 steps";
   check.that({.id = "mass",
-              .text = "Mass of the closed basin is constant to the last bit.",
+              .text = "Mass of the closed basin is constant, bitwise.",
               .quantity = "mass defect",
               .unit = "m^2",
               .source = source},
              {.value = flow.mass_defect(), .resolution = resolution},
              Roundoff{.operations = 0, .scale = 150, .reason = "masses are never written: no operation is rounded"});
   check.that({.id = "length",
-              .text = "The length of the closed basin is constant to the last bit.",
+              .text = "The length of the closed basin is constant, bitwise.",
               .quantity = "length defect",
               .unit = "m",
               .source = source},

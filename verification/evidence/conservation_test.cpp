@@ -96,7 +96,7 @@ TEST_CASE("histories of volume, energy and momentum are judged by what the water
   std::vector<io::Table> named{table("time,mass\n0,3\n1,3\n", "m.csv")};
   is("mapped", "Conservation columns with other names are read when they are mapped.",
      fmt::format("{}", take_history(named, wanted_gauge(), {{"t", "time"}, {"volume", "mass"}}).count("volume")), "1");
-  is("none", "A value that is missing is refused.", refusal("t,volume\n0,1\n1,\n"), "mine.csv: line 3: column volume");
+  is("none", "A value that is missing is rejected.", refusal("t,volume\n0,1\n1,\n"), "mine.csv: line 3: column volume");
   is("short", "A conservation history of one row is rejected.", refusal("t,volume\n0,1\n"),
      "1 rows, must be at least two");
   std::string zero;

@@ -118,7 +118,7 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   is("farthest", "Of two times that fail the one that is farther off is shown.", shown(both, "eta-relative_l2"),
      "t = 2");
   is("missing", "A table that is not submitted fails its coverage.", verdict(bad, "heights-coverage"), "fail");
-  is("absent", "Of what it would hold nothing is judged.", verdict(bad, "runup-value"), "no such claim");
+  is("absent", "Of what it would hold nothing is scored.", verdict(bad, "runup-value"), "no such claim");
   check.that({.id = "second",
               .text = "Each time is measured by itself.",
               .quantity = "relative L2 at t = 2 s",
@@ -153,9 +153,10 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
      verdict(scored({table("t,x,eta\n" + reversed, "mine.csv")}), "eta-relative_l2"), "pass");
   is("several", "What the rows differ in is named, where the file says.",
      refusal("t,x,y,eta\n1,0,0,0\n1,1,0,0\n1,0,3,0\n1,1,3,0\n2,0,0,0\n2,1,0,0\n"), "holds y = 0 and 3, and one alone");
-  is("single", "Several rows of single numbers are refused.", refusal("runup\n1\n2\n"),
+  is("single", "Several rows of single numbers are rejected.", refusal("runup\n1\n2\n"),
      "mine.csv: column runup: 2 rows, must be exactly one");
-  is("foreign", "A file that holds nothing wanted is refused.", refusal("a,b\n1,2\n"), "is missing: the file has a, b");
+  is("foreign", "A file that holds nothing wanted is rejected.", refusal("a,b\n1,2\n"),
+     "is missing: the file has a, b");
   is("template", "The template has a row per point and time.", template_of(wanted_tables().front(), "# opening\n"),
      "t [s],x [m],eta [m]\n1,0,\n1,0.2");
 }

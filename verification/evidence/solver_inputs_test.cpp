@@ -87,7 +87,7 @@ TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
   } catch (const std::invalid_argument& refused) {
     alone = refused.what();
   }
-  is("alone", "A column of one cell is refused.", alone, "one cell alone at x = 0");
+  is("alone", "A column of one cell is rejected.", alone, "one cell alone at x = 0");
 
   const std::vector<double> scalars{0.1, 1.0 / 3};
   std::istringstream list(validation::openfoam_field(scalars));

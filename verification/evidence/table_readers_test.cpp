@@ -88,8 +88,9 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
                     wrong_words(csv.units, {"s", "m", ""}));
   claims.none_wrong("csv-lines", "Each row of a CSV file knows its line number.",
                     wrong_entries({{csv.lines.begin(), csv.lines.end()}}, {{3, 5, 7}}));
-  claims.is_refused("comma", "Decimal commas between commas are refused.", refused("t,h\n0,5,1,5\n"));
-  claims.is_refused("missing", "An entry that is missing is refused, it does not become 0.", refused("t,h\n0,\n1,2\n"));
+  claims.is_refused("comma", "Decimal commas between commas are rejected.", refused("t,h\n0,5,1,5\n"));
+  claims.is_refused("missing", "An entry that is missing is rejected, it does not become 0.",
+                    refused("t,h\n0,\n1,2\n"));
   claims.is_refused("trailing", "Text that follows a number is rejected.", refused("t,h\n0,1.5m\n"));
   claims.is_refused("nan", "An entry that is not a finite number is rejected.", refused("t,h\n0,nan\n"));
   claims.is_refused("twice", "A column that is there twice is rejected.", refused("t,t\n0,1\n"));

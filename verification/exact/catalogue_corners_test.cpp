@@ -166,7 +166,7 @@ void try_members(bool longest) {
              {.value = broken.value(), .resolution = resolution},
              evidence::Bound{.limit = 0, .reason = "a declared range is a promise"});
   check.that({.id = "refusals",
-              .text = "Every refusal names a parameter of the solution.",
+              .text = "Every rejection names a parameter of the solution.",
               .quantity = "refusals that do not",
               .source = "interface of the catalogue"},
              {.value = nameless.value(), .resolution = resolution},

@@ -42,7 +42,7 @@ void claim(Check& check, const std::string& format, const Tally& tally) {
   check.measure(format + "_accepted", static_cast<double>(tally.accepted));
   check.measure(format + "_slowest_s", tally.slowest.value());
   check.that({.id = format,
-              .text = fmt::format("Every damaged {} input is read or refused in one line.", format),
+              .text = fmt::format("Every damaged {} input is read or rejected in one line.", format),
               .quantity = "inputs that end otherwise",
               .source = "interface of the reader"},
              {.value = static_cast<double>(tally.misbehaved), .resolution = fmt::format("{} inputs", count)},
