@@ -38,7 +38,7 @@ class Ladders(Sines):
         report = seiche("report", self.out)
         self.assertEqual(report.returncode, 0, report.stderr)
         page = (self.out / "report/cases/standing_wave.html").read_text()
-        self.assertIn("At first sight: mine", page)
+        self.assertIn("Summary: mine", page)
         self.assertIn("your order is 1", page)
 
     def test_the_finest_is_judged_in_whatever_order_it_comes(self):

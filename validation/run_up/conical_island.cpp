@@ -192,7 +192,7 @@ bool resolves_breaking(double spacing) {
 void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing, const Measured& data) {
   const evidence::Claim runup{
       .id = "runup-" + wave.name,
-      .text = fmt::format("Case {}: the run-up all around the island is the measured one.", wave.name),
+      .text = fmt::format("Case {}: the run-up all around the island agrees with the measurements.", wave.name),
       .quantity = "rms of R/R_measured - 1, of all nine angles",
       .source = source};
   const Uncertainty criterion{

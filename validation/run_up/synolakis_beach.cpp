@@ -229,7 +229,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                           .reason = "at t = 65 the surface is nearly level and the wave, dispersive and faster than "
                                     "sqrt(g d), has already left; with finer markers the distance stays"});
   profiles.known_failure(
-      "laboratory-profiles", "At all times the surface is the measured one.", "largest rms distance [depth]",
+      "laboratory-profiles", "The surface at all times agrees with the measured profiles.",
+      "largest rms distance [depth]",
       [](const Results& r) -> Measurement {
         const Worst worst = farthest(r.off_laboratory);
         return {.value = worst.value(),

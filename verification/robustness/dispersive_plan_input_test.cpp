@@ -167,7 +167,7 @@ TEST_CASE("steps of the plan model beyond stability are counted", "[robustness]"
   flow.advance(0.5 * flow.stable_step());
   flow.advance(1.01 * flow.stable_step());
   check.that({.id = "count",
-              .text = "Longer steps are counted.",
+              .text = "Steps longer than the bound are counted.",
               .quantity = "steps beyond stability",
               .source = "interface of the model"},
              {.value = static_cast<double>(flow.steps_beyond_stability())},

@@ -173,7 +173,7 @@ TEST_CASE("a moving window that follows still water changes nothing", "[robustne
               .source = "interface of the model"},
              {.value = motion.value()}, evidence::Bound{0, "every force is exactly zero"});
   check.that({.id = "place",
-              .text = "The window has followed.",
+              .text = "The moving window has followed the stated reach.",
               .quantity = "x of the east side",
               .source = "interface of the model"},
              {.value = flow.x().back()},
